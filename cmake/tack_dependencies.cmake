@@ -1,0 +1,23 @@
+# Every library tack uses, all of them Debian packages (the `tack` script installs them).
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+find_package(Threads REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(TBB REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(CGAL REQUIRED)
+find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOGeometry IOPLY IOLegacy)
+set(TACK_VTK VTK::CommonCore VTK::CommonDataModel VTK::IOXML VTK::IOGeometry VTK::IOPLY VTK::IOLegacy)
+find_library(TACK_GMSH gmsh REQUIRED)
+find_library(TACK_UDUNITS udunits2 REQUIRED)
+
+# Debian ships no CMake config for SuiteSparse 5.12.
+find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+find_library(METIS_LIBRARY metis REQUIRED)
+find_library(OPENBLAS_LIBRARY openblas REQUIRED)
+add_library(TACK::cholmod INTERFACE IMPORTED)
+target_include_directories(TACK::cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
+target_link_libraries(TACK::cholmod INTERFACE ${CHOLMOD_LIBRARY} ${METIS_LIBRARY} ${OPENBLAS_LIBRARY})

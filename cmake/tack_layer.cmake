@@ -1,0 +1,44 @@
+# One OBJECT library per layer: components register themselves from static initialisers, which a
+# static archive would drop. Sources are globbed, so a new file in the right folder is enough.
+add_library(tack_options INTERFACE)
+target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
+                       $<$<CONFIG:Release>:-O3> $<$<BOOL:${TACK_NATIVE}>:-march=native>
+                       -fno-math-errno)
+if(TACK_SANITIZE)
+  target_compile_options(tack_options INTERFACE -fsanitize=address,undefined
+                         -fno-omit-frame-pointer -g -O1)
+  target_link_options(tack_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+function(tack_layer NAME)
+  cmake_parse_arguments(L "" "" "EXCLUDE;LINKS;PRIVATE_LINKS" ${ARGN})
+  file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${NAME}/*.cpp)
+  foreach(FOLDER ${L_EXCLUDE})
+    list(FILTER SOURCES EXCLUDE REGEX "/${NAME}/${FOLDER}/")
+  endforeach()
+  add_library(tack_${NAME} OBJECT ${SOURCES})
+  target_link_libraries(tack_${NAME} PUBLIC tack_options ${L_LINKS} PRIVATE ${L_PRIVATE_LINKS})
+  set_property(GLOBAL APPEND PROPERTY TACK_LAYERS tack_${NAME})
+  set_property(GLOBAL APPEND PROPERTY TACK_LINKS ${L_PRIVATE_LINKS})
+endfunction()
+
+# Everything an executable needs: the layers' objects and the libraries they use.
+function(tack_link_all TARGET)
+  get_property(LAYERS GLOBAL PROPERTY TACK_LAYERS)
+  get_property(LINKS GLOBAL PROPERTY TACK_LINKS)
+  foreach(LAYER ${LAYERS})
+    target_sources(${TARGET} PRIVATE $<TARGET_OBJECTS:${LAYER}>)
+  endforeach()
+  target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt
+                        nlohmann_json::nlohmann_json CLI11::CLI11 Threads::Threads ${LINKS})
+endfunction()
+
+function(tack_app)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
+  add_executable(tack_cli ${SOURCES})
+  set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack RUNTIME_OUTPUT_DIRECTORY
+                        ${CMAKE_BINARY_DIR}/bin)
+  target_compile_definitions(tack_cli PRIVATE TACK_VERSION="${PROJECT_VERSION}")
+  tack_link_all(tack_cli)
+endfunction()

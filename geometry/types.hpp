@@ -1,0 +1,27 @@
+// The vocabulary types of every layer. SI units; a configuration of n vertices is one flat vector of
+// 3n coordinates (x0 y0 z0 x1 ...), so that it is also the argument of the minimisers.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace tack {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Vec9 = Eigen::Matrix<double, 9, 1>;
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using VecX = Eigen::VectorXd;
+using Mat3 = Eigen::Matrix3d;
+using Mat9 = Eigen::Matrix<double, 9, 9>;
+using Mat12 = Eigen::Matrix<double, 12, 12>;
+
+using Edge = std::array<int, 2>;
+using Triangle = std::array<int, 3>;
+using Tet = std::array<int, 4>;
+
+// Vertex i of a flat configuration, as a 3-vector (an Eigen view, no copy).
+inline auto vertex(const VecX& x, int i) { return x.segment<3>(3 * i); }
+inline auto vertex(VecX& x, int i) { return x.segment<3>(3 * i); }
+
+}  // namespace tack
