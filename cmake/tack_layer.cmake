@@ -4,7 +4,7 @@ add_library(tack_options INTERFACE)
 target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
                        $<$<CONFIG:Release>:-O3> $<$<BOOL:${TACK_NATIVE}>:-march=native>
-                       -fno-math-errno)
+                       -fno-math-errno -Wno-maybe-uninitialized)
 if(TACK_SANITIZE)
   target_compile_options(tack_options INTERFACE -fsanitize=address,undefined
                          -fno-omit-frame-pointer -g -O1)

@@ -1,0 +1,65 @@
+// The clamped logarithmic barrier of IPC, with its stiffness in pascals.
+//   plain:   b(d) = -kappa dhat (d/dhat - 1)^2 ln(d/dhat),        0 < d < dhat   (the paper, eq. 2)
+//   squared: the same in s = d^2 with dhat^2 for dhat and a stiffness that makes the force at
+//            d = dhat/2 equal to the plain form's.
+#include "framework/contact/normal_law.hpp"
+#include "framework/config/field.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
+ public:
+  enum class Form { plain, squared };
+
+  void fields(Fields& f) override {
+    f.choice("form", form_, {{"plain", Form::plain, "logarithm of the gap"},
+                             {"squared", Form::squared, "logarithm of the squared gap"}},
+             "the argument of the barrier");
+    f.optional_number("stiffness", given_stiffness_, units::pressure,
+                      "kappa; by default a tenth of the softer Young's modulus, or a twentieth of the "
+                      "pair's peak adhesive traction if that is less")
+        .positive();
+  }
+
+  void prepare(const PairMaterials& m) override {
+    dhat_ = m.contact_distance;
+    kappa_ = given_stiffness_ ? *given_stiffness_ : default_stiffness(m);
+    if (form_ == Form::plain) return;
+    // plain: b'(dhat/2) = -kappa g(1/2); squared: -kappa_s 2 d g(1/4), g(r) = 2 (r-1) ln r + (r-1)^2 / r
+    const auto g = [](double r) { return 2 * (r - 1) * std::log(r) + (r - 1) * (r - 1) / r; };
+    kappa_ *= g(0.5) / (dhat_ * g(0.25));
+  }
+
+  double range() const override { return dhat_; }
+
+  template <class T>
+  T energy(const T& d) const {
+    using std::log;
+    if (form_ == Form::plain) {
+      const T r = d / T(dhat_);
+      return T(-kappa_ * dhat_) * (r - T(1)) * (r - T(1)) * log(r);
+    }
+    const T r = d * d / T(dhat_ * dhat_);
+    return T(-kappa_ * dhat_ * dhat_) * (r - T(1)) * (r - T(1)) * log(r);
+  }
+
+ private:
+  static double default_stiffness(const PairMaterials& m) {
+    constexpr double of_young = 0.1, of_adhesion = 0.05, without_material = 1e5;
+    double kappa = m.softer_young > 0 ? of_young * m.softer_young : without_material;
+    if (m.adhesion_peak > 0) kappa = std::min(kappa, of_adhesion * m.adhesion_peak);
+    return kappa;
+  }
+
+  Form form_ = Form::plain;
+  std::optional<double> given_stiffness_;
+  double dhat_ = 1e-3;   // m
+  double kappa_ = 1e5;   // Pa; for the squared form Pa/m
+};
+
+TACK_REGISTER(BarrierLaw, ClampedLogBarrier, "clamped_log",
+              "Clamped logarithmic barrier; twice differentiable where it ends.",
+              "Li et al. 2020, Incremental Potential Contact; Fang et al., eq. 2");
+
+}  // namespace tack

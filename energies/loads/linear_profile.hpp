@@ -1,0 +1,35 @@
+// How a load varies in time and space.
+#pragma once
+
+#include <cmath>
+
+#include "framework/config/field.hpp"
+
+namespace tack {
+
+// factor(X, t) = ramp(t) (constant + slope s), s = axis . (X - centre) at rest, or |s| if symmetric.
+struct LoadProfile {
+  Schedule ramp = 1.0;
+  double constant = 1;
+  double slope = 0;  // 1/m
+  Vec3 axis = Vec3::UnitX();
+  Vec3 centre = Vec3::Zero();  // m
+  bool symmetric = false;
+
+  void fields(Fields& f) {
+    f.schedule("ramp", ramp, units::none, "factor over time: a number or [[t, factor], ...]");
+    f.number("constant", constant, units::none, "part of the load that is the same everywhere");
+    f.number("slope", slope, units::curvature, "part that grows linearly along the axis");
+    f.vector("axis", axis, units::none, "direction of the linear part");
+    f.vector("centre", centre, units::length, "where the linear part is zero");
+    f.flag("symmetric", symmetric, "the linear part grows with the distance from the centre on both sides");
+    f.check("axis", [this]() -> std::string { return axis.norm() > 0 ? "" : "must not be zero"; });
+  }
+
+  double at(const Vec3& rest_position, double t) const {
+    const double along = axis.normalized().dot(rest_position - centre);
+    return ramp.at(t) * (constant + slope * (symmetric ? std::abs(along) : along));
+  }
+};
+
+}  // namespace tack

@@ -1,0 +1,70 @@
+// Loads: a traction on part of a surface, and a force per mass on a body.
+#include <Eigen/Geometry>
+#include <memory>
+
+#include "energies/loads/linear_profile.hpp"
+#include "framework/scene/load.hpp"
+#include "framework/scene/selection.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// Dead load: force per rest area on the surface triangles whose three vertices are selected, a third
+// to each vertex with the profile taken there.
+class Traction : public Load {
+ public:
+  void fields(Fields& f) override {
+    f.vector("value", value_, units::pressure, "force per rest area").required();
+    f.component("select", select_, "vertices; triangles with all three selected are loaded");
+    profile_.fields(f);
+  }
+
+  void add_forces(const Body& body, const VecX& rest, const VecX&, double t,
+                  VecX& force) const override {
+    std::vector<char> chosen(rest.size() / 3, 0);
+    for (const int v : select(*select_, {body, rest})) chosen[v] = 1;
+    bool any = false;
+    for (const Triangle& tri : body.triangles) {
+      if (!chosen[tri[0]] || !chosen[tri[1]] || !chosen[tri[2]]) continue;
+      any = true;
+      const Vec3 a = vertex(rest, tri[0]), b = vertex(rest, tri[1]), c = vertex(rest, tri[2]);
+      const double third = (b - a).cross(c - a).norm() / 6;
+      for (const int v : tri)
+        vertex(force, v) += third * profile_.at(vertex(rest, v), t) * value_;
+    }
+    if (!any)
+      throw InputError("object '" + body.name + "': its traction's selection holds no whole surface "
+                       "triangle; widen it");
+  }
+
+ private:
+  Vec3 value_ = Vec3::Zero();  // Pa
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+  LoadProfile profile_;
+};
+
+class BodyForce : public Load {
+ public:
+  void fields(Fields& f) override {
+    f.vector("value", value_, units::acceleration, "force per mass").required();
+    f.component("select", select_, "vertices");
+    profile_.fields(f);
+  }
+  void add_forces(const Body& body, const VecX& rest, const VecX& mass, double t,
+                  VecX& force) const override {
+    for (const int v : select(*select_, {body, rest}))
+      vertex(force, v) += mass(v) * profile_.at(vertex(rest, v), t) * value_;
+  }
+
+ private:
+  Vec3 value_ = Vec3::Zero();  // m/s^2
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+  LoadProfile profile_;
+};
+
+TACK_REGISTER(Load, Traction, "traction", "Force per rest area on a part of the surface.", "");
+TACK_REGISTER(Load, BodyForce, "body_force", "Force per mass on a body.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,45 @@
+// What every isotropic solid energy has in common: parameters, lumped mass, the term. A material is
+// one file: its density, its derivatives, and a TACK_REGISTER of IsotropicSolid<Material>.
+#pragma once
+
+#include "energies/solid/solid_term.hpp"
+#include "framework/config/field.hpp"
+#include "framework/scene/energy.hpp"
+
+namespace tack {
+
+// Lame parameters [Pa].
+struct Lame {
+  double mu = 0, lambda = 0;
+};
+inline Lame lame(double young, double poisson) {
+  return {young / (2 * (1 + poisson)), young * poisson / ((1 + poisson) * (1 - 2 * poisson))};
+}
+
+// Adds a quarter of each tet's mass to its vertices [kg].
+void add_tet_mass(const Body& body, const VecX& rest, double density, VecX& mass);
+
+template <class Material>
+class IsotropicSolid : public Energy {
+ public:
+  void fields(Fields& f) override {
+    f.number("young", young_, units::pressure, "Young's modulus").required().positive();
+    f.number("poisson", poisson_, units::none, "Poisson's ratio").range(-0.99, 0.4999);
+    f.number("density", density_, units::density, "mass per rest volume").positive();
+  }
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+    return std::make_unique<SolidTerm<Material>>(std::string(type()), Material{lame(young_, poisson_)}, body,
+                                                 rest);
+  }
+  void add_mass(const Body& body, const VecX& rest, VecX& mass) const override {
+    add_tet_mass(body, rest, density_, mass);
+  }
+  std::optional<double> young() const override { return young_; }
+
+ private:
+  double young_ = 1e5;      // Pa
+  double poisson_ = 0.3;
+  double density_ = 1000;   // kg/m^3
+};
+
+}  // namespace tack

@@ -1,0 +1,129 @@
+#include "framework/assembly/assembler.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/assembly/parallel.hpp"
+
+namespace tack {
+
+void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
+  batches.clear();
+  first_gradient.clear();
+  first_hessian.clear();
+  int gradient_slot = 0, hessian_slot = 0;
+  for (const Term* term : terms) {
+    first_gradient.push_back(gradient_slot);
+    first_hessian.push_back(hessian_slot);
+    for (const StencilBatch& batch : term->batches()) {
+      batches.push_back({batch, gradient_slot, hessian_slot});
+      gradient_slot += batch.arity * batch.count;
+      hessian_slot += hessian_blocks(batch.arity) * batch.count;
+    }
+  }
+  gradient_slots.resize(3 * static_cast<size_t>(gradient_slot));
+  gradient_map = tack::gradient_map(batches, dofs);
+  if (!with_hessian) return;
+  hessian_slots.resize(9 * static_cast<size_t>(hessian_slot));
+  hessian_map = tack::hessian_map(batches, dofs);
+}
+
+void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessian) {
+  for (size_t t = 0; t < terms.size(); ++t) {
+    double* hessian =
+        with_hessian ? hessian_slots.data() + 9 * static_cast<size_t>(first_hessian[t]) : nullptr;
+    terms[t]->derivatives(x, filter, gradient_slots.data() + 3 * static_cast<size_t>(first_gradient[t]),
+                          hessian);
+  }
+}
+
+void Assembler::Group::gather_gradient(double scale, VecX& gradient) const {
+  const GatherMap& map = gradient_map;
+  for_each(map.targets(), [&](int k) {
+    Vec3 sum = Vec3::Zero();
+    for (int e = map.start[k]; e < map.start[k + 1]; ++e)
+      sum += Eigen::Map<const Vec3>(gradient_slots.data() + 3 * static_cast<size_t>(map.slot[e]));
+    gradient.segment<3>(3 * static_cast<Eigen::Index>(map.target[k])) += scale * sum;
+  });
+}
+
+void Assembler::Group::gather_hessian(double scale, const std::vector<int>& positions,
+                                      BlockMatrix& matrix) const {
+  const GatherMap& map = hessian_map;
+  for_each(map.targets(), [&](int k) {
+    Mat3 sum = Mat3::Zero();
+    for (int e = map.start[k]; e < map.start[k + 1]; ++e) {
+      const Eigen::Map<const Mat3> block(hessian_slots.data() +
+                                         9 * static_cast<size_t>(map.slot[e] >> 1));
+      if (map.slot[e] & 1) {
+        sum += block.transpose();
+      } else {
+        sum += block;
+      }
+    }
+    matrix.block(positions[k]) += scale * sum;
+  });
+}
+
+Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseClock& clock)
+    : dofs_(dofs), clock_(clock), terms_(std::move(terms)) {
+  for (const Term* term : terms_) (term->dynamic() ? dynamic_ : static_).terms.push_back(term);
+  static_.place(dofs_, true);
+  pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), static_.hessian_map.target);
+}
+
+void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
+  VecX full = VecX::Zero(x.size());
+  for (const Term* term : terms_) term->add_linear_gradient(full);
+  for (int b = 0; b < dofs_.block_count(); ++b)
+    gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
+}
+
+void Assembler::add_gradient(const VecX& x, double scale, VecX& gradient) {
+  const PhaseScope scope(clock_, Phase::assembly);
+  dynamic_.place(dofs_, false);
+  for (Group* group : {&static_, &dynamic_}) {
+    group->evaluate(x, SpdFilter::none, false);
+    group->gather_gradient(scale, gradient);
+  }
+  add_linear(x, scale, gradient);
+}
+
+double Assembler::largest_stencil_force() const {
+  double largest = 0;
+  for (const Group* group : {&static_, &dynamic_})
+    for (const double force : group->gradient_slots) largest = std::max(largest, std::abs(force));
+  return largest;
+}
+
+void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const VecX& block_mass,
+                         VecX& gradient, BlockMatrix& matrix) {
+  const PhaseScope scope(clock_, Phase::assembly);
+  dynamic_.place(dofs_, true);
+  pattern_->cover(dynamic_.hessian_map.target, matrix);
+  std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
+  for (int b = 0; b < dofs_.block_count(); ++b)
+    matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
+
+  for (Group* group : {&static_, &dynamic_}) {
+    group->evaluate(x, filter, true);
+    group->gather_gradient(scale, gradient);
+  }
+  // The pattern's static keys are those of the static map plus diagonals: find each once.
+  std::vector<int> positions(static_.hessian_map.targets());
+  size_t k = 0;
+  for (size_t t = 0; t < positions.size(); ++t) {
+    while (pattern_->static_keys()[k] != static_.hessian_map.target[t]) ++k;
+    positions[t] = pattern_->static_positions()[k];
+  }
+  static_.gather_hessian(scale, positions, matrix);
+  positions.resize(dynamic_.hessian_map.targets());
+  for (size_t t = 0; t < positions.size(); ++t) {
+    const BlockKey key = dynamic_.hessian_map.target[t];
+    positions[t] = matrix.find(key_row(key), key_column(key));
+  }
+  dynamic_.gather_hessian(scale, positions, matrix);
+  add_linear(x, scale, gradient);
+}
+
+}  // namespace tack

@@ -1,0 +1,51 @@
+// Sums the terms of the potential into one gradient and one block matrix.
+// Every stencil writes its own slots; one gather then sums the slots of each target. The maps of
+// static terms are made once, those of dynamic terms whenever the configuration is linearised.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "framework/assembly/gather_map.hpp"
+#include "framework/core/phase_clock.hpp"
+
+namespace tack {
+
+class Assembler {
+ public:
+  Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseClock& clock);
+
+  // Adds scale * gradient of the sum of the terms, in the unknowns (3m), to `gradient`.
+  void add_gradient(const VecX& x, double scale, VecX& gradient);
+
+  // The same, and matrix <- scale * Hessian + diag(block_mass) with each stencil filtered.
+  void assemble(const VecX& x, double scale, SpdFilter filter, const VecX& block_mass,
+                VecX& gradient, BlockMatrix& matrix);
+
+  // The largest component of any stencil's force at the last evaluation [N].
+  double largest_stencil_force() const;
+
+ private:
+  struct Group {
+    std::vector<const Term*> terms;
+    std::vector<PlacedBatch> batches;
+    std::vector<int> first_gradient, first_hessian;  // per term
+    std::vector<double> gradient_slots, hessian_slots;
+    GatherMap gradient_map, hessian_map;
+
+    void place(const DofMap& dofs, bool with_hessian);
+    void evaluate(const VecX& x, SpdFilter filter, bool with_hessian);
+    void gather_gradient(double scale, VecX& gradient) const;
+    void gather_hessian(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
+  };
+
+  void add_linear(const VecX& x, double scale, VecX& gradient) const;
+
+  const DofMap& dofs_;
+  PhaseClock& clock_;
+  std::vector<const Term*> terms_;
+  Group static_, dynamic_;
+  std::unique_ptr<BlockPattern> pattern_;
+};
+
+}  // namespace tack

@@ -1,0 +1,60 @@
+// The parallel loops of the program. Work is cut into chunks of a fixed size, whatever the number of
+// threads, and partial sums are added in chunk order: the same input gives the same bits.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <vector>
+
+namespace tack {
+
+inline constexpr int chunk_size = 256;
+
+inline int chunk_count(int n, int chunk = chunk_size) { return (n + chunk - 1) / chunk; }
+
+// body(chunk index, first, last) for each chunk of [0, n).
+template <class Body>
+void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
+  const int chunks = chunk_count(n, chunk);
+  if (chunks <= 1) {
+    if (n > 0) body(0, 0, n);
+    return;
+  }
+  tbb::parallel_for(tbb::blocked_range<int>(0, chunks, 1), [&](const tbb::blocked_range<int>& r) {
+    for (int c = r.begin(); c < r.end(); ++c) {
+      const int first = c * chunk;
+      body(c, first, first + chunk < n ? first + chunk : n);
+    }
+  });
+}
+
+// body(i) for each i of [0, n).
+template <class Body>
+void for_each(int n, const Body& body, int chunk = chunk_size) {
+  for_each_chunk(n, [&](int, int first, int last) {
+    for (int i = first; i < last; ++i) body(i);
+  }, chunk);
+}
+
+// Sum over chunks of body(first, last), in chunk order.
+template <class Body>
+double sum_chunks(int n, const Body& body, int chunk = chunk_size) {
+  std::vector<double> partial(chunk_count(n, chunk), 0.0);
+  for_each_chunk(n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
+  double sum = 0;
+  for (const double s : partial) sum += s;
+  return sum;
+}
+
+// Minimum over chunks of body(first, last), starting from `start`.
+template <class Body>
+double min_chunks(int n, double start, const Body& body, int chunk = chunk_size) {
+  std::vector<double> partial(chunk_count(n, chunk), start);
+  for_each_chunk(n, [&](int c, int first, int last) { partial[c] = body(first, last); }, chunk);
+  double smallest = start;
+  for (const double s : partial) smallest = s < smallest ? s : smallest;
+  return smallest;
+}
+
+}  // namespace tack

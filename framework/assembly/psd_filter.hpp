@@ -1,0 +1,19 @@
+// Projection of a stencil's symmetric Hessian onto the positive semi-definite cone.
+// Translation-invariant stencils are projected in the 3(K-1) dimensions orthogonal to translations,
+// and an early Cholesky test leaves blocks alone that are definite there already.
+#pragma once
+
+#include "framework/core/spd_filter.hpp"
+#include "geometry/types.hpp"
+
+namespace tack {
+
+// N = 2, 3, 6, 9: plain eigenvalue projection.
+template <int N>
+void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter);
+
+// Arity 2, 3 or 4, translation invariant: 3K x 3K.
+template <int K>
+void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter filter);
+
+}  // namespace tack

@@ -1,0 +1,11 @@
+// The gradient of one term at every vertex, fixed ones included: for records, not for solving.
+#pragma once
+
+#include "framework/core/term.hpp"
+
+namespace tack {
+
+// Adds the term's gradient (3n) [N].
+void add_term_gradient(const Term& term, const VecX& x, VecX& gradient);
+
+}  // namespace tack

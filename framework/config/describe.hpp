@@ -1,0 +1,35 @@
+// What is written from the fields alone: help on the terminal, the reference page, the JSON schema
+// for editors, and the echo of a resolved scene.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "framework/config/field.hpp"
+
+namespace tack {
+
+// `tack list [KIND [NAME]]`: all kinds, the components of one, or the parameters of one component.
+// Throws InputError with the nearest name for an unknown kind or component.
+std::string list_kinds();
+std::string list_kind(const std::string& kind);
+std::string list_component(const std::string& kind, const std::string& name);
+
+// Markdown: the parameters of `root` (the scene), then every registered kind and component.
+std::string reference_page(const Fields& root, const std::string& title);
+
+// JSON schema, draft 7, of files that bind to `root`. Include <nlohmann/json.hpp> to use the
+// result.
+nlohmann::json json_schema(const Fields& root, const std::string& title);
+
+// Every value, defaults included, in SI with its unit as comment. Binding this text again gives the
+// same values bit for bit.
+std::string to_yaml(const Fields& fields);
+
+// The default of a field for readers: "5e6", "fang", "required", "unset".
+std::string default_text(const Field& field);
+
+// The struct inside an object, list or map of objects; nullptr for anything else.
+const Shape* nested_object(const Shape& shape);
+
+}  // namespace tack

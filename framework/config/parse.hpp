@@ -1,0 +1,29 @@
+// Scene files to Value trees: includes, command-line overrides, relative paths.
+//
+// `include: other.yaml`, or a list of files, at the top level of a file merges those files under
+// it, later ones over earlier ones, the including file over all: maps are merged key by key,
+// everything else is replaced. Two maps that name different `type`s are different things and are
+// replaced too. All errors are InputErrors that open with file:line:column.
+#pragma once
+
+#include <string>
+
+#include "framework/config/value.hpp"
+
+namespace tack {
+
+Value parse_file(const std::string& path);
+
+// `name` stands for the file: in messages, and as what includes and relative paths are relative to.
+Value parse_string(const std::string& text, const std::string& name);
+
+// Applies `--set a.b=c`: the value, parsed as YAML, replaces the one at the dotted path. A segment
+// indexes a list by number or by the `name` of its entries (`objects.plate.shape.size`); keys that
+// do not exist are created (binding checks them); a component written as a bare name becomes a map.
+void apply_override(Value& root, const std::string& assignment);
+
+// The absolute form of a path written at `mark`: relative to the folder of that file, or to the
+// working directory for values that stand in no file. An empty path stays empty.
+std::string resolve_path(const SourceMark& mark, const std::string& path);
+
+}  // namespace tack

@@ -1,0 +1,116 @@
+// Maps and components, and the collected errors; leaves are in reader_leaves.cpp.
+#include "framework/config/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "framework/config/field.hpp"
+#include "framework/config/nearest.hpp"
+#include "framework/config/registry.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+void Reader::bind(const Value& value, Fields& fields, std::string_view context) {
+  bind_map(value, fields, context, false);
+}
+
+void Reader::unknown_keys(const Value& map, const Fields& fields, std::string_view context,
+                          bool typed) {
+  std::vector<std::string> keys = fields.keys();
+  if (typed) keys.push_back("type");
+  std::sort(keys.begin(), keys.end());
+  for (const Value::Entry& e : map.entries) {
+    if (std::binary_search(keys.begin(), keys.end(), e.key)) continue;
+    error(e.mark,
+          fmt::format("unknown key '{}' in {}{}", e.key, context, suggestion(e.key, keys, "keys")));
+  }
+}
+
+void Reader::bind_map(const Value& map, Fields& fields, std::string_view context, bool typed) {
+  if (!map.is_map() && !map.is_null()) {
+    return error(map.mark, fmt::format("{} expects a map, got {}", context, map.description()));
+  }
+  const std::size_t errors_before = errors_.size();
+  unknown_keys(map, fields, context, typed);
+  for (const Field& f : fields.all()) {
+    const Value* v = map.find(f.key);
+    const bool absent = !v || (v->is_null() && f.shape.nullable);
+    if (f.mandatory && absent) {
+      error(map.mark, fmt::format("missing key '{}' in {}: {}; expects {}", f.key, context, f.doc,
+                                  f.shape.expectation()));
+    } else if (v) {
+      f.read(*v, f, *this);
+    }
+  }
+  if (errors_.size() == errors_before) run_checks(map, fields);
+}
+
+void Reader::run_checks(const Value& map, const Fields& fields) {
+  for (const Fields::Check& check : fields.checks()) {
+    const std::string wrong = check.condition();
+    if (wrong.empty()) continue;
+    const Value* v = map.find(check.key);
+    error(v ? v->mark : map.mark, fmt::format("{}: {}", check.key, wrong));
+  }
+}
+
+std::unique_ptr<Component> Reader::component(const Value& value, const Kind& kind,
+                                             Component* present, std::string_view key) {
+  const Value* type = value.is_map() ? value.find("type") : &value;
+  if (!type && present) {
+    Fields fields = fields_of(*present);
+    bind_map(value, fields, fmt::format("{} '{}'", kind.name(), present->type()), true);
+    return nullptr;
+  }
+  if (!type || !type->is_scalar()) {
+    error(type ? type->mark : value.mark,
+          fmt::format("{}: expects 'type', the name of a {} ({}), got {}", key, kind.name(),
+                      fmt::join(kind.names(), ", "), type ? type->description() : "no 'type'"));
+    return nullptr;
+  }
+  std::unique_ptr<Component> made;
+  try {
+    made = kind.entry(type->text).factory();
+  } catch (const InputError& e) {
+    error(type->mark, fmt::format("{}: {}", key, e.what()));
+    return nullptr;
+  }
+  Fields fields = fields_of(*made);
+  Value bare = Value::map();
+  bare.mark = value.mark;
+  bind_map(value.is_map() ? value : bare, fields, fmt::format("{} '{}'", kind.name(), type->text),
+           true);
+  return made;
+}
+
+void Reader::error(const SourceMark& mark, std::string_view message) {
+  errors_.push_back({mark, std::string(message)});
+}
+
+void Reader::finish() const {
+  constexpr std::size_t most = 20;
+  if (errors_.empty()) return;
+  const auto place = [](const Error& e) {
+    return std::make_tuple(e.mark.file ? *e.mark.file : "", e.mark.line, e.mark.column);
+  };
+  std::vector<Error> sorted = errors_;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Error& a, const Error& b) { return place(a) < place(b); });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i) {
+    text += fmt::format("{}{}: {}", i ? "\n" : "", sorted[i].mark.text(), sorted[i].message);
+  }
+  if (sorted.size() > most) text += fmt::format("\n... and {} more errors", sorted.size() - most);
+  throw InputError(text);
+}
+
+std::string entry_context(std::string_view key, std::size_t index, const Value& entry) {
+  const Value* name = entry.find("name");
+  if (name && name->is_scalar()) return fmt::format("{} '{}'", key, name->text);
+  return fmt::format("{}[{}]", key, index);
+}
+
+}  // namespace tack

@@ -1,0 +1,33 @@
+#include "framework/config/schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+Schedule::Schedule(double constant) : points_{{0.0, constant}} {}
+
+Schedule::Schedule(std::vector<Point> points) : points_(std::move(points)) {
+  if (points_.empty()) throw InputError("a schedule needs at least one [time, value] pair");
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    if (points_[i].time > points_[i - 1].time) continue;
+    throw InputError(fmt::format("the times of a schedule must increase, but {} s follows {} s",
+                                 points_[i].time, points_[i - 1].time));
+  }
+}
+
+double Schedule::at(double time) const {
+  const auto later = [](double t, const Point& p) { return t < p.time; };
+  const auto next = std::upper_bound(points_.begin(), points_.end(), time, later);
+  if (next == points_.begin()) return next->value;
+  const Point& before = *std::prev(next);
+  if (next == points_.end()) return before.value;
+  const double s = (time - before.time) / (next->time - before.time);
+  return (1 - s) * before.value + s * next->value;
+}
+
+}  // namespace tack

@@ -1,0 +1,169 @@
+#include "framework/config/units.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+#include "framework/config/words.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+struct FreeUnit {
+  void operator()(ut_unit* u) const { ut_free(u); }
+};
+struct FreeConverter {
+  void operator()(cv_converter* c) const { cv_free(c); }
+};
+struct FreeSystem {
+  void operator()(ut_system* s) const { ut_free_system(s); }
+};
+using UnitPtr = std::unique_ptr<ut_unit, FreeUnit>;
+using ConverterPtr = std::unique_ptr<cv_converter, FreeConverter>;
+using SystemPtr = std::unique_ptr<ut_system, FreeSystem>;
+
+// What a wrongly used unit is called; of equal dimensions the first.
+constexpr std::array named_dimensions{units::length,
+                                      units::area,
+                                      units::volume,
+                                      units::curvature,
+                                      units::time,
+                                      units::frequency,
+                                      units::velocity,
+                                      units::acceleration,
+                                      units::mass,
+                                      units::density,
+                                      units::force,
+                                      units::pressure,
+                                      units::energy,
+                                      units::viscosity,
+                                      units::power,
+                                      units::area_density,
+                                      units::line_density,
+                                      units::stiffness,
+                                      units::traction_stiffness};
+
+// The library's parser keeps global state: every call below holds this lock.
+std::mutex& units_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+ut_system* unit_system() {
+  static const SystemPtr system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    SystemPtr s(ut_read_xml(nullptr));
+    if (!s) {
+      throw InputError(
+          "the unit database udunits2.xml cannot be read; install libudunits2-data, "
+          "set UDUNITS2_XML_PATH, or write plain SI numbers");
+    }
+    const UnitPtr degree(ut_get_unit_by_name(s.get(), "arc_degree"));  // the database lacks "deg"
+    ut_map_name_to_unit("deg", UT_UTF8, degree.get());
+    return s;
+  }();
+  return system.get();
+}
+
+UnitPtr parse_unit(std::string_view text) {
+  return UnitPtr(ut_parse(unit_system(), std::string(text).c_str(), UT_UTF8));
+}
+
+// The library would also convert reciprocals (s to Hz): only a dimensionless quotient is the same.
+bool same_dimension(ut_unit* a, ut_unit* b) {
+  const UnitPtr quotient(ut_divide(a, b));
+  return quotient && ut_is_dimensionless(quotient.get());
+}
+
+std::string dimension_name(ut_unit* unit) {
+  const UnitPtr one = parse_unit("1");
+  if (same_dimension(unit, one.get())) {
+    std::array<char, 64> definition{};
+    ut_format(unit, definition.data(), definition.size() - 1, UT_DEFINITION);
+    const bool is_angle = std::string_view(definition.data()).find("rad") != std::string_view::npos;
+    return is_angle ? "angle" : "number";
+  }
+  for (const Unit& known : named_dimensions) {
+    const UnitPtr known_unit = parse_unit(known.si);
+    if (same_dimension(unit, known_unit.get())) return std::string(known.quantity);
+  }
+  return "quantity of another dimension";
+}
+
+// The library also reads factors ("3 m"), offsets and dates; a digit here may only be an exponent
+// ("m^2", "m2", "s-1", "s^-1") or the numerator of "1/s".
+bool only_exponents(std::string_view unit) {
+  if (unit.substr(0, 2) == "1/") unit.remove_prefix(2);
+  char before = ' ';  // the last character that is neither a digit nor a minus
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(unit[i]);
+    const bool letter = std::isalpha(c) || c >= 0x80 || c == '%';
+    const bool number = std::isdigit(c) || c == '-';
+    if (number && !(std::isalpha(static_cast<unsigned char>(before)) || before == '^'))
+      return false;
+    if (!letter && !number && std::string_view(" /^*.()").find(unit[i]) == std::string_view::npos) {
+      return false;
+    }
+    if (!number) before = unit[i];
+  }
+  return true;
+}
+
+[[noreturn]] void fail(std::string_view text, const Unit& unit, std::string_view why) {
+  throw InputError(fmt::format("expects {}, got '{}'{}", with_article(unit_noun(unit)), text, why));
+}
+
+double convert(double number, std::string_view unit_text, std::string_view text, const Unit& unit) {
+  const std::scoped_lock lock(units_mutex());
+  const UnitPtr from = only_exponents(unit_text) ? parse_unit(unit_text) : nullptr;
+  if (!from) fail(text, unit, fmt::format("; '{}' is no known unit", unit_text));
+  const UnitPtr to = parse_unit(unit.si);
+  if (!same_dimension(from.get(), to.get())) {
+    fail(text, unit, ", which is " + with_article(dimension_name(from.get())));
+  }
+  const ConverterPtr converter(ut_get_converter(from.get(), to.get()));
+  if (!converter) fail(text, unit, fmt::format("; '{}' cannot be converted", unit_text));
+  return cv_convert_double(converter.get(), number);
+}
+
+std::string_view trimmed(std::string_view s) {
+  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.front()))) s.remove_prefix(1);
+  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.back()))) s.remove_suffix(1);
+  return s;
+}
+
+}  // namespace
+
+double to_si(std::string_view text, const Unit& unit) {
+  std::string_view rest = trimmed(text);
+  if (rest.starts_with('+') && !rest.starts_with("+-")) rest.remove_prefix(1);
+  double number = 0;
+  const auto [stop, status] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+  if (status == std::errc::result_out_of_range) fail(text, unit, ", which is out of range");
+  if (status != std::errc()) fail(text, unit, "");
+  if (!std::isfinite(number)) fail(text, unit, ", which is not finite");
+  const auto used = static_cast<std::size_t>(stop - rest.data());
+  const std::string_view unit_text = trimmed(rest.substr(used));
+  if (unit_text.empty()) return number;
+  const double si = convert(number, unit_text, text, unit);
+  if (!std::isfinite(si)) fail(text, unit, ", which is out of range");
+  return si;
+}
+
+std::string unit_noun(const Unit& unit) {
+  return unit.plain() ? std::string(unit.quantity) : fmt::format("{} ({})", unit.quantity, unit.si);
+}
+
+std::string unit_noun_plural(const Unit& unit) {
+  return unit.plain() ? plural(unit.quantity)
+                      : fmt::format("{} ({})", plural(unit.quantity), unit.si);
+}
+
+}  // namespace tack

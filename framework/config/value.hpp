@@ -1,0 +1,60 @@
+// One node of a parsed scene file, with the place it came from. This is the program's own tree: no
+// other header needs to know the YAML library. Maps keep the order of the file.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tack {
+
+// Where a value was written. Line and column count from 1; line 0 means the value does not stand in
+// a file (`--set a.b=c`), and `file` then names the origin.
+struct SourceMark {
+  std::shared_ptr<const std::string> file;
+  int line = 0;
+  int column = 0;
+
+  std::string text() const;  // "scene.yaml:12:5"
+};
+
+struct Value {
+  enum class Kind { null, scalar, sequence, map };
+  struct Entry;
+
+  Kind kind = Kind::null;
+  std::string text;            // scalar, as written without its quotes
+  std::vector<Value> items;    // sequence
+  std::vector<Entry> entries;  // map
+  SourceMark mark;
+  std::string comment;  // written behind the value by yaml_text, such as its unit
+
+  static Value scalar(std::string text);
+  static Value number(double value);  // shortest text that reads back as the same bits
+  static Value sequence(std::vector<Value> items = {});
+  static Value map();
+
+  bool is_null() const { return kind == Kind::null; }
+  bool is_scalar() const { return kind == Kind::scalar; }
+  bool is_sequence() const { return kind == Kind::sequence; }
+  bool is_map() const { return kind == Kind::map; }
+
+  // The value under `key`; nullptr if this is no map or has no such key.
+  const Value* find(std::string_view key) const;
+  Value* find(std::string_view key);
+
+  // Replaces the value under `key`, or appends it; returns the value in place.
+  Value& set(std::string key, Value value);
+
+  // "'5 mm'", "a list of 2", "a map", "nothing": for messages.
+  std::string description() const;
+};
+
+struct Value::Entry {
+  std::string key;
+  SourceMark mark;  // of the key
+  Value value;
+};
+
+}  // namespace tack

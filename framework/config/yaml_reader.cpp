@@ -1,0 +1,173 @@
+#include "framework/config/yaml_reader.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
+
+#include <map>
+#include <sstream>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// Aliases of aliases grow exponentially; no scene comes near this many nodes.
+constexpr std::size_t max_nodes = 1'000'000;
+
+std::size_t count_nodes(const Value& v) {
+  std::size_t n = 1;
+  for (const Value& item : v.items) n += count_nodes(item);
+  for (const auto& e : v.entries) n += count_nodes(e.value);
+  return n;
+}
+
+// Builds the tree from the parser's events; `open_` holds the collections not yet ended.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  explicit TreeBuilder(std::shared_ptr<const std::string> file) : file_(std::move(file)) {}
+
+  Value take() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    place(make(Value::Kind::null, mark), anchor);
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& text) override {
+    Value v = make(Value::Kind::scalar, mark);
+    refuse_tag(tag, v.mark);
+    v.text = text;
+    place(std::move(v), anchor);
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto found = anchors_.find(anchor);
+    if (found == anchors_.end()) fail(at(mark), "an alias may not refer to what encloses it");
+    grow(count_nodes(found->second), at(mark));
+    place(found->second, 0);
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(Value::Kind::sequence, mark, tag, anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(Value::Kind::map, mark, tag, anchor);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Open {
+    Value value;
+    YAML::anchor_t anchor;
+    bool has_key = false;
+    std::string key;
+    SourceMark key_mark;
+  };
+
+  SourceMark at(const YAML::Mark& mark) const { return {file_, mark.line + 1, mark.column + 1}; }
+
+  [[noreturn]] static void fail(const SourceMark& mark, std::string_view message) {
+    throw InputError(fmt::format("{}: {}", mark.text(), message));
+  }
+
+  static void refuse_tag(const std::string& tag, const SourceMark& mark) {
+    const bool plain = tag.empty() || tag == "?" || tag == "!";
+    if (!plain) fail(mark, fmt::format("the YAML tag '{}' is not supported; remove it", tag));
+  }
+
+  void grow(std::size_t nodes, const SourceMark& mark) {
+    nodes_ += nodes;
+    if (nodes_ > max_nodes) fail(mark, fmt::format("more than {} values", max_nodes));
+  }
+
+  Value make(Value::Kind kind, const YAML::Mark& mark) {
+    Value v;
+    v.kind = kind;
+    v.mark = at(mark);
+    grow(1, v.mark);
+    return v;
+  }
+
+  void open(Value::Kind kind, const YAML::Mark& mark, const std::string& tag,
+            YAML::anchor_t anchor) {
+    Open o{make(kind, mark), anchor, false, {}, {}};
+    refuse_tag(tag, o.value.mark);
+    open_.push_back(std::move(o));
+  }
+
+  void close() {
+    Open done = std::move(open_.back());
+    open_.pop_back();
+    place(std::move(done.value), done.anchor);
+  }
+
+  void place(Value v, YAML::anchor_t anchor) {
+    if (anchor != 0) anchors_[anchor] = v;
+    if (open_.empty()) {
+      root_ = std::move(v);
+    } else if (open_.back().value.is_sequence()) {
+      open_.back().value.items.push_back(std::move(v));
+    } else if (open_.back().has_key) {
+      place_entry(open_.back(), std::move(v));
+    } else {
+      place_key(open_.back(), std::move(v));
+    }
+  }
+
+  static void place_key(Open& map, Value v) {
+    if (!v.is_scalar()) fail(v.mark, "a key must be a text");
+    if (map.value.find(v.text)) {
+      fail(v.mark, fmt::format("duplicate key '{}'; keep one of them", v.text));
+    }
+    map.key = std::move(v.text);
+    map.key_mark = std::move(v.mark);
+    map.has_key = true;
+  }
+
+  static void place_entry(Open& map, Value v) {
+    // An empty value is noticed by the parser only at the next token, often a line further.
+    if (v.is_null()) v.mark = map.key_mark;
+    map.value.entries.push_back({std::move(map.key), std::move(map.key_mark), std::move(v)});
+    map.has_key = false;
+  }
+
+  std::shared_ptr<const std::string> file_;
+  std::map<YAML::anchor_t, Value> anchors_;
+  std::vector<Open> open_;
+  Value root_;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace
+
+Value read_yaml(const std::string& text, const std::string& name) {
+  const auto file = std::make_shared<const std::string>(name);
+  try {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    TreeBuilder builder(file);
+    if (!parser.HandleNextDocument(builder)) {
+      Value empty;
+      empty.mark = {file, 1, 1};
+      return empty;
+    }
+    TreeBuilder rest(file);
+    if (parser.HandleNextDocument(rest)) {
+      throw InputError(fmt::format("{}: holds several documents ('---'); keep one", name));
+    }
+    return builder.take();
+  } catch (const YAML::Exception& e) {
+    const SourceMark mark{file, e.mark.line + 1, e.mark.column + 1};
+    throw InputError(fmt::format("{}: not valid YAML: {}", mark.text(), e.msg));
+  }
+}
+
+}  // namespace tack

@@ -1,0 +1,50 @@
+// The active contact stencils of one configuration, as homogeneous arrays by kind. Point stencils
+// are already reduced to features: (p, v), (p, e0, e1), (p, t0, t1, t2), with unclamped distances.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "framework/contact/pair_table.hpp"
+#include "geometry/broad_phase/candidates.hpp"
+
+namespace tack {
+
+template <int K>
+struct ContactStencil {
+  std::array<int, K> vertices;  // global
+  int law;                      // of the pair table
+  double weight;                // area x multiplicity [m^2]; may be negative for points
+};
+
+template <int K>
+using ContactStencils = std::vector<ContactStencil<K>>;  // sorted by law
+
+struct ContactSet {
+  ContactStencils<2> point_point;
+  ContactStencils<3> point_edge;
+  ContactStencils<4> point_triangle;
+  ContactStencils<4> edge_edge;
+  std::vector<double> mollifier_threshold;  // eps_x of each edge-edge stencil [m^4]
+
+  std::size_t size() const {
+    return point_point.size() + point_edge.size() + point_triangle.size() + edge_edge.size();
+  }
+};
+
+// What the narrow phase knows for the whole run.
+struct ContactSurface {
+  CollisionMesh mesh;
+  std::vector<double> vertex_area;  // per global vertex [m^2]
+  std::vector<double> edge_area;    // per edge of the mesh [m^2]
+  VecX rest;                        // rest configuration, for the mollifier
+};
+
+// Finds the stencils closer than their law's range among the candidates.
+void find_contacts(const ContactSurface& surface, const PairTable& pairs,
+                   const Candidates& candidates, const VecX& x, ContactSet& contacts);
+
+// The smallest distance among the candidates [m]; infinity without candidates.
+double smallest_distance(const CollisionMesh& mesh, const Candidates& candidates, const VecX& x);
+
+}  // namespace tack

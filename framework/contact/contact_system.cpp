@@ -1,0 +1,35 @@
+#include "framework/contact/contact_system.hpp"
+
+#include <algorithm>
+
+namespace tack {
+namespace {
+
+// The skin, in ranges: how far vertices may move before candidates are searched anew.
+constexpr double skin_in_ranges = 1.0;
+
+}  // namespace
+
+ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter,
+                             PhaseClock& clock)
+    : surface_(std::move(surface)), pairs_(std::move(pairs)), filter_(filter), clock_(clock) {
+  for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
+  broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
+}
+
+void ContactSystem::move_to(const VecX& x) {
+  cover(x, VecX());
+  const PhaseScope scope(clock_, Phase::narrow_phase);
+  find_contacts(surface_, pairs_, candidates(), x, contacts_);
+}
+
+void ContactSystem::cover(const VecX& x, const VecX& p) {
+  const PhaseScope scope(clock_, Phase::broad_phase);
+  broad_phase_->update(x, p, range_, skin_in_ranges * range_);
+}
+
+double ContactSystem::smallest_distance(const VecX& x) const {
+  return tack::smallest_distance(surface_.mesh, candidates(), x);
+}
+
+}  // namespace tack

@@ -1,0 +1,41 @@
+// One contact pass for all laws: candidates from one broad phase at the largest active range, kept
+// until a vertex leaves its safe box, and the active stencils of the current configuration.
+#pragma once
+
+#include <memory>
+
+#include "framework/contact/contact_set.hpp"
+#include "framework/core/phase_clock.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
+
+namespace tack {
+
+class ContactSystem {
+ public:
+  ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter, PhaseClock& clock);
+
+  // Makes x the current configuration: finds its active stencils.
+  void move_to(const VecX& x);
+  // Makes sure that the candidates hold every pair that may touch on the way from x to x + p.
+  void cover(const VecX& x, const VecX& p);
+
+  const ContactSet& contacts() const { return contacts_; }
+  const Candidates& candidates() const { return broad_phase_->candidates(); }
+  const ContactSurface& surface() const { return surface_; }
+  const PairTable& pairs() const { return pairs_; }
+  const ObjectPairFilter& filter() const { return filter_; }
+  int broad_phase_builds() const { return broad_phase_->builds(); }
+  double range() const { return range_; }
+  double smallest_distance(const VecX& x) const;
+
+ private:
+  ContactSurface surface_;
+  PairTable pairs_;
+  ObjectPairFilter filter_;
+  PhaseClock& clock_;
+  double range_ = 0;  // the largest of all laws [m]
+  std::unique_ptr<BroadPhase> broad_phase_;
+  ContactSet contacts_;
+};
+
+}  // namespace tack

@@ -1,0 +1,253 @@
+#include "framework/contact/contact_term.hpp"
+
+#include <cmath>
+
+#include "framework/assembly/parallel.hpp"
+#include "framework/assembly/psd_filter.hpp"
+#include "framework/contact/stencil_kinds.hpp"
+#include "geometry/distance/edge_edge_mollifier.hpp"
+
+namespace tack {
+namespace {
+
+// Calls body(Kind, stencils, thresholds or null) for each kind, in batch order.
+template <class Body>
+void for_each_kind(const ContactSet& set, const Body& body) {
+  body(PointPointKind{}, set.point_point, nullptr);
+  body(PointEdgeKind{}, set.point_edge, nullptr);
+  body(PointTriangleKind{}, set.point_triangle, nullptr);
+  body(EdgeEdgeKind{}, set.edge_edge, set.mollifier_threshold.data());
+}
+
+// Stencils first..last of one chunk, with gaps and law samples. Laws are called once per run of
+// stencils with the same law.
+template <class Kind>
+struct ChunkSamples {
+  std::array<double, chunk_size> gap;
+  std::array<LawSample, chunk_size> sample;
+  std::array<double, chunk_size> value;
+
+  void gaps(const VecX& x, const ContactStencils<Kind::arity>& stencils, int first, int last) {
+    for (int i = first; i < last; ++i)
+      gap[i - first] = std::sqrt(Kind::template distance<ValueKernels>(x, stencils[i].vertices));
+  }
+  template <class Call>
+  static void runs(const ContactStencils<Kind::arity>& stencils, int first, int last, const Call& call) {
+    for (int i = first; i < last;) {
+      int end = i + 1;
+      while (end < last && stencils[end].law == stencils[i].law) ++end;
+      call(stencils[i].law, i - first, end - i);
+      i = end;
+    }
+  }
+};
+
+double mollifier_of(const VecX& x, const std::array<int, 4>& v, double eps_x) {
+  return edge_edge_mollifier(vertex(x, v[0]), vertex(x, v[1]), vertex(x, v[2]), vertex(x, v[3]), eps_x);
+}
+
+template <class Kind>
+double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
+                  const ContactStencils<Kind::arity>& stencils, const double* thresholds) {
+  return sum_chunks(static_cast<int>(stencils.size()), [&](int first, int last) {
+    ChunkSamples<Kind> chunk;
+    chunk.gaps(x, stencils, first, last);
+    chunk.runs(stencils, first, last, [&](int law, int at, int n) {
+      laws[law].values(n, chunk.gap.data() + at, chunk.value.data() + at);
+    });
+    double sum = 0;
+    for (int i = first; i < last; ++i) {
+      double part = stencils[i].weight * chunk.value[i - first];
+      if constexpr (std::is_same_v<Kind, EdgeEdgeKind>)
+        part *= mollifier_of(x, stencils[i].vertices, thresholds[i]);
+      sum += part;
+    }
+    return sum;
+  });
+}
+
+// w m phi with gradient, and Hessian if wanted.
+template <class Kind>
+struct StencilEnergy {
+  static constexpr int n = 3 * Kind::arity;
+  using Vector = Eigen::Matrix<double, n, 1>;
+  using Matrix = Eigen::Matrix<double, n, n>;
+
+  static Vector gradient(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
+                         double gap, double eps_x) {
+    const auto s = Kind::template distance<GradientKernels>(x, stencil.vertices);
+    const Vector phi = l.slope / (2 * gap) * s.gradient;
+    if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
+      const auto c = detail::corners<4>(x, stencil.vertices);
+      const auto m = edge_edge_mollifier_gradient(c[0], c[1], c[2], c[3], eps_x);
+      return stencil.weight * (m.value * phi + l.value * m.gradient);
+    } else {
+      return stencil.weight * phi;
+    }
+  }
+
+  static void derivatives(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
+                          double gap, double eps_x, Vector& gradient, Matrix& hessian) {
+    const auto s = Kind::template distance<DerivativeKernels>(x, stencil.vertices);
+    const double slope = l.slope / (2 * gap);
+    const double curvature = (l.curvature - l.slope / gap) / (4 * s.value);
+    gradient = slope * s.gradient;
+    hessian.noalias() = (curvature * s.gradient) * s.gradient.transpose();
+    hessian += slope * s.hessian;
+    if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
+      const auto c = detail::corners<4>(x, stencil.vertices);
+      const auto m = edge_edge_mollifier_derivatives(c[0], c[1], c[2], c[3], eps_x);
+      hessian = m.value * hessian + l.value * m.hessian + m.gradient * gradient.transpose() +
+                gradient * m.gradient.transpose();
+      gradient = m.value * gradient + l.value * m.gradient;
+    }
+    gradient *= stencil.weight;
+    hessian *= stencil.weight;
+  }
+};
+
+template <int K>
+void store_blocks(const Eigen::Matrix<double, 3 * K, 3 * K>& h, double* out) {
+  for (int i = 0; i < K; ++i)
+    for (int j = 0; j <= i; ++j, out += 9) Eigen::Map<Mat3>(out) = h.template block<3, 3>(3 * i, 3 * j);
+}
+
+template <int K>
+void load_blocks(const double* in, Eigen::Matrix<double, 3 * K, 3 * K>& h) {
+  for (int i = 0; i < K; ++i) {
+    for (int j = 0; j <= i; ++j, in += 9) {
+      h.template block<3, 3>(3 * i, 3 * j) = Eigen::Map<const Mat3>(in);
+      h.template block<3, 3>(3 * j, 3 * i) = Eigen::Map<const Mat3>(in).transpose();
+    }
+  }
+}
+
+// Body gets (stencil index, gap, sample) for every stencil of a kind, in parallel.
+template <class Kind, class Body>
+void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
+                     const ContactStencils<Kind::arity>& stencils, const Body& body) {
+  for_each_chunk(static_cast<int>(stencils.size()), [&](int, int first, int last) {
+    ChunkSamples<Kind> chunk;
+    chunk.gaps(x, stencils, first, last);
+    chunk.runs(stencils, first, last, [&](int law, int at, int n) {
+      laws[law].samples(n, chunk.gap.data() + at, chunk.sample.data() + at);
+    });
+    for (int i = first; i < last; ++i) body(i, chunk.gap[i - first], chunk.sample[i - first]);
+  });
+}
+
+template <class Kind>
+void filter_slots(int count, SpdFilter filter, double* hessian) {
+  constexpr int slots = 9 * hessian_blocks(Kind::arity);
+  for_each(count, [&](int i) {
+    typename StencilEnergy<Kind>::Matrix h;
+    double* at = hessian + slots * static_cast<size_t>(i);
+    load_blocks<Kind::arity>(at, h);
+    project_stencil_psd<Kind::arity>(h, filter);
+    store_blocks<Kind::arity>(h, at);
+  }, 16);
+}
+
+std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
+  std::vector<PairLaw> parts;
+  for (const PairLaw& law : laws) {
+    PairLaw part;
+    for (const auto& term : law.laws())
+      if ((dynamic_cast<const AdhesionLaw*>(term.get()) != nullptr) == adhesion) part.add(term);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace
+
+ContactTerm::ContactTerm(const ContactSystem& system, PhaseClock& clock)
+    : Term("contact"), system_(system), clock_(clock),
+      barrier_laws_(parts_of(system.pairs().laws(), false)),
+      adhesion_laws_(parts_of(system.pairs().laws(), true)) {}
+
+const std::vector<PairLaw>& ContactTerm::laws(LawPart part) const {
+  if (part == LawPart::barrier) return barrier_laws_;
+  return part == LawPart::adhesion ? adhesion_laws_ : system_.pairs().laws();
+}
+
+double ContactTerm::value(const VecX& x) const { return part_value(x, LawPart::all); }
+
+double ContactTerm::part_value(const VecX& x, LawPart part) const {
+  double sum = 0;
+  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+    sum += kind_value<decltype(kind)>(x, laws(part), stencils, thresholds);
+  });
+  return sum;
+}
+
+std::vector<StencilBatch> ContactTerm::batches() const {
+  std::vector<StencilBatch> batches;
+  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double*) {
+    auto& vertices = batch_vertices_[batches.size()];
+    vertices.clear();
+    for (const auto& s : stencils) vertices.insert(vertices.end(), s.vertices.begin(), s.vertices.end());
+    batches.push_back({decltype(kind)::arity, static_cast<int>(stencils.size()), vertices.data()});
+  });
+  return batches;
+}
+
+void ContactTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
+                              double* hessian) const {
+  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+    using Kind = decltype(kind);
+    using Energy = StencilEnergy<Kind>;
+    constexpr int n = Energy::n, slots = 9 * hessian_blocks(Kind::arity);
+    for_each_sample<Kind>(x, laws(LawPart::all), stencils, [&](int i, double gap, const LawSample& l) {
+      const double eps_x = thresholds ? thresholds[i] : 0;
+      Eigen::Map<typename Energy::Vector> g(gradient + n * static_cast<size_t>(i));
+      if (!hessian) {
+        g = Energy::gradient(x, stencils[i], l, gap, eps_x);
+        return;
+      }
+      typename Energy::Vector full_g;
+      typename Energy::Matrix full_h;
+      Energy::derivatives(x, stencils[i], l, gap, eps_x, full_g, full_h);
+      g = full_g;
+      store_blocks<Kind::arity>(full_h, hessian + slots * static_cast<size_t>(i));
+    });
+    const int count = static_cast<int>(stencils.size());
+    if (hessian && filter != SpdFilter::none) {
+      const PhaseScope scope(clock_, Phase::filter);
+      filter_slots<Kind>(count, filter, hessian);
+    }
+    gradient += n * static_cast<size_t>(count);
+    if (hessian) hessian += slots * static_cast<size_t>(count);
+  });
+}
+
+VecX ContactTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
+  VecX force = VecX::Zero(x.size());
+  const auto& object = system_.surface().mesh.vertex_object;
+  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+    using Kind = decltype(kind);
+    std::vector<typename StencilEnergy<Kind>::Vector> gradients(stencils.size());
+    for_each_sample<Kind>(x, laws(part), stencils, [&](int i, double gap, const LawSample& l) {
+      gradients[i] = StencilEnergy<Kind>::gradient(x, stencils[i], l, gap, thresholds ? thresholds[i] : 0);
+    });
+    for (size_t i = 0; i < stencils.size(); ++i) {
+      const auto& v = stencils[i].vertices;
+      const int a = object[v[0]], b = object[v[Kind::first_vertices]];
+      if (only && !((a == only->a && b == only->b) || (a == only->b && b == only->a))) continue;
+      for (int k = 0; k < Kind::arity; ++k)
+        vertex(force, v[k]) -= gradients[i].template segment<3>(3 * k);
+    }
+  });
+  return force;
+}
+
+Vec3 ContactTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {
+  const VecX force = forces(x, part, pair);
+  const auto& object = system_.surface().mesh.vertex_object;
+  Vec3 sum = Vec3::Zero();
+  for (size_t v = 0; v < object.size(); ++v)
+    if (object[v] == pair.a) sum += vertex(force, static_cast<int>(v));
+  return sum;
+}
+
+}  // namespace tack

@@ -1,0 +1,46 @@
+// The normal contact potential P_N = sum_k w_k (b + a)(d_k) (the paper, section 4.1), over the active
+// stencils of a ContactSystem. Laws are functions of the true gap d; the chain rule to squared
+// distance, the weights and the edge-edge mollifier m,
+//     E = w m phi(d),   s = d^2,   dphi/ds = phi'/(2 d),   d2phi/ds2 = (phi'' - phi'/d) / (4 s),
+// are written here once.
+#pragma once
+
+#include <optional>
+
+#include "framework/contact/contact_system.hpp"
+#include "framework/core/term.hpp"
+
+namespace tack {
+
+enum class LawPart { all, barrier, adhesion };
+
+struct ObjectPair {
+  int a, b;
+};
+
+class ContactTerm : public Term {
+ public:
+  ContactTerm(const ContactSystem& system, PhaseClock& clock);
+
+  double value(const VecX& x) const override;
+  std::vector<StencilBatch> batches() const override;
+  bool dynamic() const override { return true; }
+  void derivatives(const VecX& x, SpdFilter filter, double* gradient,
+                   double* hessian) const override;
+
+  double part_value(const VecX& x, LawPart part) const;
+  // The force of a part of the laws on every vertex (3n) [N]; with a pair, of its stencils only.
+  VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
+  // The force that object b exerts on object a [N].
+  Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
+
+ private:
+  const std::vector<PairLaw>& laws(LawPart part) const;
+
+  const ContactSystem& system_;
+  PhaseClock& clock_;
+  std::vector<PairLaw> barrier_laws_, adhesion_laws_;
+  mutable std::array<std::vector<int>, 4> batch_vertices_;
+};
+
+}  // namespace tack

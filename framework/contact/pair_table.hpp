@@ -1,0 +1,56 @@
+// Which laws act between which objects, and how the surface integral of a pair is taken.
+//
+// Energy per area needs an integral over the interface that does not depend on the meshes:
+//  * Each pair of objects has an integration side: the vertices of its surface are the quadrature
+//    points, weighted with their surface area (the finer mesh, unless the scene says otherwise;
+//    both sides, half each, within one object).
+//  * A point sees the other surface through inclusion-exclusion (point_features.hpp), so that the
+//    number of triangles around the closest point does not matter.
+// These *pressure* stencils carry the whole law, barrier + adhesion. Edge-edge pairs and the points of
+// the other side would count area again; they are *guards*: they carry the barrier alone, with a
+// shorter range, and see to it that nothing passes where no quadrature point is near.
+#pragma once
+
+#include <vector>
+
+#include "framework/contact/pair_law.hpp"
+
+namespace tack {
+
+// How the points of one object interact with the surface of another (or the edges of both).
+struct PairRole {
+  int law = -1;       // index into the laws; -1: no interaction
+  double share = 0;   // factor on the area of the point (or edge pair)
+  double range = 0;   // of the law [m]
+};
+
+class PairTable {
+ public:
+  explicit PairTable(int objects) : objects_(objects), point_(objects * objects), edge_(objects * objects) {}
+
+  int objects() const { return objects_; }
+  int add_law(PairLaw law) {
+    laws_.push_back(std::move(law));
+    return static_cast<int>(laws_.size()) - 1;
+  }
+  const std::vector<PairLaw>& laws() const { return laws_; }
+
+  // Points of object a against the surface of object b.
+  PairRole& point(int a, int b) { return point_[a * objects_ + b]; }
+  const PairRole& point(int a, int b) const { return point_[a * objects_ + b]; }
+  // Edges of a against edges of b; symmetric.
+  void set_edge(int a, int b, const PairRole& role) {
+    edge_[a * objects_ + b] = edge_[b * objects_ + a] = role;
+  }
+  const PairRole& edge(int a, int b) const { return edge_[a * objects_ + b]; }
+
+  // Plain IPC sums instead: every close pair of primitives counts, no inclusion-exclusion.
+  bool plain_sums = false;
+
+ private:
+  int objects_;
+  std::vector<PairLaw> laws_;
+  std::vector<PairRole> point_, edge_;
+};
+
+}  // namespace tack

@@ -1,0 +1,33 @@
+// Symmetric sparse matrix of 3x3 blocks, lower triangle, by block columns (rows ascending, the
+// diagonal block first). Only the pattern's owner changes the structure; `version` tells solvers
+// when to analyse anew.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct BlockMatrix {
+  std::vector<int> column_start;  // block columns + 1
+  std::vector<int> row;           // block row of each block, >= its column
+  std::vector<double> values;     // 9 per block, column major
+  std::uint64_t version = 0;      // changes when column_start or row do
+
+  int columns() const { return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1; }
+  int size() const { return 3 * columns(); }
+  int blocks() const { return static_cast<int>(row.size()); }
+  auto block(int k) { return Eigen::Map<Mat3>(values.data() + 9 * static_cast<std::ptrdiff_t>(k)); }
+  auto block(int k) const {
+    return Eigen::Map<const Mat3>(values.data() + 9 * static_cast<std::ptrdiff_t>(k));
+  }
+
+  // Position of block (r, c), r >= c, or -1.
+  int find(int r, int c) const;
+  // y = A x with the full symmetric matrix.
+  void multiply(const VecX& x, VecX& y) const;
+};
+
+}  // namespace tack

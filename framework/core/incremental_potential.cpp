@@ -1,0 +1,88 @@
+#include "framework/core/incremental_potential.hpp"
+
+#include <cmath>
+
+#include "framework/assembly/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// Relative rounding error that a sum of element energies may carry.
+constexpr double sum_noise = 1e-14;
+
+}  // namespace
+
+IncrementalPotential::IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs,
+                                           const VecX& mass, PhaseClock& clock,
+                                           std::function<void(const VecX&)> on_move)
+    : terms_(terms), dofs_(dofs), on_move_(std::move(on_move)), assembler_(terms, dofs, clock) {
+  free_mass_.resize(dofs.block_count());
+  for (int b = 0; b < dofs.block_count(); ++b) free_mass_(b) = mass(dofs.vertex_of_block(b));
+}
+
+void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction, double scale,
+                                      bool inertia) {
+  x_ = x_start;
+  dofs_.gather(prediction, prediction_);
+  scale_ = scale;
+  inertia_ = inertia;
+  block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();
+  value_known_ = gradient_known_ = false;
+}
+
+void IncrementalPotential::move_to(const VecX& q) {
+  q_ = q;
+  dofs_.scatter(q, x_);
+  value_known_ = gradient_known_ = false;
+  on_move_(x_);
+}
+
+double IncrementalPotential::inertia_value() const {
+  return sum_chunks(dofs_.block_count(), [&](int first, int last) {
+    double sum = 0;
+    for (int b = first; b < last; ++b)
+      sum += block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b)).squaredNorm();
+    return 0.5 * sum;
+  });
+}
+
+double IncrementalPotential::value() {
+  if (value_known_) return value_;
+  ++value_count_;
+  value_ = inertia_ ? inertia_value() : 0.0;
+  noise_ = std::abs(value_);
+  for (const Term* term : terms_) {
+    const double part = scale_ * term->value(x_);
+    value_ += part;
+    noise_ += std::abs(part);
+  }
+  noise_ *= sum_noise;
+  value_known_ = true;
+  return value_;
+}
+
+double IncrementalPotential::value_noise() const { return noise_; }
+
+void IncrementalPotential::start_gradient() {
+  gradient_.resize(size());
+  for (int b = 0; b < dofs_.block_count(); ++b)
+    gradient_.segment<3>(3 * b) =
+        block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b));
+}
+
+const VecX& IncrementalPotential::gradient() {
+  if (gradient_known_) return gradient_;
+  start_gradient();
+  assembler_.add_gradient(x_, scale_, gradient_);
+  gradient_known_ = true;
+  return gradient_;
+}
+
+const BlockMatrix& IncrementalPotential::hessian(SpdFilter filter) {
+  start_gradient();
+  assembler_.assemble(x_, scale_, filter, block_mass_, gradient_, matrix_);
+  gradient_known_ = true;
+  return matrix_;
+}
+
+}  // namespace tack

@@ -1,0 +1,56 @@
+// The incremental potential of one step (the paper, eq. 1):
+//     E(x) = 1/2 |x - x~|_M^2 + beta h^2 sum_i P_i(x),
+// as a function of the unknowns q. Quasi-static steps have no inertia and a scale of 1.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "framework/assembly/assembler.hpp"
+#include "framework/core/objective.hpp"
+
+namespace tack {
+
+class IncrementalPotential : public Objective {
+ public:
+  // mass: lumped, per vertex [kg]. `on_move` is told of every new configuration before the terms
+  // are evaluated there (contact finds its active pairs).
+  IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs, const VecX& mass,
+                       PhaseClock& clock, std::function<void(const VecX& x)> on_move);
+
+  // Starts a step: prediction x~ (3n), scale beta h^2 (or 1), inertia on or off, and the
+  // configuration that holds the fixed vertices.
+  void begin_step(const VecX& x_start, const VecX& prediction, double scale, bool inertia);
+
+  const VecX& configuration() const { return x_; }
+  double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
+
+  int size() const override { return dofs_.size(); }
+  void move_to(const VecX& q) override;
+  double value() override;
+  double value_noise() const override;
+  const VecX& gradient() override;
+  const BlockMatrix& hessian(SpdFilter filter) override;
+  int value_count() const override { return value_count_; }
+
+ private:
+  double inertia_value() const;
+  void start_gradient();
+
+  std::vector<const Term*> terms_;
+  const DofMap& dofs_;
+  VecX block_mass_, free_mass_;  // per free block [kg]; block_mass_ is zero when quasi-static
+  std::function<void(const VecX&)> on_move_;
+  Assembler assembler_;
+
+  VecX x_, prediction_, q_;
+  double scale_ = 1;
+  bool inertia_ = true;
+  double value_ = 0, noise_ = 0;
+  bool value_known_ = false, gradient_known_ = false;
+  int value_count_ = 0;
+  VecX gradient_;
+  BlockMatrix matrix_;
+};
+
+}  // namespace tack

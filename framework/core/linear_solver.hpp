@@ -1,0 +1,23 @@
+// Solves A x = b for a symmetric positive definite block matrix.
+#pragma once
+
+#include "framework/config/registry.hpp"
+#include "framework/core/block_matrix.hpp"
+#include "framework/core/phase_clock.hpp"
+
+namespace tack {
+
+class LinearSolver : public Component {
+ public:
+  static constexpr const char* kind_name = "linear_solver";
+  static constexpr const char* kind_doc = "Solves the Newton system A p = -g.";
+
+  // Factorises A; false if A is not positive definite. Reuses the symbolic analysis while
+  // A.version stays the same.
+  virtual bool factorize(const BlockMatrix& matrix, PhaseClock& clock) = 0;
+  // x <- A^-1 b with the last successful factorisation.
+  virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
+  virtual int analyses() const = 0;  // symbolic analyses so far
+};
+
+}  // namespace tack

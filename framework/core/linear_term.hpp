@@ -1,0 +1,31 @@
+// A potential linear in the positions, -f . (x - x_ref): gravity and external loads. Measured from
+// the start of the step, so that large constant parts do not drown the decrease of the energy.
+#pragma once
+
+#include "framework/core/term.hpp"
+
+namespace tack {
+
+class LinearTerm : public Term {
+ public:
+  using Term::Term;
+
+  void set(VecX force, VecX reference) {
+    force_ = std::move(force);
+    reference_ = std::move(reference);
+  }
+  const VecX& force() const { return force_; }
+
+  double value(const VecX& x) const override {
+    return force_.size() == 0 ? 0.0 : -force_.dot(x - reference_);
+  }
+  void add_linear_gradient(VecX& gradient) const override {
+    if (force_.size() > 0) gradient -= force_;
+  }
+
+ private:
+  VecX force_;      // N, 3n; empty: no force yet
+  VecX reference_;  // m, 3n
+};
+
+}  // namespace tack

@@ -1,0 +1,64 @@
+// The contract of every minimiser: from a feasible q, a local minimiser of the objective, without
+// ever leaving the feasible set, judged by the program's own stopping norm. Failing to converge is a
+// returned status, not an exception.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "framework/config/registry.hpp"
+#include "framework/core/objective.hpp"
+#include "framework/core/phase_clock.hpp"
+
+namespace tack {
+
+enum class MinimizerStatus {
+  converged,          // the stopping norm is below the tolerance
+  iteration_limit,    // max_iterations used up
+  line_search_failed, // no step along a descent direction decreases the objective
+  blocked,            // the feasible step shrank to nothing
+  factorization_failed,
+  not_finite,         // value or gradient is not a number
+  interrupted,
+};
+std::string_view to_string(MinimizerStatus status);
+
+// One problem: what to minimise, where from, and when to stop.
+struct MinimizerProblem {
+  Objective& objective;
+  // The largest t in (0, 1] such that q + s p is feasible for s in [0, t].
+  std::function<double(const VecX& q, const VecX& p)> feasible_step;
+  // The stopping norm given the last search direction p and the gradient; converged when below 1.
+  std::function<double(const VecX& p, const VecX& gradient)> stopping_norm;
+  PhaseClock& clock;
+};
+
+struct MinimizerResult {
+  MinimizerStatus status = MinimizerStatus::converged;
+  int iterations = 0;
+  int linear_solves = 0;
+  int line_search_evaluations = 0;
+  double residual = 0;  // the last stopping norm, in units of the tolerance
+};
+
+class Minimizer : public Component {
+ public:
+  static constexpr const char* kind_name = "minimizer";
+  static constexpr const char* kind_doc = "Minimises the incremental potential of one step.";
+
+  void fields(Fields& f) override;
+  double velocity_tolerance() const { return tolerance_; }     // m/s
+  double force_tolerance() const { return force_tolerance_; }  // relative
+
+  // q: in, the feasible start; out, the last feasible iterate.
+  virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;
+
+ protected:
+  int max_iterations_ = 500;
+
+ private:
+  double tolerance_ = 0.01;       // m/s
+  double force_tolerance_ = 1e-4;
+};
+
+}  // namespace tack

@@ -1,0 +1,27 @@
+// What a minimiser sees: a smooth function of the unknowns q (3m). The objective holds a current
+// point; everything is evaluated there, so nothing about a point (active contacts, above all) is
+// computed twice.
+#pragma once
+
+#include "framework/core/block_matrix.hpp"
+#include "framework/core/spd_filter.hpp"
+#include "geometry/types.hpp"
+
+namespace tack {
+
+class Objective {
+ public:
+  virtual ~Objective() = default;
+  virtual int size() const = 0;
+
+  virtual void move_to(const VecX& q) = 0;  // makes q the current point
+  virtual double value() = 0;               // [J s^2 / s^2 = kg m^2]: the incremental potential
+  // A bound on the rounding error of value(), to tell descent from noise.
+  virtual double value_noise() const = 0;
+  virtual const VecX& gradient() = 0;
+  // The gradient too is up to date afterwards.
+  virtual const BlockMatrix& hessian(SpdFilter filter) = 0;
+  virtual int value_count() const = 0;  // evaluations of value() so far
+};
+
+}  // namespace tack

@@ -1,0 +1,60 @@
+// Wall time by phase of a step (the paper's figure 17). Phases nest exclusively: entering one pauses
+// the phase around it, so the times of all phases add up to the time measured.
+// Only the driving thread enters phases; work inside a phase may run on all threads.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string_view>
+#include <utility>
+
+namespace tack {
+
+enum class Phase { other, assembly, filter, factorize, solve, broad_phase, narrow_phase, ccd,
+                   line_search, check, io, count };
+
+inline constexpr int phase_count = static_cast<int>(Phase::count);
+inline constexpr std::array<std::string_view, phase_count> phase_names = {
+    "other", "assembly", "filter", "factorize", "solve", "broad_phase", "narrow_phase", "ccd",
+    "line_search", "check", "io"};
+
+class PhaseClock {
+ public:
+  using Seconds = std::array<double, phase_count>;
+
+  PhaseClock() : start_(Clock::now()) {}
+
+  // Charges the time since the last change to the current phase; returns that phase.
+  Phase enter(Phase phase) {
+    const auto now = Clock::now();
+    seconds_[static_cast<int>(current_)] += std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return std::exchange(current_, phase);
+  }
+
+  const Seconds& seconds() {
+    enter(current_);
+    return seconds_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_;
+  Phase current_ = Phase::other;
+  Seconds seconds_{};
+};
+
+// Enters a phase for the lifetime of a scope.
+class PhaseScope {
+ public:
+  PhaseScope(PhaseClock& clock, Phase phase) : clock_(clock), outer_(clock.enter(phase)) {}
+  ~PhaseScope() { clock_.enter(outer_); }
+  PhaseScope(const PhaseScope&) = delete;
+  PhaseScope& operator=(const PhaseScope&) = delete;
+
+ private:
+  PhaseClock& clock_;
+  Phase outer_;
+};
+
+}  // namespace tack

@@ -1,0 +1,33 @@
+// The largest feasible step: no accepted state, intermediate or final, may intersect or invert.
+// Every registered filter applies to every run in which it has something to watch.
+#pragma once
+
+#include <vector>
+
+#include "framework/config/registry.hpp"
+#include "framework/core/phase_clock.hpp"
+#include "geometry/types.hpp"
+
+namespace tack {
+
+class ContactSystem;
+
+struct FeasibilityContext {
+  ContactSystem* contact;        // null without contact
+  const std::vector<Tet>& tets;  // of all solids
+  PhaseClock& clock;
+};
+
+class StepFilter : public Component {
+ public:
+  static constexpr const char* kind_name = "step_filter";
+  static constexpr const char* kind_doc = "Bounds a step so that the state stays feasible.";
+
+  // False if there is nothing to watch.
+  virtual bool attach(const FeasibilityContext& context) = 0;
+  // The largest t in [0, t_max] such that x + s p is feasible for all s in [0, t], for a feasible x;
+  // x and p are configurations of all vertices (3n).
+  virtual double largest_step(const VecX& x, const VecX& p, double t_max) = 0;
+};
+
+}  // namespace tack

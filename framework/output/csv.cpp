@@ -1,0 +1,134 @@
+#include "framework/output/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <stdexcept>
+
+#include "framework/output/replace_file.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string quoted(const std::string& name) {
+  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+  std::string out = "\"";
+  for (const char c : name) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string header(const std::vector<std::string>& columns) {
+  std::string line;
+  for (const std::string& name : columns) line += (line.empty() ? "" : ",") + quoted(name);
+  return line + "\n";
+}
+
+std::string row_text(std::span<const double> row) {
+  return fmt::format("{}\n", fmt::join(row, ","));
+}
+
+void refuse_duplicates(const fs::path& path, std::vector<std::string> columns) {
+  std::sort(columns.begin(), columns.end());
+  const auto twice = std::adjacent_find(columns.begin(), columns.end());
+  if (twice == columns.end()) return;
+  throw InputError(
+      fmt::format("{}: two columns are called '{}'; rename one of them", path.string(), *twice));
+}
+
+std::vector<std::string> split(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool pair = inside && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
+    if (pair) {
+      cells.back() += line[i++];
+    } else if (line[i] == '"') {
+      inside = !inside;
+    } else if (line[i] == ',' && !inside) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
+  return cells;
+}
+
+std::vector<double> numbers(const std::vector<std::string>& cells, std::size_t count,
+                            const std::string& where) {
+  if (cells.size() != count) {
+    throw InputError(fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
+                                 "this line",
+                                 where, cells.size(), count));
+  }
+  std::vector<double> row(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* end = cells[i].data() + cells[i].size();
+    if (!cells[i].empty() && std::from_chars(cells[i].data(), end, row[i]).ptr == end) continue;
+    throw InputError(
+        fmt::format("{}: '{}' is no number; mend or remove this line", where, cells[i]));
+  }
+  return row;
+}
+
+}  // namespace
+
+std::optional<std::size_t> CsvTable::column(std::string_view name) const {
+  const auto found = std::find(columns.begin(), columns.end(), name);
+  if (found == columns.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns.begin());
+}
+
+CsvTable read_csv(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || fs::is_directory(path)) {
+    throw InputError(fmt::format("{}: cannot read this file", path.string()));
+  }
+  CsvTable table;
+  std::string line;
+  for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::string where = fmt::format("{}:{}", path.string(), number);
+    if (number == 1) {
+      table.columns = split(line);
+    } else {
+      table.rows.push_back(numbers(split(line), table.columns.size(), where));
+    }
+  }
+  if (!table.columns.empty()) return table;
+  throw InputError(fmt::format("{}: has no header line", path.string()));
+}
+
+CsvTable rows_until(CsvTable table, double last_time) {
+  const auto time = table.column("time");
+  if (!time) throw InputError("a table without a column 'time' cannot be continued; start anew");
+  std::erase_if(table.rows, [&](const auto& row) { return !(row[*time] <= last_time); });
+  return table;
+}
+
+CsvFile::CsvFile(fs::path path, const CsvTable& start)
+    : path_(std::move(path)), columns_(start.columns.size()) {
+  refuse_duplicates(path_, start.columns);
+  std::string text = header(start.columns);
+  for (const std::vector<double>& row : start.rows) text += row_text(row);
+  replace_file(path_, text);
+  errno = 0;
+  out_.open(path_, std::ios::binary | std::ios::app);
+  if (!out_) throw InputError(write_failure(path_));
+}
+
+void CsvFile::add(std::span<const double> row) {
+  if (row.size() != columns_) {
+    throw std::logic_error(fmt::format("{}: a row of {} numbers in a table of {} columns",
+                                       path_.string(), row.size(), columns_));
+  }
+  errno = 0;
+  out_ << row_text(row) << std::flush;
+  if (!out_) throw InputError(write_failure(path_));
+}
+
+}  // namespace tack

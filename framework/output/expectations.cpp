@@ -1,0 +1,154 @@
+#include "framework/output/expectations.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+std::string check_window(const std::vector<double>& over) {
+  if (over.empty() || (over.size() == 2 && over[0] <= over[1])) return "";
+  return "expects the first and the last time [t0, t1] with t0 not above t1";
+}
+
+// "" if the expectation says in exactly one way what is accepted.
+std::string check_criterion(const Expectation& e) {
+  const bool bounded = e.at_least || e.at_most;
+  if (!e.target && !bounded) return "needs target with within, or at_least or at_most";
+  if (e.target && bounded) return "either target with within, or at_least and at_most, not both";
+  if (!e.target && !e.within.is_null()) return "within needs a target";
+  if (e.target && e.within.is_null()) return "target needs within, such as 5% or 0.01";
+  if (e.at_least && e.at_most && *e.at_least > *e.at_most) return "at_least is above at_most";
+  return "";
+}
+
+std::string check_tolerance(const Expectation& e) {
+  try {
+    if (e.target && !e.within.is_null()) tolerance_of(e.within, *e.target);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+std::string check_abscissa(const Expectation& e) {
+  const bool at = e.query.statistic == Statistic::at;
+  if (at && !e.where) return "statistic 'at' needs where, the value of along at which to look";
+  if (!at && e.where) return "only statistic 'at' uses it; remove it or change the statistic";
+  return "";
+}
+
+std::string check_along(const Expectation& e) {
+  const Statistic s = e.query.statistic;
+  const bool used = s == Statistic::at || s == Statistic::integral;
+  if (used || e.query.along == "time") return "";
+  return "only the statistics 'integral' and 'at' use it; remove it or change the statistic";
+}
+
+std::vector<Choice<Statistic>> statistics() {
+  using enum Statistic;
+  return {{"final", final, "the last sample"},
+          {"mean", mean, "the average over time"},
+          {"max", max, "the largest sample"},
+          {"min", min, "the smallest sample"},
+          {"peak", peak, "the largest absolute value"},
+          {"integral", integral, "the integral along a column, by the trapezoidal rule"},
+          {"at", at, "the value where the column `along` first passes `where`"}};
+}
+
+// The query with everything that is kept apart from it while it is bound.
+StatisticQuery query_of(const Expectation& e) {
+  StatisticQuery query = e.query;
+  query.where = e.where.value_or(0);
+  return query;
+}
+
+void set_interval(ExpectationResult& result, const Expectation& e) {
+  result.target = e.target.value_or(nan);
+  result.tolerance = e.target ? tolerance_of(e.within, *e.target) : nan;
+  result.at_least = e.target ? *e.target - result.tolerance : e.at_least.value_or(-infinity);
+  result.at_most = e.target ? *e.target + result.tolerance : e.at_most.value_or(infinity);
+}
+
+std::string criterion_text(const ExpectationResult& r) {
+  if (!std::isnan(r.target)) return fmt::format("{:.6g} within {:.6g}", r.target, r.tolerance);
+  if (r.at_most == infinity) return fmt::format("at least {:.6g}", r.at_least);
+  if (r.at_least == -infinity) return fmt::format("at most {:.6g}", r.at_most);
+  return fmt::format("from {:.6g} to {:.6g}", r.at_least, r.at_most);
+}
+
+// Around a target the difference is compared, so that `within: 0` and a difference of exactly the
+// tolerance do not depend on how target + tolerance rounds.
+bool accepted(const ExpectationResult& r) {
+  if (!std::isfinite(r.value)) return false;
+  if (!std::isnan(r.target)) return std::abs(r.value - r.target) <= r.tolerance;
+  return r.value >= r.at_least && r.value <= r.at_most;
+}
+
+}  // namespace
+
+void Expectation::fields(Fields& f) {
+  f.text("name", name, "how reports call it; made from the rest if empty");
+  f.text("probe", query.probe, "column of probes.csv").required();
+  f.choice("statistic", query.statistic, statistics(), "the number that is compared").required();
+  f.numbers("over", query.over, units::time, "first and last time that count; empty for all");
+  f.text("along", query.along, "column to integrate over, or in which to find `where`");
+  f.optional_number("where", where, units::none, "value of the column `along`, in SI, for 'at'");
+  f.optional_number("target", target, units::none, "expected value, in the SI unit of the probe");
+  f.raw("within", within, "tolerance of the target: a number in SI, or a percentage of the target");
+  f.optional_number("at_least", at_least, units::none, "smallest value accepted, in SI");
+  f.optional_number("at_most", at_most, units::none, "largest value accepted, in SI");
+  f.check("over", [this] { return check_window(query.over); });
+  f.check("along", [this] { return check_along(*this); });
+  f.check("where", [this] { return check_abscissa(*this); });
+  f.check("target", [this] { return check_criterion(*this); });
+  f.check("within", [this] { return check_tolerance(*this); });
+}
+
+std::string name_of(const Expectation& e) {
+  return e.name.empty() ? description(query_of(e)) : e.name;
+}
+
+double tolerance_of(const Value& within, double target) {
+  if (!within.is_scalar()) {
+    throw InputError("expects a number or a percentage, got " + within.description());
+  }
+  const double number = to_si(within.text, units::none);
+  if (number < 0) throw InputError(fmt::format("'{}' must not be negative", within.text));
+  if (within.text.find('%') == std::string::npos) return number;
+  if (target != 0) return number * std::abs(target);
+  throw InputError(fmt::format("'{}' of a target of 0 is nothing; give a number in the SI unit of "
+                               "the probe instead",
+                               within.text));
+}
+
+void check_columns(const Expectation& expectation, const std::vector<std::string>& columns) {
+  evaluate(expectation, ProbeSeries{columns, {}});
+}
+
+ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series) {
+  ExpectationResult result;
+  result.name = name_of(expectation);
+  set_interval(result, expectation);
+  StatisticValue found;
+  try {
+    found = evaluate(query_of(expectation), series);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("expectation '{}': {}", result.name, error.what()));
+  }
+  result.value = found.value;
+  result.pass = accepted(result);
+  const std::string is =
+      found.problem.empty() ? fmt::format("is {:.6g}", found.value) : found.problem;
+  result.text = fmt::format("{}, expected {}", is, criterion_text(result));
+  return result;
+}
+
+}  // namespace tack

@@ -1,0 +1,138 @@
+#include "framework/output/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace tack {
+namespace {
+
+constexpr double live_interval = 0.1;  // s
+constexpr int plain_lines = 20;        // in a run
+
+double steady_seconds() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+std::string duration(double seconds) {
+  const long s = std::lround(seconds);
+  if (s >= 3600) return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
+  if (s >= 60) return fmt::format("{}m{:02}s", s / 60, s % 60);
+  return fmt::format("{}s", s);
+}
+
+std::string counted(int count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+int terminal_width(int descriptor) {
+  if (!isatty(descriptor)) return 0;
+  constexpr int usual = 80;
+  winsize size{};
+  const bool known = ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : usual;
+}
+
+Progress::Progress(std::ostream& out, std::ostream* log, ProgressOptions options)
+    : out_(out), log_(log), options_(std::move(options)) {
+  if (!options_.clock) options_.clock = steady_seconds;
+  begun_ = options_.clock();
+}
+
+Progress::~Progress() { finish(); }
+
+void Progress::begin(double start, double end) {
+  start_ = start;
+  end_ = end;
+  begun_ = options_.clock();
+  shown_ = -1;
+  printed_ = 0;
+}
+
+double Progress::fraction(double time) const {
+  return end_ > start_ ? std::clamp((time - start_) / (end_ - start_), 0.0, 1.0) : 1.0;
+}
+
+std::string Progress::time_left(const StepReport& report, double now) const {
+  const double done = fraction(report.time);
+  return done > 0 ? duration((now - begun_) * (1 - done) / done) + " left" : "";
+}
+
+std::string Progress::line_of(const StepReport& r, double now) const {
+  std::string line = fmt::format("step {}  t {:.6g} s ({:.0f}%)  {}  {}", r.step, r.time,
+                                 std::floor(100 * fraction(r.time) + 1e-9),
+                                 counted(r.solve.iterations, "iteration"),
+                                 counted(r.contacts, "contact"));
+  if (std::isfinite(r.min_distance)) line += fmt::format("  gap {:.3g} m", r.min_distance);
+  if (r.halvings > 0) line += fmt::format("  {}", counted(r.halvings, "halving"));
+  if (!r.converged) line += "  not converged";
+  const std::string left = time_left(r, now);
+  return left.empty() ? line : line + "  " + left;
+}
+
+void Progress::step(const StepReport& report) {
+  const double now = options_.clock();
+  const std::string line = line_of(report, now);
+  log(line);
+  if (options_.verbosity == Verbosity::quiet) return;
+  if (options_.verbosity == Verbosity::verbose) return print(line);
+  if (options_.live_width > 0) return show_live(line, now);
+  const int part = static_cast<int>(plain_lines * fraction(report.time) + 1e-9);
+  if (part <= printed_) return;
+  printed_ = part;
+  print(line);
+}
+
+// The cursor stays on the line; what is too long would wrap and could not be erased.
+void Progress::show_live(const std::string& line, double now) {
+  if (shown_ >= 0 && now - shown_ < live_interval) return;
+  shown_ = now;
+  const auto room = static_cast<std::size_t>(std::max(1, options_.live_width - 1));
+  out_ << '\r' << line.substr(0, room) << "\x1b[K" << std::flush;
+  live_ = true;
+}
+
+void Progress::erase() {
+  if (live_) out_ << "\r\x1b[K";
+  live_ = false;
+  shown_ = -1;  // the next step shows the line again at once
+}
+
+void Progress::print(std::string_view text) {
+  erase();
+  out_ << text << '\n' << std::flush;
+}
+
+void Progress::log(std::string_view text) {
+  if (log_) *log_ << text << '\n' << std::flush;
+}
+
+void Progress::message(std::string_view text) {
+  log(text);
+  if (options_.verbosity != Verbosity::quiet) print(text);
+}
+
+void Progress::detail(std::string_view text) {
+  log(text);
+  if (options_.verbosity == Verbosity::verbose) print(text);
+}
+
+void Progress::warning(std::string_view text) {
+  const std::string line = fmt::format("warning: {}", text);
+  log(line);
+  print(line);
+}
+
+void Progress::finish() {
+  erase();
+  out_ << std::flush;
+}
+
+}  // namespace tack

@@ -1,0 +1,36 @@
+// The list of a run's frames with their times: run.pvd, which ParaView opens as an animation.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tack {
+
+// The file is replaced as a whole at each frame, so it is complete at any moment. Throws InputError
+// when it cannot be written.
+class PvdFile {
+ public:
+  // Starts an empty list; nothing is written before the first frame.
+  explicit PvdFile(std::filesystem::path path) : path_(std::move(path)) {}
+
+  // Continues a list written before, with its frames up to `last_time` [s]; a missing file is an
+  // empty list. Throws InputError if the file is no such list.
+  static PvdFile continued(std::filesystem::path path, double last_time);
+
+  // `frame` is relative to the folder of the list.
+  void add(double time, const std::filesystem::path& frame);
+
+  int frames() const { return static_cast<int>(entries_.size()); }
+
+ private:
+  struct Entry {
+    double time;  // s
+    std::string file;
+  };
+
+  std::filesystem::path path_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace tack

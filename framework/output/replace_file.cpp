@@ -1,0 +1,38 @@
+#include "framework/output/replace_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+namespace fs = std::filesystem;
+
+std::string write_failure(const fs::path& path) {
+  const std::string reason = errno ? fmt::format(" ({})", std::strerror(errno)) : "";
+  return fmt::format("{}: cannot be written{}: check the folder, its permissions and the space on "
+                     "the disk, or choose another results folder",
+                     path.string(), reason);
+}
+
+void replace_file(const fs::path& path, std::string_view content) {
+  const fs::path part = path.string() + ".part";
+  errno = 0;
+  std::ofstream out(part, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  std::error_code failed;
+  const bool written = !out.fail();
+  if (written) fs::rename(part, path, failed);
+  if (written && !failed) return;
+  if (failed) errno = failed.value();
+  const std::string message = write_failure(path);
+  fs::remove(part, failed);
+  throw InputError(message);
+}
+
+}  // namespace tack

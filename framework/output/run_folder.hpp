@@ -1,0 +1,48 @@
+// The folder of a run's results. Results are never destroyed: a folder of an earlier run is moved
+// aside to <name>.1, .2, ... before a new run takes its place. A folder counts as a run's by the
+// hidden file .tack_run, which is written first.
+// Errors: InputError naming the folder.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+namespace tack {
+
+class RunFolder {
+ public:
+  // Makes the folder with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
+  // a run, a file of that name, and the working directory itself or one around it.
+  static RunFolder create(const std::filesystem::path& root);
+
+  // The folder of an earlier run, to go on with it or to read it.
+  static RunFolder open(const std::filesystem::path& root);
+
+  // results/<scene name>, with characters that trouble shells and file systems replaced by '_'.
+  static std::filesystem::path default_root(std::string_view scene_name);
+
+  const std::filesystem::path& root() const { return root_; }
+  std::filesystem::path scene() const { return root_ / "scene.yaml"; }
+  std::filesystem::path pvd() const { return root_ / "run.pvd"; }
+  std::filesystem::path steps() const { return root_ / "steps.csv"; }
+  std::filesystem::path probes() const { return root_ / "probes.csv"; }
+  std::filesystem::path summary() const { return root_ / "summary.json"; }
+  std::filesystem::path log() const { return root_ / "log.txt"; }
+  std::filesystem::path frames() const { return root_ / "frames"; }
+  std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
+
+  // frames/frame_000012.vtu, relative to root().
+  static std::filesystem::path frame(int number);
+
+  // Where create() moved the earlier run, if there was one.
+  const std::optional<std::filesystem::path>& moved_aside() const { return moved_aside_; }
+
+ private:
+  explicit RunFolder(std::filesystem::path root) : root_(std::move(root)) {}
+
+  std::filesystem::path root_;
+  std::optional<std::filesystem::path> moved_aside_;
+};
+
+}  // namespace tack

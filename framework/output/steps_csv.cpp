@@ -1,0 +1,80 @@
+#include "framework/output/steps_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+std::vector<std::string> terms_of(const StepReport& report) {
+  std::vector<std::string> terms;
+  for (const auto& [term, energy] : report.energies) terms.push_back(term);
+  return terms;
+}
+
+std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
+  std::vector<std::string> columns = {"step",          "time",
+                                      "step_size",     "halvings",
+                                      "newton_iterations", "linear_solves",
+                                      "line_search_evaluations", "contacts",
+                                      "candidates",    "min_distance"};
+  for (const std::string& term : terms) columns.push_back("energy_" + term);
+  columns.insert(columns.end(), {"residual", "converged", "wall_seconds"});
+  for (const std::string_view phase : phase_names) {
+    columns.push_back(fmt::format("seconds_{}", phase));
+  }
+  return columns;
+}
+
+std::vector<double> row_of(const StepReport& r) {
+  std::vector<double> row = {double(r.step),
+                             r.time,
+                             r.step_size,
+                             double(r.halvings),
+                             double(r.solve.iterations),
+                             double(r.solve.linear_solves),
+                             double(r.solve.line_search_evaluations),
+                             double(r.contacts),
+                             double(r.candidates),
+                             r.min_distance};
+  for (const auto& [term, energy] : r.energies) row.push_back(energy);
+  row.insert(row.end(), {r.solve.residual, r.converged ? 1.0 : 0.0, r.wall_seconds});
+  row.insert(row.end(), r.phases.begin(), r.phases.end());
+  return row;
+}
+
+}  // namespace
+
+StepsCsv StepsCsv::continued(std::filesystem::path path, double last_time) {
+  StepsCsv steps(std::move(path));
+  if (std::filesystem::exists(steps.path_)) {
+    steps.before_ = rows_until(read_csv(steps.path_), last_time);
+  }
+  return steps;
+}
+
+void StepsCsv::open(const StepReport& first) {
+  terms_ = terms_of(first);
+  const std::vector<std::string> columns = columns_of(terms_);
+  if (!before_.columns.empty() && before_.columns != columns) {
+    throw InputError(fmt::format("{}: has other columns than this scene writes ({}); resume with "
+                                 "the scene of that run, or start anew",
+                                 path_.string(), fmt::join(columns, ", ")));
+  }
+  before_.columns = columns;
+  file_.emplace(path_, before_);
+  before_ = {};
+}
+
+void StepsCsv::add(const StepReport& report) {
+  if (!file_) open(report);
+  if (terms_of(report) != terms_) {
+    throw std::logic_error(fmt::format("step {} reports other energies than the first", report.step));
+  }
+  file_->add(row_of(report));
+}
+
+}  // namespace tack

@@ -1,0 +1,113 @@
+#include "framework/output/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "framework/output/replace_file.hpp"
+
+namespace tack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(); }
+
+Json phases_json(const PhaseClock::Seconds& phases) {
+  Json json = Json::object();
+  for (int i = 0; i < phase_count; ++i) json[std::string(phase_names[i])] = finite(phases[i]);
+  return json;
+}
+
+Json adhesion_json(const std::vector<AdhesionSummary>& pairs) {
+  Json list = Json::array();
+  for (const AdhesionSummary& a : pairs) {
+    list.push_back({{"between", a.between},
+                    {"work_of_adhesion", finite(a.work_of_adhesion)},
+                    {"effective", finite(a.effective)},
+                    {"rest_gap", finite(a.rest_gap)},
+                    {"peak_traction", finite(a.peak_traction)}});
+  }
+  return list;
+}
+
+Json expect_json(const std::vector<ExpectationResult>& results) {
+  Json list = Json::array();
+  for (const ExpectationResult& r : results) {
+    list.push_back({{"name", r.name},
+                    {"value", finite(r.value)},
+                    {"target", finite(r.target)},
+                    {"tolerance", finite(r.tolerance)},
+                    {"at_least", finite(r.at_least)},
+                    {"at_most", finite(r.at_most)},
+                    {"pass", r.pass},
+                    {"text", r.text}});
+  }
+  return list;
+}
+
+Json totals_json(const RunSummary& s) {
+  return {{"newton_iterations", s.newton_iterations},
+          {"linear_solves", s.linear_solves},
+          {"line_search_evaluations", s.line_search_evaluations},
+          {"broad_phase_builds", s.broad_phase_builds}};
+}
+
+Json to_json(const RunSummary& s) {
+  return {{"name", s.name},
+          {"version", s.version},
+          {"commit", s.commit},
+          {"status", to_string(s.status)},
+          {"error", s.error},
+          {"threads", s.threads},
+          {"dofs", s.dofs},
+          {"steps", s.steps},
+          {"converged_steps", s.converged_steps},
+          {"failed_solves", s.failed_solves},
+          {"wall_seconds", finite(s.wall_seconds)},
+          {"phases", phases_json(s.phases)},
+          {"totals", totals_json(s)},
+          {"max_contacts", s.max_contacts},
+          {"min_distance", finite(s.min_distance)},
+          {"intersections", s.intersections},
+          {"inverted_tets", s.inverted_tets},
+          {"adhesion", adhesion_json(s.adhesion)},
+          {"expect", expect_json(s.expect)}};
+}
+
+}  // namespace
+
+std::string_view to_string(RunStatus status) {
+  switch (status) {
+    case RunStatus::done:
+      return "done";
+    case RunStatus::expectation_failed:
+      return "expectation failed";
+    case RunStatus::simulation_failed:
+      return "simulation failed";
+    case RunStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+void RunSummary::add(const StepReport& report) {
+  ++steps;
+  converged_steps += report.converged ? 1 : 0;
+  failed_solves += report.halvings;
+  newton_iterations += report.solve.iterations;
+  linear_solves += report.solve.linear_solves;
+  line_search_evaluations += report.solve.line_search_evaluations;
+  broad_phase_builds += report.broad_phase_builds;
+  max_contacts = std::max(max_contacts, report.contacts);
+  min_distance = std::min(min_distance, report.min_distance);
+  intersections += report.intersections;
+}
+
+void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
+  // A scene name or a path in an error text need not be UTF-8, and must not cost the summary.
+  constexpr auto lenient = Json::error_handler_t::replace;
+  replace_file(path, to_json(summary).dump(2, ' ', false, lenient) + "\n");
+}
+
+}  // namespace tack

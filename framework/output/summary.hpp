@@ -1,0 +1,72 @@
+// What remains of a run in one place: summary.json, and the tables at the end on the terminal.
+//
+// Keys: name, version, commit, status, error, threads, dofs, steps, converged_steps, failed_solves,
+// wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
+// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], intersections,
+// inverted_tets, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
+// peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
+// Numbers that are not finite are null.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "framework/output/expectations.hpp"
+#include "framework/stepping/step_report.hpp"
+
+namespace tack {
+
+enum class RunStatus { done, expectation_failed, simulation_failed, interrupted };
+std::string_view to_string(RunStatus status);  // "done", "expectation failed", ...
+
+// What the laws between two objects add up to, barrier and adhesion together.
+struct AdhesionSummary {
+  std::array<std::string, 2> between;
+  double work_of_adhesion = 0;  // of the adhesion alone [J/m^2]
+  double effective = 0;         // from the rest gap to infinity, against the barrier [J/m^2]
+  double rest_gap = 0;          // where the traction vanishes [m]
+  double peak_traction = 0;     // Pa
+};
+
+struct RunSummary {
+  std::string name;
+  std::string version;
+  std::string commit;
+  RunStatus status = RunStatus::done;
+  std::string error;  // empty if there was none
+  int threads = 0;
+  int dofs = 0;
+  int steps = 0;
+  int converged_steps = 0;
+  int failed_solves = 0;  // solves that were rolled back and repeated with half the step
+  double wall_seconds = 0;
+  PhaseClock::Seconds phases{};
+  long newton_iterations = 0;
+  long linear_solves = 0;
+  long line_search_evaluations = 0;
+  long broad_phase_builds = 0;
+  int max_contacts = 0;
+  double min_distance = std::numeric_limits<double>::infinity();  // m
+  int intersections = 0;
+  int inverted_tets = 0;
+  std::vector<AdhesionSummary> adhesion;
+  std::vector<ExpectationResult> expect;
+
+  // Counts an accepted step in: everything a step report tells, but not wall_seconds and phases,
+  // which also cover what happens between steps.
+  void add(const StepReport& report);
+};
+
+// Throws InputError when the file cannot be written.
+void write_summary(const std::filesystem::path& path, const RunSummary& summary);
+
+// Seconds and share of each phase that took time, longest first, as bars; ends with the total.
+std::string phase_table(const RunSummary& summary);
+
+// One line per expectation; "" without any.
+std::string expect_table(const std::vector<ExpectationResult>& results);
+
+}  // namespace tack

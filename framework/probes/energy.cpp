@@ -1,0 +1,40 @@
+// Probe of energies.
+#include <fmt/format.h>
+
+#include "framework/config/nearest.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/scene/energies.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class EnergyProbe : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.text("term", term_, "kinetic, total, or the name of a term as in steps.csv");
+  }
+  void prepare(const World& world) override {
+    std::vector<std::string> names = {"total"};
+    for (const auto& [name, unused] : energies_by_term(world, world.start)) names.push_back(name);
+    if (std::find(names.begin(), names.end(), term_) == names.end())
+      throw InputError(fmt::format("probe '{}': no energy term is named '{}'{}", name_, term_,
+                                   suggestion(term_, names, "terms")));
+  }
+  std::vector<double> sample(const World& world, const State& state) override {
+    double sum = 0;
+    for (const auto& [name, value] : energies_by_term(world, state))
+      if (term_ == "total" || term_ == name) sum += value;
+    return {sum};
+  }
+
+ private:
+  std::string term_ = "total";
+};
+
+TACK_REGISTER(Probe, EnergyProbe, "energy", "An energy of the whole scene [J].", "");
+
+}  // namespace
+}  // namespace tack

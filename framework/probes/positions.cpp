@@ -1,0 +1,119 @@
+// Probes of positions and velocities.
+#include "framework/output/probe.hpp"
+#include "framework/probes/vertex_set.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class CentreOfMass : public VectorProbe {
+ public:
+  void fields(Fields& f) override {
+    VectorProbe::fields(f);
+    f.text("object", object_, "name of the object").required();
+    f.flag("velocity", velocity_, "its velocity [m/s] instead of its position [m]");
+  }
+  void prepare(const World& world) override { index_ = object_index(world, object_, name_); }
+
+ protected:
+  Vec3 value(const World& world, const State& state) override {
+    const Body& body = world.bodies[index_];
+    const VecX& rows = velocity_ ? state.v : state.x;
+    Vec3 sum = Vec3::Zero();
+    double mass = 0;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      const double m = world.mass(v) > 0 ? world.mass(v) : 1.0;  // fixed objects have no mass
+      sum += m * vertex(rows, v);
+      mass += m;
+    }
+    return sum / mass;
+  }
+
+ private:
+  std::string object_;
+  bool velocity_ = false;
+  int index_ = -1;
+};
+
+// How far the mean position of one set of vertices is from another's along a direction.
+class Separation : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.object("from", from_, "vertices that it is measured from");
+    f.object("to", to_, "vertices that it is measured to");
+    f.vector("direction", direction_, units::none, "direction of measurement");
+    f.flag("relative", relative_, "relative to the value at rest: (d - d0) / d0, a nominal strain");
+    f.check("direction", [this]() -> std::string { return direction_.norm() > 0 ? "" : "must not be zero"; });
+  }
+  void prepare(const World& world) override {
+    from_.prepare(world, name_);
+    to_.prepare(world, name_);
+    at_rest_ = distance(world.rest);
+    if (relative_ && at_rest_ == 0)
+      throw InputError("probe '" + name_ + "': relative, but the separation at rest is zero");
+  }
+  std::vector<double> sample(const World&, const State& state) override {
+    const double d = distance(state.x);
+    return {relative_ ? (d - at_rest_) / at_rest_ : d};
+  }
+
+ private:
+  double distance(const VecX& x) const {
+    return (to_.mean(x) - from_.mean(x)).dot(direction_.normalized());
+  }
+  VertexSet from_, to_;
+  Vec3 direction_ = Vec3::UnitY();
+  bool relative_ = false;
+  double at_rest_ = 0;
+};
+
+// The smallest distance between two objects; infinity beyond the reach of contact.
+class Gap : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.texts("between", between_, "two object names").required();
+    f.check("between", [this]() -> std::string {
+      return between_.size() == 2 ? "" : "expects two object names";
+    });
+  }
+  void prepare(const World& world) override {
+    if (!world.contact) throw InputError("probe '" + name_ + "': the scene has no contact section");
+    a_ = object_index(world, between_[0], name_);
+    b_ = object_index(world, between_[1], name_);
+  }
+  std::vector<double> sample(const World& world, const State& state) override {
+    const CollisionMesh& mesh = world.contact->surface().mesh;
+    const auto object = [&](int v) { return mesh.vertex_object[v]; };
+    const auto wanted = [&](int p, int q) {
+      return (object(p) == a_ && object(q) == b_) || (object(p) == b_ && object(q) == a_);
+    };
+    const auto keep = [&](const auto& all, const auto& first_of, const auto& second_of) {
+      std::vector<std::array<int, 2>> kept;
+      for (const auto& pair : all)
+        if (wanted(first_of(pair[0]), second_of(pair[1]))) kept.push_back(pair);
+      return kept;
+    };
+    const auto self = [](int v) { return v; };
+    const auto edge = [&](int e) { return mesh.edges[e][0]; };
+    const auto triangle = [&](int t) { return mesh.triangles[t][0]; };
+    const Candidates& all = world.contact->candidates();
+    const Candidates kept{keep(all.point_triangle, self, triangle), keep(all.edge_edge, edge, edge),
+                          keep(all.point_edge, self, edge), keep(all.point_point, self, self)};
+    return {smallest_distance(mesh, kept, state.x)};
+  }
+
+ private:
+  std::vector<std::string> between_;
+  int a_ = -1, b_ = -1;
+};
+
+TACK_REGISTER(Probe, CentreOfMass, "centre_of_mass", "Position or velocity of an object's centre of mass.", "");
+TACK_REGISTER(Probe, Separation, "separation",
+              "Distance between two sets of vertices along a direction [m], or its relative change.", "");
+TACK_REGISTER(Probe, Gap, "gap", "Smallest distance between two objects [m].", "");
+
+}  // namespace
+}  // namespace tack

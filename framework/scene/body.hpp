@@ -1,0 +1,24 @@
+// One object of the scene as energies and loads see it: elements in global vertex indices.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct Body {
+  std::string name;
+  int first_vertex = 0;
+  int vertex_count = 0;
+  bool movable = true;  // some vertex is free
+  std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
+  std::vector<Tet> tets;
+  std::vector<Triangle> triangles;  // the surface, outward oriented
+  std::vector<Edge> edges;          // rods: explicit edges of the mesh
+  std::vector<int> points;          // particles: explicit points of the mesh
+};
+
+}  // namespace tack

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <set>
+
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "geometry/exact/orientation.hpp"
+#include "geometry/mesh/surface.hpp"
+#include "geometry/mesh/validate.hpp"
+
+namespace tack {
+namespace {
+
+Mesh placed_mesh(const ObjectConfig& object) {
+  Mesh mesh = object.shape->make();
+  const PlaceConfig& place = object.place;
+  if (place.scale != Vec3::Ones()) scale(mesh, place.scale);
+  if (place.angle != 0) rotate(mesh, place.axis, place.angle);
+  if (place.translate != Vec3::Zero()) translate(mesh, place.translate);
+  validate_mesh(mesh, fmt::format("object '{}'", object.name));
+  return mesh;
+}
+
+// Appends a mesh to the world as a body.
+void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
+  Body body;
+  body.name = object.name;
+  body.first_vertex = static_cast<int>(world.rest.size()) / 3;
+  body.vertex_count = static_cast<int>(mesh.vertices.size());
+  world.rest.conservativeResize(world.rest.size() + 3 * body.vertex_count);
+  for (int i = 0; i < body.vertex_count; ++i)
+    vertex(world.rest, body.first_vertex + i) = mesh.vertices[i];
+  const auto shifted = [&](auto elements) {
+    for (auto& element : elements)
+      for (int& v : element) v += body.first_vertex;
+    return elements;
+  };
+  body.tags = mesh.tags;
+  body.tets = shifted(mesh.tets);
+  body.triangles = shifted(extract_surface(mesh).triangles);
+  body.edges = shifted(mesh.edges);
+  for (const int v : mesh.points) body.points.push_back(body.first_vertex + v);
+  world.bodies.push_back(std::move(body));
+}
+
+std::vector<char> movable_vertices(const SceneConfig& scene, World& world) {
+  std::vector<char> movable(world.rest.size() / 3, 1);
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    for (const auto& motion : scene.objects[i].motion)
+      for (const int v : select(motion->selection(), world.selection_context(static_cast<int>(i))))
+        movable[v] = 0;
+    Body& body = world.bodies[i];
+    body.movable = false;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+      body.movable = body.movable || movable[v];
+  }
+  return movable;
+}
+
+void add_energies(const ObjectConfig& object, const Body& body, World& world) {
+  if (!body.movable) return;
+  if (object.energies.empty())
+    throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
+                                 "(energies: [...]) or fix it (motion: [fixed])", object.name));
+  for (const auto& energy : object.energies) {
+    world.elastic_terms.push_back(energy->make_term(body, world.rest));
+    energy->add_mass(body, world.rest, world.mass);
+  }
+  world.tets.insert(world.tets.end(), body.tets.begin(), body.tets.end());
+}
+
+void check_mass(const World& world) {
+  for (int b = 0; b < world.dofs.block_count(); ++b) {
+    const int v = world.dofs.vertex_of_block(b);
+    if (world.mass(v) > 0) continue;
+    for (const Body& body : world.bodies)
+      if (v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
+        throw InputError(fmt::format("object '{}': vertex {} has no mass; give every part an energy "
+                                     "with a density", body.name, v - body.first_vertex));
+  }
+}
+
+void start_state(const SceneConfig& scene, World& world) {
+  State& s = world.start;
+  s.x = world.rest;
+  s.v = s.a = VecX::Zero(world.rest.size());
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+      if (world.dofs.block(v) >= 0) vertex(s.v, v) = scene.objects[i].velocity;
+  }
+}
+
+// One object at a time, so that a message can name its place in the file.
+template <class Action>
+void for_each_object(const SceneConfig& scene, const Value& root, const Action& action) {
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    try {
+      action(i);
+    } catch (const InputError& error) {
+      throw InputError(place_of(root, "objects", i) + error.what());
+    }
+  }
+}
+
+void check_start(const Value& root, const World& world) {
+  if (!world.contact) return;
+  const ContactSurface& surface = world.contact->surface();
+  const auto hits = find_intersections(surface.mesh, world.rest, world.contact->filter(), 5);
+  if (hits.empty()) return;
+  std::string list;
+  int a = 0, b = 0;
+  for (const auto& hit : hits) {
+    const Edge& e = surface.mesh.edges[hit.edge];
+    const Triangle& t = surface.mesh.triangles[hit.triangle];
+    a = surface.mesh.vertex_object[e[0]];
+    b = surface.mesh.vertex_object[t[0]];
+    const int fa = world.bodies[a].first_vertex, fb = world.bodies[b].first_vertex;
+    list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", e[0] - fa, e[1] - fa,
+                        world.bodies[a].name, t[0] - fb, t[1] - fb, t[2] - fb, world.bodies[b].name);
+  }
+  throw InputError(fmt::format("{}the start intersects; move the objects apart (place.translate) or "
+                               "turn their contact off (contact.pairs, contact: false):{}",
+                               place_of(root, "objects", static_cast<size_t>(std::max(a, b))), list));
+}
+
+}  // namespace
+
+int World::body_index(const std::string& name) const {
+  for (size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+std::string place_of(const Value& root, const std::string& list, size_t i) {
+  const Value* values = root.find(list);
+  if (!values || i >= values->items.size()) return "";
+  return values->items[i].mark.text() + ": ";
+}
+
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock) {
+  auto world = std::make_unique<World>();
+  std::set<std::string> names;
+  for_each_object(scene, root, [&](size_t i) {
+    const ObjectConfig& object = scene.objects[i];
+    if (!names.insert(object.name).second)
+      throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
+    add_body(object, placed_mesh(object), *world);
+  });
+  world->mass = VecX::Zero(world->rest.size() / 3);
+  std::vector<char> movable;
+  try {
+    movable = movable_vertices(scene, *world);
+  } catch (const InputError& error) {
+    const Value* objects = root.find("objects");
+    throw InputError((objects ? objects->mark.text() + ": " : "") + error.what());
+  }
+  world->dofs = DofMap(movable);
+  if (world->dofs.block_count() == 0)
+    throw InputError("nothing can move: every object is fixed; free one of them");
+  for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
+  check_mass(*world);
+  world->gravity = scene.gravity;
+  start_state(scene, *world);
+  build_contact(scene, root, clock, *world);
+  check_start(root, *world);
+
+  for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
+  if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
+  for (const ObjectConfig& object : scene.objects) {
+    if (object.loads.empty()) continue;
+    world->terms.push_back(&world->load_term);
+    break;
+  }
+  if (world->contact_term) world->terms.push_back(world->contact_term.get());
+  return world;
+}
+
+}  // namespace tack

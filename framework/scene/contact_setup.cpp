@@ -1,0 +1,227 @@
+// Which objects touch and adhere, with which laws: from the scene's contact section to a PairTable.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "framework/config/nearest.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/mesh/surface.hpp"
+
+namespace tack {
+namespace {
+
+// The surface of a body as a mesh of its own, in local indices.
+Mesh local_mesh(const Body& body, const VecX& rest) {
+  Mesh mesh;
+  for (int v = 0; v < body.vertex_count; ++v) mesh.vertices.push_back(vertex(rest, body.first_vertex + v));
+  const auto shifted = [&](auto elements) {
+    for (auto& element : elements)
+      for (int& v : element) v -= body.first_vertex;
+    return elements;
+  };
+  mesh.tets = shifted(body.tets);
+  if (body.tets.empty()) mesh.triangles = shifted(body.triangles);
+  mesh.edges = shifted(body.edges);
+  for (const int v : body.points) mesh.points.push_back(v - body.first_vertex);
+  return mesh;
+}
+
+struct SurfaceSize {
+  double area = 0;  // m^2
+  int vertices = 0;
+  double per_vertex() const { return vertices > 0 ? area / vertices : 0; }
+};
+
+// Appends a body's surface to the collision mesh.
+SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactSurface& all) {
+  const Mesh mesh = local_mesh(body, rest);
+  const Surface surface = extract_surface(mesh);
+  const auto areas = vertex_areas(mesh, surface);
+  const auto edges = edge_areas(mesh, surface);
+  const int first = body.first_vertex;
+  SurfaceSize size{0, static_cast<int>(surface.vertices.size())};
+  for (int v = 0; v < body.vertex_count; ++v) {
+    all.vertex_area.push_back(areas[v]);
+    all.mesh.vertex_object.push_back(object);
+    size.area += areas[v];
+  }
+  for (const int e : surface.codim_edges)
+    all.mesh.codim_edges.push_back(static_cast<int>(all.mesh.edges.size()) + e);
+  for (const int v : surface.codim_points) all.mesh.codim_points.push_back(first + v);
+  for (const int v : surface.vertices) all.mesh.vertices.push_back(first + v);
+  for (const Edge& e : surface.edges) all.mesh.edges.push_back({first + e[0], first + e[1]});
+  for (const Triangle& t : surface.triangles)
+    all.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  all.edge_area.insert(all.edge_area.end(), edges.begin(), edges.end());
+  return size;
+}
+
+class PairBuilder {
+ public:
+  PairBuilder(const SceneConfig& scene, const Value& root, World& world)
+      : scene_(scene), contact_(*scene.contact), root_(root), world_(world),
+        table_(static_cast<int>(world.bodies.size())) {
+    table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
+    find_configs();
+  }
+
+  void build(const std::vector<SurfaceSize>& sizes) {
+    const int n = table_.objects();
+    for (int a = 0; a < n; ++a) {
+      for (int b = a; b < n; ++b) {
+        if (!world_.bodies[a].movable && !world_.bodies[b].movable) continue;
+        const int index = config_of(a, b);
+        if (index >= 0 && !contact_.pairs[index].contact) {
+          filter_.set(a, b, false);
+          continue;
+        }
+        set_roles(a, b, index, sizes);
+      }
+    }
+  }
+
+  PairTable& table() { return table_; }
+  const ObjectPairFilter& filter() const { return filter_; }
+
+ private:
+  const Value* pairs_value() const {
+    const Value* contact = root_.find("contact");
+    return contact ? contact->find("pairs") : nullptr;
+  }
+  InputError pair_error(size_t i, const std::string& message) const {
+    const Value* pairs = pairs_value();
+    const bool known = pairs && i < pairs->items.size();
+    return InputError((known ? pairs->items[i].mark.text() + ": " : "") + message);
+  }
+
+  int named(size_t pair, const std::string& name) const {
+    const int index = world_.body_index(name);
+    if (index >= 0) return index;
+    std::vector<std::string> names;
+    for (const Body& body : world_.bodies) names.push_back(body.name);
+    throw pair_error(pair, fmt::format("no object is named '{}'{}", name, suggestion(name, names, "objects")));
+  }
+
+  void find_configs() {
+    for (size_t i = 0; i < contact_.pairs.size(); ++i) {
+      const PairConfig& pair = contact_.pairs[i];
+      const int a = named(i, pair.between[0]), b = named(i, pair.between[1]);
+      if (!configs_.emplace(std::minmax(a, b), static_cast<int>(i)).second)
+        throw pair_error(i, fmt::format("the pair '{}', '{}' is given twice", pair.between[0], pair.between[1]));
+      if (pair.integrate != "finer" && pair.integrate != "both" && pair.integrate != pair.between[0] &&
+          pair.integrate != pair.between[1])
+        throw pair_error(i, fmt::format("integrate: '{}' is neither finer, both, nor one of the pair; "
+                                        "name '{}' or '{}'", pair.integrate, pair.between[0], pair.between[1]));
+    }
+  }
+  int config_of(int a, int b) const {
+    const auto found = configs_.find(std::minmax(a, b));
+    return found == configs_.end() ? -1 : found->second;
+  }
+
+  // 0 if no side has a Young's modulus.
+  double softer_young(int a, int b) const {
+    double softer = 0;
+    for (const int object : {a, b})
+      for (const auto& energy : scene_.objects[object].energies)
+        if (const auto young = energy->young())
+          if (softer == 0 || *young < softer) softer = *young;
+    return softer;
+  }
+
+  struct LawIds {
+    int pressure, guard;
+  };
+
+  LawIds laws_of(int a, int b, int config) {
+    const double young = softer_young(a, b);
+    const auto key = std::pair{config, young};
+    if (const auto found = laws_.find(key); found != laws_.end()) return found->second;
+    const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
+    PairMaterials materials{contact_.distance, young, 0};
+    PairLaw pressure, guard;
+    std::shared_ptr<NormalLaw> adhesion;
+    try {
+      if (pair && pair->adhesion) {
+        adhesion = pair->adhesion->clone();
+        adhesion->prepare(materials);
+        materials.adhesion_peak = static_cast<const AdhesionLaw&>(*adhesion).peak_traction();
+      }
+      const BarrierLaw& barrier = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
+      std::shared_ptr<NormalLaw> full = barrier.clone(), close = barrier.clone();
+      full->prepare(materials);
+      materials.contact_distance *= table_.plain_sums ? 1.0 : contact_.guard;
+      close->prepare(materials);
+      pressure.add(full);
+      guard.add(close);
+    } catch (const InputError& error) {
+      if (!pair) throw;
+      throw pair_error(static_cast<size_t>(config), error.what());
+    }
+    if (adhesion) {
+      pressure.add(adhesion);
+      if (table_.plain_sums) guard.add(adhesion);
+      report(a, b, static_cast<const AdhesionLaw&>(*adhesion), pressure);
+    }
+    const LawIds ids{table_.add_law(pressure), table_.add_law(guard)};
+    laws_.emplace(key, ids);
+    return ids;
+  }
+
+  void report(int a, int b, const AdhesionLaw& adhesion, const PairLaw& law) {
+    const PairLaw::Well well = law.well();
+    world_.adhesion.push_back({world_.bodies[a].name, world_.bodies[b].name, adhesion.peak_traction(),
+                               adhesion.work_of_adhesion(), well.depth, well.gap});
+  }
+
+  void set_roles(int a, int b, int config, const std::vector<SurfaceSize>& sizes) {
+    const LawIds ids = laws_of(a, b, config);
+    const PairRole whole{ids.pressure, 1, table_.laws()[ids.pressure].range()};
+    const PairRole half{ids.pressure, 0.5, whole.range};
+    const PairRole guard{ids.guard, 1, table_.laws()[ids.guard].range()};
+    // An edge pair's area is half the mean of its two edges' (they count the surface twice).
+    table_.set_edge(a, b, {ids.guard, 0.25, guard.range});
+    const std::string& side = config >= 0 ? contact_.pairs[config].integrate : std::string("finer");
+    if (table_.plain_sums) {
+      table_.point(a, b) = table_.point(b, a) = whole;
+    } else if (a == b || side == "both") {
+      table_.point(a, b) = table_.point(b, a) = half;
+    } else {
+      const bool first_finer = sizes[a].per_vertex() <= sizes[b].per_vertex();
+      const bool first = side == "finer" ? first_finer : side == world_.bodies[a].name;
+      table_.point(a, b) = first ? whole : guard;
+      table_.point(b, a) = first ? guard : whole;
+    }
+  }
+
+  const SceneConfig& scene_;
+  const ContactConfig& contact_;
+  const Value& root_;
+  World& world_;
+  PairTable table_;
+  ObjectPairFilter filter_;
+  std::map<std::pair<int, int>, int> configs_;
+  std::map<std::pair<int, double>, LawIds> laws_;
+};
+
+}  // namespace
+
+void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world) {
+  if (!scene.contact) return;
+  ContactSurface surface;
+  std::vector<SurfaceSize> sizes;
+  for (size_t i = 0; i < world.bodies.size(); ++i)
+    sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, surface));
+  surface.rest = world.rest;
+  surface.mesh.vertex_movable.resize(world.rest.size() / 3);
+  for (int v = 0; v < world.dofs.vertex_count(); ++v)
+    surface.mesh.vertex_movable[v] = world.dofs.block(v) >= 0;
+  PairBuilder builder(scene, root, world);
+  builder.build(sizes);
+  world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
+                                                  builder.filter(), clock);
+  world.contact_term = std::make_unique<ContactTerm>(*world.contact, clock);
+}
+
+}  // namespace tack

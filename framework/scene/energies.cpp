@@ -1,0 +1,29 @@
+#include "framework/scene/energies.hpp"
+
+#include <map>
+
+#include "framework/scene/world.hpp"
+
+namespace tack {
+
+std::vector<std::pair<std::string, double>> energies_by_term(const World& world, const State& state) {
+  double kinetic = 0, gravity = 0;
+  for (int b = 0; b < world.dofs.block_count(); ++b) {
+    const int v = world.dofs.vertex_of_block(b);
+    kinetic += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
+    gravity += world.mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(state.x, v));
+  }
+  std::map<std::string, double> elastic;
+  for (const auto& term : world.elastic_terms) elastic[term->name()] += term->value(state.x);
+
+  std::vector<std::pair<std::string, double>> all = {{"kinetic", kinetic}};
+  all.insert(all.end(), elastic.begin(), elastic.end());
+  if (!world.gravity.isZero()) all.emplace_back("gravity", gravity);
+  if (world.contact_term) {
+    all.emplace_back("barrier", world.contact_term->part_value(state.x, LawPart::barrier));
+    all.emplace_back("adhesion", world.contact_term->part_value(state.x, LawPart::adhesion));
+  }
+  return all;
+}
+
+}  // namespace tack

@@ -1,0 +1,17 @@
+// The energies of a state by term, for records.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tack {
+
+struct World;
+struct State;
+
+// kinetic, then one entry per kind of elastic energy (all bodies together), gravity (m g . (x_rest -
+// x)), barrier and adhesion, as far as the scene names them [J]. Loads store no energy: not listed.
+std::vector<std::pair<std::string, double>> energies_by_term(const World& world, const State& state);
+
+}  // namespace tack

@@ -1,0 +1,27 @@
+// An energy of an object, chosen in the scene file; it makes the term that is assembled.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "framework/config/registry.hpp"
+#include "framework/core/term.hpp"
+#include "framework/scene/body.hpp"
+
+namespace tack {
+
+class Energy : public Component {
+ public:
+  static constexpr const char* kind_name = "energy";
+  static constexpr const char* kind_doc = "A potential energy of an object, with its material.";
+
+  // rest: the rest configuration of all vertices (3n). Throws InputError if the body lacks the
+  // elements that the energy needs.
+  virtual std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const = 0;
+  // Adds the body's lumped mass [kg] per vertex.
+  virtual void add_mass(const Body& /*body*/, const VecX& /*rest*/, VecX& /*mass*/) const {}
+  // The stiffness that adhesion and barrier are scaled by [Pa].
+  virtual std::optional<double> young() const { return std::nullopt; }
+};
+
+}  // namespace tack

@@ -1,0 +1,88 @@
+#include "framework/scene/scene_config.hpp"
+
+#include <set>
+
+namespace tack {
+
+void TimeConfig::fields(Fields& f) {
+  f.number("step", step, units::time, "time step h").positive();
+  f.number("duration", duration, units::time, "simulated time").positive();
+  f.component("integrator", integrator, "time integration");
+  f.integer("max_halvings", max_halvings,
+            "how often a failed step may be halved before the run gives up").range(0, 30);
+}
+
+void PlaceConfig::fields(Fields& f) {
+  f.vector("scale", scale, units::none, "factors about the origin, applied first");
+  f.vector("axis", axis, units::none, "rotation axis through the origin");
+  f.number("angle", angle, units::angle, "right-handed rotation about the axis, applied second");
+  f.vector("translate", translate, units::length, "offset, applied last");
+}
+
+void ObjectConfig::fields(Fields& f) {
+  f.text("name", name, "what pairs, probes and messages call it").required();
+  f.component("shape", shape, "mesh").required();
+  f.object("place", place, "scale, rotate, translate the mesh");
+  f.component_list("energies", energies, "its potential energies; an object that is all fixed needs none");
+  f.component_list("motion", motion, "prescribed motion of some vertices");
+  f.component_list("loads", loads, "external forces");
+  f.vector("velocity", velocity, units::velocity, "initial velocity of its free vertices");
+}
+
+void PairConfig::fields(Fields& f) {
+  f.texts("between", between, "two object names; the same twice for contact of an object with itself")
+      .required();
+  f.flag("contact", contact, "false: the two may pass through each other");
+  f.component("barrier", barrier, "repulsion of this pair, instead of the common one");
+  f.component("adhesion", adhesion, "attraction; pairs that are not named do not adhere");
+  f.text("integrate", integrate,
+         "whose surface vertices the pressure is integrated over: finer (the side with the finer "
+         "surface), both (half each), or the name of one of the two objects");
+  f.check("between", [this]() -> std::string {
+    return between.size() == 2 ? "" : "expects two object names";
+  });
+}
+
+void ContactConfig::fields(Fields& f) {
+  f.number("distance", distance, units::length, "dhat_b: gap below which surfaces repel").positive();
+  f.component("barrier", barrier, "repulsion of every pair");
+  f.number("guard", guard, units::none,
+           "range, in contact distances, of the pairs that only keep surfaces apart (edge-edge, and "
+           "points of the side that pressure is not integrated over)").range(0.01, 1);
+  f.choice("weights", weights,
+           {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
+            {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},
+           "how pairs are weighted");
+  f.list("pairs", pairs, "what differs between two objects");
+}
+
+void OutputConfig::fields(Fields& f) {
+  f.flag("frames", frames, "write frames/*.vtu and run.pvd");
+  f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
+  f.texts("fields", frame_fields, "vertex fields of the frames: velocity, contact_force, "
+                                  "adhesion_force, displacement, mass");
+  f.check("fields", [this]() -> std::string {
+    static const std::set<std::string> known = {"velocity", "contact_force", "adhesion_force",
+                                                "displacement", "mass"};
+    for (const auto& field : frame_fields)
+      if (!known.count(field))
+        return "unknown field '" + field +
+               "'; choose from velocity, contact_force, adhesion_force, displacement, mass";
+    return "";
+  });
+}
+
+void SceneConfig::fields(Fields& f) {
+  f.text("name", name, "what the results folder is called").required();
+  f.text("about", about, "what the experiment must show");
+  f.object("time", time, "time stepping");
+  f.vector("gravity", gravity, units::acceleration, "acceleration of every mass");
+  f.list("objects", objects, "what is simulated").required().nonempty();
+  f.optional_object("contact", contact, "contact between all objects; without it there is none");
+  f.component("solver", solver, "minimiser of each step");
+  f.component_list("probes", probes, "quantities recorded every step");
+  f.object("output", output, "what is written");
+  f.list("expect", expect, "what must hold for the run to exit with 0");
+}
+
+}  // namespace tack

@@ -1,0 +1,89 @@
+// The built-in shapes and mesh files, as components of the scene file.
+#include "framework/config/field.hpp"
+#include "framework/scene/shape_source.hpp"
+#include "geometry/io/mesh_io.hpp"
+#include "geometry/shapes/lines.hpp"
+#include "geometry/shapes/solids.hpp"
+#include "geometry/shapes/surfaces.hpp"
+
+namespace tack {
+namespace {
+
+class BoxShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.vector("size", size_, units::length, "edge lengths; centred at the origin").required().positive();
+    f.vector("cells", cells_, "cells along each edge, six tets each").at_least(1);
+    f.flag("surface", surface_, "triangles of the boundary only, no tets");
+  }
+  Mesh make() const override { return surface_ ? box_surface(size_, cells_) : box_tets(size_, cells_); }
+
+ private:
+  Vec3 size_ = Vec3::Ones();  // m
+  std::array<int, 3> cells_ = {1, 1, 1};
+  bool surface_ = false;
+};
+
+class SphereShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("radius", radius_, units::length, "radius; centred at the origin").required().positive();
+    f.integer("cells", cells_, "cells across the diameter").at_least(2);
+    f.flag("surface", surface_, "triangles of the boundary only, no tets");
+  }
+  Mesh make() const override { return surface_ ? sphere_surface(radius_, cells_) : sphere(radius_, cells_); }
+
+ private:
+  double radius_ = 1;  // m
+  int cells_ = 8;
+  bool surface_ = false;
+};
+
+class CylinderShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("radius", radius_, units::length, "radius").required().positive();
+    f.number("height", height_, units::length, "extent along y; centred at the origin")
+        .required().positive();
+    f.integer("cells_across", across_, "cells across the diameter").at_least(2);
+    f.integer("cells_along", along_, "cells along the height").at_least(1);
+  }
+  Mesh make() const override { return cylinder(radius_, height_, across_, along_); }
+
+ private:
+  double radius_ = 1, height_ = 1;  // m
+  int across_ = 8, along_ = 8;
+};
+
+class GridShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.vector("size", size_, units::length, "extent along x and z; in the plane y = 0").required().positive();
+    f.vector("cells", cells_, "cells along x and z, two triangles each").at_least(1);
+  }
+  Mesh make() const override { return grid(size_, cells_); }
+
+ private:
+  Vec2 size_ = Vec2::Ones();  // m
+  std::array<int, 2> cells_ = {1, 1};
+};
+
+class FileShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.path("path", path_, "obj, msh, ply, stl, off, vtk or vtu; relative to the scene file").required();
+  }
+  Mesh make() const override { return read_mesh(path_); }
+
+ private:
+  std::string path_;
+};
+
+TACK_REGISTER(ShapeSource, BoxShape, "box", "A box of tets (or its surface).", "");
+TACK_REGISTER(ShapeSource, SphereShape, "sphere", "A ball of tets (or its surface).", "");
+TACK_REGISTER(ShapeSource, CylinderShape, "cylinder", "A cylinder of tets along y.", "");
+TACK_REGISTER(ShapeSource, GridShape, "grid", "A flat sheet of triangles.", "");
+TACK_REGISTER(ShapeSource, FileShape, "file", "A mesh read from a file.", "");
+
+}  // namespace
+}  // namespace tack

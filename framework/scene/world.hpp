@@ -1,0 +1,58 @@
+// A scene ready to simulate: every object's vertices in one configuration, its terms, its unknowns.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/core/dof_map.hpp"
+#include "framework/core/linear_term.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/stepping/state.hpp"
+
+namespace tack {
+
+// What a pair that adheres comes to, with its barrier (summary.json).
+struct AdhesionReport {
+  std::string a, b;
+  double peak_traction = 0;     // Pa
+  double work_of_adhesion = 0;  // of the adhesion law alone [J/m^2]
+  double effective = 0;         // -min (b + a) [J/m^2]
+  double rest_gap = 0;          // where that minimum is [m]
+  // The barrier takes more than this share of the work: a warning is due.
+  static constexpr double tolerated_loss = 0.1;
+  double loss() const { return 1 - effective / work_of_adhesion; }
+};
+
+struct World {
+  std::vector<Body> bodies;
+  VecX rest;              // 3n [m]
+  VecX mass;              // n [kg]
+  DofMap dofs;
+  std::vector<Tet> tets;  // of all bodies that may move
+  Vec3 gravity = Vec3::Zero();
+
+  std::vector<std::unique_ptr<Term>> elastic_terms;
+  LinearTerm gravity_term{"gravity"}, load_term{"loads"};
+  std::unique_ptr<ContactSystem> contact;  // null without contact
+  std::unique_ptr<ContactTerm> contact_term;
+  std::vector<const Term*> terms;  // all of the above that the scene names
+  std::vector<AdhesionReport> adhesion;
+  State start;
+
+  int body_index(const std::string& name) const;  // -1 if there is none
+  SelectionContext selection_context(int body) const { return {bodies[body], rest}; }
+};
+
+// Builds the world; `root` is the parsed scene, for places in messages. Throws InputError for
+// anything that does not fit together, also for a start that intersects.
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock);
+
+// The pairs of objects and their laws (contact_setup.cpp).
+void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);
+
+// "scene.yaml:12:3: " of entry i of a list at the top of the scene, for messages.
+std::string place_of(const Value& root, const std::string& list, size_t i);
+
+}  // namespace tack

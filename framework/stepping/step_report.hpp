@@ -1,0 +1,30 @@
+// What is known of one accepted time step; a row of steps.csv.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/core/minimizer.hpp"
+#include "framework/core/phase_clock.hpp"
+
+namespace tack {
+
+struct StepReport {
+  int step = 0;          // accepted steps so far, this one included
+  double time = 0;       // at the end of the step [s]
+  double step_size = 0;  // h [s]; smaller than the scene's after a failed solve
+  int halvings = 0;      // failed solves behind this step
+  MinimizerResult solve;
+  bool converged = false;
+  int contacts = 0;         // active stencils
+  int candidates = 0;
+  double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near
+  int broad_phase_builds = 0;
+  std::vector<std::pair<std::string, double>> energies;  // by term, and kinetic [J]
+  int intersections = 0;    // found by the exact check
+  double wall_seconds = 0;
+  PhaseClock::Seconds phases{};
+};
+
+}  // namespace tack

@@ -1,0 +1,27 @@
+// Time integration as a minimisation: one step solves
+//     x* = argmin 1/2 |x - x~|_M^2 + beta h^2 P(x)      (the paper, eq. 1).
+#pragma once
+
+#include "framework/config/registry.hpp"
+#include "framework/stepping/state.hpp"
+
+namespace tack {
+
+class TimeIntegrator : public Component {
+ public:
+  static constexpr const char* kind_name = "integrator";
+  static constexpr const char* kind_doc = "Turns a time step into a minimisation.";
+
+  struct Prediction {
+    VecX x;             // x~ (3n)
+    double scale = 1;   // beta h^2 [s^2]; 1 when quasi-static
+    bool inertia = true;
+  };
+  virtual Prediction predict(const State& state, double h) const = 0;
+  // Velocities and accelerations from the new positions; time and history are the caller's.
+  virtual void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const = 0;
+  // Whether the accelerations at the start matter.
+  virtual bool needs_acceleration() const { return false; }
+};
+
+}  // namespace tack

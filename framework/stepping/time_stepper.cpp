@@ -1,0 +1,175 @@
+#include "framework/stepping/time_stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+
+#include "framework/core/interrupt.hpp"
+#include "framework/scene/energies.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "geometry/exact/orientation.hpp"
+
+namespace tack {
+
+TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
+                         std::function<void(const std::string&)> warn)
+    : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
+      potential_(world.terms, world.dofs, world.mass, clock,
+                 [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); }),
+      h_(scene.time.step) {
+  const FeasibilityContext context{world.contact.get(), world.tets, clock};
+  for (const std::string& name : Registry<StepFilter>::kind().names()) {
+    auto filter = Registry<StepFilter>::make(name);
+    if (filter->attach(context)) filters_.push_back(std::move(filter));
+  }
+  direction_ = VecX::Zero(state_.x.size());
+  start_acceleration();
+}
+
+// M^-1 times the forces at the start, for integrators that ask for it.
+void TimeStepper::start_acceleration() {
+  if (!scene_.time.integrator->needs_acceleration()) return;
+  apply_loads(0);
+  VecX q;
+  world_.dofs.gather(state_.x, q);
+  potential_.begin_step(state_.x, state_.x, 1.0, false);
+  potential_.move_to(q);
+  const VecX& gradient = potential_.gradient();
+  for (int b = 0; b < world_.dofs.block_count(); ++b) {
+    const int v = world_.dofs.vertex_of_block(b);
+    vertex(state_.a, v) = -gradient.segment<3>(3 * b) / world_.mass(v);
+  }
+}
+
+void TimeStepper::apply_loads(double t) {
+  VecX weight = VecX::Zero(state_.x.size()), force = VecX::Zero(state_.x.size());
+  for (Eigen::Index v = 0; v < world_.mass.size(); ++v)
+    vertex(weight, static_cast<int>(v)) = world_.mass(v) * world_.gravity;
+  for (size_t i = 0; i < scene_.objects.size(); ++i)
+    for (const auto& load : scene_.objects[i].loads)
+      load->add_forces(world_.bodies[i], world_.rest, world_.mass, t, force);
+  world_.gravity_term.set(std::move(weight), state_.x);
+  world_.load_term.set(std::move(force), state_.x);
+}
+
+double TimeStepper::feasible_step(const VecX& q, const VecX& p) {
+  VecX x = potential_.configuration();
+  world_.dofs.scatter(q, x);
+  direction_.setZero();
+  world_.dofs.scatter(p, direction_);
+  double t = 1;
+  for (const auto& filter : filters_) t = filter->largest_step(x, direction_, t);
+  return t;
+}
+
+double TimeStepper::stopping_norm(double h, const VecX& p, const VecX& gradient) const {
+  if (inertia_) return p.lpNorm<Eigen::Infinity>() / h / scene_.solver->velocity_tolerance();
+  const double allowed = scene_.solver->force_tolerance() * potential_.largest_stencil_force();
+  const double residual = gradient.lpNorm<Eigen::Infinity>();
+  return residual == 0 ? 0 : residual / allowed;
+}
+
+TimeStepper::Attempt TimeStepper::solve(double h) {
+  const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
+  inertia_ = prediction.inertia;
+  apply_loads(state_.time + h);
+  potential_.begin_step(state_.x, prediction.x, prediction.scale, prediction.inertia);
+  const MinimizerProblem problem{
+      potential_, [this](const VecX& q, const VecX& p) { return feasible_step(q, p); },
+      [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_};
+  VecX q;
+  world_.dofs.gather(state_.x, q);
+  Attempt attempt{scene_.solver->minimize(problem, q), state_.x};
+  world_.dofs.scatter(q, attempt.x);
+  return attempt;
+}
+
+std::string TimeStepper::verdict(const Attempt& attempt, int& intersections) {
+  if (attempt.result.status != MinimizerStatus::converged)
+    return fmt::format("{} after {} iterations, {:.3g} times the tolerance",
+                       to_string(attempt.result.status), attempt.result.iterations, attempt.result.residual);
+  const PhaseScope scope(clock_, Phase::check);
+  if (const int tet = first_inverted_tet(world_.tets, attempt.x); tet >= 0)
+    return fmt::format("tet {} inverted", tet);
+  if (!world_.contact) return "";
+  const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->filter(), 1);
+  intersections = static_cast<int>(hits.size());
+  return hits.empty() ? "" : "the surfaces intersect";
+}
+
+void TimeStepper::commit(const VecX& x, double h) {
+  VecX v, a;
+  scene_.time.integrator->update(state_, x, h, v, a);
+  state_.x_before = std::exchange(state_.x, x);
+  state_.v_before = std::exchange(state_.v, std::move(v));
+  state_.a = std::move(a);
+  state_.h_before = h;
+  state_.time += h;
+  ++state_.step;
+}
+
+bool TimeStepper::finished() const {
+  return state_.time >= scene_.time.duration - 1e-9 * scene_.time.step;
+}
+
+StepReport TimeStepper::report(const MinimizerResult& result, double h, int halvings) const {
+  StepReport r;
+  r.step = state_.step;
+  r.time = state_.time;
+  r.step_size = h;
+  r.halvings = halvings;
+  r.solve = result;
+  r.converged = result.status == MinimizerStatus::converged;
+  r.min_distance = std::numeric_limits<double>::infinity();
+  if (world_.contact) {
+    r.contacts = static_cast<int>(world_.contact->contacts().size());
+    r.candidates = static_cast<int>(world_.contact->candidates().size());
+    r.min_distance = world_.contact->smallest_distance(state_.x);
+    r.broad_phase_builds = world_.contact->broad_phase_builds();
+  }
+  r.energies = energies_by_term(world_, state_);
+  return r;
+}
+
+StepReport TimeStepper::advance() {
+  const auto started = std::chrono::steady_clock::now();
+  const PhaseClock::Seconds before = clock_.seconds();
+  const double whole = scene_.time.step;
+  int halvings = 0;
+  for (;; ++halvings) {
+    // The last part ends exactly where the whole step would.
+    const double end = (slots_done_ + 1) * whole;
+    const double left = end - state_.time;
+    const double h = h_ > left * (1 - 1e-9) ? (h_ >= whole ? whole : left) : h_;
+    const Attempt attempt = solve(h);
+    if (attempt.result.status == MinimizerStatus::interrupted) {
+      interrupted_ = true;
+      return {};
+    }
+    int intersections = 0;
+    const std::string wrong = verdict(attempt, intersections);
+    if (wrong.empty()) {
+      commit(attempt.x, h);
+      if (state_.time >= end - 1e-9 * whole) {
+        ++slots_done_;
+        h_ = whole;
+      }
+      StepReport r = report(attempt.result, h, halvings);
+      const PhaseClock::Seconds& after = clock_.seconds();
+      for (int i = 0; i < phase_count; ++i) r.phases[i] = after[i] - before[i];
+      r.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+      return r;
+    }
+    if (h < whole * std::pow(0.5, scene_.time.max_halvings) * (1 + 1e-9))
+      throw SimulationError(fmt::format(
+          "step {} at t = {} s failed with h = {} s ({}); refine time.step, loosen solver.tolerance or "
+          "raise solver.max_iterations", state_.step + 1, state_.time, h, wrong));
+    h_ = h / 2;
+    warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s", state_.step + 1,
+                      state_.time, wrong, h_));
+  }
+}
+
+}  // namespace tack

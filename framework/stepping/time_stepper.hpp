@@ -1,0 +1,60 @@
+// The time loop: predict, minimise, verify exactly, commit or roll back.
+// A step whose solve fails, or whose result does not pass the exact check, leaves no trace: the state
+// is untouched, h is halved, and the halves run until the step's end is reached.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/core/incremental_potential.hpp"
+#include "framework/core/step_filter.hpp"
+#include "framework/scene/world.hpp"
+#include "framework/stepping/step_report.hpp"
+
+namespace tack {
+
+class TimeStepper {
+ public:
+  // `warn` gets a line for each failed solve.
+  TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
+              std::function<void(const std::string&)> warn);
+
+  // One accepted step. Throws SimulationError when no step small enough succeeds.
+  StepReport advance();
+  bool finished() const;
+  bool interrupted() const { return interrupted_; }
+  const State& state() const { return state_; }
+  int inverted_tets() const { return inverted_; }  // found by the exact check in accepted states
+
+ private:
+  struct Attempt {
+    MinimizerResult result;
+    VecX x;
+  };
+  Attempt solve(double h);
+  std::string verdict(const Attempt& attempt, int& intersections);  // "" if the attempt may be kept
+  void commit(const VecX& x, double h);
+  void apply_loads(double t);
+  double feasible_step(const VecX& q, const VecX& p);
+  double stopping_norm(double h, const VecX& p, const VecX& gradient) const;
+  void start_acceleration();
+  StepReport report(const MinimizerResult& result, double h, int halvings) const;
+
+  World& world_;
+  const SceneConfig& scene_;
+  PhaseClock& clock_;
+  std::function<void(const std::string&)> warn_;
+  State state_;
+  IncrementalPotential potential_;
+  std::vector<std::unique_ptr<StepFilter>> filters_;
+  VecX direction_;  // scratch, 3n
+  bool inertia_ = true;
+  int slots_done_ = 0;  // whole steps of the scene's size behind us
+  double h_ = 0;        // size tried next
+  int inverted_ = 0;
+  bool interrupted_ = false;
+};
+
+}  // namespace tack

@@ -1,0 +1,103 @@
+#include "geometry/broad_phase/broad_phase.hpp"
+
+#include <fmt/core.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+using Range = tbb::blocked_range<std::size_t>;
+constexpr std::size_t kGrain = 4096;
+
+template <class Predicate>
+bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
+  return tbb::parallel_reduce(
+      Range(0, vertices.size(), kGrain), true,
+      [&](const Range& range, bool so_far) {
+        return so_far && std::all_of(vertices.begin() + range.begin(),
+                                     vertices.begin() + range.end(), predicate);
+      },
+      [](bool a, bool b) { return a && b; });
+}
+
+// The largest absolute value, 0 for an empty vector.
+double largest(const VecX& values) {
+  double bound = 0.0;
+  for (const double value : values) bound = std::max(bound, std::abs(value));
+  return bound;
+}
+
+void check_finite(const VecX& values, const char* name) {
+  if (values.allFinite()) return;
+  Eigen::Index i = 0;
+  while (std::isfinite(values[i])) ++i;
+  throw SimulationError(fmt::format(
+      "broad phase: {} of vertex {} is not finite ({}); the step before it diverged, reduce the "
+      "time step or the stiffness",
+      name, i / 3, values[i]));
+}
+
+}  // namespace
+
+BroadPhase::BroadPhase(const CollisionMesh& mesh, ObjectPairFilter filter)
+    : mesh_(mesh), finder_(mesh, std::move(filter)) {}
+
+bool BroadPhase::update(const VecX& x, const VecX& p, double range, double skin) {
+  check(x, p, range, skin);
+  const auto moved_inside = [&](int v) {
+    return safe_boxes_[v].contains(vertex(x, v) + vertex(p, v));
+  };
+  if (range <= range_ && covers(x) && (p.size() == 0 || all_of(mesh_.vertices, moved_inside)))
+    return false;
+
+  const double reach = largest(x) + largest(p) + range + skin;
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
+  set_safe_boxes(x, p, 0.5 * skin + rounding);
+  finder_.find(safe_boxes_, 0.5 * range + rounding, candidates_);
+  range_ = range;
+  ++builds_;
+  return true;
+}
+
+bool BroadPhase::covers(const VecX& x) const {
+  if (builds_ == 0 || x.size() != 3 * static_cast<Eigen::Index>(safe_boxes_.size())) return false;
+  return all_of(mesh_.vertices, [&](int v) { return safe_boxes_[v].contains(vertex(x, v)); });
+}
+
+void BroadPhase::check(const VecX& x, const VecX& p, double range, double skin) const {
+  const auto size = 3 * static_cast<Eigen::Index>(mesh_.vertex_object.size());
+  if (x.size() != size || (p.size() != 0 && p.size() != size))
+    throw InputError(fmt::format(
+        "broad phase: x has {} and p {} coordinates; the mesh has {} (3 a vertex; p may be empty)",
+        x.size(), p.size(), size));
+  if (!(range >= 0.0) || !(skin >= 0.0))
+    throw InputError(
+        fmt::format("broad phase: range {} m and skin {} m must not be negative", range, skin));
+  check_finite(x, "the position");
+  check_finite(p, "the displacement");
+}
+
+void BroadPhase::set_safe_boxes(const VecX& x, const VecX& p, double inflation) {
+  safe_boxes_.resize(mesh_.vertex_object.size());
+  tbb::parallel_for(Range(0, mesh_.vertices.size(), kGrain), [&](const Range& range) {
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      const int v = mesh_.vertices[i];
+      Aabb box;
+      box.include(Vec3(vertex(x, v)));
+      if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
+      box.inflate(inflation);
+      safe_boxes_[v] = box;
+    }
+  });
+}
+
+}  // namespace tack

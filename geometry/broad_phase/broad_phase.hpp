@@ -1,0 +1,49 @@
+// Which primitives may touch while the vertices move a little: candidates kept over many
+// evaluations.
+//
+// Key idea: when candidates are built, each vertex v gets a *safe box*
+//   B_v = box(x_v, x_v + p_v) inflated by skin/2.
+// Candidates are all pairs whose primitive boxes (the union of the safe boxes of their vertices),
+// inflated by range/2 each, overlap. A primitive whose vertices lie in their safe boxes lies in its
+// primitive box, by convexity; hence, as long as every vertex lies in its safe box, every pair
+// closer than `range` is among the candidates, during minimisation, line search and CCD alike. (All
+// boxes are a few rounding errors larger than said, so that this holds in floating point.)
+#pragma once
+
+#include <vector>
+
+#include "geometry/broad_phase/candidates.hpp"
+
+namespace tack {
+
+class BroadPhase {
+ public:
+  // The mesh must outlive the broad phase and not change.
+  BroadPhase(const CollisionMesh& mesh, ObjectPairFilter filter);
+
+  // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if range grew since
+  // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty
+  // (zero). range, skin: [m], >= 0. Returns true if rebuilt. Throws InputError for wrong sizes or a
+  // negative range or skin, SimulationError if a coordinate is not finite.
+  bool update(const VecX& x, const VecX& p, double range, double skin);
+
+  // Whether every surface vertex lies inside its safe box; false before the first build.
+  bool covers(const VecX& x) const;
+
+  const Candidates& candidates() const { return candidates_; }
+  // The number of full candidate builds so far.
+  int builds() const { return builds_; }
+
+ private:
+  void check(const VecX& x, const VecX& p, double range, double skin) const;
+  void set_safe_boxes(const VecX& x, const VecX& p, double inflation);
+
+  const CollisionMesh& mesh_;
+  CandidateFinder finder_;
+  std::vector<Aabb> safe_boxes_;  // by global vertex; empty boxes for interior vertices
+  Candidates candidates_;
+  double range_ = 0.0;
+  int builds_ = 0;
+};
+
+}  // namespace tack

@@ -1,0 +1,84 @@
+#include "geometry/broad_phase/bvh.hpp"
+
+#include <fmt/core.h>
+#include <tbb/parallel_for.h>
+
+#include <numeric>
+
+#include "geometry/broad_phase/space_order.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+Bvh::Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active)
+    : primitive_active_(active) {
+  if (!active.empty() && active.size() != boxes.size())
+    throw InputError(fmt::format("Bvh: {} boxes but {} activity flags; give one flag a box or none",
+                                 boxes.size(), active.size()));
+  if (active.empty()) primitive_active_.assign(boxes.size(), 1);
+  lay_out_levels();
+  order_by_position(boxes);
+}
+
+bool Bvh::update(const std::vector<Aabb>& boxes, double growth) {
+  if (boxes.size() != primitive_active_.size())
+    throw InputError(fmt::format("Bvh: updated with {} boxes but built over {}; build a new tree",
+                                 boxes.size(), size()));
+  fill(boxes);
+  if (node_area() <= growth * built_area_) return false;
+  order_by_position(boxes);
+  return true;
+}
+
+void Bvh::order_by_position(const std::vector<Aabb>& boxes) {
+  order_ = space_order(boxes);
+  order_.resize((boxes.size() + Box8::width - 1) / Box8::width * Box8::width, -1);
+  fill(boxes);
+  built_area_ = node_area();
+}
+
+void Bvh::lay_out_levels() {
+  int count = size();
+  while (count > 0) {
+    const int groups = (count + Box8::width - 1) / Box8::width;
+    level_begin_.push_back(level_begin_.back() + groups);
+    count = groups > 1 ? groups : 0;
+  }
+  boxes_.resize(level_begin_.back());
+  bounds_.resize(level_begin_.back());
+  active_.resize(level_begin_.back());
+}
+
+void Bvh::fill(const std::vector<Aabb>& boxes) {
+  for (int level = 0; level < levels(); ++level)
+    tbb::parallel_for(tbb::blocked_range<int>(0, groups(level), 256), [&](const auto& range) {
+      for (int group = range.begin(); group < range.end(); ++group) fill_group(boxes, level, group);
+    });
+}
+
+void Bvh::fill_group(const std::vector<Aabb>& boxes, int level, int group) {
+  const int node = level_begin_[level] + group;
+  const int count = level == 0 ? size() : groups(level - 1);
+  Aabb bound;
+  unsigned active = 0;
+  for (int lane = 0; lane < Box8::width; ++lane) {
+    const int child = group * Box8::width + lane;
+    const bool used = child < count;
+    Aabb box;
+    if (used) box = level == 0 ? boxes[order_[child]] : bounds_[level_begin_[level - 1] + child];
+    if (used && (level == 0 ? primitive_active_[order_[child]] != 0
+                            : active_[level_begin_[level - 1] + child] != 0))
+      active |= 1u << lane;
+    boxes_[node].set(lane, box);
+    bound.include(box);
+  }
+  bounds_[node] = bound;
+  active_[node] = static_cast<std::uint8_t>(active);
+}
+
+double Bvh::node_area() const {
+  return std::accumulate(bounds_.begin(), bounds_.end(), 0.0,
+                         [](double sum, const Aabb& box) { return sum + box.half_area(); });
+}
+
+}  // namespace tack

@@ -1,0 +1,59 @@
+#include "geometry/broad_phase/candidates.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "geometry/broad_phase/overlap_pairs.hpp"
+
+namespace tack {
+namespace {
+
+// The relation of overlap_pairs: no common vertex, and objects that may touch.
+template <std::size_t M, std::size_t N>
+struct MayTouch {
+  const Primitives<M>& first;
+  const Primitives<N>& second;
+  const ObjectPairFilter& filter;
+
+  bool accept(int a, int b) const {
+    return !share_vertex(first.vertices[a], second.vertices[b]) &&
+           filter.allows(first.objects[a], second.objects[b]);
+  }
+  std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
+};
+
+// 0 .. n-1, stably sorted by the object of the triangle: the order that candidates are wanted in.
+std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
+  std::vector<int> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto object = [&](int t) { return mesh.vertex_object[mesh.triangles[t][0]]; };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return object(a) < object(b); });
+  return order;
+}
+
+}  // namespace
+
+CandidateFinder::CandidateFinder(const CollisionMesh& mesh, ObjectPairFilter filter)
+    : filter_(std::move(filter)) {
+  for (const int v : mesh.vertices) points_.add({v}, v, mesh);
+  for (const int v : mesh.codim_points) codim_points_.add({v}, v, mesh);
+  for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) edges_.add(mesh.edges[e], e, mesh);
+  for (const int e : mesh.codim_edges) codim_edges_.add(mesh.edges[e], e, mesh);
+  for (const int t : triangles_by_object(mesh)) triangles_.add(mesh.triangles[t], t, mesh);
+}
+
+void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflation,
+                           Candidates& candidates) {
+  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation), ...); };
+  refresh(points_, codim_points_, edges_, codim_edges_, triangles_);
+  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, filter_},
+                candidates.point_triangle);
+  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, filter_}, candidates.edge_edge);
+  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, filter_},
+                candidates.point_edge);
+  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, filter_},
+                candidates.point_point);
+}
+
+}  // namespace tack

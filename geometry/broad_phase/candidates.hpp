@@ -1,0 +1,47 @@
+// The pairs of primitives that may come within contact range: supersets, as indices into a
+// CollisionMesh. Left out: pairs that share a vertex, pairs in which nothing is movable, and pairs
+// of objects that the filter excludes. Particles meet surfaces as point-triangle pairs, rods meet
+// everything that has edges as edge-edge pairs.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "geometry/broad_phase/object_pair_filter.hpp"
+#include "geometry/broad_phase/primitives.hpp"
+#include "geometry/mesh/collision_mesh.hpp"
+
+namespace tack {
+
+struct Candidates {
+  // (global vertex, triangle), by vertex, then by the triangle's object, then by triangle.
+  std::vector<std::array<int, 2>> point_triangle;
+  // (edge, edge), first < second, sorted.
+  std::vector<std::array<int, 2>> edge_edge;
+  // (global vertex, edge) of any surface vertex and a codimensional edge, sorted.
+  std::vector<std::array<int, 2>> point_edge;
+  // (global vertex, global vertex) of two codimensional points, first < second, sorted.
+  std::vector<std::array<int, 2>> point_point;
+
+  std::size_t size() const {
+    return point_triangle.size() + edge_edge.size() + point_edge.size() + point_point.size();
+  }
+};
+
+// Keeps one tree per kind of primitive between searches.
+class CandidateFinder {
+ public:
+  CandidateFinder(const CollisionMesh& mesh, ObjectPairFilter filter);
+
+  // All pairs whose boxes overlap: a primitive's box is the union of its vertices' boxes (by global
+  // id; finite and not empty for surface vertices), inflated [m].
+  void find(const std::vector<Aabb>& vertex_boxes, double inflation, Candidates& candidates);
+
+ private:
+  ObjectPairFilter filter_;
+  Primitives<1> points_, codim_points_;
+  Primitives<2> edges_, codim_edges_;
+  Primitives<3> triangles_;
+};
+
+}  // namespace tack

@@ -1,0 +1,57 @@
+// Points (one vertex), edges and triangles alike: N global vertex ids each, with what the searches
+// need to know of them, and the tree over their boxes.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
+#include <vector>
+
+#include "geometry/broad_phase/bvh.hpp"
+#include "geometry/mesh/collision_mesh.hpp"
+
+namespace tack {
+
+template <std::size_t N>
+struct Primitives {
+  std::vector<std::array<int, N>> vertices;  // global ids
+  std::vector<int> ids;                      // the primitive's name outside, e.g. its edge index
+  std::vector<int> objects;                  // that of the first vertex: none spans two objects
+  std::vector<char> movable;                 // whether some vertex is
+  Bvh tree;
+
+  void add(const std::array<int, N>& corners, int id, const CollisionMesh& mesh) {
+    vertices.push_back(corners);
+    ids.push_back(id);
+    objects.push_back(mesh.vertex_object[corners[0]]);
+    movable.push_back(0);
+    for (const int v : corners) movable.back() |= mesh.vertex_movable[v] != 0;
+  }
+
+  // Sets the tree to the unions of the vertices' boxes (by global id), inflated [m].
+  void refresh_tree(const std::vector<Aabb>& vertex_boxes, double inflation) {
+    std::vector<Aabb> boxes(vertices.size());
+    const tbb::blocked_range<std::size_t> all(0, boxes.size(), 2048);
+    tbb::parallel_for(all, [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
+        boxes[i].inflate(inflation);
+      }
+    });
+    if (tree.size() == static_cast<int>(boxes.size()))
+      tree.update(boxes);
+    else
+      tree = Bvh(boxes, movable);
+  }
+};
+
+template <std::size_t M, std::size_t N>
+bool share_vertex(const std::array<int, M>& a, const std::array<int, N>& b) {
+  bool shared = false;
+  for (const int v : a)
+    for (const int w : b) shared |= v == w;
+  return shared;
+}
+
+}  // namespace tack

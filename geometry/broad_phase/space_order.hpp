@@ -1,0 +1,15 @@
+// Orders boxes along a space-filling curve, so that neighbours in the order are neighbours in
+// space. Key: 63-bit Morton code of the box centre (21 bits an axis, one cubic grid around all
+// centres), ties by index. A total order: the result does not depend on the number of threads.
+#pragma once
+
+#include <vector>
+
+#include "geometry/broad_phase/aabb.hpp"
+
+namespace tack {
+
+// The permutation: order[k] is the index of the k-th box. Boxes must be finite and not empty.
+std::vector<int> space_order(const std::vector<Aabb>& boxes);
+
+}  // namespace tack

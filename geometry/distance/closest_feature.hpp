@@ -1,0 +1,117 @@
+// Which features of two primitives carry the closest points: the regions in which a clamped distance
+// is one of point-point, point-line, point-plane, line-line. Types as in Li et al. 2020, "Incremental
+// Potential Contact". Total: edges of length zero, triangles without area and parallel edges are
+// allowed. On the border of two regions, where both give the same distance, the smaller feature wins
+// (vertex before edge before face), and among equals the first in the order of the enumeration that
+// is searched.
+//
+// Both searches use that the distance is a convex function of the parameters: if the unconstrained
+// minimum lies inside, it is the answer, otherwise the minimum lies on the boundary, that is, on a
+// point-edge pair. Degenerate input goes to the boundary directly.
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "geometry/distance/line_line.hpp"
+#include "geometry/distance/point_line.hpp"
+#include "geometry/distance/point_plane.hpp"
+
+namespace tack {
+
+enum class PointEdgeType { P_E0, P_E1, P_E };
+
+// Edges of the triangle: E0 = t0 t1, E1 = t1 t2, E2 = t2 t0.
+enum class PointTriangleType { P_T0, P_T1, P_T2, P_E0, P_E1, P_E2, P_T };
+
+enum class EdgeEdgeType {
+  EA0_EB0, EA0_EB1, EA1_EB0, EA1_EB1, EA_EB0, EA_EB1, EA0_EB, EA1_EB, EA_EB
+};
+
+// The closest point of the segment e0 e1 to p: its type, its parameter in [0, 1], the squared distance.
+struct PointEdgeClosest {
+  PointEdgeType type;
+  double parameter;
+  double s;
+};
+
+inline PointEdgeClosest point_edge_closest(const Vec3& p, const Vec3& e0, const Vec3& e1) {
+  const Vec3 e = e1 - e0;
+  const double along = e.dot(p - e0);
+  if (!(along > 0.0)) return {PointEdgeType::P_E0, 0.0, (p - e0).squaredNorm()};
+  if (!(e.dot(p - e1) < 0.0)) return {PointEdgeType::P_E1, 1.0, (p - e1).squaredNorm()};
+  const auto [u, r] = project_onto_line(p, e0, e1);
+  return {PointEdgeType::P_E, u, r.squaredNorm()};
+}
+
+inline PointEdgeType point_edge_type(const Vec3& p, const Vec3& e0, const Vec3& e1) {
+  return point_edge_closest(p, e0, e1).type;
+}
+
+// A point-edge pair of two larger primitives, under the name its closest features have there.
+template <typename Type>
+struct BoundaryPair {
+  BoundaryPair(const Vec3& p, const Vec3& e0, const Vec3& e1, const std::array<Type, 3>& names) {
+    const PointEdgeClosest closest = point_edge_closest(p, e0, e1);
+    type = names[static_cast<int>(closest.type)];
+    inside = closest.type == PointEdgeType::P_E;
+    s = closest.s;
+  }
+  Type type;
+  bool inside;
+  double s;
+};
+
+// The closest of all point-edge pairs. Near an end of an edge, at a distance x from it along the edge,
+// edge and vertex differ by x^2 only, so for x < 1e-8 comparing distances would pick either, and the
+// gradient of the wrong one is off by x. The signs that classified the pairs are sharper: every pair of
+// vertices ends two of the point-edge pairs, and is closest only if both of them say so.
+template <typename Type, std::size_t N>
+Type closest_boundary(const std::array<BoundaryPair<Type>, N>& pairs) {
+  double smallest = std::numeric_limits<double>::infinity();
+  double smallest_confirmed = smallest;
+  Type type = pairs[0].type, confirmed_type = type;
+  for (std::size_t i = 0; i < N; ++i) {
+    bool confirmed = pairs[i].inside;
+    for (std::size_t j = 0; j < N; ++j) confirmed |= j != i && pairs[j].type == pairs[i].type;
+    if (confirmed && pairs[i].s < smallest_confirmed) {
+      smallest_confirmed = pairs[i].s;
+      confirmed_type = pairs[i].type;
+    }
+    if (pairs[i].s < smallest) {
+      smallest = pairs[i].s;
+      type = pairs[i].type;
+    }
+  }
+  // Nothing confirmed, or by far not the closest: degenerate input. Then the distance decides.
+  return smallest_confirmed <= (1.0 + 1e-12) * smallest ? confirmed_type : type;
+}
+
+inline PointTriangleType point_triangle_type(const Vec3& p, const Vec3& t0, const Vec3& t1,
+                                             const Vec3& t2) {
+  using enum PointTriangleType;
+  if (!nearly_parallel(t1 - t0, t2 - t0)) {
+    const PlaneProjection plane = project_onto_triangle(p, t0, t1, t2);
+    if (plane.u > 0.0 && plane.v > 0.0 && plane.u + plane.v < 1.0) return P_T;
+  }
+  using Pair = BoundaryPair<PointTriangleType>;
+  return closest_boundary(std::array{Pair(p, t0, t1, {P_T0, P_T1, P_E0}),
+                                     Pair(p, t1, t2, {P_T1, P_T2, P_E1}),
+                                     Pair(p, t2, t0, {P_T2, P_T0, P_E2})});
+}
+
+inline EdgeEdgeType edge_edge_type(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,
+                                   const Vec3& eb1) {
+  using enum EdgeEdgeType;
+  if (!nearly_parallel(ea1 - ea0, eb1 - eb0)) {
+    const PlaneProjection plane = project_line_onto_line(ea0, ea1, eb0, eb1);
+    if (plane.u > 0.0 && plane.u < 1.0 && plane.v > 0.0 && plane.v < 1.0) return EA_EB;
+  }
+  using Pair = BoundaryPair<EdgeEdgeType>;
+  return closest_boundary(std::array{Pair(eb0, ea0, ea1, {EA0_EB0, EA1_EB0, EA_EB0}),
+                                     Pair(eb1, ea0, ea1, {EA0_EB1, EA1_EB1, EA_EB1}),
+                                     Pair(ea0, eb0, eb1, {EA0_EB0, EA0_EB1, EA0_EB}),
+                                     Pair(ea1, eb0, eb1, {EA1_EB0, EA1_EB1, EA1_EB})});
+}
+
+}  // namespace tack

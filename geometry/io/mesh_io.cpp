@@ -1,0 +1,83 @@
+#include "geometry/io/mesh_io.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <numeric>
+
+#include "geometry/errors.hpp"
+#include "geometry/io/formats.hpp"
+#include "geometry/mesh/validate.hpp"
+
+namespace tack {
+namespace {
+
+constexpr const char* supported = ".obj .ply .off .stl .vtk .vtu .msh";
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+void check_readable(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) {
+    throw InputError(path.string() + ": there is no such mesh file: check the path");
+  }
+  if (!fs::is_regular_file(path, ignored) || !std::ifstream(path)) {
+    throw InputError(path.string() + ": cannot be read: check its kind and permissions");
+  }
+  if (fs::file_size(path, ignored) == 0) {
+    throw InputError(path.string() + ": the mesh file is empty: export it again");
+  }
+}
+
+Mesh read_by_extension(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".obj") return read_obj(path);
+  if (extension == ".ply") return read_ply(path);
+  if (extension == ".off") return read_off(path);
+  if (extension == ".stl") return read_stl(path);
+  if (extension == ".vtk") return read_vtk(path);
+  if (extension == ".vtu") return read_vtu(path);
+  if (extension == ".msh") return read_msh(path);
+  throw InputError(fmt::format("{}: unknown mesh format \"{}\": convert it to one of {}",
+                               path.string(), extension, supported));
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& path) {
+  check_readable(path);
+  Mesh mesh = read_by_extension(path);
+  const std::string name = path.string();
+  if (mesh.vertices.empty()) {
+    throw InputError(fmt::format("{}: no vertex found: is it a file of that format? Supported are "
+                                 "{}",
+                                 name, supported));
+  }
+  validate_indices(mesh, name);
+  validate_coordinates(mesh, name);
+  if (mesh.tets.empty() && mesh.triangles.empty() && mesh.edges.empty() && mesh.points.empty()) {
+    mesh.points.resize(mesh.vertices.size());
+    std::iota(mesh.points.begin(), mesh.points.end(), 0);
+  }
+  return mesh;
+}
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+  validate_indices(mesh, path.string());
+  const std::string extension = extension_of(path);
+  if (extension == ".obj") return write_obj(path, mesh);
+  if (extension == ".vtu") return write_vtu(path, mesh);
+  if (extension == ".msh") return write_msh(path, mesh);
+  throw InputError(fmt::format("{}: meshes are not written as \"{}\": use .obj, .vtu or .msh",
+                               path.string(), extension));
+}
+
+}  // namespace tack

@@ -1,0 +1,211 @@
+// .msh through the Gmsh library.
+#include <fmt/format.h>
+#include <gmsh.h>
+
+#include <algorithm>
+#include <fstream>
+#include <mutex>
+#include <numeric>
+#include <unordered_map>
+
+#include "geometry/errors.hpp"
+#include "geometry/io/formats.hpp"
+#include "geometry/mesh/cleanup.hpp"
+
+namespace tack {
+namespace {
+
+using NodeNumbers = std::unordered_map<std::size_t, int>;
+
+constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
+
+// Gmsh holds one global state: one session at a time, started silent and without the user's
+// options.
+class GmshSession {
+ public:
+  GmshSession() : lock_(mutex()) {
+    gmsh::initialize(0, nullptr, false);
+    gmsh::option::setNumber("General.Terminal", 0);
+  }
+  ~GmshSession() { gmsh::finalize(); }
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex instance;
+    return instance;
+  }
+
+  std::lock_guard<std::mutex> lock_;
+};
+
+// Gmsh would run anything else as a script of its geometry language.
+void check_header(const std::string& name) {
+  std::ifstream file(name, std::ios::binary);
+  std::string line;
+  while (std::getline(file, line) && line.starts_with("$Comments")) {
+    while (std::getline(file, line) && !line.starts_with("$EndComments")) {}
+  }
+  double version = 0;
+  if (line.starts_with("$MeshFormat") && file >> version && (version == 2.2 || version == 4.1)) {
+    return;
+  }
+  throw InputError(fmt::format("{}: not a Gmsh mesh of version 2.2 or 4.1{}: export it again (gmsh "
+                               "-save -format msh41), or use .vtu, .vtk, .obj, .ply, .off or .stl",
+                               name, version > 0 ? fmt::format(" (but {})", version) : ""));
+}
+
+NodeNumbers read_nodes(Mesh& mesh) {
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates, parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+  std::vector<std::size_t> order(tags.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return tags[a] < tags[b]; });
+  NodeNumbers numbers;
+  for (std::size_t i : order) {
+    if (!numbers.emplace(tags[i], static_cast<int>(mesh.vertices.size())).second) continue;
+    mesh.vertices.emplace_back(Eigen::Map<const Vec3>(&coordinates[3 * i]));
+  }
+  return numbers;
+}
+
+int number_of(const NodeNumbers& numbers, std::size_t tag) {
+  const auto found = numbers.find(tag);
+  if (found == numbers.end()) throw fmt::format("node {} is used but not defined", tag);
+  return found->second;
+}
+
+template <std::size_t N>
+void read_elements(int type, const NodeNumbers& numbers,
+                   std::vector<std::array<int, N>>& elements) {
+  std::vector<std::size_t> tags, nodes;
+  gmsh::model::mesh::getElementsByType(type, tags, nodes);
+  for (std::size_t e = 0; e < tags.size(); ++e) {
+    std::array<int, N>& element = elements.emplace_back();
+    for (std::size_t i = 0; i < N; ++i) element[i] = number_of(numbers, nodes[N * e + i]);
+  }
+}
+
+void check_types(const std::string& name) {
+  constexpr int known[] = {line_type, triangle_type, tet_type, point_type};
+  std::vector<int> types;
+  gmsh::model::mesh::getElementTypes(types);
+  for (int type : types) {
+    if (std::find(std::begin(known), std::end(known), type) != std::end(known)) continue;
+    std::string kind;
+    int dimension = 0, order = 0, nodes = 0, primary = 0;
+    std::vector<double> local;
+    gmsh::model::mesh::getElementProperties(type, kind, dimension, order, nodes, local, primary);
+    throw InputError(fmt::format("{}: holds elements of the kind \"{}\": supported are points, and "
+                                 "lines, triangles and tets of order 1; remesh with those",
+                                 name, kind));
+  }
+}
+
+void read_groups(Mesh& mesh, const NodeNumbers& numbers) {
+  gmsh::vectorpair groups;
+  gmsh::model::getPhysicalGroups(groups);
+  for (const auto& [dimension, tag] : groups) {
+    std::string name;
+    gmsh::model::getPhysicalName(dimension, tag, name);
+    std::vector<std::size_t> nodes;
+    std::vector<double> coordinates;
+    gmsh::model::mesh::getNodesForPhysicalGroup(dimension, tag, nodes, coordinates);
+    auto& group = mesh.tags[name.empty() ? std::to_string(tag) : name];
+    for (std::size_t node : nodes) group.push_back(number_of(numbers, node));
+  }
+  for (auto& [name, group] : mesh.tags) {
+    std::sort(group.begin(), group.end());
+    group.erase(std::unique(group.begin(), group.end()), group.end());
+  }
+}
+
+Mesh read_model(const std::string& name) {
+  gmsh::open(name);
+  check_types(name);
+  Mesh mesh;
+  const NodeNumbers numbers = read_nodes(mesh);
+  read_elements(tet_type, numbers, mesh.tets);
+  read_elements(triangle_type, numbers, mesh.triangles);
+  read_elements(line_type, numbers, mesh.edges);
+  std::vector<std::array<int, 1>> points;
+  read_elements(point_type, numbers, points);
+  for (const auto& [v] : points) mesh.points.push_back(v);
+  read_groups(mesh, numbers);
+  drop_redundant_elements(mesh);
+  return mesh;
+}
+
+template <std::size_t N>
+void write_elements(int type, const std::vector<std::array<int, N>>& elements, int entity,
+                    std::size_t& next) {
+  std::vector<std::size_t> tags, nodes;
+  for (const auto& element : elements) {
+    tags.push_back(next++);
+    for (int v : element) nodes.push_back(static_cast<std::size_t>(v) + 1);
+  }
+  if (!tags.empty()) gmsh::model::mesh::addElementsByType(entity, type, tags, nodes);
+}
+
+void write_model(const std::string& name, const Mesh& mesh) {
+  gmsh::model::add("mesh");
+  for (int dimension = 0; dimension <= 3; ++dimension) {
+    gmsh::model::addDiscreteEntity(dimension, 1);
+  }
+  std::vector<std::size_t> tags(mesh.vertices.size());
+  std::iota(tags.begin(), tags.end(), 1);
+  std::vector<double> coordinates;
+  for (const Vec3& x : mesh.vertices) coordinates.insert(coordinates.end(), x.begin(), x.end());
+  gmsh::model::mesh::addNodes(3, 1, tags, coordinates);
+  std::vector<std::array<int, 1>> points;
+  for (int v : mesh.points) points.push_back({v});
+  std::size_t next = 1;
+  write_elements(tet_type, mesh.tets, 1, next);
+  write_elements(triangle_type, mesh.triangles, 1, next);
+  write_elements(line_type, mesh.edges, 1, next);
+  write_elements(point_type, points, 1, next);
+  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+  gmsh::option::setNumber("Mesh.Binary", 1);
+  gmsh::option::setNumber("Mesh.SaveAll", 1);
+  gmsh::write(name);
+}
+
+// Gmsh reports errors as strings.
+template <class Work>
+auto translate_errors(const std::string& name, const char* remedy, const Work& work) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: {}: {}", name, what, remedy));
+  };
+  const GmshSession session;
+  try {
+    return work();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::string& what) {
+    fail(what);
+  } catch (const std::exception& error) {
+    fail(error.what());
+  }
+  return decltype(work())();
+}
+
+}  // namespace
+
+Mesh read_msh(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  check_header(name);
+  return translate_errors(name, "the .msh file is damaged, export it again",
+                          [&] { return read_model(name); });
+}
+
+void write_msh(const std::filesystem::path& path, const Mesh& mesh) {
+  const std::string name = path.string();
+  translate_errors(name, "check the folder and the disk", [&] {
+    write_model(name, mesh);
+    return std::filesystem::file_size(path);  // throws when nothing was written
+  });
+}
+
+}  // namespace tack

@@ -1,0 +1,58 @@
+// .ply and .off through CGAL, which keeps double precision and the order of the vertices.
+#include <CGAL/IO/OFF.h>
+#include <CGAL/IO/PLY.h>
+#include <CGAL/Simple_cartesian.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+#include "geometry/errors.hpp"
+#include "geometry/io/formats.hpp"
+#include "geometry/io/polygon.hpp"
+#include "geometry/mesh/validate.hpp"
+
+namespace tack {
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Polygons = std::vector<std::vector<std::size_t>>;
+
+bool read_soup(const std::string& path, bool is_ply, std::vector<Point>& points,
+               Polygons& polygons) {
+  const auto quiet = CGAL::parameters::verbose(false);
+  try {
+    return is_ply ? CGAL::IO::read_PLY(path, points, polygons, quiet)
+                  : CGAL::IO::read_OFF(path, points, polygons, quiet);
+  } catch (const std::exception&) {
+    return false;  // bad_alloc and length_error: a header with absurd counts
+  }
+}
+
+Mesh read_polygons(const std::string& name, bool is_ply) {
+  std::vector<Point> points;
+  Polygons polygons;
+  if (!read_soup(name, is_ply, points, polygons)) {
+    throw InputError(fmt::format("{}: not a valid {} polygon mesh, or cut short: export it again, "
+                                 "or as one of .obj .stl .vtk .vtu .msh",
+                                 name, is_ply ? ".ply" : ".off"));
+  }
+  Mesh mesh;
+  for (const Point& p : points) mesh.vertices.emplace_back(p.x(), p.y(), p.z());
+  validate_coordinates(mesh, name);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    std::vector<int> corners;
+    for (std::size_t v : polygons[i]) {
+      corners.push_back(static_cast<int>(std::min(v, points.size())));  // out of range stays so
+    }
+    add_polygon(mesh, corners, fmt::format("{}: face {}", name, i));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Mesh read_ply(const std::filesystem::path& path) { return read_polygons(path.string(), true); }
+Mesh read_off(const std::filesystem::path& path) { return read_polygons(path.string(), false); }
+
+}  // namespace tack

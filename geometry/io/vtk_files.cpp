@@ -1,0 +1,180 @@
+// .stl, .vtk (legacy) and .vtu through VTK; .vtu out.
+#include <fmt/format.h>
+#include <vtkCell.h>
+#include <vtkCellTypes.h>
+#include <vtkDataSet.h>
+#include <vtkDataSetReader.h>
+#include <vtkLogger.h>
+#include <vtkNew.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
+#include <vtkSTLReader.h>
+#include <vtkStringOutputWindow.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <mutex>
+
+#include "geometry/errors.hpp"
+#include "geometry/io/formats.hpp"
+#include "geometry/io/polygon.hpp"
+#include "geometry/mesh/cleanup.hpp"
+#include "geometry/mesh/validate.hpp"
+
+namespace tack {
+namespace {
+
+// While it lives, what VTK would print on the terminal is collected instead. VTK keeps one output
+// window per process, hence the lock. Its logger, which prints the same once more, is turned off.
+class QuietVtk {
+ public:
+  QuietVtk() : lock_(mutex()), before_(vtkOutputWindow::GetInstance()) {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    vtkOutputWindow::SetInstance(window_);
+  }
+  ~QuietVtk() { vtkOutputWindow::SetInstance(before_); }
+  QuietVtk(const QuietVtk&) = delete;
+  QuietVtk& operator=(const QuietVtk&) = delete;
+
+  // First complaint, without VTK's decoration: "ERROR: In file.cxx, line 3\nClass (0x..): text\n".
+  std::string first_message() {
+    std::string text = window_->GetOutput();
+    if (const auto at = text.find('\n'); at != text.npos) text = text.substr(at + 1);
+    text = text.substr(0, text.find('\n'));
+    if (const auto at = text.find("): "); at != text.npos) text = text.substr(at + 3);
+    return text;
+  }
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex instance;
+    return instance;
+  }
+
+  std::lock_guard<std::mutex> lock_;
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkNew<vtkStringOutputWindow> window_;
+};
+
+template <class Reader>
+vtkSmartPointer<vtkDataSet> read_data_set(Reader* reader, const std::string& name) {
+  QuietVtk quiet;
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  vtkSmartPointer<vtkDataSet> data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  const std::string message = quiet.first_message();
+  if (message.empty() && reader->GetErrorCode() == 0 && data) return data;
+  throw InputError(fmt::format("{}: not a valid file of its format{}: export it again, or as one "
+                               "of .obj .ply .off .msh",
+                               name, message.empty() ? "" : " (" + message + ")"));
+}
+
+std::vector<int> corners_of(vtkCell& cell) {
+  std::vector<int> corners;
+  for (vtkIdType i = 0; i < cell.GetNumberOfPoints(); ++i) {
+    corners.push_back(static_cast<int>(cell.GetPointId(i)));
+  }
+  return corners;
+}
+
+const char* kind_of(vtkCell& cell) {
+  return vtkCellTypes::GetClassNameFromTypeId(cell.GetCellType());
+}
+
+void add_cell(Mesh& mesh, vtkCell& cell, const std::string& where) {
+  const std::vector<int> v = corners_of(cell);
+  switch (cell.GetCellType()) {
+    case VTK_EMPTY_CELL:
+      return;
+    case VTK_VERTEX:
+    case VTK_POLY_VERTEX:
+      mesh.points.insert(mesh.points.end(), v.begin(), v.end());
+      return;
+    case VTK_LINE:
+    case VTK_POLY_LINE:
+      for (std::size_t i = 0; i + 1 < v.size(); ++i) mesh.edges.push_back({v[i], v[i + 1]});
+      return;
+    case VTK_TRIANGLE:
+    case VTK_QUAD:
+    case VTK_POLYGON:
+      return add_polygon(mesh, v, where);
+    case VTK_TETRA:
+      mesh.tets.push_back({v[0], v[1], v[2], v[3]});
+      return;
+    default:
+      throw InputError(fmt::format("{} is a {}: supported are vertices, lines, triangles, quads, "
+                                   "polygons and linear tets; convert it to those",
+                                   where, kind_of(cell)));
+  }
+}
+
+Mesh to_mesh(vtkDataSet& data, const std::string& name) {
+  if (!vtkPointSet::SafeDownCast(&data)) {
+    throw InputError(fmt::format("{}: holds a {}: give an unstructured grid or poly data", name,
+                                 data.GetClassName()));
+  }
+  Mesh mesh;
+  for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+    mesh.vertices.emplace_back(Eigen::Map<const Vec3>(data.GetPoint(i)));
+  }
+  validate_coordinates(mesh, name);
+  for (vtkIdType c = 0; c < data.GetNumberOfCells(); ++c) {
+    add_cell(mesh, *data.GetCell(c), fmt::format("{}: cell {}", name, c));
+  }
+  return mesh;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> to_grid(const Mesh& mesh) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& x : mesh.vertices) points->InsertNextPoint(x.data());
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->Allocate();
+  const auto insert = [&](int type, const auto& elements) {
+    for (const auto& element : elements) {
+      const std::vector<vtkIdType> ids(element.begin(), element.end());
+      grid->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+    }
+  };
+  insert(VTK_TETRA, mesh.tets);
+  insert(VTK_TRIANGLE, mesh.triangles);
+  insert(VTK_LINE, mesh.edges);
+  for (int v : mesh.points) insert(VTK_VERTEX, std::array<std::array<int, 1>, 1>{{{v}}});
+  return grid;
+}
+
+}  // namespace
+
+Mesh read_stl(const std::filesystem::path& path) {
+  vtkNew<vtkSTLReader> reader;
+  reader->MergingOff();
+  Mesh mesh = to_mesh(*read_data_set(reader.Get(), path.string()), path.string());
+  merge_duplicate_vertices(mesh);
+  if (mesh.triangles.empty()) {
+    throw InputError(path.string() + ": no triangle found: is it an .stl file? Export it again");
+  }
+  return mesh;
+}
+
+Mesh read_vtk(const std::filesystem::path& path) {
+  vtkNew<vtkDataSetReader> reader;
+  return to_mesh(*read_data_set(reader.Get(), path.string()), path.string());
+}
+
+Mesh read_vtu(const std::filesystem::path& path) {
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  return to_mesh(*read_data_set(reader.Get(), path.string()), path.string());
+}
+
+void write_vtu(const std::filesystem::path& path, const Mesh& mesh) {
+  QuietVtk quiet;
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(to_grid(mesh));
+  if (writer->Write() == 1 && quiet.first_message().empty()) return;
+  throw InputError(path.string() + ": cannot be written: check the folder and the disk");
+}
+
+}  // namespace tack

@@ -1,0 +1,21 @@
+// The surface complex that contact sees: the vertices, edges and triangles of every object, as
+// indices into the global configuration. Purely topological; positions [m] come with each call.
+#pragma once
+
+#include <vector>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct CollisionMesh {
+  std::vector<int> vertices;         // global ids of the surface vertices, ascending
+  std::vector<Edge> edges;           // global vertex ids
+  std::vector<Triangle> triangles;   // global vertex ids, oriented outwards where closed
+  std::vector<int> vertex_object;    // per global vertex: object id, also for interior vertices
+  std::vector<char> vertex_movable;  // per global vertex: 0 if fixed or scripted
+  std::vector<int> codim_edges;      // indices into edges: those in no triangle (rods), ascending
+  std::vector<int> codim_points;     // global ids of vertices in no edge (particles), ascending
+};
+
+}  // namespace tack

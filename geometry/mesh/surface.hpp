@@ -1,0 +1,36 @@
+// What a mesh shows to the outside: the primitives that can touch something.
+//   triangles  boundary faces of the tets (faces of exactly one tet, oriented outward), in their
+//              tets' order, then the explicit triangles that are not faces of a tet, in theirs
+//   edges      unique edges of those triangles and explicit edges, as (smaller, larger), sorted
+//   vertices   every vertex of the above and of the particles, ascending
+//   codim_edges  numbers (into `edges`) of the edges of no triangle: rods
+//   codim_points vertices of no tet, triangle or edge: particles
+// Vertices are those of the mesh. The tets have to be positive (validate.hpp).
+// Errors: InputError when more than two tets share a face.
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+struct Surface {
+  std::vector<int> vertices;
+  std::vector<Edge> edges;
+  std::vector<Triangle> triangles;
+  std::vector<int> codim_edges;
+  std::vector<int> codim_points;
+};
+
+Surface extract_surface(const Mesh& mesh);
+
+// A third of the area of the incident surface triangles [m^2], one per vertex of the mesh (zero
+// inside and on rods and particles). Their sum is the area of the surface.
+std::vector<double> vertex_areas(const Mesh& mesh, const Surface& surface);
+
+// A third of the area of each incident triangle [m^2], one per surface edge (zero for rods). Their
+// sum is the area of the surface.
+std::vector<double> edge_areas(const Mesh& mesh, const Surface& surface);
+
+}  // namespace tack

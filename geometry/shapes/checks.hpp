@@ -1,0 +1,37 @@
+// Argument checks shared by the shapes: InputError naming the shape, the argument and what it may
+// be.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+inline void require_positive(const char* shape, const char* what, double value) {
+  if (value > 0 && std::isfinite(value)) return;
+  throw InputError(fmt::format("{}: {} is {}, but has to be positive", shape, what, value));
+}
+
+inline void require_at_least(const char* shape, const char* what, int value, int least) {
+  if (value >= least) return;
+  throw InputError(
+      fmt::format("{}: {} is {}, but has to be at least {}", shape, what, value, least));
+}
+
+inline void require_even(const char* shape, const char* what, int value) {
+  if (value % 2 == 0) return;
+  throw InputError(fmt::format("{}: {} is {}, but has to be even (the mesh is symmetric about its "
+                               "centre): use {} or {}",
+                               shape, what, value, value - 1, value + 1));
+}
+
+// Vertices are numbered by int, and so are three coordinates each.
+inline void require_count(const char* shape, double vertices) {
+  if (vertices < 5e8) return;
+  throw InputError(fmt::format("{}: {} vertices are too many: use fewer cells", shape, vertices));
+}
+
+}  // namespace tack

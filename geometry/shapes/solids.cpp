@@ -1,0 +1,44 @@
+#include "geometry/shapes/solids.hpp"
+
+#include "geometry/shapes/checks.hpp"
+#include "geometry/shapes/cube_to_ball.hpp"
+#include "geometry/shapes/kuhn.hpp"
+
+namespace tack {
+
+Mesh box_tets(const Vec3& size, const std::array<int, 3>& cells) {
+  for (double length : size) require_positive("box", "size", length);
+  Mesh mesh = kuhn_cube("box", cells, {false, false, false});
+  std::size_t v = 0;
+  for (int k = 0; k <= cells[2]; ++k) {
+    for (int j = 0; j <= cells[1]; ++j) {
+      for (int i = 0; i <= cells[0]; ++i) {
+        // Placed anew from the node numbers: the fewest roundings, so that faces lie exactly at
+        // size/2.
+        const Vec3 at(double(i) / cells[0], double(j) / cells[1], double(k) / cells[2]);
+        mesh.vertices[v++] = -0.5 * size + size.cwiseProduct(at);
+      }
+    }
+  }
+  return mesh;
+}
+
+Mesh sphere(double radius, int cells) {
+  require_positive("sphere", "radius", radius);
+  Mesh mesh = kuhn_cube("sphere", {cells, cells, cells}, {true, true, true});
+  for (Vec3& x : mesh.vertices) x = radius * cube_to_ball<3>(x);
+  return mesh;
+}
+
+Mesh cylinder(double radius, double height, int cells_across, int cells_along) {
+  require_positive("cylinder", "radius", radius);
+  require_positive("cylinder", "height", height);
+  Mesh mesh = kuhn_cube("cylinder", {cells_across, cells_along, cells_across}, {true, false, true});
+  for (Vec3& x : mesh.vertices) {
+    const Vec2 disc = radius * cube_to_ball<2>(Vec2(x.x(), x.z()));
+    x = Vec3(disc.x(), 0.5 * height * x.y(), disc.y());
+  }
+  return mesh;
+}
+
+}  // namespace tack

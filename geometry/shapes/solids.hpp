@@ -1,0 +1,25 @@
+// Tetrahedral meshes of simple solids, centred at the origin, every tet positive. Lengths in
+// metres. All are maps of one structured cube (kuhn.hpp): node (i, j, k) is vertex i + (nx+1)(j +
+// (ny+1)k), six tets per cell, cells in the same order.
+// Errors: InputError for a size that is not positive, a number of cells below 1, or an odd one
+// where an even one is asked for.
+#pragma once
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+// Nodes at -size/2 + size (i/nx, j/ny, k/nz). The six tets of a cell share its diagonal from corner
+// (0,0,0) to (1,1,1).
+Mesh box_tets(const Vec3& size, const std::array<int, 3>& cells);
+
+// Ball with `cells` (even) cells across its diameter. Cell diagonals point away from the centre, so
+// no tet has two faces on the sphere. Mean ratio of the worst tet 0.65 or better, largest to
+// smallest tet at most 1.6 by volume.
+Mesh sphere(double radius, int cells);
+
+// Solid cylinder about the y axis with `cells_across` (even) cells across its diameter. Seen along
+// y, cell diagonals point away from the axis.
+Mesh cylinder(double radius, double height, int cells_across, int cells_along);
+
+}  // namespace tack

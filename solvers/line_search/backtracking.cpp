@@ -1,0 +1,57 @@
+// Backtracking with the Armijo condition E(q + t p) <= E(q) + c t p.g. Close to a minimum the
+// predicted decrease drowns in the rounding error of E; there the slope decides instead: the
+// approximate Wolfe condition of Hager and Zhang 2005, (2 c - 1) p.g >= p.g(q + t p), to which
+// rounding does little. So the search does not stall on round-off.
+#include <cmath>
+
+#include "framework/config/field.hpp"
+#include "solvers/line_search/line_search.hpp"
+
+namespace tack {
+
+class Backtracking : public LineSearch {
+ public:
+  void fields(Fields& f) override {
+    f.number("decrease", decrease_, units::none, "c of the Armijo condition").range(0, 0.5);
+    f.number("shrink", shrink_, units::none, "factor between trial steps").range(0.05, 0.95);
+    f.integer("max_trials", max_trials_, "trial steps before giving up").at_least(1);
+  }
+
+  LineSearchResult search(Objective& objective, const VecX& q, const VecX& p, double slope,
+                          double t_max) override {
+    LineSearchResult result;
+    const double start = objective.value();
+    const double start_noise = objective.value_noise();
+    double t = t_max;
+    for (int trial = 0; trial < max_trials_; ++trial, t *= shrink_) {
+      objective.move_to(q + t * p);
+      const double value = objective.value();
+      ++result.evaluations;
+      if (!std::isfinite(value)) continue;
+      const double noise = std::max(start_noise, objective.value_noise());
+      const bool descends = value <= start + decrease_ * t * slope;
+      const bool in_the_noise = -t * slope < 1e3 * noise && value <= start + noise;
+      if (descends || (in_the_noise && flat_enough(objective, p, slope))) {
+        result.found = true;
+        result.step = t;
+        return result;
+      }
+    }
+    return result;
+  }
+
+ private:
+  bool flat_enough(Objective& objective, const VecX& p, double slope) const {
+    return objective.gradient().dot(p) <= (2 * decrease_ - 1) * slope;
+  }
+
+  double decrease_ = 1e-4;
+  double shrink_ = 0.5;
+  int max_trials_ = 60;
+};
+
+TACK_REGISTER(LineSearch, Backtracking, "backtracking",
+              "Armijo backtracking that trusts the slope where the energy is lost in round-off.",
+              "Nocedal and Wright, Numerical Optimization, 3.1; Hager and Zhang 2005");
+
+}  // namespace tack

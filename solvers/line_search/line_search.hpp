@@ -1,0 +1,26 @@
+// Step length along a descent direction.
+#pragma once
+
+#include "framework/config/registry.hpp"
+#include "framework/core/objective.hpp"
+
+namespace tack {
+
+struct LineSearchResult {
+  bool found = false;
+  double step = 0;
+  int evaluations = 0;
+};
+
+class LineSearch : public Component {
+ public:
+  static constexpr const char* kind_name = "line_search";
+  static constexpr const char* kind_doc = "Chooses the step length along a descent direction.";
+
+  // The objective is at q; slope = p . gradient(q) < 0; every step in (0, t_max] is feasible.
+  // On success the objective is left at q + step p.
+  virtual LineSearchResult search(Objective& objective, const VecX& q, const VecX& p, double slope,
+                                  double t_max) = 0;
+};
+
+}  // namespace tack

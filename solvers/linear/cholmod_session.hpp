@@ -1,0 +1,48 @@
+// Owners of CHOLMOD's objects. Included by the CHOLMOD solver only.
+#pragma once
+
+#include <cholmod.h>
+
+#include <memory>
+#include <vector>
+
+namespace tack {
+
+class CholmodSession {
+ public:
+  CholmodSession() { cholmod_start(&common_); }
+  ~CholmodSession() { cholmod_finish(&common_); }
+  CholmodSession(const CholmodSession&) = delete;
+  CholmodSession& operator=(const CholmodSession&) = delete;
+  cholmod_common* get() { return &common_; }
+  cholmod_common* operator->() { return &common_; }
+
+ private:
+  cholmod_common common_{};
+};
+
+struct FactorDeleter {
+  cholmod_common* common = nullptr;
+  void operator()(cholmod_factor* factor) const { cholmod_free_factor(&factor, common); }
+};
+using FactorPtr = std::unique_ptr<cholmod_factor, FactorDeleter>;
+
+// A view of lower compressed columns as a CHOLMOD matrix; the arrays stay the caller's.
+inline cholmod_sparse lower_view(int n, std::vector<int>& column_start, std::vector<int>& row,
+                                 double* values) {
+  cholmod_sparse view{};
+  view.nrow = view.ncol = static_cast<size_t>(n);
+  view.nzmax = row.size();
+  view.p = column_start.data();
+  view.i = row.data();
+  view.x = values;
+  view.stype = -1;
+  view.itype = CHOLMOD_INT;
+  view.xtype = values ? CHOLMOD_REAL : CHOLMOD_PATTERN;
+  view.dtype = CHOLMOD_DOUBLE;
+  view.sorted = 1;
+  view.packed = 1;
+  return view;
+}
+
+}  // namespace tack

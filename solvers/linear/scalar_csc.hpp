@@ -1,0 +1,18 @@
+// The lower triangle of a block matrix as scalar compressed columns, which sparse solvers want.
+#pragma once
+
+#include <vector>
+
+#include "framework/core/block_matrix.hpp"
+
+namespace tack {
+
+struct ScalarCsc {
+  std::vector<int> column_start, row;
+  std::vector<double> values;
+
+  void set_structure(const BlockMatrix& blocks);  // for a new structure
+  void set_values(const BlockMatrix& blocks);     // for the structure set before
+};
+
+}  // namespace tack

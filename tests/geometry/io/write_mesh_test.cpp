@@ -1,0 +1,66 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "geometry/errors.hpp"
+#include "geometry/io/mesh_io.hpp"
+#include "geometry/shapes/lines.hpp"
+#include "geometry/shapes/solids.hpp"
+#include "geometry/shapes/surfaces.hpp"
+#include "tests/support/silence.hpp"
+
+using namespace tack;
+
+namespace {
+
+void check_round_trip(const std::string& name, const Mesh& mesh) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / name;
+  Mesh back;
+  const std::string printed = printed_by([&] {
+    write_mesh(path, mesh);
+    back = read_mesh(path);
+  });
+  INFO(name);
+  CHECK(back.vertices == mesh.vertices);  // every bit
+  CHECK(back.tets == mesh.tets);
+  CHECK(back.triangles == mesh.triangles);
+  CHECK(back.edges == mesh.edges);
+  CHECK(back.points == mesh.points);
+  CHECK(printed == "");
+}
+
+Mesh mixture() {
+  Mesh mesh = sphere_surface(1.0 / 3, 3);
+  append(mesh, segment(0.1, 4));
+  append(mesh, point_grid(Vec3(1, 1, 1) / 7, {2, 3, 2}));
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("meshes survive a round trip through every written format", "[io]") {
+  Mesh solid = sphere(1.0 / 3, 4);
+  append(solid, mixture());
+  check_round_trip("a.vtu", solid);
+  check_round_trip("a.msh", solid);
+  check_round_trip("a.MSH", mixture());
+  check_round_trip("a.vtu", mixture());
+  check_round_trip("a.obj", mixture());
+  check_round_trip("a.msh", point_grid(Vec3(1, 1, 1), {2, 2, 2}));
+}
+
+TEST_CASE("what cannot be written is refused", "[io]") {
+  const TemporaryFolder folder;
+  const Mesh solid = box_tets(Vec3(1, 1, 1), {1, 1, 1});
+  CHECK_THROWS_WITH(write_mesh(folder.path() / "a.obj", solid), Catch::Contains("no tets"));
+  CHECK_THROWS_WITH(write_mesh(folder.path() / "a.ply", solid), Catch::Contains("use .obj, .vtu"));
+  for (const char* name : {"none/a.vtu", "none/a.msh", "none/a.obj"}) {
+    INFO(name);
+    const std::string printed = printed_by(
+        [&] { CHECK_THROWS_AS(write_mesh(folder.path() / name, segment(1, 1)), InputError); });
+    CHECK(printed == "");
+  }
+  Mesh broken = solid;
+  broken.tets[0][0] = 99;
+  CHECK_THROWS_AS(write_mesh(folder.path() / "a.vtu", broken), InputError);
+}

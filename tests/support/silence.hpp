@@ -1,0 +1,56 @@
+// A scratch folder that disappears with the test, and a look at what a call prints.
+#pragma once
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace tack {
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "tack_test_XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// Everything that reaches the descriptors of stdout and stderr while `work` runs.
+template <class Work>
+std::string printed_by(const Work& work) {
+  const TemporaryFolder folder;
+  const std::filesystem::path log = folder.path() / "printed";
+  const auto flush = [] {
+    std::cout.flush();
+    std::fflush(nullptr);
+  };
+  flush();
+  const int out = ::dup(1), err = ::dup(2);
+  const int file = ::open(log.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
+  ::dup2(file, 1);
+  ::dup2(file, 2);
+  work();
+  flush();
+  ::dup2(out, 1);
+  ::dup2(err, 2);
+  for (int descriptor : {out, err, file}) ::close(descriptor);
+  std::ostringstream text;
+  text << std::ifstream(log).rdbuf();
+  return text.str();
+}
+
+}  // namespace tack
