@@ -109,7 +109,8 @@ struct StencilEnergy {
 template <int K>
 void store_blocks(const Eigen::Matrix<double, 3 * K, 3 * K>& h, double* out) {
   for (int i = 0; i < K; ++i)
-    for (int j = 0; j <= i; ++j, out += 9) Eigen::Map<Mat3>(out) = h.template block<3, 3>(3 * i, 3 * j);
+    for (int j = 0; j <= i; ++j, out += 9)
+      Eigen::Map<Mat3>{out} = h.template block<3, 3>(3 * i, 3 * j);
 }
 
 template <int K>
@@ -195,10 +196,10 @@ std::vector<StencilBatch> ContactTerm::batches() const {
 void ContactTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
                               double* hessian) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
-    using Kind = decltype(kind);
-    using Energy = StencilEnergy<Kind>;
-    constexpr int n = Energy::n, slots = 9 * hessian_blocks(Kind::arity);
-    for_each_sample<Kind>(x, laws(LawPart::all), stencils, [&](int i, double gap, const LawSample& l) {
+    using K = decltype(kind);
+    using Energy = StencilEnergy<K>;
+    constexpr int n = Energy::n, slots = 9 * hessian_blocks(K::arity);
+    for_each_sample<K>(x, laws(LawPart::all), stencils, [&](int i, double gap, const LawSample& l) {
       const double eps_x = thresholds ? thresholds[i] : 0;
       Eigen::Map<typename Energy::Vector> g(gradient + n * static_cast<size_t>(i));
       if (!hessian) {
@@ -209,12 +210,12 @@ void ContactTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
       typename Energy::Matrix full_h;
       Energy::derivatives(x, stencils[i], l, gap, eps_x, full_g, full_h);
       g = full_g;
-      store_blocks<Kind::arity>(full_h, hessian + slots * static_cast<size_t>(i));
+      store_blocks<K::arity>(full_h, hessian + slots * static_cast<size_t>(i));
     });
     const int count = static_cast<int>(stencils.size());
     if (hessian && filter != SpdFilter::none) {
       const PhaseScope scope(clock_, Phase::filter);
-      filter_slots<Kind>(count, filter, hessian);
+      filter_slots<K>(count, filter, hessian);
     }
     gradient += n * static_cast<size_t>(count);
     if (hessian) hessian += slots * static_cast<size_t>(count);
@@ -225,16 +226,16 @@ VecX ContactTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> 
   VecX force = VecX::Zero(x.size());
   const auto& object = system_.surface().mesh.vertex_object;
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
-    using Kind = decltype(kind);
-    std::vector<typename StencilEnergy<Kind>::Vector> gradients(stencils.size());
-    for_each_sample<Kind>(x, laws(part), stencils, [&](int i, double gap, const LawSample& l) {
-      gradients[i] = StencilEnergy<Kind>::gradient(x, stencils[i], l, gap, thresholds ? thresholds[i] : 0);
+    using K = decltype(kind);
+    std::vector<typename StencilEnergy<K>::Vector> gradients(stencils.size());
+    for_each_sample<K>(x, laws(part), stencils, [&](int i, double gap, const LawSample& l) {
+      gradients[i] = StencilEnergy<K>::gradient(x, stencils[i], l, gap, thresholds ? thresholds[i] : 0);
     });
     for (size_t i = 0; i < stencils.size(); ++i) {
       const auto& v = stencils[i].vertices;
-      const int a = object[v[0]], b = object[v[Kind::first_vertices]];
+      const int a = object[v[0]], b = object[v[K::first_vertices]];
       if (only && !((a == only->a && b == only->b) || (a == only->b && b == only->a))) continue;
-      for (int k = 0; k < Kind::arity; ++k)
+      for (int k = 0; k < K::arity; ++k)
         vertex(force, v[k]) -= gradients[i].template segment<3>(3 * k);
     }
   });

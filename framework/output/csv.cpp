@@ -61,9 +61,10 @@ std::vector<std::string> split(std::string_view line) {
 std::vector<double> numbers(const std::vector<std::string>& cells, std::size_t count,
                             const std::string& where) {
   if (cells.size() != count) {
-    throw InputError(fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
-                                 "this line",
-                                 where, cells.size(), count));
+    throw InputError(
+        fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
+                    "this line",
+                    where, cells.size(), count));
   }
   std::vector<double> row(count);
   for (std::size_t i = 0; i < count; ++i) {

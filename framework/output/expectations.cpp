@@ -124,9 +124,10 @@ double tolerance_of(const Value& within, double target) {
   if (number < 0) throw InputError(fmt::format("'{}' must not be negative", within.text));
   if (within.text.find('%') == std::string::npos) return number;
   if (target != 0) return number * std::abs(target);
-  throw InputError(fmt::format("'{}' of a target of 0 is nothing; give a number in the SI unit of "
-                               "the probe instead",
-                               within.text));
+  throw InputError(
+      fmt::format("'{}' of a target of 0 is nothing; give a number in the SI unit of "
+                  "the probe instead",
+                  within.text));
 }
 
 void check_columns(const Expectation& expectation, const std::vector<std::string>& columns) {

@@ -15,14 +15,6 @@ ProbeSeries empty_series(const std::vector<std::string>& columns) {
 
 }  // namespace
 
-std::vector<std::string> probe_columns(const std::string& probe,
-                                       const std::vector<std::string>& components) {
-  if (components.empty()) return {probe};
-  std::vector<std::string> columns;
-  for (const std::string& component : components) columns.push_back(probe + "_" + component);
-  return columns;
-}
-
 ProbesCsv::ProbesCsv(std::filesystem::path path, ProbeSeries series)
     : series_(std::move(series)), file_(std::move(path), series_) {}
 
@@ -35,9 +27,10 @@ ProbesCsv ProbesCsv::continued(std::filesystem::path path, const std::vector<std
   ProbeSeries before = rows_until(read_csv(path), last_time);
   const ProbeSeries expected = empty_series(columns);
   if (before.columns == expected.columns) return ProbesCsv(std::move(path), std::move(before));
-  throw InputError(fmt::format("{}: has other columns than this scene's probes ({}); resume with the "
-                               "scene of that run, or start anew",
-                               path.string(), fmt::join(expected.columns, ", ")));
+  throw InputError(
+      fmt::format("{}: has other columns than this scene's probes ({}); resume with the "
+                  "scene of that run, or start anew",
+                  path.string(), fmt::join(expected.columns, ", ")));
 }
 
 void ProbesCsv::add(double time, const std::vector<double>& values) {

@@ -12,13 +12,8 @@ namespace tack {
 // A series of samples; the column "time" [s] comes first.
 using ProbeSeries = CsvTable;
 
-// The columns of one probe: its name alone for a single number, else <name>_<component>, such as
-// force_x, force_y, force_z.
-std::vector<std::string> probe_columns(const std::string& probe,
-                                       const std::vector<std::string>& components);
-
-// Also keeps the samples, for the expectations. Throws InputError when the file cannot be written or
-// two columns have one name.
+// Also keeps the samples, for the expectations. Throws InputError when the file cannot be written
+// or two columns have one name.
 class ProbesCsv {
  public:
   // `columns` without "time".

@@ -66,10 +66,10 @@ std::string Progress::time_left(const StepReport& report, double now) const {
 }
 
 std::string Progress::line_of(const StepReport& r, double now) const {
-  std::string line = fmt::format("step {}  t {:.6g} s ({:.0f}%)  {}  {}", r.step, r.time,
-                                 std::floor(100 * fraction(r.time) + 1e-9),
-                                 counted(r.solve.iterations, "iteration"),
-                                 counted(r.contacts, "contact"));
+  std::string line =
+      fmt::format("step {}  t {:.6g} s ({:.0f}%)  {}  {}", r.step, r.time,
+                  std::floor(100 * fraction(r.time) + 1e-9),
+                  counted(r.solve.iterations, "iteration"), counted(r.contacts, "contact"));
   if (std::isfinite(r.min_distance)) line += fmt::format("  gap {:.3g} m", r.min_distance);
   if (r.halvings > 0) line += fmt::format("  {}", counted(r.halvings, "halving"));
   if (!r.converged) line += "  not converged";

@@ -74,9 +74,10 @@ PvdFile PvdFile::continued(std::filesystem::path path, double last_time) {
     double time = 0;
     const char* end = time_text ? time_text->data() + time_text->size() : nullptr;
     if (!file || !time_text || std::from_chars(time_text->data(), end, time).ptr != end) {
-      throw InputError(fmt::format("{}: '{}' is no frame of a run; start the run anew instead of "
-                                   "resuming it",
-                                   list.path_.string(), line));
+      throw InputError(
+          fmt::format("{}: '{}' is no frame of a run; start the run anew instead of "
+                      "resuming it",
+                      list.path_.string(), line));
     }
     if (time <= last_time) list.entries_.push_back({time, unescaped(*file)});
   }

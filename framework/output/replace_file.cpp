@@ -14,9 +14,10 @@ namespace fs = std::filesystem;
 
 std::string write_failure(const fs::path& path) {
   const std::string reason = errno ? fmt::format(" ({})", std::strerror(errno)) : "";
-  return fmt::format("{}: cannot be written{}: check the folder, its permissions and the space on "
-                     "the disk, or choose another results folder",
-                     path.string(), reason);
+  return fmt::format(
+      "{}: cannot be written{}: check the folder, its permissions and the space on "
+      "the disk, or choose another results folder",
+      path.string(), reason);
 }
 
 void replace_file(const fs::path& path, std::string_view content) {

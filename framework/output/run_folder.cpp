@@ -22,8 +22,8 @@ bool is_run(const fs::path& folder) { return fs::is_regular_file(folder / marker
 // Moving the working directory away would pull the ground from under relative paths.
 bool holds_working_directory(const fs::path& folder) {
   const fs::path here = fs::weakly_canonical(fs::current_path());
-  const fs::path root = fs::weakly_canonical(folder);
-  return std::mismatch(root.begin(), root.end(), here.begin(), here.end()).first == root.end();
+  const auto differing = std::mismatch(folder.begin(), folder.end(), here.begin(), here.end());
+  return differing.first == folder.end();
 }
 
 fs::path free_name(const fs::path& folder) {
@@ -34,14 +34,21 @@ fs::path free_name(const fs::path& folder) {
 }
 
 fs::path move_aside(const fs::path& folder) {
-  const fs::path real = fs::canonical(folder);  // through a link, not the link itself
-  const fs::path aside = free_name(real);
-  fs::rename(real, aside);
+  const fs::path aside = free_name(folder);
+  fs::rename(folder, aside);
   return aside;
 }
 
-void refuse(const fs::path& root, std::string_view why) {
-  throw InputError(fmt::format("{}: {}; choose another results folder with -o", root.string(), why));
+// Links are followed, so that a link to another disk stays one. A trailing slash would put the name
+// of the older run inside the folder.
+fs::path real_path(const fs::path& root) {
+  const fs::path real = fs::weakly_canonical(fs::absolute(root));
+  return real.has_filename() ? real : real.parent_path();
+}
+
+[[noreturn]] void refuse(const fs::path& root, std::string_view why) {
+  throw InputError(
+      fmt::format("{}: {}; choose another results folder with -o", root.string(), why));
 }
 
 std::optional<fs::path> make_way(const fs::path& root) {
@@ -56,26 +63,25 @@ std::optional<fs::path> make_way(const fs::path& root) {
 }  // namespace
 
 RunFolder RunFolder::create(const fs::path& root) {
-  // Without a trailing slash, which would put the name of the older run inside the folder.
-  const fs::path folder = fs::absolute(root / "").lexically_normal().parent_path();
-  RunFolder made(folder);
   try {
-    made.moved_aside_ = make_way(folder);
-    fs::create_directories(folder);
-    replace_file(folder / marker, "This folder holds the results of a run of tack.\n");
+    RunFolder made(real_path(root));
+    made.moved_aside_ = make_way(made.root_);
+    fs::create_directories(made.root_);
+    replace_file(made.root_ / marker, "This folder holds the results of a run of tack.\n");
     fs::create_directory(made.frames());
     fs::create_directory(made.checkpoints());
+    return made;
   } catch (const fs::filesystem_error& e) {
-    refuse(folder, fmt::format("cannot be made ({})", e.code().message()));
+    refuse(root, fmt::format("cannot be made ({})", e.code().message()));
   }
-  return made;
 }
 
 RunFolder RunFolder::open(const fs::path& root) {
   if (is_run(root)) return RunFolder(root);
-  throw InputError(fmt::format("{}: is not the results folder of a run; give the folder that was "
-                               "made by `tack run`",
-                               root.string()));
+  throw InputError(
+      fmt::format("{}: is not the results folder of a run; give the folder that was "
+                  "made by `tack run`",
+                  root.string()));
 }
 
 fs::path RunFolder::default_root(std::string_view scene_name) {

@@ -13,7 +13,8 @@ namespace tack {
 class RunFolder {
  public:
   // Makes the folder with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
-  // a run, a file of that name, and the working directory itself or one around it.
+  // a run, a file of that name, and the working directory itself or one around it. root() is
+  // absolute and without links.
   static RunFolder create(const std::filesystem::path& root);
 
   // The folder of an earlier run, to go on with it or to read it.

@@ -16,11 +16,16 @@ std::vector<std::string> terms_of(const StepReport& report) {
 }
 
 std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
-  std::vector<std::string> columns = {"step",          "time",
-                                      "step_size",     "halvings",
-                                      "newton_iterations", "linear_solves",
-                                      "line_search_evaluations", "contacts",
-                                      "candidates",    "min_distance"};
+  std::vector<std::string> columns = {"step",
+                                      "time",
+                                      "step_size",
+                                      "halvings",
+                                      "newton_iterations",
+                                      "linear_solves",
+                                      "line_search_evaluations",
+                                      "contacts",
+                                      "candidates",
+                                      "min_distance"};
   for (const std::string& term : terms) columns.push_back("energy_" + term);
   columns.insert(columns.end(), {"residual", "converged", "wall_seconds"});
   for (const std::string_view phase : phase_names) {
@@ -60,9 +65,10 @@ void StepsCsv::open(const StepReport& first) {
   terms_ = terms_of(first);
   const std::vector<std::string> columns = columns_of(terms_);
   if (!before_.columns.empty() && before_.columns != columns) {
-    throw InputError(fmt::format("{}: has other columns than this scene writes ({}); resume with "
-                                 "the scene of that run, or start anew",
-                                 path_.string(), fmt::join(columns, ", ")));
+    throw InputError(
+        fmt::format("{}: has other columns than this scene writes ({}); resume with "
+                    "the scene of that run, or start anew",
+                    path_.string(), fmt::join(columns, ", ")));
   }
   before_.columns = columns;
   file_.emplace(path_, before_);
@@ -72,7 +78,8 @@ void StepsCsv::open(const StepReport& first) {
 void StepsCsv::add(const StepReport& report) {
   if (!file_) open(report);
   if (terms_of(report) != terms_) {
-    throw std::logic_error(fmt::format("step {} reports other energies than the first", report.step));
+    throw std::logic_error(
+        fmt::format("step {} reports other energies than the first", report.step));
   }
   file_->add(row_of(report));
 }

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/contact/adhesion_summary.hpp"
 #include "framework/output/expectations.hpp"
 #include "framework/stepping/step_report.hpp"
 
@@ -21,15 +22,6 @@ namespace tack {
 
 enum class RunStatus { done, expectation_failed, simulation_failed, interrupted };
 std::string_view to_string(RunStatus status);  // "done", "expectation failed", ...
-
-// What the laws between two objects add up to, barrier and adhesion together.
-struct AdhesionSummary {
-  std::array<std::string, 2> between;
-  double work_of_adhesion = 0;  // of the adhesion alone [J/m^2]
-  double effective = 0;         // from the rest gap to infinity, against the barrier [J/m^2]
-  double rest_gap = 0;          // where the traction vanishes [m]
-  double peak_traction = 0;     // Pa
-};
 
 struct RunSummary {
   std::string name;

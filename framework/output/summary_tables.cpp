@@ -13,7 +13,8 @@ std::string phase_table(const RunSummary& summary) {
   const double total = std::accumulate(seconds.begin(), seconds.end(), 0.0);
   std::array<int, phase_count> order;
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return seconds[a] > seconds[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return seconds[a] > seconds[b]; });
   std::string text = fmt::format("{:<14}{:>10}{:>7}\n", "phase", "seconds", "%");
   for (const int phase : order) {
     if (!(seconds[phase] > 0)) continue;

@@ -14,7 +14,6 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridWriter.h>
-#include <vtkZLibDataCompressor.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -101,14 +100,13 @@ void add_field(vtkUnstructuredGrid* grid, const FrameGeometry& geometry, const P
 }
 
 std::string to_text(vtkUnstructuredGrid* grid) {
-  vtkNew<vtkZLibDataCompressor> compressor;
-  compressor->SetCompressionLevel(1);  // higher levels cost far more time than they save space
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(grid);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();
-  writer->SetCompressor(compressor);
+  writer->SetCompressorTypeToZLib();
+  writer->SetCompressionLevel(1);  // higher levels cost far more time than they save space
   writer->WriteToOutputStringOn();
   writer->Write();
   return writer->GetOutputString();

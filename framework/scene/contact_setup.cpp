@@ -171,8 +171,9 @@ class PairBuilder {
 
   void report(int a, int b, const AdhesionLaw& adhesion, const PairLaw& law) {
     const PairLaw::Well well = law.well();
-    world_.adhesion.push_back({world_.bodies[a].name, world_.bodies[b].name, adhesion.peak_traction(),
-                               adhesion.work_of_adhesion(), well.depth, well.gap});
+    world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name},
+                               adhesion.work_of_adhesion(), well.depth, well.gap,
+                               adhesion.peak_traction()});
   }
 
   void set_roles(int a, int b, int config, const std::vector<SurfaceSize>& sizes) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/contact/adhesion_summary.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/core/dof_map.hpp"
 #include "framework/core/linear_term.hpp"
@@ -12,18 +13,6 @@
 #include "framework/stepping/state.hpp"
 
 namespace tack {
-
-// What a pair that adheres comes to, with its barrier (summary.json).
-struct AdhesionReport {
-  std::string a, b;
-  double peak_traction = 0;     // Pa
-  double work_of_adhesion = 0;  // of the adhesion law alone [J/m^2]
-  double effective = 0;         // -min (b + a) [J/m^2]
-  double rest_gap = 0;          // where that minimum is [m]
-  // The barrier takes more than this share of the work: a warning is due.
-  static constexpr double tolerated_loss = 0.1;
-  double loss() const { return 1 - effective / work_of_adhesion; }
-};
 
 struct World {
   std::vector<Body> bodies;
@@ -38,7 +27,7 @@ struct World {
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
   std::vector<const Term*> terms;  // all of the above that the scene names
-  std::vector<AdhesionReport> adhesion;
+  std::vector<AdhesionSummary> adhesion;
   State start;
 
   int body_index(const std::string& name) const;  // -1 if there is none

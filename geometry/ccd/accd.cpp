@@ -14,7 +14,8 @@
 namespace tack {
 namespace {
 
-// Fractions of the closable gap (1 - keep) gap(0): steps aim at the first, iteration ends at the second.
+// Fractions of the closable gap (1 - keep) gap(0): steps aim at the first, iteration ends at the
+// second.
 constexpr double kAim = 0.01;
 constexpr double kClose = 0.02;
 constexpr int kMaxIterations = 1000;
@@ -64,9 +65,9 @@ Scale coordinate_scale(const MovingPair<A, B>& pair) {
           std::max(pair.da.cwiseAbs().maxCoeff(), pair.db.cwiseAbs().maxCoeff())};
 }
 
-// Time for which the slab between the hulls, orthogonal to the fixed unit vector n, stays at least as
-// thick as `thickness`. The distance is never below the thickness of such a slab, whatever n is. Unlike
-// the bound by speed alone it sees motion across n for what it is: harmless.
+// Time for which the slab between the hulls, orthogonal to the fixed unit vector n, stays at least
+// as thick as `thickness`. The distance is never below the thickness of such a slab, whatever n is.
+// Unlike the bound by speed alone it sees motion across n for what it is: harmless.
 template <int A, int B>
 double slab_time(const MovingPair<A, B>& pair, const Vec3& n, double t, double thickness,
                  const Scale& scale) {

@@ -1,9 +1,8 @@
-// Which features of two primitives carry the closest points: the regions in which a clamped distance
-// is one of point-point, point-line, point-plane, line-line. Types as in Li et al. 2020, "Incremental
-// Potential Contact". Total: edges of length zero, triangles without area and parallel edges are
-// allowed. On the border of two regions, where both give the same distance, the smaller feature wins
-// (vertex before edge before face), and among equals the first in the order of the enumeration that
-// is searched.
+// Which features of two primitives carry the closest points: the regions in which a clamped
+// distance is one of point-point, point-line, point-plane, line-line. Types as in Li et al. 2020,
+// "Incremental Potential Contact". Total: edges of length zero, triangles without area and parallel
+// edges are allowed. On the border of two regions, where both give the same distance, the smaller
+// feature wins (vertex before edge before face); between parallel edges, the pair searched first.
 //
 // Both searches use that the distance is a convex function of the parameters: if the unconstrained
 // minimum lies inside, it is the answer, otherwise the minimum lies on the boundary, that is, on a
@@ -11,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
 
 #include "geometry/distance/line_line.hpp"
@@ -25,10 +25,19 @@ enum class PointEdgeType { P_E0, P_E1, P_E };
 enum class PointTriangleType { P_T0, P_T1, P_T2, P_E0, P_E1, P_E2, P_T };
 
 enum class EdgeEdgeType {
-  EA0_EB0, EA0_EB1, EA1_EB0, EA1_EB1, EA_EB0, EA_EB1, EA0_EB, EA1_EB, EA_EB
+  EA0_EB0,
+  EA0_EB1,
+  EA1_EB0,
+  EA1_EB1,
+  EA_EB0,
+  EA_EB1,
+  EA0_EB,
+  EA1_EB,
+  EA_EB
 };
 
-// The closest point of the segment e0 e1 to p: its type, its parameter in [0, 1], the squared distance.
+// The closest point of the segment e0 e1 to p: its type, its parameter in [0, 1], the squared
+// distance.
 struct PointEdgeClosest {
   PointEdgeType type;
   double parameter;
@@ -62,10 +71,11 @@ struct BoundaryPair {
   double s;
 };
 
-// The closest of all point-edge pairs. Near an end of an edge, at a distance x from it along the edge,
-// edge and vertex differ by x^2 only, so for x < 1e-8 comparing distances would pick either, and the
-// gradient of the wrong one is off by x. The signs that classified the pairs are sharper: every pair of
-// vertices ends two of the point-edge pairs, and is closest only if both of them say so.
+// The closest of all point-edge pairs. Near an end of an edge, at a distance x from it along the
+// edge, edge and vertex differ by x^2 only, so for x < 1e-8 comparing distances would pick either,
+// and the gradient of the wrong one is off by x. The signs that classified the pairs are sharper:
+// every pair of vertices ends two of the point-edge pairs, and is closest only if both of them say
+// so.
 template <typename Type, std::size_t N>
 Type closest_boundary(const std::array<BoundaryPair<Type>, N>& pairs) {
   double smallest = std::numeric_limits<double>::infinity();

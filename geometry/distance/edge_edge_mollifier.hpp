@@ -1,14 +1,15 @@
 // Mollifier of edge-edge energies, from Li et al. 2020, "Incremental Potential Contact", section on
-// nearly parallel edges. Where two edges become parallel the distance loses its smoothness; the factor
+// nearly parallel edges. Where two edges become parallel the distance loses its smoothness; the
+// factor
 //   m(c) = (2 - c / eps_x) c / eps_x  for c < eps_x, else 1,    c = |a x b|^2 [m^4],
 // with a = ea1 - ea0, b = eb1 - eb0, takes the energy to zero there and is C1 at eps_x.
-// eps_x = 1e-3 |a|^2 |b|^2 on rest positions [m^4]; for a rest edge of length zero it is 0, and m = 1.
-// Stacking: (ea0, ea1, eb0, eb1).
+// eps_x = 1e-3 |a|^2 |b|^2 on rest positions [m^4]; for a rest edge of length zero it is 0, and m
+// = 1. Stacking: (ea0, ea1, eb0, eb1).
 #pragma once
 
-#include "geometry/distance/stencil_derivatives.hpp"
-
 #include <Eigen/Geometry>
+
+#include "geometry/distance/stencil_derivatives.hpp"
 
 namespace tack {
 

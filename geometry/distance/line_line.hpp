@@ -1,10 +1,11 @@
 // Squared distance between two infinite lines [m^2]. Stacking: (ea0, ea1, eb0, eb1).
-// Needs lines that are not parallel; the clamped distance between edges, which has no such limit, is
-// edge_edge.hpp.
+// Needs lines that are not parallel; the clamped distance between edges, which has no such limit,
+// is edge_edge.hpp.
 //
 // The closest points are ea0 + u a and eb0 + v b with a = ea1 - ea0, b = eb1 - eb0, so
 // r = sum_i w_i x_i with w = (1 - u, u, v - 1, -v), s = |r|^2, ds/dx_i = 2 w_i r; the Hessian is
-// plane_hessian. It grows like s / sin^2 of the angle between the lines (see edge_edge_mollifier.hpp).
+// plane_hessian. It grows like s / sin^2 of the angle between the lines (see
+// edge_edge_mollifier.hpp).
 #pragma once
 
 #include "geometry/distance/span_projection.hpp"

@@ -1,5 +1,5 @@
-// Squared distance from a point to a segment [m^2]. Stacking: (p, e0, e1). Any input is allowed, also
-// an edge of length zero. C1 in the positions; the Hessian jumps where the type changes.
+// Squared distance from a point to a segment [m^2]. Stacking: (p, e0, e1). Any input is allowed,
+// also an edge of length zero. C1 in the positions; the Hessian jumps where the type changes.
 #pragma once
 
 #include "geometry/distance/closest_feature.hpp"
@@ -34,8 +34,7 @@ inline StencilDerivatives<9> point_edge_derivatives(const Vec3& p, const Vec3& e
                                                     PointEdgeType type) {
   return reduce_point_edge<DerivativeKernels>(p, e0, e1, type);
 }
-inline StencilDerivatives<9> point_edge_derivatives(const Vec3& p, const Vec3& e0,
-                                                    const Vec3& e1) {
+inline StencilDerivatives<9> point_edge_derivatives(const Vec3& p, const Vec3& e0, const Vec3& e1) {
   return point_edge_derivatives(p, e0, e1, point_edge_type(p, e0, e1));
 }
 

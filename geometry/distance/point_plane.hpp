@@ -18,8 +18,7 @@ inline PlaneProjection project_onto_triangle(const Vec3& p, const Vec3& t0, cons
   return project_onto_plane(p - t0, t0 - t1, t0 - t2);
 }
 
-inline double point_plane_distance(const Vec3& p, const Vec3& t0, const Vec3& t1,
-                                   const Vec3& t2) {
+inline double point_plane_distance(const Vec3& p, const Vec3& t0, const Vec3& t1, const Vec3& t2) {
   return project_onto_triangle(p, t0, t1, t2).residual.squaredNorm();
 }
 
@@ -33,8 +32,8 @@ inline StencilGradient<12> point_plane_gradient(const Vec3& p, const Vec3& t0, c
   return squared_length<4>(point_plane_weights(plane), plane.residual);
 }
 
-inline StencilDerivatives<12> point_plane_derivatives(const Vec3& p, const Vec3& t0,
-                                                      const Vec3& t1, const Vec3& t2) {
+inline StencilDerivatives<12> point_plane_derivatives(const Vec3& p, const Vec3& t0, const Vec3& t1,
+                                                      const Vec3& t2) {
   const PlaneProjection plane = project_onto_triangle(p, t0, t1, t2);
   const Eigen::Vector4d w = point_plane_weights(plane);
   Eigen::Matrix<double, 3, 4> duals;

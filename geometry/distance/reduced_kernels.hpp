@@ -1,6 +1,7 @@
-// The four unclamped distances under one name per order of derivative, and the embedding of a result
-// for some vertices of a stencil into the whole stencil. With both, point_edge.hpp, point_triangle.hpp
-// and edge_edge.hpp write their case distinction once for value, gradient, Hessian and shortest vector.
+// The four unclamped distances under one name per order of derivative, and the embedding of a
+// result for some vertices of a stencil into the whole stencil. With both, point_edge.hpp,
+// point_triangle.hpp and edge_edge.hpp write their case distinction once for value, gradient,
+// Hessian and shortest vector.
 #pragma once
 
 #include <array>

@@ -1,10 +1,11 @@
 // Orthogonal projection onto the span of one or two vectors: the parameters that minimise
 // |offset + u a| or |offset + u a + v b|, and the shortest vector ("residual") that is left.
 //
-// Every distance in this folder starts here. Each projection runs twice: the first residual carries a
-// rounding error of eps |offset| along the span, which would tilt its direction badly when the gap is
-// 1e-9 of the feature's size; projecting the (short) residual once more removes it. It also makes the
-// residual of nearly parallel a and b accurate to eps / sin(angle) relative to its own length.
+// Every distance in this folder starts here. Each projection runs twice: the first residual carries
+// a rounding error of eps |offset| along the span, which would tilt its direction badly when the
+// gap is 1e-9 of the feature's size; projecting the (short) residual once more removes it. It also
+// makes the residual of nearly parallel a and b accurate to eps / sin(angle) relative to its own
+// length.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -50,8 +51,9 @@ inline PlaneProjection project_onto_plane(const Vec3& offset, const Vec3& a, con
   return {u + du, v + dv, first + du * a + dv * b, normal, inverse, dual_a, dual_b};
 }
 
-// True for sin^2(angle between a and b) <= 1e-20, and for vectors of length zero. Beyond that the cross
-// product is rounding noise, and treating the span as a line moves a distance by 1e-10 |a| at most.
+// True for sin^2(angle between a and b) <= 1e-20, and for vectors of length zero. Beyond that the
+// cross product is rounding noise, and treating the span as a line moves a distance by 1e-10 |a| at
+// most.
 inline bool nearly_parallel(const Vec3& a, const Vec3& b) {
   return a.cross(b).squaredNorm() <= 1e-20 * a.squaredNorm() * b.squaredNorm();
 }
@@ -75,8 +77,8 @@ inline Mat12 plane_hessian(const Eigen::Vector4d& w, const Eigen::Matrix<double,
   }
   Mat12 hessian;
   for (int j = 0; j < 4; ++j) {
-    const Vec12 column = stacked<4>(along_normal.col(j), n) -
-                         stacked<4>((2.0 * height) * w, duals.col(j));
+    const Vec12 column =
+        stacked<4>(along_normal.col(j), n) - stacked<4>((2.0 * height) * w, duals.col(j));
     for (int k = 0; k < 3; ++k) hessian.col(3 * j + k) = n[k] * column - w[j] * turned.col(k);
   }
   return hessian;

@@ -1,5 +1,5 @@
-// A scalar function of a stencil (a few vertices stacked into N = 3 * vertices coordinates), with its
-// derivatives. For squared distances: value [m^2], gradient [m], hessian [1].
+// A scalar function of a stencil (a few vertices stacked into N = 3 * vertices coordinates), with
+// its derivatives. For squared distances: value [m^2], gradient [m], hessian [1].
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +29,9 @@ Eigen::Matrix<double, 3 * V, 1> stacked(const Eigen::Matrix<double, V, 1>& w, co
   return out;
 }
 
-// Value and gradient of s = |r|^2, where r = sum_i w_i x_i is the shortest vector between two features.
-// Because s is minimal in the parameters behind w, their variation drops out: ds/dx_i = 2 w_i r.
+// Value and gradient of s = |r|^2, where r = sum_i w_i x_i is the shortest vector between two
+// features. Because s is minimal in the parameters behind w, their variation drops out: ds/dx_i = 2
+// w_i r.
 template <int V>
 StencilGradient<3 * V> squared_length(const Eigen::Matrix<double, V, 1>& w, const Vec3& r) {
   return {r.squaredNorm(), 2.0 * stacked<V>(w, r)};

@@ -72,7 +72,7 @@ Mesh read_mesh(const std::filesystem::path& path) {
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   validate_indices(mesh, path.string());
-  const std::string extension = extension_of(path);
+  const std::string extension = path.extension().string();
   if (extension == ".obj") return write_obj(path, mesh);
   if (extension == ".vtu") return write_vtu(path, mesh);
   if (extension == ".msh") return write_msh(path, mesh);

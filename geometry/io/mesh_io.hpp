@@ -1,4 +1,5 @@
-// Mesh files in and out; the format follows from the extension (upper or lower case).
+// Mesh files in and out; the format follows from the extension (upper or lower case; lower case for
+// output).
 //   .obj       v, f (any polygon), l, p; groups (g, o) become tags
 //   .ply .off  polygon meshes, ASCII and (.ply) binary
 //   .stl       ASCII and binary; equal corners are merged, as the format has no shared vertices

@@ -3,13 +3,13 @@
 #include <gmsh.h>
 
 #include <algorithm>
-#include <fstream>
 #include <mutex>
 #include <numeric>
 #include <unordered_map>
 
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
+#include "geometry/io/precheck.hpp"
 #include "geometry/mesh/cleanup.hpp"
 
 namespace tack {
@@ -39,22 +39,6 @@ class GmshSession {
 
   std::lock_guard<std::mutex> lock_;
 };
-
-// Gmsh would run anything else as a script of its geometry language.
-void check_header(const std::string& name) {
-  std::ifstream file(name, std::ios::binary);
-  std::string line;
-  while (std::getline(file, line) && line.starts_with("$Comments")) {
-    while (std::getline(file, line) && !line.starts_with("$EndComments")) {}
-  }
-  double version = 0;
-  if (line.starts_with("$MeshFormat") && file >> version && (version == 2.2 || version == 4.1)) {
-    return;
-  }
-  throw InputError(fmt::format("{}: not a Gmsh mesh of version 2.2 or 4.1{}: export it again (gmsh "
-                               "-save -format msh41), or use .vtu, .vtk, .obj, .ply, .off or .stl",
-                               name, version > 0 ? fmt::format(" (but {})", version) : ""));
-}
 
 NodeNumbers read_nodes(Mesh& mesh) {
   std::vector<std::size_t> tags;
@@ -195,7 +179,7 @@ auto translate_errors(const std::string& name, const char* remedy, const Work& w
 
 Mesh read_msh(const std::filesystem::path& path) {
   const std::string name = path.string();
-  check_header(name);
+  precheck_msh(name);
   return translate_errors(name, "the .msh file is damaged, export it again",
                           [&] { return read_model(name); });
 }

@@ -10,6 +10,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
 #include "geometry/io/polygon.hpp"
+#include "geometry/io/precheck.hpp"
 #include "geometry/mesh/validate.hpp"
 
 namespace tack {
@@ -52,7 +53,11 @@ Mesh read_polygons(const std::string& name, bool is_ply) {
 
 }  // namespace
 
-Mesh read_ply(const std::filesystem::path& path) { return read_polygons(path.string(), true); }
+Mesh read_ply(const std::filesystem::path& path) {
+  precheck_ply(path.string());
+  return read_polygons(path.string(), true);
+}
+
 Mesh read_off(const std::filesystem::path& path) { return read_polygons(path.string(), false); }
 
 }  // namespace tack

@@ -1,9 +1,9 @@
 // .stl, .vtk (legacy) and .vtu through VTK; .vtu out.
 #include <fmt/format.h>
-#include <vtkCell.h>
 #include <vtkCellTypes.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetReader.h>
+#include <vtkIdList.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
@@ -19,6 +19,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
 #include "geometry/io/polygon.hpp"
+#include "geometry/io/precheck.hpp"
 #include "geometry/mesh/cleanup.hpp"
 #include "geometry/mesh/validate.hpp"
 
@@ -70,21 +71,24 @@ vtkSmartPointer<vtkDataSet> read_data_set(Reader* reader, const std::string& nam
                                name, message.empty() ? "" : " (" + message + ")"));
 }
 
-std::vector<int> corners_of(vtkCell& cell) {
-  std::vector<int> corners;
-  for (vtkIdType i = 0; i < cell.GetNumberOfPoints(); ++i) {
-    corners.push_back(static_cast<int>(cell.GetPointId(i)));
+// Checked here because VTK itself follows numbers out of range.
+void check_corners(const Mesh& mesh, vtkIdList& corners, const std::string& where) {
+  const auto count = static_cast<vtkIdType>(mesh.vertices.size());
+  for (const vtkIdType v : corners) {
+    if (v >= 0 && v < count) continue;
+    throw InputError(fmt::format("{} refers to vertex {} (counted from 0) of {}: correct the index "
+                                 "or add the vertex",
+                                 where, v, count));
   }
-  return corners;
 }
 
-const char* kind_of(vtkCell& cell) {
-  return vtkCellTypes::GetClassNameFromTypeId(cell.GetCellType());
-}
-
-void add_cell(Mesh& mesh, vtkCell& cell, const std::string& where) {
-  const std::vector<int> v = corners_of(cell);
-  switch (cell.GetCellType()) {
+void add_cell(Mesh& mesh, int type, const std::vector<int>& v, const std::string& where) {
+  const auto expect = [&](std::size_t corners) {
+    if (v.size() == corners) return;
+    throw InputError(fmt::format("{} has {} vertices, but its kind has {}: export the file again",
+                                 where, v.size(), corners));
+  };
+  switch (type) {
     case VTK_EMPTY_CELL:
       return;
     case VTK_VERTEX:
@@ -92,6 +96,8 @@ void add_cell(Mesh& mesh, vtkCell& cell, const std::string& where) {
       mesh.points.insert(mesh.points.end(), v.begin(), v.end());
       return;
     case VTK_LINE:
+      expect(2);
+      [[fallthrough]];
     case VTK_POLY_LINE:
       for (std::size_t i = 0; i + 1 < v.size(); ++i) mesh.edges.push_back({v[i], v[i + 1]});
       return;
@@ -100,12 +106,13 @@ void add_cell(Mesh& mesh, vtkCell& cell, const std::string& where) {
     case VTK_POLYGON:
       return add_polygon(mesh, v, where);
     case VTK_TETRA:
+      expect(4);
       mesh.tets.push_back({v[0], v[1], v[2], v[3]});
       return;
     default:
       throw InputError(fmt::format("{} is a {}: supported are vertices, lines, triangles, quads, "
                                    "polygons and linear tets; convert it to those",
-                                   where, kind_of(cell)));
+                                   where, vtkCellTypes::GetClassNameFromTypeId(type)));
   }
 }
 
@@ -119,8 +126,12 @@ Mesh to_mesh(vtkDataSet& data, const std::string& name) {
     mesh.vertices.emplace_back(Eigen::Map<const Vec3>(data.GetPoint(i)));
   }
   validate_coordinates(mesh, name);
+  vtkNew<vtkIdList> corners;
   for (vtkIdType c = 0; c < data.GetNumberOfCells(); ++c) {
-    add_cell(mesh, *data.GetCell(c), fmt::format("{}: cell {}", name, c));
+    const std::string where = fmt::format("{}: cell {}", name, c);
+    data.GetCellPoints(c, corners);
+    check_corners(mesh, *corners, where);
+    add_cell(mesh, data.GetCellType(c), {corners->begin(), corners->end()}, where);
   }
   return mesh;
 }
@@ -148,6 +159,7 @@ vtkSmartPointer<vtkUnstructuredGrid> to_grid(const Mesh& mesh) {
 }  // namespace
 
 Mesh read_stl(const std::filesystem::path& path) {
+  precheck_stl(path.string());
   vtkNew<vtkSTLReader> reader;
   reader->MergingOff();
   Mesh mesh = to_mesh(*read_data_set(reader.Get(), path.string()), path.string());
@@ -159,6 +171,7 @@ Mesh read_stl(const std::filesystem::path& path) {
 }
 
 Mesh read_vtk(const std::filesystem::path& path) {
+  precheck_vtk(path.string());
   vtkNew<vtkDataSetReader> reader;
   return to_mesh(*read_data_set(reader.Get(), path.string()), path.string());
 }

@@ -14,7 +14,7 @@ namespace tack {
 Mesh box_tets(const Vec3& size, const std::array<int, 3>& cells);
 
 // Ball with `cells` (even) cells across its diameter. Cell diagonals point away from the centre, so
-// no tet has two faces on the sphere. Mean ratio of the worst tet 0.65 or better, largest to
+// no tet has two faces on the sphere. Mean ratio of the worst tet 0.64 or better, largest to
 // smallest tet at most 1.6 by volume.
 Mesh sphere(double radius, int cells);
 

@@ -1,6 +1,7 @@
 // No tetrahedron may lose more than 80% of its volume in one step. Along a step the volume of a tet is
 // a cubic in t; its first fall below the bound is found by subdivision with Bernstein coefficients, a
 // lower bound, so the step found is never too long.
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>

@@ -29,25 +29,44 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-// Everything that reaches the descriptors of stdout and stderr while `work` runs.
+// Sends the descriptors of stdout and stderr to a file for as long as it lives.
+class Redirection {
+ public:
+  explicit Redirection(const std::filesystem::path& log) : out_(::dup(1)), err_(::dup(2)) {
+    flush();
+    const int file = ::open(log.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
+    ::dup2(file, 1);
+    ::dup2(file, 2);
+    ::close(file);
+  }
+  ~Redirection() {
+    flush();
+    ::dup2(out_, 1);
+    ::dup2(err_, 2);
+    ::close(out_);
+    ::close(err_);
+  }
+  Redirection(const Redirection&) = delete;
+  Redirection& operator=(const Redirection&) = delete;
+
+ private:
+  static void flush() {
+    std::cout.flush();
+    std::fflush(nullptr);
+  }
+
+  int out_, err_;
+};
+
+// Everything that is printed while `work` runs.
 template <class Work>
 std::string printed_by(const Work& work) {
   const TemporaryFolder folder;
   const std::filesystem::path log = folder.path() / "printed";
-  const auto flush = [] {
-    std::cout.flush();
-    std::fflush(nullptr);
-  };
-  flush();
-  const int out = ::dup(1), err = ::dup(2);
-  const int file = ::open(log.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
-  ::dup2(file, 1);
-  ::dup2(file, 2);
-  work();
-  flush();
-  ::dup2(out, 1);
-  ::dup2(err, 2);
-  for (int descriptor : {out, err, file}) ::close(descriptor);
+  {
+    const Redirection redirection(log);
+    work();
+  }
   std::ostringstream text;
   text << std::ifstream(log).rdbuf();
   return text.str();

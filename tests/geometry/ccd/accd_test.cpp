@@ -1,16 +1,16 @@
-// Additive CCD against dense sampling of the path in extended precision (no false negatives), against
-// closed forms (steps not needlessly small), and on degenerate input.
+// Additive CCD against dense sampling of the path in extended precision (no false negatives),
+// against closed forms (steps not needlessly small), and on degenerate input.
 #include "geometry/ccd/accd.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "../distance/random_stencils.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "geometry/errors.hpp"
+#include "tests/geometry/distance/random_stencils.hpp"
 
 using namespace tack;
 
@@ -25,12 +25,14 @@ double accd(Kind kind, const Stencil& x, const Stencil& d, double keep, double t
   const Vec3 a = x.col(0), b = x.col(1), c = x.col(2), e = x.col(3);
   const Vec3 da = d.col(0), db = d.col(1), dc = d.col(2), de = d.col(3);
   switch (kind) {
-    case Kind::kPointPoint: return point_point_accd(a, b, da, db, keep, t_max, min_distance);
+    case Kind::kPointPoint:
+      return point_point_accd(a, b, da, db, keep, t_max, min_distance);
     case Kind::kPointEdge:
       return point_edge_accd(a, b, c, da, db, dc, keep, t_max, min_distance);
     case Kind::kPointTriangle:
       return point_triangle_accd(a, b, c, e, da, db, dc, de, keep, t_max, min_distance);
-    default: return edge_edge_accd(a, b, c, e, da, db, dc, de, keep, t_max, min_distance);
+    default:
+      return edge_edge_accd(a, b, c, e, da, db, dc, de, keep, t_max, min_distance);
   }
 }
 
@@ -43,10 +45,14 @@ double distance_at(Kind kind, const Stencil& x, const Stencil& d, double t) {
   const Stencil z = y.cast<double>();
   const Vec3 a = z.col(0), b = z.col(1), c = z.col(2), e = z.col(3);
   switch (kind) {
-    case Kind::kPointPoint: return (a - b).norm();
-    case Kind::kPointEdge: return std::sqrt(point_edge_distance(a, b, c));
-    case Kind::kPointTriangle: return std::sqrt(point_triangle_distance(a, b, c, e));
-    default: return std::sqrt(edge_edge_distance(a, b, c, e));
+    case Kind::kPointPoint:
+      return (a - b).norm();
+    case Kind::kPointEdge:
+      return std::sqrt(point_edge_distance(a, b, c));
+    case Kind::kPointTriangle:
+      return std::sqrt(point_triangle_distance(a, b, c, e));
+    default:
+      return std::sqrt(edge_edge_distance(a, b, c, e));
   }
 }
 
@@ -73,9 +79,7 @@ double check_safe(Kind kind, const Stencil& x, const Stencil& d, double keep, do
   return t;
 }
 
-Stencil random_motion(RandomStencils& random, double size) {
-  return size * random.any();
-}
+Stencil random_motion(RandomStencils& random, double size) { return size * random.any(); }
 
 }  // namespace
 

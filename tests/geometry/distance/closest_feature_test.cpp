@@ -2,6 +2,7 @@
 // random and degenerate input; invariance under rigid motion and renumbering.
 #include "geometry/distance/closest_feature.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -9,7 +10,7 @@
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
-#include "random_stencils.hpp"
+#include "tests/geometry/distance/random_stencils.hpp"
 
 using namespace tack;
 
@@ -95,7 +96,8 @@ TEST_CASE("point-triangle distance is the minimum over the triangle", "[distance
     const Vec3 shortest = point_triangle_separation(p, t0, t1, t2);
     ++seen[index(type)];
     const bool good = agrees(s, brute) && agrees(at_closest, brute) && l.minCoeff() >= -1e-15 &&
-                      std::abs(l.sum() - 1) < 1e-14 && shortest.squaredNorm() == Approx(s).margin(1e-30);
+                      std::abs(l.sum() - 1) < 1e-14 &&
+                      shortest.squaredNorm() == Approx(s).margin(1e-30);
     if (!good) {
       CAPTURE(x, index(type), s, brute, at_closest, l.transpose());
       CHECK(good);
@@ -112,8 +114,7 @@ TEST_CASE("edge-edge distance is the minimum over both edges", "[distance]") {
     const double s = edge_edge_distance(ea0, ea1, eb0, eb1);
     const double brute = brute_edge_edge(x);
     const Vec2 at = edge_edge_parameters(ea0, ea1, eb0, eb1);
-    const Vec3 between =
-        (1 - at[0]) * ea0 + at[0] * ea1 - (1 - at[1]) * eb0 - at[1] * eb1;
+    const Vec3 between = (1 - at[0]) * ea0 + at[0] * ea1 - (1 - at[1]) * eb0 - at[1] * eb1;
     const Vec3 shortest = edge_edge_separation(ea0, ea1, eb0, eb1);
     ++seen[index(type)];
     const bool good = agrees(s, brute) && agrees(between.squaredNorm(), brute) &&
@@ -150,7 +151,7 @@ TEST_CASE("small gaps keep their relative accuracy", "[distance]") {
   RandomStencils random(22);
   for (int k = 0; k < 500; ++k) {
     const double gap = random.log_uniform(1e-9, 1e-3);
-    const double error = 1e-14 / gap;  // coordinates are rounded to 1e-16
+    const double error = 1e-14 / gap;                 // coordinates are rounded to 1e-16
     const double thin = random.log_uniform(1e-4, 1);  // sine of the angle in the span
     const Stencil x = random.above_triangle(gap, thin);
     const Vec3 r = point_triangle_separation(x.col(0), x.col(1), x.col(2), x.col(3));

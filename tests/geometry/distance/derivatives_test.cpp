@@ -6,13 +6,14 @@
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
-#include "random_stencils.hpp"
+#include "tests/geometry/distance/random_stencils.hpp"
 
 using namespace tack;
 
 namespace {
 
-// `f(x, 0)` is the value, `f(x, 1)` value and gradient, `f(x, 2)` with Hessian.
+// Value, value with gradient, and value with gradient and Hessian must agree with each other and
+// with the differences of step h.
 template <int V, typename Value, typename Gradient, typename Derivatives>
 void check(const Value& value, const Gradient& gradient, const Derivatives& derivatives,
            const Stencil& x, double h, double tolerance) {
@@ -48,8 +49,8 @@ void check_edge_edge(const Stencil& x, EdgeEdgeType type, double h, double toler
   using P = const Vec3&;
   check<4>(call([](P a, P b, P c, P d, T t) { return edge_edge_distance(a, b, c, d, t); }),
            call([](P a, P b, P c, P d, T t) { return edge_edge_gradient(a, b, c, d, t); }),
-           call([](P a, P b, P c, P d, T t) { return edge_edge_derivatives(a, b, c, d, t); }), x,
-           h, tolerance);
+           call([](P a, P b, P c, P d, T t) { return edge_edge_derivatives(a, b, c, d, t); }), x, h,
+           tolerance);
 }
 
 void check_point_edge(const Stencil& x, PointEdgeType type, double h, double tolerance) {
@@ -125,15 +126,19 @@ TEST_CASE("mollifier derivatives match central differences", "[distance]") {
   RandomStencils random(15);
   const double eps_x = 1e-3;
   const auto call = [eps_x](auto f) {
-    return [f, eps_x](const Stencil& y) { return f(y.col(0), y.col(1), y.col(2), y.col(3), eps_x); };
+    return
+        [f, eps_x](const Stencil& y) { return f(y.col(0), y.col(1), y.col(2), y.col(3), eps_x); };
   };
   using P = const Vec3&;
   for (int k = 0; k < 50; ++k) {
     const double angle = random.log_uniform(1e-3, 0.02);
-    check<4>(
-        call([](P a, P b, P c, P d, double e) { return edge_edge_mollifier(a, b, c, d, e); }),
-        call([](P a, P b, P c, P d, double e) { return edge_edge_mollifier_gradient(a, b, c, d, e); }),
-        call([](P a, P b, P c, P d, double e) { return edge_edge_mollifier_derivatives(a, b, c, d, e); }),
-        random.crossing(1e-2, angle), 1e-4 * angle, 1e-7);
+    check<4>(call([](P a, P b, P c, P d, double e) { return edge_edge_mollifier(a, b, c, d, e); }),
+             call([](P a, P b, P c, P d, double e) {
+               return edge_edge_mollifier_gradient(a, b, c, d, e);
+             }),
+             call([](P a, P b, P c, P d, double e) {
+               return edge_edge_mollifier_derivatives(a, b, c, d, e);
+             }),
+             random.crossing(1e-2, angle), 1e-4 * angle, 1e-7);
   }
 }

@@ -1,4 +1,5 @@
-// Random and nearly degenerate four-vertex stencils, and numerical derivatives, for the distance tests.
+// Random and nearly degenerate four-vertex stencils, and numerical derivatives, for the distance
+// tests.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -59,7 +60,8 @@ class RandomStencils {
   std::mt19937 generator_;
 };
 
-// d f / d x by five-point central differences of step h; f(Stencil) is a scalar or a fixed-size vector.
+// d f / d x by five-point central differences of step h; f(Stencil) is a scalar or a fixed-size
+// vector.
 template <int V, typename F>
 auto numerical_jacobian(const F& f, const Stencil& x, double h) {
   using Row = Eigen::Matrix<double, 3 * V, 1>;

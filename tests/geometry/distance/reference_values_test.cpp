@@ -2,7 +2,8 @@
 // independent implementation in double precision, and under "exact" of high-precision arithmetic.
 //
 // Tolerances, relative:
-//   squared distance and gradient against exact: 4e-15, that is 18 eps (plus the rounding of coordinates
+//   squared distance and gradient against exact: 4e-15, that is 18 eps (plus the rounding of
+//   coordinates
 //     of about 1, which shows where the exact distance is zero). For crossing edges the closest
 //     points are conditioned like 1 / sin(angle), so the gradient gets eps / sin(angle) on top;
 //   Hessian: the same against the exact norm; entry by entry against the independent
@@ -94,9 +95,8 @@ TEST_CASE("point-edge distances have their reference values", "[distance]") {
     const Vec3 p = point(record, "p"), e0 = point(record, "e0"), e1 = point(record, "e1");
     const PointEdgeType type = kPointEdge.at(record.at("type"));
     check(record, point_edge_derivatives(p, e0, e1, type), 1.0);
-    other += count_other_type(point_edge_type(p, e0, e1), type, [&](PointEdgeType t) {
-      return point_edge_distance(p, e0, e1, t);
-    });
+    other += count_other_type(point_edge_type(p, e0, e1), type,
+                              [&](PointEdgeType t) { return point_edge_distance(p, e0, e1, t); });
   }
   CHECK(other == 2);  // points exactly beside an end of the edge
 }

@@ -11,9 +11,10 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// Reads a file of that content in a fresh folder; its name must be in the message, and the libraries
-// behind the formats must print nothing.
-void check_refused(const std::string& name, const std::string& content, const std::string& message) {
+// Reads a file of that content in a fresh folder; its name must be in the message, and the
+// libraries behind the formats must print nothing.
+void check_refused(const std::string& name, const std::string& content,
+                   const std::string& message) {
   const TemporaryFolder folder;
   const auto path = folder.path() / name;
   std::ofstream(path, std::ios::binary) << content;
@@ -64,7 +65,7 @@ TEST_CASE("obj errors name the line", "[io]") {
   check_refused("a.obj", "v 0 0\n", "a.obj:1: a vertex needs three");
   check_refused("a.obj", "v 0 0 0\nv 1 0 zero\n", "a.obj:2: \"zero\" is no finite number");
   check_refused("a.obj", "v 0 0 nan\n", "no finite number");
-  check_refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "a.obj:4: refers to vertex 4 of 3");
+  check_refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", ":4: refers to vertex 4 of 3");
   check_refused("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "refers to vertex 0");
   check_refused("a.obj", "v 0 0 0\nv 1 0 0\nl 1 -3\n", "refers to vertex -3");
   check_refused("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "a.obj:3: a polygon of 2 vertices");
@@ -79,6 +80,9 @@ TEST_CASE("cut, wrong and out-of-range polygon files are refused", "[io]") {
                           "property float y\nproperty float z\nelement face 1\n"
                           "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n";
   check_refused("a.ply", ply, "not a valid .ply");
+  check_refused("a.ply", "ply\nformat ascii 1.0\nproperty float x\nend_header\n",
+                "belongs to no element");
+  check_refused("a.ply", "ply\nformat ascii 1.0\nelement vertex\nend_header\n", "no count");
   check_refused("a.ply", ply + "0 1 0\n3 0 1 3\n", "face 0 refers to vertex 3");
   check_refused("a.ply", ply + "0 1 0\n3 0 1 -1\n", "face 0 refers to vertex");
   check_refused("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n", "not a valid .off");
@@ -100,12 +104,20 @@ TEST_CASE("vtk, vtu and stl files that are cut or wrong are refused", "[io]") {
   const std::string vtk = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\n"
                           "POINTS 3 double\n0 0 0  1 0 0  0 1 ";
   check_refused("a.vtk", vtk, "not a valid file");
+  check_refused("a.vtk", vtk + "0\nCELLS 1 3\n3 0 1 2\n", "CELLS does not hold the 3 numbers");
+  check_refused("a.vtk", vtk + "0\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n10\n",
+                "has 3 vertices, but its kind has 4");
   check_refused("a.vtk", vtk + "nan\nCELLS 1 4\n3 0 1 2\nCELL_TYPES 1\n5\n", "not a valid file");
   check_refused("a.vtk", vtk + "0\nCELLS 1 4\n3 0 1 9\nCELL_TYPES 1\n5\n", "refers to vertex 9");
   check_refused("a.vtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">\n<Unstruct",
                 "not a valid file");
   check_refused("a.vtu", "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\"></VTKFile>\n", "");
   check_refused("a.stl", "solid x\n facet normal 0 0 1\n outer loop\n vertex 0 0\n", "");
+  const std::string polygons = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n"
+                               "POINTS 3 double\n0 0 0  1 0 0  0 1 0\nPOLYGONS 1 ";
+  check_refused("a.vtk", polygons + "4\n3 0 1", "POLYGONS does not hold the 4 numbers");
+  check_refused("a.vtk", polygons + "5\n3 0 1 2\n", "POLYGONS does not hold the 5 numbers");
+  check_refused("a.vtk", polygons + "4\n3 0 1 7\n", "cell 0 refers to vertex 7");
   std::string stl(134, '\0');  // header, number of triangles, one triangle of equal corners
   stl[80] = 1;
   check_refused("a.stl", stl, "no triangle found");
@@ -113,6 +125,7 @@ TEST_CASE("vtk, vtu and stl files that are cut or wrong are refused", "[io]") {
   for (int i : {96, 97}) stl[i] = '\x01';
   stl[98] = '\xff';
   check_refused("a.stl", stl, "coordinates have to be finite");
+  check_refused("a.stl", stl.substr(0, 100), "a binary .stl file of 1 triangles has 134");
 }
 
 TEST_CASE("gmsh files of other versions, scripts and cut files are refused", "[io]") {
@@ -121,13 +134,13 @@ TEST_CASE("gmsh files of other versions, scripts and cut files are refused", "[i
   check_refused("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n", "a.msh");
   check_refused("a.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n"
                          "$Elements\n1\n1 1 2 0 1 1 2\n$EndElements\n",
-                "a.msh");
+                "element 1 uses node 2, which is not defined");
 }
 
 TEST_CASE("a strongly concave polygon is refused, a concave quad is not", "[io]") {
   check_refused("a.obj",
-                "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nv 2 4 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4 5 6 7\n"
-                , "cut it into triangles");
+                "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 3 1 0\nv 2 4 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4 5 6 7\n",
+                "cut it into triangles");
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "dart.obj") << "v 0 0 0\nv 2 -1 0\nv 1 0 0\nv 2 1 0\nf 2 3 4 1\n";
   const Mesh dart = read_mesh(folder.path() / "dart.obj");

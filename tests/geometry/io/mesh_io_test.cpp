@@ -2,21 +2,26 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
 #include "geometry/mesh/validate.hpp"
 #include "tests/support/closed_surface.hpp"
+#include "tests/support/silence.hpp"
 
 using namespace tack;
 
 namespace {
 
-Mesh read(const std::string& name) {
-  return read_mesh(std::filesystem::path(TACK_TEST_DATA) / "meshes" / name);
+std::filesystem::path data(const std::string& name) {
+  return std::filesystem::path(TACK_TEST_DATA) / "meshes" / name;
 }
+
+Mesh read(const std::string& name) { return read_mesh(data(name)); }
 
 }  // namespace
 
@@ -106,6 +111,24 @@ TEST_CASE("msh 2.2 and 4.1, ascii and binary: elements and physical groups", "[i
     CHECK(mesh.tags.at("rod").size() == 2);
     CHECK(mesh.tags.at("7") == std::vector<int>{point});
   }
+}
+
+TEST_CASE("extensions may be written in capitals", "[io]") {
+  const TemporaryFolder folder;
+  for (const char* name : {"mixed.obj", "triangle_binary.ply", "quad.off", "tet_binary.stl",
+                           "mixed.vtk", "mixed.vtu", "two_tets_41_binary.msh"}) {
+    INFO(name);
+    std::string capitals = name;
+    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    std::filesystem::copy_file(data(name), folder.path() / capitals);
+    CHECK(read_mesh(folder.path() / capitals).vertices == read(name).vertices);
+  }
+}
+
+TEST_CASE("vertices without elements are a cloud of points", "[io]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path() / "cloud.obj") << "v 0 0 0\nv 1 0 0\n";
+  CHECK(read_mesh(folder.path() / "cloud.obj").points == std::vector<int>{0, 1});
 }
 
 TEST_CASE("reading and writing leave signal handlers alone", "[io]") {

@@ -43,7 +43,7 @@ TEST_CASE("meshes survive a round trip through every written format", "[io]") {
   append(solid, mixture());
   check_round_trip("a.vtu", solid);
   check_round_trip("a.msh", solid);
-  check_round_trip("a.MSH", mixture());
+  check_round_trip("a.msh", mixture());
   check_round_trip("a.vtu", mixture());
   check_round_trip("a.obj", mixture());
   check_round_trip("a.msh", point_grid(Vec3(1, 1, 1), {2, 2, 2}));
@@ -54,6 +54,7 @@ TEST_CASE("what cannot be written is refused", "[io]") {
   const Mesh solid = box_tets(Vec3(1, 1, 1), {1, 1, 1});
   CHECK_THROWS_WITH(write_mesh(folder.path() / "a.obj", solid), Catch::Contains("no tets"));
   CHECK_THROWS_WITH(write_mesh(folder.path() / "a.ply", solid), Catch::Contains("use .obj, .vtu"));
+  CHECK_THROWS_WITH(write_mesh(folder.path() / "a.MSH", solid), Catch::Contains("use .obj, .vtu"));
   for (const char* name : {"none/a.vtu", "none/a.msh", "none/a.obj"}) {
     INFO(name);
     const std::string printed = printed_by(

@@ -17,7 +17,7 @@ TEST_CASE("equal vertices merge in order of first use, also +0 and -0", "[mesh]"
   merge_duplicate_vertices(mesh);
   CHECK(mesh.vertices == std::vector<Vec3>{Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0),
                                            Vec3(1, 0, 1e-9)});
-  CHECK(mesh.triangles == std::vector<Triangle>{{0, 2, 1}, {0, 1, 3}});  // the collapsed one is gone
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 2, 1}, {0, 1, 3}});  // one collapsed
   CHECK(mesh.edges == std::vector<Edge>{{1, 3}});
   CHECK(mesh.points == std::vector<int>{1});
   CHECK(mesh.tags["group"] == std::vector<int>{0, 3});

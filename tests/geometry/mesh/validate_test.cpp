@@ -39,7 +39,8 @@ TEST_CASE("a valid mesh of all dimensions passes", "[mesh]") {
 
 TEST_CASE("each flaw of a mesh is named with the element and the remedy", "[mesh]") {
   check_refused([](Mesh& m) { m = Mesh(); }, "no element");
-  check_refused([](Mesh& m) { m.tets[0][1] = 10; }, "tet 0 (vertices 0 10 2 3) refers to vertex 10");
+  check_refused([](Mesh& m) { m.tets[0][1] = 10; },
+                "tet 0 (vertices 0 10 2 3) refers to vertex 10");
   check_refused([](Mesh& m) { m.edges[0][1] = -1; }, "edge 0 (vertices 7 -1) refers to vertex -1");
   check_refused([](Mesh& m) { m.points[0] = 99; }, "point 0 (vertices 99)");
   check_refused([](Mesh& m) { m.tags["all"] = {0, 12}; }, "group \"all\" refers to vertex 12");
@@ -49,10 +50,12 @@ TEST_CASE("each flaw of a mesh is named with the element and the remedy", "[mesh
                 "triangle 1 (vertices 4 5 4) uses a vertex twice");
   check_refused([](Mesh& m) { std::swap(m.tets[0][0], m.tets[0][1]); },
                 "inverted (volume -2 m^3): swap two");
-  check_refused([](Mesh& m) { m.vertices[3] = m.vertices[1] + m.vertices[2]; }, "tet 0 (vertices 0 1 2 3) is flat");
+  check_refused([](Mesh& m) { m.vertices[3] = m.vertices[1] + m.vertices[2]; },
+                "tet 0 (vertices 0 1 2 3) is flat");
   check_refused([](Mesh& m) { m.vertices[6] = 2 * m.vertices[5] - m.vertices[4]; },
                 "triangle 0 (vertices 4 5 6) has no area");
-  check_refused([](Mesh& m) { m.vertices[8] = m.vertices[7]; }, "edge 0 (vertices 7 8) has no length");
+  check_refused([](Mesh& m) { m.vertices[8] = m.vertices[7]; },
+                "edge 0 (vertices 7 8) has no length");
   check_refused([](Mesh& m) { m.points.clear(); m.tags.clear(); },
                 "vertex 9 belongs to no element (1 such vertices): remove");
 }

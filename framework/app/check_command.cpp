@@ -1,0 +1,52 @@
+// tack check: validates an experiment without running it: keys, meshes, pairs, the start, and the
+// derivatives of the whole incremental potential at the start.
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "framework/app/commands.hpp"
+#include "framework/app/derivative_check.hpp"
+#include "framework/output/recorder.hpp"
+#include "framework/scene/load_scene.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+namespace {
+
+void print_contents(const World& world) {
+  for (const Body& body : world.bodies)
+    fmt::print("object '{}': {} vertices, {} tets, {} surface triangles{}\n", body.name, body.vertex_count,
+               body.tets.size(), body.triangles.size(), body.movable ? "" : ", fixed");
+  fmt::print("unknowns: {}\n", world.dofs.size());
+  for (const AdhesionSummary& r : world.adhesion)
+    fmt::print("adhesion '{}' - '{}': peak {:.6g} Pa, work {:.6g} J/m^2, effective with the barrier "
+               "{:.6g} J/m^2, at rest {:.4g} m apart\n",
+               r.between[0], r.between[1], r.peak_traction, r.work_of_adhesion, r.effective, r.rest_gap);
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, int& exit_code) {
+  struct Options {
+    std::string file;
+    std::vector<std::string> overrides;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* check = app.add_subcommand("check", "Validate an experiment without running it");
+  check->add_option("file", options->file, "the experiment (YAML)")->required();
+  check->add_option("--set", options->overrides, "override a key: a.b=c (repeatable)");
+  check->callback([options, &exit_code] {
+    const LoadedScene scene = load_scene(options->file, options->overrides);
+    PhaseClock clock;
+    const auto world = build_world(scene.config, scene.root, clock);
+    prepare_probes(scene, *world);
+    print_contents(*world);
+    const DerivativeCheck derivatives = check_derivatives(*world, clock);
+    fmt::print("derivatives at the start: gradient off by {:.2e}, Hessian by {:.2e} (relative)\n",
+               derivatives.gradient_error, derivatives.hessian_error);
+    fmt::print("no intersection, no inverted tet: {} is fit to run\n", options->file);
+    exit_code = exit_done;
+  });
+}
+
+}  // namespace tack

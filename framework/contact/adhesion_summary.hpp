@@ -1,0 +1,21 @@
+// What the laws between two objects add up to, barrier and adhesion together.
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace tack {
+
+struct AdhesionSummary {
+  std::array<std::string, 2> between;
+  double work_of_adhesion = 0;  // of the adhesion alone [J/m^2]
+  double effective = 0;         // from the rest gap to infinity, against the barrier [J/m^2]
+  double rest_gap = 0;          // where the traction vanishes [m]
+  double peak_traction = 0;     // Pa
+
+  // The share of the work that the barrier takes; a warning is due above tolerated_loss.
+  double loss() const { return 1 - effective / work_of_adhesion; }
+  static constexpr double tolerated_loss = 0.1;
+};
+
+}  // namespace tack

@@ -1,0 +1,109 @@
+#include "framework/output/recorder.hpp"
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+FrameGeometry frame_geometry(const World& world) {
+  FrameGeometry g;
+  g.vertices = static_cast<int>(world.rest.size()) / 3;
+  std::vector<int> of_tets, of_triangles, of_edges, of_points;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    const int object = static_cast<int>(i);
+    g.tets.insert(g.tets.end(), body.tets.begin(), body.tets.end());
+    of_tets.insert(of_tets.end(), body.tets.size(), object);
+    if (body.tets.empty()) {
+      g.triangles.insert(g.triangles.end(), body.triangles.begin(), body.triangles.end());
+      of_triangles.insert(of_triangles.end(), body.triangles.size(), object);
+    }
+    g.edges.insert(g.edges.end(), body.edges.begin(), body.edges.end());
+    of_edges.insert(of_edges.end(), body.edges.size(), object);
+    g.points.insert(g.points.end(), body.points.begin(), body.points.end());
+    of_points.insert(of_points.end(), body.points.size(), object);
+  }
+  for (const auto* part : {&of_tets, &of_triangles, &of_edges, &of_points})
+    g.cell_object.insert(g.cell_object.end(), part->begin(), part->end());
+  return g;
+}
+
+}  // namespace
+
+std::vector<std::string> prepare_probes(const LoadedScene& scene, const World& world) {
+  std::vector<std::string> columns;
+  for (size_t i = 0; i < scene.config.probes.size(); ++i) {
+    try {
+      scene.config.probes[i]->prepare(world);
+    } catch (const InputError& error) {
+      throw InputError(place_of(scene.root, "probes", i) + error.what());
+    }
+    const auto more = scene.config.probes[i]->columns();
+    columns.insert(columns.end(), more.begin(), more.end());
+  }
+  auto with_time = columns;
+  with_time.insert(with_time.begin(), "time");
+  for (size_t i = 0; i < scene.config.expect.size(); ++i) {
+    try {
+      check_columns(scene.config.expect[i], with_time);
+    } catch (const InputError& error) {
+      throw InputError(place_of(scene.root, "expect", i) + error.what());
+    }
+  }
+  return columns;
+}
+
+Recorder::Recorder(const LoadedScene& scene, const World& world, const RunFolder& folder,
+                   const std::vector<std::string>& columns, PhaseClock& clock)
+    : scene_(scene.config), world_(world), folder_(folder), clock_(clock), steps_(folder.steps()),
+      probes_(folder.probes(), columns), pvd_(folder.pvd()), geometry_(frame_geometry(world)) {}
+
+void Recorder::start(const State& state) {
+  const PhaseScope scope(clock_, Phase::io);
+  if (world_.contact) world_.contact->move_to(state.x);
+  sample(state);
+  if (scene_.output.frames) write_frame(state);
+}
+
+void Recorder::step(const State& state, const StepReport& report) {
+  const PhaseScope scope(clock_, Phase::io);
+  steps_.add(report);
+  sample(state);
+  if (!scene_.output.frames) return;
+  const bool last = state.time >= scene_.time.duration - 1e-9 * scene_.time.step;
+  if (state.time >= next_frame_ - 1e-9 * scene_.time.step || last) write_frame(state);
+}
+
+void Recorder::sample(const State& state) {
+  std::vector<double> values;
+  for (const auto& probe : scene_.probes) {
+    const auto more = probe->sample(world_, state);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  probes_.add(state.time, values);
+}
+
+std::vector<PointField> Recorder::point_fields(const State& state) const {
+  std::vector<PointField> fields;
+  for (const std::string& name : scene_.output.frame_fields) {
+    if (name == "velocity") fields.push_back({name, 3, state.v, "m/s"});
+    if (name == "displacement") fields.push_back({name, 3, state.x - world_.rest, "m"});
+    if (name == "mass") fields.push_back({name, 1, world_.mass, "kg"});
+    if (!world_.contact_term) continue;
+    if (name == "contact_force")
+      fields.push_back({name, 3, world_.contact_term->forces(state.x, LawPart::all), "N"});
+    if (name == "adhesion_force")
+      fields.push_back({name, 3, world_.contact_term->forces(state.x, LawPart::adhesion), "N"});
+  }
+  return fields;
+}
+
+void Recorder::write_frame(const State& state) {
+  const auto file = RunFolder::frame(pvd_.frames());
+  write_vtu(folder_.root() / file, geometry_, state.x, state.time, point_fields(state));
+  pvd_.add(state.time, file);
+  while (next_frame_ <= state.time + 1e-9 * scene_.time.step && scene_.output.frame_interval > 0)
+    next_frame_ += scene_.output.frame_interval;
+}
+
+}  // namespace tack

@@ -1,0 +1,80 @@
+#include "framework/output/csv.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "geometry/errors.hpp"
+#include "tests/support/silence.hpp"
+
+using namespace tack;
+
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("a csv file is complete after each row") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.csv";
+  CsvFile file(path, {{"time", "a \"b\", c"}, {{0, 1}}});
+  CHECK(text_of(path) == "time,\"a \"\"b\"\", c\"\n0,1\n");
+  file.add(std::vector<double>{0.1, 12345678});
+  CHECK(text_of(path) == "time,\"a \"\"b\"\", c\"\n0,1\n0.1,12345678\n");
+}
+
+TEST_CASE("csv numbers read back as the same bits") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.csv";
+  const std::vector<double> row = {0.1 + 0.2, 1.0 / 3.0, 5e-324,       -1.7976931348623157e308,
+                                   infinity,  -infinity, std::nan(""), 1e16};
+  CsvFile file(path, {{"a", "b", "c", "d", "e", "f", "g", "h,\""}, {}});
+  file.add(row);
+  const CsvTable table = read_csv(path);
+  CHECK(table.columns.back() == "h,\"");
+  REQUIRE(table.rows.size() == 1);
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i == 6) {
+      CHECK(std::isnan(table.rows[0][i]));
+    } else {
+      CHECK(table.rows[0][i] == row[i]);
+    }
+  }
+  CHECK(table.column("c") == std::size_t(2));
+  CHECK_FALSE(table.column("none"));
+}
+
+TEST_CASE("an interrupted last line is left out, a broken line is an error") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.csv";
+  std::ofstream(path) << "time,a\r\n0,1\r\n1,2\n2,";
+  const CsvTable table = read_csv(path);
+  REQUIRE(table.rows.size() == 2);
+  CHECK(rows_until(table, 0.5).rows == std::vector<std::vector<double>>{{0, 1}});
+  CHECK(rows_until(table, 1).rows.size() == 2);
+  std::ofstream(path) << "time,a\n0,1\n1\n";
+  CHECK_THROWS_WITH(read_csv(path), Catch::StartsWith(path.string() + ":3: 1 cells"));
+  std::ofstream(path) << "time,a\n0,x\n";
+  CHECK_THROWS_WITH(read_csv(path), Catch::StartsWith(path.string() + ":2: 'x' is no number"));
+  std::ofstream(path) << "";
+  CHECK_THROWS_AS(read_csv(path), InputError);
+  CHECK_THROWS_AS(read_csv(folder.path() / "none.csv"), InputError);
+  CHECK_THROWS_AS(rows_until({{"a"}, {}}, 1), InputError);
+}
+
+TEST_CASE("a csv file names what is wrong") {
+  const TemporaryFolder folder;
+  const auto nowhere = folder.path() / "none" / "t.csv";
+  CHECK_THROWS_WITH(CsvFile(nowhere, {{"a"}, {}}),
+                    Catch::StartsWith(nowhere.string() + ": cannot be written"));
+  CHECK_THROWS_WITH(CsvFile(folder.path() / "t.csv", {{"b", "a", "b"}, {}}),
+                    Catch::Contains("two columns are called 'b'"));
+  CsvFile file(folder.path() / "t.csv", {{"a", "b"}, {}});
+  CHECK_THROWS_AS(file.add(std::vector<double>{1}), std::logic_error);
+}

@@ -1,0 +1,166 @@
+#include "framework/output/expectations.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/describe.hpp"
+#include "framework/config/parse.hpp"
+#include "geometry/errors.hpp"
+
+using namespace tack;
+
+namespace {
+
+Expectation expectation(const std::string& yaml) {
+  Expectation e;
+  bind(parse_string(yaml, "s.yaml"), e, "expect[0]");
+  return e;
+}
+
+std::string bind_error(const std::string& yaml) {
+  try {
+    expectation(yaml);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// The constant value as a series of the column p.
+ExpectationResult judged(const std::string& yaml, double value) {
+  return evaluate(expectation(yaml), {{"time", "p"}, {{0, value}, {1, value}}});
+}
+
+}  // namespace
+
+TEST_CASE("an expectation is read from a scene file") {
+  const Expectation e = expectation(
+      "{probe: force, statistic: at, along: gap, where: 0.5, over: [0, 100 ms], target: 12.5, "
+      "within: 4%}");
+  CHECK(e.query.probe == "force");
+  CHECK(e.query.statistic == Statistic::at);
+  CHECK(e.query.over == std::vector<double>{0, 0.1});
+  CHECK(e.where == 0.5);
+  CHECK(name_of(e) == "force: at gap = 0.5 from 0 s to 0.1 s");
+  CHECK(name_of(expectation("{name: n, probe: p, statistic: max, at_most: 1}")) == "n");
+  CHECK(name_of(expectation("{probe: p, statistic: integral, along: x, at_most: 1}")) ==
+        "p: integral along x");
+}
+
+TEST_CASE("the echo of an expectation binds to the same expectation") {
+  for (const char* yaml : {"{probe: p, statistic: mean, over: [1, 2], target: 3, within: 5 %}",
+                           "{probe: p, statistic: at, along: q, where: 0, at_least: 1e-3}"}) {
+    Expectation e = expectation(yaml);
+    const std::string echo = to_yaml(fields_of(e));
+    Expectation again = expectation(echo);
+    CHECK(to_yaml(fields_of(again)) == echo);
+  }
+}
+
+TEST_CASE("a target is met within an absolute or a relative tolerance, ends included") {
+  const std::string absolute = "{probe: p, statistic: max, target: 2, within: 0.5}";
+  CHECK(judged(absolute, 2.5).pass);
+  CHECK(judged(absolute, 1.5).pass);
+  CHECK_FALSE(judged(absolute, 2.51).pass);
+  CHECK_FALSE(judged(absolute, 1.49).pass);
+  const std::string relative = "{probe: p, statistic: min, target: -20, within: 5%}";
+  CHECK(judged(relative, -19).pass);
+  CHECK(judged(relative, -21).pass);
+  CHECK_FALSE(judged(relative, -18.9).pass);
+  const std::string exact = "{probe: p, statistic: final, target: 0.1, within: 0}";
+  CHECK(judged(exact, 0.1).pass);
+  CHECK_FALSE(judged(exact, 0.1 + 1e-17 * 4).pass);
+}
+
+TEST_CASE("the result of a target tells value, target, tolerance and interval") {
+  const ExpectationResult r =
+      judged("{name: pull, probe: p, statistic: max, target: 20, within: 10%}", 17);
+  CHECK(r.name == "pull");
+  CHECK(r.value == 17);
+  CHECK(r.target == 20);
+  CHECK(r.tolerance == Approx(2));
+  CHECK(r.at_least == Approx(18));
+  CHECK(r.at_most == Approx(22));
+  CHECK_FALSE(r.pass);
+  CHECK(r.text == "is 17, expected 20 within 2");
+}
+
+TEST_CASE("bounds may be open on one side") {
+  const std::string least = "{probe: p, statistic: max, at_least: 2}";
+  CHECK(judged(least, 2).pass);
+  CHECK(judged(least, 1e300).pass);
+  CHECK_FALSE(judged(least, 1.999).pass);
+  CHECK(judged(least, 1.5).text == "is 1.5, expected at least 2");
+  const std::string most = "{probe: p, statistic: max, at_most: 2}";
+  CHECK(judged(most, -5).pass);
+  CHECK_FALSE(judged(most, 2.001).pass);
+  CHECK(judged(most, 3).text == "is 3, expected at most 2");
+  const std::string both = "{probe: p, statistic: max, at_least: 1, at_most: 2}";
+  CHECK(judged(both, 1).pass);
+  CHECK_FALSE(judged(both, 2.5).pass);
+  CHECK_FALSE(judged(both, 0.5).pass);
+  CHECK(judged(both, 3).text == "is 3, expected from 1 to 2");
+  CHECK(std::isnan(judged(both, 1).target));
+  CHECK(std::isnan(judged(both, 1).tolerance));
+}
+
+TEST_CASE("nothing passes without a number to compare") {
+  const double nan_value = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::string least = "{probe: p, statistic: max, at_least: 2}";
+  CHECK_FALSE(judged(least, nan_value).pass);
+  CHECK_FALSE(judged(least, infinity).pass);
+  const ExpectationResult empty =
+      judged("{probe: p, statistic: max, over: [5, 6], at_most: 1e9}", 1);
+  CHECK_FALSE(empty.pass);
+  CHECK(std::isnan(empty.value));
+  CHECK(empty.text == "there are no samples, expected at most 1e+09");
+  CHECK_FALSE(
+      judged("{probe: p, statistic: at, along: time, where: 9, target: 1, within: 1}", 1).pass);
+}
+
+TEST_CASE("columns are checked before the run") {
+  const Expectation e = expectation("{probe: p, statistic: integral, along: gap, at_least: 0}");
+  CHECK_NOTHROW(check_columns(e, {"time", "p", "gap"}));
+  CHECK_THROWS_WITH(
+      check_columns(e, {"time", "p", "gaps"}),
+      "expectation 'p: integral along gap': unknown column 'gap'; did you mean 'gaps'? "
+      "(columns: time, p, gaps)");
+  CHECK_THROWS_AS(check_columns(e, {"time", "gap"}), InputError);
+}
+
+TEST_CASE("an expectation must say in one way what is accepted") {
+  const auto with = [](const std::string& rest) {
+    return bind_error("{probe: p, statistic: max" + rest + "}");
+  };
+  CHECK_THAT(with(""), Catch::EndsWith("needs target with within, or at_least or at_most"));
+  CHECK_THAT(with(", target: 1"), Catch::EndsWith("target needs within, such as 5% or 0.01"));
+  CHECK_THAT(with(", within: 1, at_most: 2"), Catch::EndsWith("within needs a target"));
+  CHECK_THAT(with(", target: 1, within: 1, at_most: 2"), Catch::EndsWith("not both"));
+  CHECK_THAT(with(", at_least: 3, at_most: 2"), Catch::EndsWith("at_least is above at_most"));
+  CHECK_THAT(with(", target: 1 N, within: 1"),
+             Catch::EndsWith("expects a number, got '1 N', which is a force"));
+  CHECK_THAT(with(", target: 1, within: -5%"), Catch::EndsWith("'-5%' must not be negative"));
+  CHECK_THAT(with(", target: 0, within: 5%"), Catch::Contains("a target of 0 is nothing"));
+  CHECK_THAT(with(", target: 1, within: close"), Catch::Contains("expects a number, got 'close'"));
+  CHECK_THAT(with(", target: 1, within: [1, 2]"), Catch::Contains("got a list of 2"));
+}
+
+TEST_CASE("an expectation refuses what its statistic does not use") {
+  CHECK_THAT(bind_error("{probe: p, at_most: 1}"), Catch::Contains("missing key 'statistic'"));
+  CHECK_THAT(bind_error("{statistic: max, at_most: 1}"), Catch::Contains("missing key 'probe'"));
+  CHECK_THAT(bind_error("{probe: p, statistic: at, at_most: 1}"),
+             Catch::Contains("statistic 'at' needs where"));
+  CHECK_THAT(bind_error("{probe: p, statistic: max, where: 1, at_most: 1}"),
+             Catch::Contains("only statistic 'at' uses it"));
+  CHECK_THAT(bind_error("{probe: p, statistic: max, along: gap, at_most: 1}"),
+             Catch::Contains("only the statistics 'integral' and 'at'"));
+  CHECK_THAT(bind_error("{probe: p, statistic: max, over: [1], at_most: 1}"),
+             Catch::Contains("[t0, t1]"));
+  CHECK_THAT(bind_error("{probe: p, statistic: max, over: [2, 1], at_most: 1}"),
+             Catch::Contains("t0 not above t1"));
+  CHECK_THAT(bind_error("{probe: p, statistic: meen, at_most: 1}"),
+             Catch::Contains("did you mean 'mean'"));
+}

@@ -1,0 +1,162 @@
+#include "framework/output/summary.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "geometry/errors.hpp"
+#include "tests/support/silence.hpp"
+
+using namespace tack;
+
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+RunSummary filled() {
+  RunSummary s;
+  s.name = "tape \"x\"";
+  s.version = "1.2.3";
+  s.commit = "abc";
+  s.status = RunStatus::expectation_failed;
+  s.error = "why";
+  s.threads = 2;
+  s.dofs = 300;
+  s.wall_seconds = 0.1 + 0.2;
+  s.phases[static_cast<int>(Phase::assembly)] = 3;
+  s.phases[static_cast<int>(Phase::solve)] = 1;
+  s.inverted_tets = 4;
+  s.adhesion = {{{"tape", "desk"}, 0.5, 0.4, 1e-4, 1e3}};
+  s.expect = {{"a", 1, 2, 0.5, 1.5, 2.5, false, "is 1, expected 2 within 0.5"},
+              {"b", nan_value, nan_value, nan_value, -infinity, 3, false, "no samples"}};
+  return s;
+}
+
+nlohmann::json written(const RunSummary& summary) {
+  const TemporaryFolder folder;
+  write_summary(folder.path() / "summary.json", summary);
+  return nlohmann::json::parse(std::ifstream(folder.path() / "summary.json"));
+}
+
+StepReport report(bool converged, int contacts, double distance) {
+  StepReport r;
+  r.converged = converged;
+  r.halvings = 2;
+  r.solve = {MinimizerStatus::converged, 3, 4, 5, 0.1};
+  r.contacts = contacts;
+  r.min_distance = distance;
+  r.broad_phase_builds = 1;
+  r.intersections = 1;
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("summary.json holds the run") {
+  const nlohmann::json json = written(filled());
+  CHECK(json["name"] == "tape \"x\"");
+  CHECK(json["version"] == "1.2.3");
+  CHECK(json["commit"] == "abc");
+  CHECK(json["status"] == "expectation failed");
+  CHECK(json["error"] == "why");
+  CHECK(json["threads"] == 2);
+  CHECK(json["dofs"] == 300);
+  CHECK(json["wall_seconds"].get<double>() == 0.1 + 0.2);
+  CHECK(json["phases"].size() == std::size_t(phase_count));
+  CHECK(json["phases"]["assembly"] == 3.0);
+  CHECK(json["phases"]["line_search"] == 0.0);
+  CHECK(json["inverted_tets"] == 4);
+  const nlohmann::json adhesion = {{"between", {"tape", "desk"}},
+                                   {"work_of_adhesion", 0.5},
+                                   {"effective", 0.4},
+                                   {"rest_gap", 1e-4},
+                                   {"peak_traction", 1e3}};
+  CHECK(json["adhesion"] == nlohmann::json::array({adhesion}));
+}
+
+TEST_CASE("summary.json has exactly the documented keys") {
+  const nlohmann::json json = written({});
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "error",
+                                         "expect", "failed_solves", "intersections",
+                                         "inverted_tets", "max_contacts", "min_distance", "name",
+                                         "phases", "status", "steps", "threads", "totals",
+                                         "version", "wall_seconds"});
+  CHECK(json["expect"] == nlohmann::json::array());
+  CHECK(json["min_distance"].is_null());  // nothing was ever near
+}
+
+TEST_CASE("summary.json holds the expectations, without a number as null") {
+  const nlohmann::json expect = written(filled())["expect"];
+  REQUIRE(expect.size() == 2);
+  CHECK(expect[0] == nlohmann::json({{"name", "a"},
+                                     {"value", 1.0},
+                                     {"target", 2.0},
+                                     {"tolerance", 0.5},
+                                     {"at_least", 1.5},
+                                     {"at_most", 2.5},
+                                     {"pass", false},
+                                     {"text", "is 1, expected 2 within 0.5"}}));
+  CHECK(expect[1]["value"].is_null());
+  CHECK(expect[1]["target"].is_null());
+  CHECK(expect[1]["at_least"].is_null());
+  CHECK(expect[1]["at_most"] == 3.0);
+}
+
+TEST_CASE("a summary counts the steps in") {
+  RunSummary s;
+  s.add(report(true, 5, 0.2));
+  s.add(report(false, 9, infinity));
+  s.add(report(true, 7, 0.1));
+  const nlohmann::json json = written(s);
+  CHECK(json["steps"] == 3);
+  CHECK(json["converged_steps"] == 2);
+  CHECK(json["failed_solves"] == 6);
+  CHECK(json["totals"] == nlohmann::json({{"newton_iterations", 9},
+                                          {"linear_solves", 12},
+                                          {"line_search_evaluations", 15},
+                                          {"broad_phase_builds", 3}}));
+  CHECK(json["max_contacts"] == 9);
+  CHECK(json["min_distance"] == 0.1);
+  CHECK(json["intersections"] == 3);
+}
+
+TEST_CASE("every status has its words") {
+  CHECK(to_string(RunStatus::done) == "done");
+  CHECK(to_string(RunStatus::expectation_failed) == "expectation failed");
+  CHECK(to_string(RunStatus::simulation_failed) == "simulation failed");
+  CHECK(to_string(RunStatus::interrupted) == "interrupted");
+}
+
+TEST_CASE("text that is not UTF-8 does not cost the summary") {
+  RunSummary s;
+  s.error = "bad \xff byte";
+  CHECK(written(s)["error"] == "bad \xEF\xBF\xBD byte");
+}
+
+TEST_CASE("a summary that cannot be written is an error") {
+  CHECK_THROWS_AS(write_summary("/nonexistent/summary.json", {}), InputError);
+}
+
+TEST_CASE("the phase table shows shares, longest first") {
+  CHECK(phase_table(filled()) ==
+        "phase            seconds      %\n"
+        "assembly           3.000   75.0  ##############################\n"
+        "solve              1.000   25.0  ##########\n"
+        "total              4.000\n");
+  CHECK(phase_table({}) ==
+        "phase            seconds      %\n"
+        "total              0.000\n");
+}
+
+TEST_CASE("the table of expectations") {
+  std::vector<ExpectationResult> results = filled().expect;
+  results[0].name = "longer";
+  results[0].pass = true;
+  CHECK(expect_table(results) ==
+        "pass  longer  is 1, expected 2 within 0.5\n"
+        "FAIL  b       no samples\n");
+  CHECK(expect_table({}) == "");
+}
