@@ -13,7 +13,7 @@ if(TACK_SANITIZE)
 endif()
 
 # What nearly every file includes, parsed once per target.
-set(TACK_PRECOMPILED <Eigen/Core> <Eigen/Geometry> <Eigen/LU> <fmt/format.h> <tbb/parallel_for.h> <algorithm> <array> <cmath>
+set(TACK_PRECOMPILED <Eigen/Core> <Eigen/LU> <fmt/format.h> <tbb/parallel_for.h> <algorithm> <array> <cmath>
     <functional> <map> <memory> <optional> <string> <vector>)
 
 # Parsing, describing and writing are not worth the optimiser's time.
