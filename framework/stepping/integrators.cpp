@@ -45,7 +45,6 @@ class Newmark : public TimeIntegrator {
     a = 4 / (h * h) * (x - old.x - h * old.v) - old.a;
     v = old.v + h / 2 * (old.a + a);
   }
-  bool needs_acceleration() const override { return true; }
 };
 
 class QuasiStatic : public TimeIntegrator {

@@ -20,8 +20,6 @@ class TimeIntegrator : public Component {
   virtual Prediction predict(const State& state, double h) const = 0;
   // Velocities and accelerations from the new positions; time and history are the caller's.
   virtual void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const = 0;
-  // Whether the accelerations at the start matter.
-  virtual bool needs_acceleration() const { return false; }
 };
 
 }  // namespace tack

@@ -34,6 +34,7 @@ class TimeStepper {
     VecX x;
   };
   Attempt solve(double h);
+  VecX first_guess(double h);
   std::string verdict(const Attempt& attempt, int& intersections);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
   void apply_loads(double t);

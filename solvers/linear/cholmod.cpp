@@ -2,7 +2,7 @@
 // of 3x3 blocks, nine times smaller than the matrix: the best of AMD and METIS by predicted
 // operations. It is kept while the pattern changes little (contacts coming and going); the symbolic
 // analysis is redone only when the pattern does change.
-#include <cblas.h>
+#include <omp.h>
 
 #include <memory>
 
@@ -58,6 +58,8 @@ class Cholmod : public LinearSolver {
  private:
   void configure() {
     openblas_set_num_threads(blas_threads_);
+    // CHOLMOD's own OpenMP loops ask for four threads and spin: twice as slow as none.
+    omp_set_max_active_levels(0);
     common_->print = 0;
     common_->supernodal = supernodal_ ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
     common_->final_ll = 1;
