@@ -32,17 +32,14 @@ struct ContactSet {
   }
 };
 
-// What the narrow phase knows for the whole run.
+// What contact knows of the surfaces for the whole run.
 struct ContactSurface {
   CollisionMesh mesh;
   std::vector<double> vertex_area;  // per global vertex [m^2]
   std::vector<double> edge_area;    // per edge of the mesh [m^2]
-  VecX rest;                        // rest configuration, for the mollifier
+  std::vector<char> closed;         // per object: its surface encloses a volume
+  VecX rest;                        // rest configuration
 };
-
-// Finds the stencils closer than their law's range among the candidates.
-void find_contacts(const ContactSurface& surface, const PairTable& pairs,
-                   const Candidates& candidates, const VecX& x, ContactSet& contacts);
 
 // The smallest distance among the candidates [m]; infinity without candidates.
 double smallest_distance(const CollisionMesh& mesh, const Candidates& candidates, const VecX& x);

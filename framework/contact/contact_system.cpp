@@ -15,17 +15,25 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPair
     : surface_(std::move(surface)), pairs_(std::move(pairs)), filter_(filter), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
+  narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_);
+}
+
+void ContactSystem::begin_step(const VecX& x) {
+  cover(x, VecX());
+  const PhaseScope scope(clock_, Phase::narrow_phase);
+  narrow_phase_->begin_step(candidates(), x);
 }
 
 void ContactSystem::move_to(const VecX& x) {
   cover(x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
-  find_contacts(surface_, pairs_, candidates(), x, contacts_);
+  narrow_phase_->find(candidates(), x, contacts_);
 }
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  broad_phase_->update(x, p, range_, skin_in_ranges * range_);
+  if (broad_phase_->update(x, p, range_, skin_in_ranges * range_))
+    narrow_phase_->set_candidates(candidates(), x);
 }
 
 double ContactSystem::smallest_distance(const VecX& x) const {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "framework/contact/contact_set.hpp"
+#include "framework/contact/narrow_phase.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
@@ -14,6 +14,8 @@ class ContactSystem {
  public:
   ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter, PhaseClock& clock);
 
+  // Starts a time step at x: areas are taken there and held.
+  void begin_step(const VecX& x);
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x);
   // Makes sure that the candidates hold every pair that may touch on the way from x to x + p.
@@ -35,6 +37,7 @@ class ContactSystem {
   PhaseClock& clock_;
   double range_ = 0;  // the largest of all laws [m]
   std::unique_ptr<BroadPhase> broad_phase_;
+  std::unique_ptr<NarrowPhase> narrow_phase_;
   ContactSet contacts_;
 };
 

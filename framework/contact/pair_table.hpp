@@ -22,6 +22,7 @@ struct PairRole {
   int law = -1;       // index into the laws; -1: no interaction
   double share = 0;   // factor on the area of the point (or edge pair)
   double range = 0;   // of the law [m]
+  bool facing = false;  // of the point's area, only what faces the other surface counts
 };
 
 class PairTable {

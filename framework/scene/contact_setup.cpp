@@ -178,11 +178,11 @@ class PairBuilder {
 
   void set_roles(int a, int b, int config, const std::vector<SurfaceSize>& sizes) {
     const LawIds ids = laws_of(a, b, config);
-    const PairRole whole{ids.pressure, 1, table_.laws()[ids.pressure].range()};
-    const PairRole half{ids.pressure, 0.5, whole.range};
-    const PairRole guard{ids.guard, 1, table_.laws()[ids.guard].range()};
+    const PairRole whole{ids.pressure, 1, table_.laws()[ids.pressure].range(), !table_.plain_sums};
+    const PairRole half{ids.pressure, 0.5, whole.range, true};
+    const PairRole guard{ids.guard, 1, table_.laws()[ids.guard].range(), false};
     // An edge pair's area is half the mean of its two edges' (they count the surface twice).
-    table_.set_edge(a, b, {ids.guard, 0.25, guard.range});
+    table_.set_edge(a, b, {ids.guard, 0.25, guard.range, false});
     const std::string& side = config >= 0 ? contact_.pairs[config].integrate : std::string("finer");
     if (table_.plain_sums) {
       table_.point(a, b) = table_.point(b, a) = whole;
@@ -215,6 +215,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   for (size_t i = 0; i < world.bodies.size(); ++i)
     sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, surface));
   surface.rest = world.rest;
+  for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty());
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
     surface.mesh.vertex_movable[v] = world.dofs.block(v) >= 0;

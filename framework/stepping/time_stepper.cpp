@@ -89,6 +89,7 @@ VecX TimeStepper::first_guess(double h) {
 TimeStepper::Attempt TimeStepper::solve(double h) {
   const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
   inertia_ = prediction.inertia;
+  if (world_.contact) world_.contact->begin_step(state_.x);
   apply_loads(state_.time + h);
   potential_.begin_step(state_.x, prediction.x, prediction.scale, prediction.inertia);
   const MinimizerProblem problem{
