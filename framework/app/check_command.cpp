@@ -6,6 +6,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/derivative_check.hpp"
+#include "framework/app/scene_options.hpp"
 #include "framework/output/recorder.hpp"
 #include "framework/scene/load_scene.hpp"
 #include "framework/scene/world.hpp"
@@ -27,15 +28,11 @@ void print_contents(const World& world) {
 }  // namespace
 
 void add_check_command(CLI::App& app, int& exit_code) {
-  struct Options {
-    std::string file;
-    std::vector<std::string> overrides;
-  };
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SceneOptions>();
   CLI::App* check = app.add_subcommand("check", "Validate an experiment without running it");
-  check->add_option("file", options->file, "the experiment (YAML)")->required();
-  check->add_option("--set", options->overrides, "override a key: a.b=c (repeatable)");
+  add_scene_options(*check, *options);
   check->callback([options, &exit_code] {
+    settle(*options);
     const LoadedScene scene = load_scene(options->file, options->overrides);
     PhaseClock clock;
     const auto world = build_world(scene.config, scene.root, clock);

@@ -53,7 +53,7 @@ std::filesystem::path root_of(const ExperimentOptions& options, const SceneConfi
 class Run {
  public:
   Run(const ExperimentOptions& options, int threads)
-      : options_(options), scene_(load_scene(options.file, options.overrides)),
+      : options_(options), scene_(load_scene(options.scene.file, options.scene.overrides)),
         world_(build_world(scene_.config, scene_.root, clock_)),
         columns_(prepare_probes(scene_, *world_)),
         folder_(RunFolder::create(root_of(options, scene_.config))),

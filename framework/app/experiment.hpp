@@ -3,14 +3,14 @@
 
 #include <cstdio>
 #include <string>
-#include <vector>
+
+#include "framework/app/scene_options.hpp"
 
 namespace tack {
 
 struct ExperimentOptions {
-  std::string file;
+  SceneOptions scene;
   std::string output;  // empty: results/<name>
-  std::vector<std::string> overrides;
   int steps = 0;    // 0: to the end
   int threads = 0;  // 0: all cores
   bool quiet = false, verbose = false;

@@ -16,15 +16,14 @@ extern "C" void request_interrupt(int) { interrupt_requested = true; }
 void add_run_command(CLI::App& app, int& exit_code) {
   auto options = std::make_shared<ExperimentOptions>();
   CLI::App* run = app.add_subcommand("run", "Simulate an experiment");
-  run->add_option("file", options->file, "the experiment (YAML)")->required();
+  add_scene_options(*run, options->scene);
   run->add_option("-o,--output", options->output, "results folder (default: results/NAME)");
-  run->add_option("--set", options->overrides, "override a key: a.b=c (repeatable)")
-      ->take_all()->allow_extra_args(true);
   run->add_option("--steps", options->steps, "stop after this many steps")->check(CLI::PositiveNumber);
   run->add_option("--threads", options->threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
   run->add_flag("-q,--quiet", options->quiet, "print errors only");
   run->add_flag("-v,--verbose", options->verbose, "print a line for every step");
   run->callback([options, &exit_code] {
+    settle(options->scene);
     std::signal(SIGINT, request_interrupt);
     std::signal(SIGTERM, request_interrupt);
     exit_code = run_experiment(*options);

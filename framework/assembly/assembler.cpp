@@ -96,11 +96,21 @@ double Assembler::largest_stencil_force() const {
   return largest;
 }
 
+// The pattern's static keys are those of the static map and the diagonals.
+void Assembler::locate_static_blocks() {
+  static_positions_.resize(static_.hessian_map.targets());
+  size_t k = 0;
+  for (size_t t = 0; t < static_positions_.size(); ++t) {
+    while (pattern_->static_keys()[k] != static_.hessian_map.target[t]) ++k;
+    static_positions_[t] = pattern_->static_positions()[k];
+  }
+}
+
 void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const VecX& block_mass,
                          VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, true);
-  pattern_->cover(dynamic_.hessian_map.target, matrix);
+  if (pattern_->cover(dynamic_.hessian_map.target, matrix)) locate_static_blocks();
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
   for (int b = 0; b < dofs_.block_count(); ++b)
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
@@ -109,15 +119,8 @@ void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const Ve
     group->evaluate(x, filter, true);
     group->gather_gradient(scale, gradient);
   }
-  // The pattern's static keys are those of the static map plus diagonals: find each once.
-  std::vector<int> positions(static_.hessian_map.targets());
-  size_t k = 0;
-  for (size_t t = 0; t < positions.size(); ++t) {
-    while (pattern_->static_keys()[k] != static_.hessian_map.target[t]) ++k;
-    positions[t] = pattern_->static_positions()[k];
-  }
-  static_.gather_hessian(scale, positions, matrix);
-  positions.resize(dynamic_.hessian_map.targets());
+  static_.gather_hessian(scale, static_positions_, matrix);
+  std::vector<int> positions(dynamic_.hessian_map.targets());
   for (size_t t = 0; t < positions.size(); ++t) {
     const BlockKey key = dynamic_.hessian_map.target[t];
     positions[t] = matrix.find(key_row(key), key_column(key));

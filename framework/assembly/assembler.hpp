@@ -39,6 +39,7 @@ class Assembler {
     void gather_hessian(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
   };
 
+  void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;
 
   const DofMap& dofs_;
@@ -46,6 +47,7 @@ class Assembler {
   std::vector<const Term*> terms_;
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
+  std::vector<int> static_positions_;  // in the matrix, of the static map's targets
 };
 
 }  // namespace tack

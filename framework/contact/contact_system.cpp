@@ -6,7 +6,7 @@ namespace tack {
 namespace {
 
 // The skin, in ranges: how far vertices may move before candidates are searched anew.
-constexpr double skin_in_ranges = 1.0;
+constexpr double skin_in_ranges = 0.5;
 
 }  // namespace
 
@@ -14,6 +14,9 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPair
                              PhaseClock& clock)
     : surface_(std::move(surface)), pairs_(std::move(pairs)), filter_(filter), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
+  for (int a = 0; a < pairs_.objects(); ++a)
+    for (int b = a; b < pairs_.objects(); ++b)
+      edge_range_ = std::max(edge_range_, pairs_.edge(a, b).range);
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
   narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_);
 }
@@ -32,7 +35,7 @@ void ContactSystem::move_to(const VecX& x) {
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  if (broad_phase_->update(x, p, range_, skin_in_ranges * range_))
+  if (broad_phase_->update(x, p, range_, edge_range_, skin_in_ranges * range_))
     narrow_phase_->set_candidates(candidates(), x);
 }
 

@@ -35,7 +35,8 @@ class ContactSystem {
   PairTable pairs_;
   ObjectPairFilter filter_;
   PhaseClock& clock_;
-  double range_ = 0;  // the largest of all laws [m]
+  double range_ = 0;       // the largest of all laws [m]
+  double edge_range_ = 0;  // the largest of those between edges [m]
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   ContactSet contacts_;

@@ -115,8 +115,10 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs,
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
     if (role.law < 0) continue;
-    const double s = edge_edge_distance(vertex(x, a[0]), vertex(x, a[1]), vertex(x, b[0]), vertex(x, b[1]));
-    if (!(s < role.range * role.range)) continue;
+    const Vec3 a0 = vertex(x, a[0]), a1 = vertex(x, a[1]), b0 = vertex(x, b[0]), b1 = vertex(x, b[1]);
+    const Vec3 gap = (a0.cwiseMin(a1) - b0.cwiseMax(b1)).cwiseMax(b0.cwiseMin(b1) - a0.cwiseMax(a1));
+    if (gap.maxCoeff() >= role.range) continue;  // their boxes are too far apart already
+    if (!(edge_edge_distance(a0, a1, b0, b1) < role.range * role.range)) continue;
     const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
   }

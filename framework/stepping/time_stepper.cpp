@@ -142,7 +142,6 @@ StepReport TimeStepper::report(const MinimizerResult& result, double h, int halv
     r.contacts = static_cast<int>(world_.contact->contacts().size());
     r.candidates = static_cast<int>(world_.contact->candidates().size());
     r.min_distance = world_.contact->smallest_distance(state_.x);
-    r.broad_phase_builds = world_.contact->broad_phase_builds();
   }
   r.energies = energies_by_term(world_, state_);
   return r;
@@ -151,6 +150,7 @@ StepReport TimeStepper::report(const MinimizerResult& result, double h, int halv
 StepReport TimeStepper::advance() {
   const auto started = std::chrono::steady_clock::now();
   const PhaseClock::Seconds before = clock_.seconds();
+  const int builds_before = world_.contact ? world_.contact->broad_phase_builds() : 0;
   const double whole = scene_.time.step;
   int halvings = 0;
   for (;; ++halvings) {
@@ -172,6 +172,7 @@ StepReport TimeStepper::advance() {
         h_ = whole;
       }
       StepReport r = report(attempt.result, h, halvings);
+      if (world_.contact) r.broad_phase_builds = world_.contact->broad_phase_builds() - builds_before;
       const PhaseClock::Seconds& after = clock_.seconds();
       for (int i = 0; i < phase_count; ++i) r.phases[i] = after[i] - before[i];
       r.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

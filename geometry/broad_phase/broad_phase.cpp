@@ -51,19 +51,21 @@ void check_finite(const VecX& values, const char* name) {
 BroadPhase::BroadPhase(const CollisionMesh& mesh, ObjectPairFilter filter)
     : mesh_(mesh), finder_(mesh, std::move(filter)) {}
 
-bool BroadPhase::update(const VecX& x, const VecX& p, double range, double skin) {
+bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_range,
+                        double skin) {
   check(x, p, range, skin);
   const auto moved_inside = [&](int v) {
     return safe_boxes_[v].contains(vertex(x, v) + vertex(p, v));
   };
-  if (range <= range_ && covers(x) && (p.size() == 0 || all_of(mesh_.vertices, moved_inside)))
+  if (range <= range_ && edge_range <= edge_range_ && covers(x) && (p.size() == 0 || all_of(mesh_.vertices, moved_inside)))
     return false;
 
   const double reach = largest(x) + largest(p) + range + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
   set_safe_boxes(x, p, 0.5 * skin + rounding);
-  finder_.find(safe_boxes_, 0.5 * range + rounding, candidates_);
+  finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
   range_ = range;
+  edge_range_ = edge_range;
   ++builds_;
   return true;
 }

@@ -25,7 +25,11 @@ class BroadPhase {
   // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty
   // (zero). range, skin: [m], >= 0. Returns true if rebuilt. Throws InputError for wrong sizes or a
   // negative range or skin, SimulationError if a coordinate is not finite.
-  bool update(const VecX& x, const VecX& p, double range, double skin);
+  bool update(const VecX& x, const VecX& p, double range, double skin) {
+    return update(x, p, range, range, skin);
+  }
+  // Pairs of edges are only wanted within edge_range <= range.
+  bool update(const VecX& x, const VecX& p, double range, double edge_range, double skin);
 
   // Whether every surface vertex lies inside its safe box; false before the first build.
   bool covers(const VecX& x) const;
@@ -42,7 +46,7 @@ class BroadPhase {
   CandidateFinder finder_;
   std::vector<Aabb> safe_boxes_;  // by global vertex; empty boxes for interior vertices
   Candidates candidates_;
-  double range_ = 0.0;
+  double range_ = 0.0, edge_range_ = 0.0;
   int builds_ = 0;
 };
 

@@ -44,9 +44,10 @@ CandidateFinder::CandidateFinder(const CollisionMesh& mesh, ObjectPairFilter fil
 }
 
 void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflation,
-                           Candidates& candidates) {
+                           double edge_inflation, Candidates& candidates) {
   const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation), ...); };
-  refresh(points_, codim_points_, edges_, codim_edges_, triangles_);
+  refresh(points_, codim_points_, codim_edges_, triangles_);
+  edges_.refresh_tree(vertex_boxes, edge_inflation);
   overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, filter_},
                 candidates.point_triangle);
   overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, filter_}, candidates.edge_edge);

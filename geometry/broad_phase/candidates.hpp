@@ -35,7 +35,8 @@ class CandidateFinder {
 
   // All pairs whose boxes overlap: a primitive's box is the union of its vertices' boxes (by global
   // id; finite and not empty for surface vertices), inflated [m].
-  void find(const std::vector<Aabb>& vertex_boxes, double inflation, Candidates& candidates);
+  void find(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
+            Candidates& candidates);
 
  private:
   ObjectPairFilter filter_;

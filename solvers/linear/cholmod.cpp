@@ -48,9 +48,8 @@ class Cholmod : public LinearSolver {
     right.x = const_cast<double*>(b.data());
     right.xtype = CHOLMOD_REAL;
     right.dtype = CHOLMOD_DOUBLE;
-    cholmod_dense* left = cholmod_solve(CHOLMOD_A, factor_.get(), &right, common_.get());
-    x = Eigen::Map<const VecX>(static_cast<const double*>(left->x), b.size());
-    cholmod_free_dense(&left, common_.get());
+    work_.solve(factor_.get(), &right, common_.get());
+    x = Eigen::Map<const VecX>(static_cast<const double*>(work_.solution->x), b.size());
   }
 
   int analyses() const override { return analyses_; }
@@ -114,6 +113,7 @@ class Cholmod : public LinearSolver {
   int blas_threads_ = 1;
 
   CholmodSession common_;
+  SolveWork work_{common_.get()};
   ScalarCsc csc_;
   std::vector<int> permutation_;
   FactorPtr factor_;

@@ -27,6 +27,22 @@ struct FactorDeleter {
 };
 using FactorPtr = std::unique_ptr<cholmod_factor, FactorDeleter>;
 
+// Memory that solves reuse.
+struct SolveWork {
+  explicit SolveWork(cholmod_common* session) : common(session) {}
+  ~SolveWork() {
+    for (cholmod_dense** dense : {&solution, &y, &e}) cholmod_free_dense(dense, common);
+  }
+  SolveWork(const SolveWork&) = delete;
+  SolveWork& operator=(const SolveWork&) = delete;
+  void solve(cholmod_factor* factor, cholmod_dense* right, cholmod_common* session) {
+    cholmod_solve2(CHOLMOD_A, factor, right, nullptr, &solution, nullptr, &y, &e, session);
+  }
+
+  cholmod_common* common;
+  cholmod_dense *solution = nullptr, *y = nullptr, *e = nullptr;
+};
+
 // A view of lower compressed columns as a CHOLMOD matrix; the arrays stay the caller's.
 inline cholmod_sparse lower_view(int n, std::vector<int>& column_start, std::vector<int>& row,
                                  double* values) {

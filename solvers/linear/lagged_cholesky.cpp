@@ -6,6 +6,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
+#include "framework/core/symmetric_product.hpp"
 
 namespace tack {
 
@@ -65,7 +66,7 @@ class LaggedCholesky : public LinearSolver {
       }
       {
         const PhaseScope scope(clock, Phase::solve);
-        matrix_->multiply(direction_, product_);
+        operator_.multiply(*matrix_, direction_, product_);
       }
       const double curvature = direction_.dot(product_);
       if (!(curvature > 0)) return false;
@@ -81,13 +82,14 @@ class LaggedCholesky : public LinearSolver {
   }
 
   std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("cholmod");
-  double tolerance_ = 1e-3;
-  int max_iterations_ = 12;
+  double tolerance_ = 0.01;
+  int max_iterations_ = 16;
 
   const BlockMatrix* matrix_ = nullptr;
   int size_ = 0;        // of the factor; 0: there is none
   bool fresh_ = false;  // the factor is that of matrix_
   bool stale_ = false;  // the last solve took so long that the next deserves a new factor
+  SymmetricProduct operator_;
   VecX residual_, z_, direction_, product_;
 };
 

@@ -96,7 +96,7 @@ class ProjectedNewton : public Minimizer {
   }
 
   SpdFilter filter_ = SpdFilter::clamp;
-  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("cholmod");
+  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
 };
 

@@ -1,0 +1,16 @@
+// Benchmarks of every phase of a run. `./tack bench` runs them; docs/performance.md tells how the
+// figures are taken. What loops over registered components is added after the static initialisers.
+#include <benchmark/benchmark.h>
+
+#include "tests/bench/registered.hpp"
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  tack::bench::add_solid_energies();
+  tack::bench::add_scalar_laws();
+  tack::bench::add_linear_solvers();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+  return 0;
+}

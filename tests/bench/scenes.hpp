@@ -1,0 +1,46 @@
+// The scenes that benchmarks measure. Build one per benchmark, outside the timed loop.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "framework/core/incremental_potential.hpp"
+#include "framework/scene/load_scene.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack::bench {
+
+// A world and what it refers to; stays where it is made.
+struct Scene {
+  PhaseClock clock;
+  LoadedScene loaded;
+  std::unique_ptr<World> world;
+};
+
+enum class Laws { barrier, barrier_and_adhesion };
+
+// Two open sheets of 100x100 vertices, 1 m, diagonals alternating; the upper one 0.25 mm above the
+// lower one and turned by 7 degrees in its plane. dhat_b = dhat_p = 1 mm, dhat_a = 2 mm. No elastic
+// energy, contact only. weights: "area" or "pair".
+std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws);
+
+// experiments/stack/two_blocks.yaml, without frames. `linear`: the linear solver; "" for the scene's.
+std::unique_ptr<Scene> two_blocks(const std::string& linear = "");
+
+// The potential of all terms of a scene, at rest: one step of 0.01 s about to start.
+class StepPotential {
+ public:
+  explicit StepPotential(Scene& scene);
+  IncrementalPotential& operator*() { return potential_; }
+  IncrementalPotential* operator->() { return &potential_; }
+  void move_to(const VecX& x);
+
+ private:
+  World& world_;
+  IncrementalPotential potential_;
+};
+
+// A repeatable displacement of n vertices, uniform in a cube of the given half width [m].
+VecX random_motion(Eigen::Index vertices, double half_width);
+
+}  // namespace tack::bench

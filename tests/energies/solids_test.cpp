@@ -1,0 +1,165 @@
+// Every energy that can act on a body of tets, whatever energies exist.
+#include <catch2/catch.hpp>
+
+#include "framework/scene/energy.hpp"
+#include "tests/support/component_variants.hpp"
+#include "tests/support/dense_term.hpp"
+#include "tests/support/tet_body.hpp"
+
+using namespace tack;
+
+namespace {
+
+const TetBody& box() {
+  static const TetBody b(Vec3(0.1, 0.07, 0.05), {2, 1, 1});
+  return b;
+}
+
+// The tested terms, made once: all energies but those that say that a tet body lacks what they need.
+struct NamedTerm {
+  std::string yaml;
+  std::unique_ptr<Term> term;
+};
+const std::vector<NamedTerm>& terms() {
+  static const std::vector<NamedTerm> all = [] {
+    std::vector<NamedTerm> made;
+    for (const Variant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"poisson", "-0.2"}}})) {
+      try {
+        made.push_back({v.yaml, component<Energy>(v.yaml)->make_term(box().body, box().rest)});
+      } catch (const InputError&) {
+        // needs triangles, edges or points of its own
+      }
+    }
+    return made;
+  }();
+  return all;
+}
+
+template <class Check>
+void for_each_term(const Check& check) {
+  REQUIRE(terms().size() >= 3);
+  for (const auto& [yaml, term] : terms()) {
+    INFO(yaml);
+    check(*term);
+  }
+}
+
+// Stretches to test, equal and nearly equal ones among them.
+const std::vector<Vec3> stretches = {
+    {1, 1, 1},          {1.3, 1.3, 1.3}, {1.5, 1.5, 0.7},       {0.6, 1.2, 0.6},
+    {3, 0.6, 0.8},      {0.3, 0.4, 5},   {1.2, 1.2 + 1e-9, 0.9}, {0.8, 0.8 + 1.5e-6, 0.8 + 4e-6},
+    {0.15, 0.2, 0.25},  {0.9, 1.05, 1.1}};
+
+// check(x) on homogeneous deformations and on disturbed ones.
+template <class Check>
+void for_each_deformation(const Check& check) {
+  RandomMotions random(3);
+  for (const Vec3& s : stretches) {
+    INFO("stretches " << s.transpose());
+    const Mat3 f = random.rotation() * s.asDiagonal() * random.rotation().transpose();
+    check(box().deformed(f));
+    check(box().deformed(Mat3(s.asDiagonal())));
+    const double noise = 0.003 * s.minCoeff();
+    check(box().deformed(f) + noise * random.vectors(box().rest.size()));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("solids: gradient and Hessian are those of the value", "[solids]") {
+  for_each_term([](const Term& term) {
+    for_each_deformation([&](const VecX& x) {
+      const VecX gradient = dense_gradient(term, x);
+      const MatX hessian = dense_hessian(term, x, SpdFilter::none);
+      const double stiffness = hessian.cwiseAbs().maxCoeff(), step = 2e-5 * 0.1;
+      const VecX slopes = gradient_by_differences([&](const VecX& y) { return term.value(y); }, x, step);
+      const MatX curvatures =
+          hessian_by_differences([&](const VecX& y) { return dense_gradient(term, y); }, x, step);
+      const double rounding = 1e-14 * std::abs(term.value(x)) / step;
+      REQUIRE((slopes - gradient).lpNorm<Eigen::Infinity>() <= 1e-5 * stiffness * step + rounding);
+      REQUIRE((curvatures - hessian).cwiseAbs().maxCoeff() <= 1e-6 * stiffness);
+    });
+  });
+}
+
+TEST_CASE("solids: filtered Hessians are positive semi-definite", "[solids]") {
+  for_each_term([](const Term& term) {
+    bool filtered_something = false;
+    for_each_deformation([&](const VecX& x) {
+      const MatX exact = dense_hessian(term, x, SpdFilter::none);
+      const MatX clamped = dense_hessian(term, x, SpdFilter::clamp);
+      const MatX absolute = dense_hessian(term, x, SpdFilter::absolute);
+      const double tiny = 1e-12 * exact.cwiseAbs().maxCoeff();
+      for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute})
+        for_each_stencil_hessian(term, x, filter, [&](const MatX& h, const int*) {
+          REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.cwiseAbs().maxCoeff());
+        });
+      REQUIRE(smallest_eigenvalue(clamped - exact) >= -10 * tiny);  // only negative parts are lifted
+      REQUIRE(smallest_eigenvalue(absolute - clamped) >= -10 * tiny);
+      filtered_something = filtered_something || (clamped - exact).norm() > 1e6 * tiny;
+    });
+    CHECK(filtered_something);  // or the deformations above are too tame
+    const MatX rest = dense_hessian(term, box().rest, SpdFilter::none);
+    CHECK((dense_hessian(term, box().rest, SpdFilter::clamp) - rest).norm() <= 1e-12 * rest.norm());
+  });
+}
+
+TEST_CASE("solids: rigid motions cost nothing", "[solids]") {
+  RandomMotions random(4);
+  for_each_term([&](const Term& term) {
+    for_each_deformation([&](const VecX& x) {
+      VecX moved(x.size());
+      const Mat3 rotation = random.rotation();
+      const Vec3 offset = random.vector();
+      for (int v = 0; v < box().body.vertex_count; ++v) vertex(moved, v) = rotation * vertex(x, v) + offset;
+      const double scale = std::abs(term.value(x)) + 35;  // J: Young's modulus times volume
+      CHECK(std::abs(term.value(moved) - term.value(x)) <= 1e-12 * scale);
+    });
+  });
+}
+
+TEST_CASE("solids: at rest there is no energy and no force", "[solids]") {
+  for_each_term([](const Term& term) {
+    const double stiffness = dense_hessian(term, box().rest, SpdFilter::none).cwiseAbs().maxCoeff();
+    CHECK(dense_gradient(term, box().rest).lpNorm<Eigen::Infinity>() <= 1e-14 * stiffness);
+    CHECK(std::abs(term.value(box().rest)) <= 1e-15 * stiffness);
+    for_each_deformation([&](const VecX& x) { CHECK(term.value(x) >= -1e-15 * stiffness); });
+  });
+}
+
+TEST_CASE("solids: internal forces and their moments add up to zero", "[solids]") {
+  for_each_term([](const Term& term) {
+    for_each_deformation([&](const VecX& x) {
+      const VecX force = -dense_gradient(term, x);
+      const double scale = force.cwiseAbs().sum() + 1e-6;
+      CHECK(total(force).norm() <= 1e-13 * scale);
+      CHECK(total_moment(x, force).norm() <= 1e-13 * scale);
+    });
+  });
+}
+
+TEST_CASE("solids: lumped masses add up to density times volume", "[solids]") {
+  for (const Variant& v : variants<Energy>()) {
+    const auto energy = component<Energy>(v.yaml);
+    VecX mass = VecX::Zero(box().body.vertex_count);
+    const Fields fields = Registry<Energy>::kind().prototype(v.type);
+    const Field* density = fields.find("density");
+    if (!density) continue;  // an energy without mass
+    INFO(v.yaml);
+    energy->add_mass(box().body, box().rest, mass);
+    CHECK(mass.minCoeff() > 0);
+    CHECK(mass.sum() == Approx(std::stod(density->write().text) * box().volume));
+  }
+}
+
+TEST_CASE("solids refuse bodies without tets and with inverted ones", "[solids]") {
+  Body empty;
+  empty.name = "sheet";
+  TetBody flipped = box();
+  std::swap(flipped.body.tets[3][0], flipped.body.tets[3][1]);
+  for (const std::string name : {"neo_hookean", "fixed_corotated", "stvk_hencky"}) {
+    const auto energy = component<Energy>("{type: " + name + ", young: 1e5}");
+    CHECK_THROWS_WITH(energy->make_term(empty, VecX()), Catch::Contains("sheet"));
+    CHECK_THROWS_WITH(energy->make_term(flipped.body, flipped.rest), Catch::Contains("tet 3"));
+  }
+}

@@ -1,0 +1,120 @@
+// Bad input ends with 2 before anything is written; the message names the place and the remedy.
+#include <catch2/catch.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* inverted_tet = R"(# vtk DataFile Version 3.0
+one tet inside out
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+0 1 0  1 1 0  0 2 0  0 1 1
+CELLS 1 5
+4 0 2 1 3
+CELL_TYPES 1
+10
+)";
+
+struct Mistake {
+  const char* what;
+  const char* part;   // of the tiny scene
+  const char* wrong;  // what stands there instead
+  std::vector<const char*> told;
+};
+
+const char* const cube = "shape: {type: box, size: [0.2, 0.2, 0.2]}";
+const char* const strain = "critical_strain: 0.001";
+
+const std::vector<Mistake> mistakes = {
+    {"unknown key", "young: 1 MPa", "yong: 1 MPa",
+     {"scene.yaml:12:36: unknown key 'yong' in energy 'neo_hookean'", "did you mean 'young'?"}},
+    {"duplicate key", "name: tiny", "name: tiny\nname: tiny", {"scene.yaml:2:1: duplicate key 'name'", "keep one"}},
+    {"unknown component", "neo_hookean", "neo_hokean",
+     {"scene.yaml:12:23: ", "unknown energy 'neo_hokean'", "did you mean 'neo_hookean'?"}},
+    {"wrong unit", "young: 1 MPa", "young: 1 mm",
+     {"scene.yaml:12:43: young: expects a pressure (Pa), got '1 mm', which is a length"}},
+    {"missing mesh", cube, "shape: {type: file, path: nowhere.msh}",
+     {"scene.yaml:9:5: ", "nowhere.msh: there is no such mesh file: check the path"}},
+    {"inverted tet", cube, "shape: {type: file, path: inverted.vtk}",
+     {"scene.yaml:9:5: object 'block': tet 0 (vertices 0 2 1 3) is inverted", "swap two of its vertices"}},
+    {"intersecting start", "0.1006", "0.09",
+     {"scene.yaml:9:5: the start intersects; move the objects apart (place.translate)",
+      "of 'floor' meets triangle (", "of 'block'"}},
+    {"range below the given peak", strain, "critical_strain: 0.001, peak_distance: 2 mm, range: 1.5 mm",
+     {"scene.yaml:17:82: range: must be larger than peak_distance: raise range or lower peak_distance"}},
+    {"range below the default peak", strain, "critical_strain: 0.001, range: 0.9 mm",
+     {"scene.yaml:16:7: adhesion fang: range", "must be larger than peak_distance 0.001 m; raise range"}},
+    {"peak where the barrier acts", strain, "critical_strain: 0.001, peak_distance: 0.5 mm",
+     {"scene.yaml:16:7: adhesion fang: peak_distance 0.0005 m is below the contact distance 0.001 m",
+      "lower contact.distance"}},
+    {"negative density", "density: 1000", "density: -1000",
+     {"scene.yaml:12:73: density: -1000 kg/m^3 must be positive"}},
+    {"unknown object in a pair", "between: [block, floor]", "between: [blok, floor]",
+     {"scene.yaml:16:7: no object is named 'blok'; did you mean 'block'?"}},
+    {"unknown column", "{probe: height,", "{probe: heigth,",
+     {"scene.yaml:22:5: ", "unknown column 'heigth'; did you mean 'height'?"}},
+    {"unknown group", "motion: [fixed]", "motion: [{type: fixed, select: {type: tag, name: wall}}]",
+     {"scene.yaml:5:3: ", "object 'floor' has no group 'wall'"}},
+    {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
+};
+
+}  // namespace
+
+TEST_CASE("a mistake in a scene is told with its place and remedy, and nothing is written") {
+  for (const Mistake& mistake : mistakes) {
+    INFO(mistake.what);
+    const TemporaryFolder folder;
+    const fs::path older = folder.path() / "results" / "tiny";
+    fs::create_directories(older);
+    write_file(older / ".tack_run", "");
+    write_file(older / "summary.json", "of an earlier run");
+    write_file(folder.path() / "inverted.vtk", inverted_tet);
+    write_file(folder.path() / "scene.yaml", tiny_scene_with(mistake.part, mistake.wrong));
+
+    const ProgramResult result = run_tack(folder.path(), {"run", "scene.yaml"});
+    CHECK(result.exit_code == 2);
+    CHECK(result.out == "");
+    INFO(result.err);
+    CHECK(result.err.starts_with("error: "));
+    for (const char* told : mistake.told) CHECK(contains(result.err, told));
+    CHECK(file_text(older / "summary.json") == "of an earlier run");
+    const auto entries = fs::directory_iterator(folder.path() / "results");
+    CHECK(std::distance(begin(entries), end(entries)) == 1);
+  }
+}
+
+TEST_CASE("a wrong command line ends with 2 and says what is expected") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", tiny_scene);
+  const auto error_of = [&](const Arguments& arguments) {
+    const ProgramResult result = run_tack(folder.path(), arguments);
+    CHECK(result.exit_code == 2);
+    return result.err;
+  };
+  CHECK(contains(error_of({"run"}), "file is required"));
+  CHECK(contains(error_of({"run", "nowhere.yaml"}), "nowhere.yaml"));
+  CHECK(contains(error_of({"run", "scene.yaml", "--stepz", "2"}), "--stepz"));
+  CHECK(contains(error_of({"run", "scene.yaml", "--steps", "0"}), "--steps"));
+  CHECK(contains(error_of({"run", "scene.yaml", "--set", "time.stepp=1"}),
+                 "--set time.stepp=1: unknown key 'stepp'"));
+  CHECK(contains(error_of({"list", "adhesoin"}), "did you mean 'adhesion'?"));
+  CHECK(contains(error_of({"mesh", "info", "nowhere.msh"}), "nowhere.msh"));
+  CHECK_FALSE(fs::exists(folder.path() / "results"));
+}
+
+TEST_CASE("results do not go where something else lies") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", tiny_scene);
+  fs::create_directories(folder.path() / "thesis");
+  write_file(folder.path() / "thesis" / "chapter", "1");
+  const ProgramResult result = run_tack(folder.path(), {"run", "scene.yaml", "-o", "thesis"});
+  CHECK(result.exit_code == 2);
+  CHECK(contains(result.err, "choose another results folder with -o"));
+  CHECK(file_text(folder.path() / "thesis" / "chapter") == "1");
+}

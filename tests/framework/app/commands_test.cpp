@@ -1,0 +1,58 @@
+// The other commands, and what is generated from the program.
+#include <catch2/catch.hpp>
+
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+TEST_CASE("the committed reference page and schema are those of the program") {
+  const TemporaryFolder folder;
+  const fs::path docs = fs::path(TACK_SOURCE_DIR) / "docs";
+  REQUIRE(run_tack(folder.path(), {"list", "--reference", "page.md", "--schema", "schema.json"}).exit_code == 0);
+  INFO("regenerate: ./tack list --reference docs/reference.md --schema docs/scene.schema.json");
+  CHECK((file_text(folder.path() / "page.md") == file_text(docs / "reference.md")));
+  CHECK((file_text(folder.path() / "schema.json") == file_text(docs / "scene.schema.json")));
+}
+
+TEST_CASE("tack check validates without running") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", tiny_scene);
+  const ProgramResult good = run_tack(folder.path(), {"check", "scene.yaml"});
+  CHECK(good.exit_code == 0);
+  CHECK(contains(good.out, "unknowns: 24"));
+  CHECK(contains(good.out, "is fit to run"));
+  CHECK_FALSE(fs::exists(folder.path() / "results"));
+  const ProgramResult bad =
+      run_tack(folder.path(), {"check", "scene.yaml", "--set", "objects.block.place.translate=[0, 0, 0]"});
+  CHECK(bad.exit_code == 2);
+  CHECK(contains(bad.err, "the start intersects"));
+}
+
+TEST_CASE("tack list names kinds, components and their parameters") {
+  const TemporaryFolder folder;
+  CHECK(contains(run_tack(folder.path(), {"list"}).out, "adhesion "));
+  CHECK(contains(run_tack(folder.path(), {"list", "adhesion"}).out, "fang "));
+  const std::string fang = run_tack(folder.path(), {"list", "adhesion", "fang"}).out;
+  CHECK(contains(fang, "file: energies/adhesion/fang.cpp"));
+  CHECK(contains(fang, "critical_strain"));
+}
+
+TEST_CASE("tack mesh info tells what a file holds") {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      run_tack(folder.path(), {"mesh", "info", TACK_TEST_DATA "/meshes/two_tets_41_ascii.msh"});
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "vertices 7, tets 2"));
+}
+
+TEST_CASE("help and version end with 0") {
+  const TemporaryFolder folder;
+  CHECK(contains(run_tack(folder.path(), {"--version"}).out, "."));
+  CHECK(run_tack(folder.path(), {"--version"}).exit_code == 0);
+  const ProgramResult help = run_tack(folder.path(), {"--help"});
+  CHECK(help.exit_code == 0);
+  for (const char* command : {"run", "check", "list", "mesh", "tack test"})
+    CHECK(contains(help.out, command));
+}

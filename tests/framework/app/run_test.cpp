@@ -1,0 +1,181 @@
+// tack run from the command line: exit codes, options, and what remains of a run.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "framework/output/csv.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Place {
+  explicit Place(const std::string& scene = tiny_scene) { write_file(folder.path() / "scene.yaml", scene); }
+  ProgramResult run(Arguments options) const {
+    options.insert(options.begin(), {"run", "scene.yaml"});
+    return run_tack(folder.path(), options);
+  }
+  fs::path path(const std::string& name) const { return folder.path() / name; }
+  nlohmann::json summary(const std::string& results = "results/tiny") const {
+    return nlohmann::json::parse(file_text(path(results) / "summary.json"));
+  }
+  CsvTable table(const std::string& name) const { return read_csv(path(name)); }
+
+  TemporaryFolder folder;
+};
+
+// Falls freely for two steps, then hits the floor.
+const std::string fall =
+    tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
+const Arguments hard = {"--set", "objects.block.place.translate=[0, 0.125, 0]", "--set",
+                        "solver.max_iterations=1", "--set", "time.max_halvings=0"};
+
+}  // namespace
+
+TEST_CASE("a run whose expectations hold ends with 0 and leaves what is documented") {
+  const Place place;
+  const ProgramResult result = place.run({});
+  INFO(result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(contains(result.out, "pass  height: min"));
+  CHECK(contains(result.out, "done: 5 steps"));
+  CHECK(result.err == "");
+  for (const char* name : {"scene.yaml", "run.pvd", "steps.csv", "probes.csv", "summary.json", "log.txt",
+                           "frames/frame_000005.vtu"})
+    CHECK(fs::is_regular_file(place.path("results/tiny") / name));
+  const auto summary = place.summary();
+  CHECK(summary["status"] == "done");
+  CHECK(summary["steps"] == 5);
+  CHECK(summary["converged_steps"] == 5);
+  CHECK(summary["dofs"] == 24);
+  CHECK(summary["intersections"] == 0);
+  CHECK(summary["expect"].size() == 1);
+  CHECK(summary["expect"][0]["pass"] == true);
+}
+
+TEST_CASE("steps.csv has the documented columns and no step touches") {
+  const Place place;
+  REQUIRE(place.run({"-q"}).exit_code == 0);
+  const CsvTable steps = place.table("results/tiny/steps.csv");
+  const std::vector<std::string> columns = {
+      "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves",
+      "line_search_evaluations", "contacts", "candidates", "min_distance", "energy_kinetic",
+      "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "residual",
+      "converged", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_filter",
+      "seconds_factorize", "seconds_solve", "seconds_broad_phase", "seconds_narrow_phase", "seconds_ccd",
+      "seconds_line_search", "seconds_check", "seconds_io"};
+  CHECK(steps.columns == columns);
+  REQUIRE(steps.rows.size() == 5);
+  for (const auto& row : steps.rows) {
+    CHECK(row[9] > 0);                 // min_distance
+    CHECK(row[9] < 1e-3);              // the block stays within reach of the floor
+    CHECK(row[16] == 1);               // converged
+  }
+}
+
+TEST_CASE("a failed expectation ends with 1, after everything is written") {
+  const Place place(tiny_scene_with("at_least: 0.09", "at_least: 0.11"));
+  const ProgramResult result = place.run({});
+  CHECK(result.exit_code == 1);
+  CHECK(contains(result.out, "FAIL  height: min"));
+  CHECK(place.summary()["status"] == "expectation failed");
+  CHECK(place.summary()["expect"][0]["pass"] == false);
+  CHECK(place.table("results/tiny/probes.csv").rows.size() == 6);
+}
+
+TEST_CASE("a simulation that cannot go on ends with 3 and keeps what was written before") {
+  const Place place(fall);
+  const ProgramResult result = place.run(hard);
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 3);
+  CHECK(contains(result.out, "raise solver.max_iterations"));
+  const auto summary = place.summary();
+  CHECK(summary["status"] == "simulation failed");
+  CHECK(contains(summary["error"], "iteration limit reached"));
+  CHECK(summary["expect"].empty());
+  const size_t steps = summary["steps"];
+  REQUIRE(steps > 0);
+  CHECK(place.table("results/tiny/steps.csv").rows.size() == steps);
+  CHECK(place.table("results/tiny/probes.csv").rows.size() == steps + 1);
+}
+
+TEST_CASE("the same scene goes on when failed steps may be halved") {
+  const Place place(fall);
+  Arguments options = hard;
+  options.back() = "time.max_halvings=8";
+  options.insert(options.end(), {"--set", "solver.max_iterations=4"});
+  const ProgramResult result = place.run(options);
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(contains(result.out, "rolled back, h halved"));
+  CHECK(place.summary()["failed_solves"] > 0);
+  const CsvTable steps = place.table("results/tiny/steps.csv");
+  CHECK(steps.rows.size() > 5);
+  CHECK(steps.rows.back()[1] == Approx(0.05));  // time
+}
+
+TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
+  const Place place;
+  Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
+  const fs::path steps = place.path("results/tiny/steps.csv");
+  for (int i = 0; i < 20000 && file_text(steps).find("\n3,") == std::string::npos; ++i) ::usleep(1000);
+  program.interrupt();
+  const ProgramResult result = program.wait();
+  REQUIRE(result.exit_code == 130);
+  CHECK(contains(result.out, "interrupted: "));
+  const auto summary = place.summary();
+  CHECK(summary["status"] == "interrupted");
+  CHECK(summary["expect"].empty());
+  const size_t done = summary["steps"];
+  CHECK(done >= 3);
+  CHECK(read_csv(steps).rows.size() == done);
+}
+
+TEST_CASE("--steps stops early without judging the expectations") {
+  const Place place(tiny_scene_with("at_least: 0.09", "at_least: 0.11"));
+  CHECK(place.run({"--steps", "2"}).exit_code == 0);
+  CHECK(place.summary()["steps"] == 2);
+  CHECK(place.summary()["expect"].empty());
+}
+
+TEST_CASE("--set replaces values, wherever it stands, and the resolved scene shows them") {
+  const Place place;
+  const Arguments set = {"--set", "time.step=5 ms", "--set", "objects.block.energies.0.young=2 MPa"};
+  REQUIRE(place.run(set).exit_code == 0);
+  CHECK(place.summary()["steps"] == 10);
+  CHECK(contains(file_text(place.path("results/tiny/scene.yaml")), "young: 2000000  # Pa"));
+
+  const Arguments before = {"run", "--set", "time.step=5 ms", "scene.yaml", "-o", "before"};
+  REQUIRE(run_tack(place.folder.path(), before).exit_code == 0);
+  CHECK(place.summary("before")["steps"] == 10);
+}
+
+TEST_CASE("the resolved scene is a scene that gives the same run") {
+  const Place place;
+  REQUIRE(place.run({"-q", "-o", "first"}).exit_code == 0);
+  REQUIRE(run_tack(place.folder.path(), {"run", "first/scene.yaml", "-q", "-o", "second"}).exit_code == 0);
+  CHECK(file_text(place.path("second/probes.csv")) == file_text(place.path("first/probes.csv")));
+  CHECK(file_text(place.path("second/scene.yaml")) == file_text(place.path("first/scene.yaml")));
+}
+
+TEST_CASE("-q prints nothing, -v every step, and the log has every step anyway") {
+  const Place place;
+  const ProgramResult quiet = place.run({"-q", "-o", "quiet"});
+  CHECK(quiet.exit_code == 0);
+  CHECK(quiet.out == "");
+  CHECK(quiet.err == "");
+  CHECK(contains(file_text(place.path("quiet/log.txt")), "step 4  t 0.04 s"));
+  CHECK(contains(place.run({"-v", "-o", "verbose"}).out, "step 4  t 0.04 s"));
+}
+
+TEST_CASE("an earlier run is moved aside") {
+  const Place place;
+  REQUIRE(place.run({"-q", "--steps", "1"}).exit_code == 0);
+  const ProgramResult again = place.run({"--steps", "2"});
+  REQUIRE(again.exit_code == 0);
+  CHECK(contains(again.out, "results/tiny.1"));
+  CHECK(place.summary("results/tiny.1")["steps"] == 1);
+  CHECK(place.summary()["steps"] == 2);
+}

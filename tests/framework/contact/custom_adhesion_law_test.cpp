@@ -1,0 +1,100 @@
+// An adhesion law is one file: tests/support/smooth_adhesion.cpp is all that makes `type: smooth` known
+// to scenes, listings, the schema and the reference page.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "framework/config/describe.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/scene/load_scene.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+
+namespace {
+
+const std::string fang = "{type: fang, critical_strain: 0.001}";
+constexpr const char* smooth = "{type: smooth, strength: 2 kPa, range: 4 mm}";
+
+LoadedScene scene_with(const std::string& adhesion) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", tiny_scene_with(fang, adhesion));
+  return load_scene((folder.path() / "scene.yaml").string(), {});
+}
+
+std::unique_ptr<World> world_of(const LoadedScene& scene) {
+  PhaseClock clock;
+  return build_world(scene.config, scene.root, clock);
+}
+
+std::unique_ptr<NormalLaw> prepared_law() {
+  auto law = scene_with(smooth).config.contact->pairs[0].adhesion->clone();
+  law->prepare({.contact_distance = 1e-3});
+  return law;
+}
+
+}  // namespace
+
+TEST_CASE("the law's file fits on a page and stands in the README word for word") {
+  const std::string file = file_text(TACK_SOURCE_DIR "/tests/support/smooth_adhesion.cpp");
+  CHECK(std::count(file.begin(), file.end(), '\n') <= 40);
+  CHECK(contains(file_text(TACK_SOURCE_DIR "/README.md"), "```cpp\n" + file + "```\n"));
+}
+
+TEST_CASE("a law is listed, documented and in the schema because it exists") {
+  CHECK(contains(list_kind("adhesion"), "smooth"));
+  CHECK(contains(list_component("adhesion", "smooth"), "file: tests/support/smooth_adhesion.cpp"));
+  const std::string page = reference_page(prototype<SceneConfig>(), "Scene");
+  CHECK(contains(page, "### adhesion `smooth`"));
+  CHECK(contains(page, "| `strength` |"));
+  CHECK(contains(json_schema(prototype<SceneConfig>(), "scene").dump(), "\"smooth\""));
+}
+
+TEST_CASE("a scene that names the law gets it") {
+  const LoadedScene scene = scene_with(smooth);
+  const auto world = world_of(scene);
+  REQUIRE(world->adhesion.size() == 1);
+  CHECK(world->adhesion[0].peak_traction == 2000);
+  CHECK(world->adhesion[0].work_of_adhesion == Approx(2000 * 4e-3 * 0.582309));
+  CHECK(world->adhesion[0].effective < world->adhesion[0].work_of_adhesion);
+}
+
+TEST_CASE("the law's value, slope and curvature agree and vanish at its range") {
+  const auto law = prepared_law();
+  for (const double d : {1e-5, 5e-4, 1e-3, 4e-3 / std::sqrt(5.0), 2.5e-3, 3.9e-3}) {
+    const double h = 1e-7;
+    const LawSample at = law->at(d), below = law->at(d - h), above = law->at(d + h);
+    CHECK(at.slope == Approx((above.value - below.value) / (2 * h)).epsilon(1e-5));
+    CHECK(at.curvature == Approx((above.slope - below.slope) / (2 * h)).epsilon(1e-5).margin(1));
+  }
+  const LawSample end = law->at(4e-3 * (1 - 1e-9)), beyond = law->at(4e-3);
+  CHECK(std::abs(end.value) < 1e-20);
+  CHECK(std::abs(end.slope) < 1e-10);
+  CHECK(std::abs(end.curvature) < 0.1);  // of up to 4e6 Pa/m
+  CHECK(beyond.value == 0);
+  CHECK(beyond.slope == 0);
+  CHECK(beyond.curvature == 0);
+}
+
+TEST_CASE("the law's peak and work are those of its curve") {
+  const auto law = prepared_law();
+  double peak = 0, work = 0;
+  const int n = 4000;
+  for (int i = 0; i < n; ++i) {
+    const double slope = law->at((i + 0.5) * 4e-3 / n).slope;
+    peak = std::max(peak, slope);
+    work += slope * 4e-3 / n;
+  }
+  const auto& adhesion = static_cast<const AdhesionLaw&>(*law);
+  CHECK(peak == Approx(adhesion.peak_traction()).epsilon(1e-6));
+  CHECK(work == Approx(adhesion.work_of_adhesion()).epsilon(1e-6));
+}
+
+TEST_CASE("the law refuses a range that peaks under the barrier, at its place in the scene") {
+  const LoadedScene scene = scene_with("{type: smooth, range: 2 mm}");
+  CHECK_THROWS_WITH(world_of(scene), Catch::Contains("scene.yaml:16:7: adhesion smooth:") &&
+                                         Catch::Contains("raise range"));
+}

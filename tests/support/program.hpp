@@ -1,0 +1,44 @@
+// Runs the built program as its users do: a process of its own, in a folder of its own.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/silence.hpp"
+
+namespace tack {
+
+using Arguments = std::vector<std::string>;
+
+struct ProgramResult {
+  int exit_code = -1;  // -1: ended by a signal, or not in time
+  std::string out, err;
+};
+
+class Program {
+ public:
+  // Starts `tack arguments...` in a working directory.
+  Program(const std::filesystem::path& directory, const Arguments& arguments);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  void interrupt();      // as Ctrl-C does
+  ProgramResult wait();  // kills it after a minute
+
+ private:
+  TemporaryFolder printed_;
+  pid_t pid_ = -1;
+};
+
+ProgramResult run_tack(const std::filesystem::path& directory, const Arguments& arguments);
+
+// A whole file; "" if there is none.
+std::string file_text(const std::filesystem::path& path);
+void write_file(const std::filesystem::path& path, const std::string& text);
+bool contains(const std::string& text, const std::string& part);
+
+}  // namespace tack
