@@ -3,9 +3,8 @@
 #include <cmath>
 
 #include "framework/assembly/parallel.hpp"
-#include "framework/assembly/psd_filter.hpp"
-#include "framework/contact/stencil_kinds.hpp"
-#include "geometry/distance/edge_edge_mollifier.hpp"
+#include "framework/contact/stencil_energy.hpp"
+#include "framework/contact/stencil_filter.hpp"
 
 namespace tack {
 namespace {
@@ -66,63 +65,6 @@ double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
   });
 }
 
-// w m phi with gradient, and Hessian if wanted.
-template <class Kind>
-struct StencilEnergy {
-  static constexpr int n = 3 * Kind::arity;
-  using Vector = Eigen::Matrix<double, n, 1>;
-  using Matrix = Eigen::Matrix<double, n, n>;
-
-  static Vector gradient(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
-                         double gap, double eps_x) {
-    const auto s = Kind::template distance<GradientKernels>(x, stencil.vertices);
-    const Vector phi = l.slope / (2 * gap) * s.gradient;
-    if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-      const auto c = detail::corners<4>(x, stencil.vertices);
-      const auto m = edge_edge_mollifier_gradient(c[0], c[1], c[2], c[3], eps_x);
-      return stencil.weight * (m.value * phi + l.value * m.gradient);
-    } else {
-      return stencil.weight * phi;
-    }
-  }
-
-  static void derivatives(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
-                          double gap, double eps_x, Vector& gradient, Matrix& hessian) {
-    const auto s = Kind::template distance<DerivativeKernels>(x, stencil.vertices);
-    const double slope = l.slope / (2 * gap);
-    const double curvature = (l.curvature - l.slope / gap) / (4 * s.value);
-    gradient = slope * s.gradient;
-    hessian.noalias() = (curvature * s.gradient) * s.gradient.transpose();
-    hessian += slope * s.hessian;
-    if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-      const auto c = detail::corners<4>(x, stencil.vertices);
-      const auto m = edge_edge_mollifier_derivatives(c[0], c[1], c[2], c[3], eps_x);
-      hessian = m.value * hessian + l.value * m.hessian + m.gradient * gradient.transpose() +
-                gradient * m.gradient.transpose();
-      gradient = m.value * gradient + l.value * m.gradient;
-    }
-    gradient *= stencil.weight;
-    hessian *= stencil.weight;
-  }
-};
-
-template <int K>
-void store_blocks(const Eigen::Matrix<double, 3 * K, 3 * K>& h, double* out) {
-  for (int i = 0; i < K; ++i)
-    for (int j = 0; j <= i; ++j, out += 9)
-      Eigen::Map<Mat3>{out} = h.template block<3, 3>(3 * i, 3 * j);
-}
-
-template <int K>
-void load_blocks(const double* in, Eigen::Matrix<double, 3 * K, 3 * K>& h) {
-  for (int i = 0; i < K; ++i) {
-    for (int j = 0; j <= i; ++j, in += 9) {
-      h.template block<3, 3>(3 * i, 3 * j) = Eigen::Map<const Mat3>(in);
-      h.template block<3, 3>(3 * j, 3 * i) = Eigen::Map<const Mat3>(in).transpose();
-    }
-  }
-}
-
 // Body gets (stencil index, gap, sample) for every stencil of a kind, in parallel.
 template <class Kind, class Body>
 void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
@@ -135,18 +77,6 @@ void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
     });
     for (int i = first; i < last; ++i) body(i, chunk.gap[i - first], chunk.sample[i - first]);
   });
-}
-
-template <class Kind>
-void filter_slots(int count, SpdFilter filter, double* hessian) {
-  constexpr int slots = 9 * hessian_blocks(Kind::arity);
-  for_each(count, [&](int i) {
-    typename StencilEnergy<Kind>::Matrix h;
-    double* at = hessian + slots * static_cast<size_t>(i);
-    load_blocks<Kind::arity>(at, h);
-    project_stencil_psd<Kind::arity>(h, filter);
-    store_blocks<Kind::arity>(h, at);
-  }, 16);
 }
 
 std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
@@ -215,7 +145,7 @@ void ContactTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
     const int count = static_cast<int>(stencils.size());
     if (hessian && filter != SpdFilter::none) {
       const PhaseScope scope(clock_, Phase::filter);
-      filter_slots<K>(count, filter, hessian);
+      filter_slots<K>(x, stencils, thresholds, filter, hessian);
     }
     gradient += n * static_cast<size_t>(count);
     if (hessian) hessian += slots * static_cast<size_t>(count);

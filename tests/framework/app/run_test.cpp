@@ -101,19 +101,24 @@ TEST_CASE("a simulation that cannot go on ends with 3 and keeps what was written
   CHECK(place.table("results/tiny/probes.csv").rows.size() == steps + 1);
 }
 
-TEST_CASE("the same scene goes on when failed steps may be halved") {
+TEST_CASE("a failed step is rolled back and repeated in halves, up to the end") {
   const Place place(fall);
-  Arguments options = hard;
-  options.back() = "time.max_halvings=8";
-  options.insert(options.end(), {"--set", "solver.max_iterations=4"});
-  const ProgramResult result = place.run(options);
-  INFO(result.out << result.err);
-  REQUIRE(result.exit_code == 0);
-  CHECK(contains(result.out, "rolled back, h halved"));
-  CHECK(place.summary()["failed_solves"] > 0);
-  const CsvTable steps = place.table("results/tiny/steps.csv");
-  CHECK(steps.rows.size() > 5);
-  CHECK(steps.rows.back()[1] == Approx(0.05));  // time
+  // How many iterations the impact takes is the solver's business: allow fewer until they do not do.
+  for (int allowed = 10; allowed > 2; --allowed) {
+    const ProgramResult result =
+        place.run({"--set", "time.step=0.02", "time.duration=0.1", "objects.block.velocity=[0, -2, 0]",
+                   "objects.block.place.translate=[0, 0.125, 0]", "objects.block.energies.0.young=0.1 MPa",
+                   "expect=[]", "solver.max_iterations=" + std::to_string(allowed)});
+    INFO(result.out << result.err);
+    REQUIRE(result.exit_code == 0);
+    if (place.summary()["failed_solves"] == 0) continue;
+    CHECK(contains(result.out, "rolled back, h halved to 0.01 s"));
+    const CsvTable steps = place.table("results/tiny/steps.csv");
+    CHECK(steps.rows.size() > 5);
+    CHECK(steps.rows.back()[1] == Approx(0.1));  // time
+    return;
+  }
+  FAIL("no step failed");
 }
 
 TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
