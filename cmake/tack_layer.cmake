@@ -4,8 +4,10 @@ add_library(tack_options INTERFACE)
 target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
                        $<$<CONFIG:Release>:-O3> $<$<BOOL:${TACK_NATIVE}>:-march=native>
-                       -fno-math-errno -Wno-maybe-uninitialized
-                       -Wno-restrict)
+                       -fno-math-errno
+                       # false alarms of GCC 12 inside its own intrinsics and Eigen
+                       -Wno-maybe-uninitialized -Wno-uninitialized -Wno-restrict
+                       -Wno-stringop-overflow -Wno-use-after-free)
 if(TACK_SANITIZE)
   target_compile_options(tack_options INTERFACE -fsanitize=address,undefined
                          -fno-omit-frame-pointer -g -O1)

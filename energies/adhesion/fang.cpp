@@ -79,11 +79,11 @@ void FangAdhesion::prepare(const PairMaterials& m) {
   dhat_p_ = given_peak_distance_.value_or(m.contact_distance);
   dhat_a_ = given_work_ ? range_of_work(peak, *given_work_) : given_range_.value_or(2 * dhat_p_);
   if (dhat_p_ < m.contact_distance * (1 - 1e-12))
-    throw InputError(fmt::format("adhesion fang: peak_distance {} m is below the contact distance {} m, "
+    throw InputError(fmt::format("adhesion fang: peak_distance {:.6g} m is below the contact distance {:.6g} m, "
                                  "where the barrier pushes; raise it or lower contact.distance",
                                  dhat_p_, m.contact_distance));
   if (!(dhat_a_ > dhat_p_))
-    throw InputError(fmt::format("adhesion fang: range {} m must be larger than peak_distance {} m; raise "
+    throw InputError(fmt::format("adhesion fang: range {:.6g} m must be larger than peak_distance {:.6g} m; raise "
                                  "range (or work_of_adhesion), or lower peak_distance", dhat_a_, dhat_p_));
   set_polynomial(peak);
 }

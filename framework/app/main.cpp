@@ -7,7 +7,7 @@
 #include "geometry/errors.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app{"tack: frictional, adhesive contact by incremental potentials"};
+  CLI::App app{"tack: adhesive contact of deformable solids by incremental potentials"};
   app.name("tack");
   app.set_version_flag("--version", TACK_VERSION);
   app.require_subcommand(1);

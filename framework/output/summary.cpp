@@ -102,6 +102,7 @@ void RunSummary::add(const StepReport& report) {
   max_contacts = std::max(max_contacts, report.contacts);
   min_distance = std::min(min_distance, report.min_distance);
   intersections += report.intersections;
+  inverted_tets += report.inverted_tets;
 }
 
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {

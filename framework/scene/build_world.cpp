@@ -44,18 +44,13 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   world.bodies.push_back(std::move(body));
 }
 
-std::vector<char> movable_vertices(const SceneConfig& scene, World& world) {
-  std::vector<char> movable(world.rest.size() / 3, 1);
-  for (size_t i = 0; i < scene.objects.size(); ++i) {
-    for (const auto& motion : scene.objects[i].motion)
-      for (const int v : select(motion->selection(), world.selection_context(static_cast<int>(i))))
-        movable[v] = 0;
-    Body& body = world.bodies[i];
-    body.movable = false;
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-      body.movable = body.movable || movable[v];
-  }
-  return movable;
+void hold_vertices(const ObjectConfig& object, int index, World& world, std::vector<char>& movable) {
+  for (const auto& motion : object.motion)
+    for (const int v : select(motion->selection(), world.selection_context(index))) movable[v] = 0;
+  Body& body = world.bodies[index];
+  body.movable = false;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+    body.movable = body.movable || movable[v];
 }
 
 void add_energies(const ObjectConfig& object, const Body& body, World& world) {
@@ -149,13 +144,10 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     add_body(object, placed_mesh(object), *world);
   });
   world->mass = VecX::Zero(world->rest.size() / 3);
-  std::vector<char> movable;
-  try {
-    movable = movable_vertices(scene, *world);
-  } catch (const InputError& error) {
-    const Value* objects = root.find("objects");
-    throw InputError((objects ? objects->mark.text() + ": " : "") + error.what());
-  }
+  std::vector<char> movable(world->rest.size() / 3, 1);
+  for_each_object(scene, root, [&](size_t i) {
+    hold_vertices(scene.objects[i], static_cast<int>(i), *world, movable);
+  });
   world->dofs = DofMap(movable);
   if (world->dofs.block_count() == 0)
     throw InputError("nothing can move: every object is fixed; free one of them");

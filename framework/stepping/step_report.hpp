@@ -22,7 +22,9 @@ struct StepReport {
   double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near
   int broad_phase_builds = 0;
   std::vector<std::pair<std::string, double>> energies;  // by term, and kinetic [J]
-  int intersections = 0;    // found by the exact check
+  // Found by the exact check in this step's solves; a solve that has any is rolled back.
+  int intersections = 0;
+  int inverted_tets = 0;
   double wall_seconds = 0;
   PhaseClock::Seconds phases{};
 };

@@ -101,16 +101,18 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
   return attempt;
 }
 
-std::string TimeStepper::verdict(const Attempt& attempt, int& intersections) {
+std::string TimeStepper::verdict(const Attempt& attempt) {
   if (attempt.result.status != MinimizerStatus::converged)
     return fmt::format("{} after {} iterations, {:.3g} times the tolerance",
                        to_string(attempt.result.status), attempt.result.iterations, attempt.result.residual);
   const PhaseScope scope(clock_, Phase::check);
-  if (const int tet = first_inverted_tet(world_.tets, attempt.x); tet >= 0)
+  if (const int tet = first_inverted_tet(world_.tets, attempt.x); tet >= 0) {
+    ++found_.inverted_tets;
     return fmt::format("tet {} inverted", tet);
+  }
   if (!world_.contact) return "";
   const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->filter(), 1);
-  intersections = static_cast<int>(hits.size());
+  found_.intersections += static_cast<int>(hits.size());
   return hits.empty() ? "" : "the surfaces intersect";
 }
 
@@ -143,6 +145,8 @@ StepReport TimeStepper::report(const MinimizerResult& result, double h, int halv
     r.candidates = static_cast<int>(world_.contact->candidates().size());
     r.min_distance = world_.contact->smallest_distance(state_.x);
   }
+  r.intersections = found_.intersections;
+  r.inverted_tets = found_.inverted_tets;
   r.energies = energies_by_term(world_, state_);
   return r;
 }
@@ -152,6 +156,7 @@ StepReport TimeStepper::advance() {
   const PhaseClock::Seconds before = clock_.seconds();
   const int builds_before = world_.contact ? world_.contact->broad_phase_builds() : 0;
   const double whole = scene_.time.step;
+  found_ = {};
   int halvings = 0;
   for (;; ++halvings) {
     // The last part ends exactly where the whole step would.
@@ -163,8 +168,7 @@ StepReport TimeStepper::advance() {
       interrupted_ = true;
       return {};
     }
-    int intersections = 0;
-    const std::string wrong = verdict(attempt, intersections);
+    const std::string wrong = verdict(attempt);
     if (wrong.empty()) {
       commit(attempt.x, h);
       if (state_.time >= end - 1e-9 * whole) {

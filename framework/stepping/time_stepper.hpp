@@ -26,7 +26,6 @@ class TimeStepper {
   bool finished() const;
   bool interrupted() const { return interrupted_; }
   const State& state() const { return state_; }
-  int inverted_tets() const { return inverted_; }  // found by the exact check in accepted states
 
  private:
   struct Attempt {
@@ -35,7 +34,7 @@ class TimeStepper {
   };
   Attempt solve(double h);
   VecX first_guess(double h);
-  std::string verdict(const Attempt& attempt, int& intersections);  // "" if the attempt may be kept
+  std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
   void apply_loads(double t);
   double feasible_step(const VecX& q, const VecX& p);
@@ -54,7 +53,9 @@ class TimeStepper {
   bool inertia_ = true;
   int slots_done_ = 0;  // whole steps of the scene's size behind us
   double h_ = 0;        // size tried next
-  int inverted_ = 0;
+  struct Found {
+    int intersections = 0, inverted_tets = 0;
+  } found_;  // by the exact check, in the solves of the present step
   bool interrupted_ = false;
 };
 

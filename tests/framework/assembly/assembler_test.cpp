@@ -1,0 +1,149 @@
+#include "framework/assembly/assembler.hpp"
+
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "tests/support/dense_term.hpp"
+#include "tests/support/polynomial_term.hpp"
+#include "tests/support/random_blocks.hpp"
+
+using namespace tack;
+
+namespace {
+
+constexpr int vertices = 30;
+
+// Stencils on random, different vertices.
+std::vector<int> stencils(int arity, int count, RandomMotions& random) {
+  std::vector<int> all;
+  for (int s = 0; s < count; ++s) {
+    std::vector<int> order(vertices);
+    std::iota(order.begin(), order.end(), 0);
+    for (int i = 0; i < arity; ++i) {
+      std::swap(order[i], order[i + static_cast<int>(random.uniform(0, vertices - i))]);
+      all.push_back(order[i]);
+    }
+  }
+  return all;
+}
+
+struct Problem {
+  Problem() {
+    movable.assign(vertices, 1);
+    for (const int fixed : {0, 7, 8, 29}) movable[fixed] = 0;
+    dofs = DofMap(movable);
+    x = random.vectors(3 * vertices);
+    mass = VecX::Constant(dofs.block_count(), 0.7) + 0.1 * random.vectors(dofs.block_count());
+  }
+
+  // Scale times the sum over the free unknowns, plus the masses.
+  MatX expected_hessian(double scale) const {
+    MatX full = MatX::Zero(x.size(), x.size());
+    for (const Term* term : terms) full += dense_hessian(*term, x, SpdFilter::none);
+    MatX free(dofs.size(), dofs.size());
+    for (int r = 0; r < dofs.block_count(); ++r)
+      for (int c = 0; c < dofs.block_count(); ++c)
+        free.block<3, 3>(3 * r, 3 * c) =
+            scale * full.block<3, 3>(3 * dofs.vertex_of_block(r), 3 * dofs.vertex_of_block(c));
+    for (int r = 0; r < dofs.block_count(); ++r)
+      free.block<3, 3>(3 * r, 3 * r) += mass(r) * Mat3::Identity();
+    return free;
+  }
+  VecX expected_gradient(double scale) const {
+    VecX full = VecX::Zero(x.size()), free;
+    for (const Term* term : terms) full += dense_gradient(*term, x);
+    dofs.gather(full, free);
+    return scale * free;
+  }
+  void check(Assembler& assembler, BlockMatrix& matrix) const {
+    constexpr double scale = 0.3;
+    VecX gradient = VecX::Constant(dofs.size(), 2.0), alone = VecX::Zero(dofs.size());
+    assembler.assemble(x, scale, SpdFilter::none, mass, gradient, matrix);
+    assembler.add_gradient(x, scale, alone);
+    const MatX hessian = expected_hessian(scale);
+    CHECK((dense(matrix) - hessian).norm() <= 1e-13 * hessian.norm());
+    CHECK((gradient - VecX::Constant(dofs.size(), 2.0) - expected_gradient(scale)).norm() <= 1e-12 * gradient.norm());
+    CHECK((alone - expected_gradient(scale)).norm() <= 1e-13 * alone.norm());
+    for (int c = 0; c < matrix.columns(); ++c) {
+      CHECK(matrix.row[matrix.column_start[c]] == c);
+      for (int k = matrix.column_start[c] + 1; k < matrix.column_start[c + 1]; ++k)
+        CHECK(matrix.row[k] > matrix.row[k - 1]);
+    }
+  }
+
+  RandomMotions random{2};
+  std::vector<char> movable;
+  DofMap dofs;
+  VecX x, mass;
+  PolynomialTerm pairs{2, stencils(2, 60, random)}, triples{3, stencils(3, 40, random)},
+      quads{4, stencils(4, 50, random)}, contact{4, stencils(4, 20, random), true},
+      close{2, {}, true};
+  std::vector<const Term*> terms = {&pairs, &contact, &triples, &close, &quads};
+  PhaseClock clock;
+};
+
+}  // namespace
+
+TEST_CASE("the toy term's derivatives are those of its value", "[assembly]") {
+  Problem p;
+  for (const Term* term : p.terms) {
+    const VecX slopes = gradient_by_differences([&](const VecX& y) { return term->value(y); }, p.x, 1e-3);
+    CHECK((slopes - dense_gradient(*term, p.x)).norm() <= 1e-8 * (1 + slopes.norm()));
+    const MatX curvatures =
+        hessian_by_differences([&](const VecX& y) { return dense_gradient(*term, y); }, p.x, 1e-3);
+    CHECK((curvatures - dense_hessian(*term, p.x, SpdFilter::none)).norm() <= 1e-8 * (1 + curvatures.norm()));
+  }
+}
+
+TEST_CASE("assembly: the sum of all stencils over the free vertices", "[assembly]") {
+  Problem p;
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  BlockMatrix matrix;
+  p.check(assembler, matrix);
+}
+
+TEST_CASE("assembly: contact that comes and goes", "[assembly]") {
+  Problem p;
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  BlockMatrix matrix;
+  p.check(assembler, matrix);
+  const auto version = matrix.version;
+  p.contact.set_vertices({});  // blocks stay as explicit zeros
+  p.check(assembler, matrix);
+  CHECK(matrix.version == version);
+  for (int round = 0; round < 6; ++round) {
+    p.contact.set_vertices(stencils(4, 5 + 10 * round, p.random));
+    p.close.set_vertices(stencils(2, 30 - 5 * round, p.random));
+    p.x = p.random.vectors(p.x.size());
+    p.check(assembler, matrix);
+  }
+  CHECK(matrix.version > version);
+}
+
+TEST_CASE("assembly: a linear term needs no slots", "[assembly]") {
+  class Pull : public Term {
+   public:
+    Pull() : Term("pull") {}
+    double value(const VecX& x) const override { return 3 * x.sum(); }
+    void add_linear_gradient(VecX& gradient) const override { gradient.array() += 3; }
+  };
+  Problem p;
+  const Pull pull;
+  p.terms.push_back(&pull);
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  BlockMatrix matrix;
+  p.check(assembler, matrix);
+}
+
+TEST_CASE("assembly: the largest force of any stencil", "[assembly]") {
+  const PolynomialTerm pair(2, {0, 1});
+  const std::vector<char> movable = {1, 1};
+  const DofMap dofs(movable);
+  PhaseClock clock;
+  Assembler assembler({&pair}, dofs, clock);
+  VecX x(6), gradient = VecX::Zero(6);
+  x << 2, 0, 0, 0, 0, 0;
+  assembler.add_gradient(x, 0.5, gradient);
+  CHECK(assembler.largest_stencil_force() == 8.0);  // |u|^3, not scaled
+  CHECK(gradient(0) == 4.0);
+}

@@ -1,0 +1,75 @@
+// The same input gives the same bits for any number of threads.
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include "framework/core/incremental_potential.hpp"
+#include "framework/stepping/time_stepper.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/tet_body.hpp"
+
+using namespace tack;
+
+namespace {
+
+// Two boxes, one on the other; enough tets and contacts for many chunks of work.
+const char* const boxes =
+    "time: {step: 0.01, duration: 1}\n"
+    "gravity: [0, -9.81, 0]\n"
+    "objects:\n"
+    "  - {name: a, shape: {type: box, size: [0.2, 0.1, 0.2], cells: [12, 3, 12]},\n"
+    "     energies: [{type: neo_hookean, young: 1e5}], motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n"
+    "  - {name: b, shape: {type: box, size: [0.2, 0.1, 0.2], cells: [11, 3, 11]}, place: {translate: [0.013, 0.101, 0.007]},\n"
+    "     energies: [{type: fixed_corotated, young: 1e5}]}\n"
+    "contact: {distance: 3 mm, pairs: [{between: [a, b], adhesion: {type: fang, critical_strain: 0.01}}]}\n"
+    "solver: {type: projected_newton, tolerance: 1e-4}\n";
+
+struct Evaluation {
+  double value;
+  VecX gradient;
+  std::vector<double> hessian;
+  std::vector<int> rows;
+  int contacts;
+};
+
+Evaluation evaluate(int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  TestScene scene(boxes);
+  World& world = *scene.world;
+  IncrementalPotential potential(world.terms, world.dofs, world.mass, scene.clock,
+                                 [&](const VecX& x) { world.contact->move_to(x); });
+  RandomMotions random(6);
+  const VecX x = world.rest + 2e-4 * random.vectors(world.rest.size());
+  potential.begin_step(x, world.rest, 1e-4, true);
+  VecX q;
+  world.dofs.gather(x, q);
+  potential.move_to(q);
+  const BlockMatrix& matrix = potential.hessian(SpdFilter::clamp);
+  return {potential.value(), potential.gradient(), matrix.values, matrix.row,
+          static_cast<int>(world.contact->contacts().size())};
+}
+
+VecX simulate(int threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  TestScene scene(boxes);
+  TimeStepper stepper(*scene.world, scene.config, scene.clock, [](const std::string&) {});
+  for (int i = 0; i < 4; ++i) stepper.advance();
+  return stepper.state().x;
+}
+
+}  // namespace
+
+TEST_CASE("value, gradient and Hessian have the same bits for 1 and 2 threads", "[assembly]") {
+  const Evaluation one = evaluate(1), two = evaluate(2);
+  CHECK(one.contacts > 512);  // more than two chunks
+  CHECK(one.contacts == two.contacts);
+  CHECK(one.value == two.value);
+  CHECK((one.gradient == two.gradient));
+  CHECK((one.rows == two.rows));
+  CHECK((one.hessian == two.hessian));
+}
+
+TEST_CASE("so do whole time steps", "[assembly]") {
+  const VecX one = simulate(1);
+  CHECK((one == simulate(2)));
+  CHECK((one == simulate(1)));
+}
