@@ -13,19 +13,27 @@ inline constexpr int chunk_size = 256;
 
 inline int chunk_count(int n, int chunk = chunk_size) { return (n + chunk - 1) / chunk; }
 
+namespace detail {
+
+// Not inlined: the scheduler calls a body from several places, and copies of it, each optimised in its
+// place, may contract products and sums differently.
+template <class Body>
+[[gnu::noinline]] void run_chunks(int first, int last, int n, int chunk, const Body& body) {
+  for (int c = first; c < last; ++c) body(c, c * chunk, c * chunk + chunk < n ? c * chunk + chunk : n);
+}
+
+}  // namespace detail
+
 // body(chunk index, first, last) for each chunk of [0, n).
 template <class Body>
 void for_each_chunk(int n, const Body& body, int chunk = chunk_size) {
   const int chunks = chunk_count(n, chunk);
   if (chunks <= 1) {
-    if (n > 0) body(0, 0, n);
+    detail::run_chunks(0, chunks, n, chunk, body);
     return;
   }
   tbb::parallel_for(tbb::blocked_range<int>(0, chunks, 1), [&](const tbb::blocked_range<int>& r) {
-    for (int c = r.begin(); c < r.end(); ++c) {
-      const int first = c * chunk;
-      body(c, first, first + chunk < n ? first + chunk : n);
-    }
+    detail::run_chunks(r.begin(), r.end(), n, chunk, body);
   });
 }
 

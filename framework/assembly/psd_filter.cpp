@@ -1,8 +1,8 @@
 #include "framework/assembly/psd_filter.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "framework/assembly/symmetric_eigen.hpp"
 
 namespace tack {
 namespace {
@@ -34,16 +34,34 @@ Reduction<K> reduction() {
 template <int K>
 const Reduction<K> reduction_of = reduction<K>();
 
+// Whether a Cholesky factorisation of the lower triangle runs through.
+template <int N>
+bool positive_definite(Eigen::Matrix<double, N, N> a) {
+  for (int k = 0; k < N; ++k) {
+    if (!(a(k, k) > 0)) return false;
+    const double inverse = 1 / a(k, k);
+    for (int j = k + 1; j < N; ++j) {
+      const double factor = a(j, k) * inverse;
+      for (int i = j; i < N; ++i) a(i, j) -= factor * a(i, k);
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int N>
 void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter) {
-  if (filter == SpdFilter::none) return;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(hessian);
-  auto lambda = eigen.eigenvalues();
-  if (lambda(0) >= 0) return;
-  for (int i = 0; i < N; ++i) lambda(i) = filtered(lambda(i), filter);
-  hessian.noalias() = eigen.eigenvectors() * lambda.asDiagonal() * eigen.eigenvectors().transpose();
+  if (filter == SpdFilter::none || positive_definite<N>(hessian)) return;
+  const SymmetricEigen<N> eigen(hessian);
+  hessian.setZero();  // sum of filtered lambda v v^T
+  for (int i = 0; i < N; ++i) {
+    const double lambda = filtered(eigen.values()(i), filter);
+    if (lambda == 0) continue;
+    const auto v = eigen.vectors().col(i);
+    for (int c = 0; c < N; ++c)
+      for (int r = 0; r < N; ++r) hessian(r, c) += lambda * (v(r) * v(c));
+  }
 }
 
 template <int K>
@@ -51,10 +69,10 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter
   if (filter == SpdFilter::none) return;
   constexpr int n = 3 * (K - 1);
   const Reduction<K>& r = reduction_of<K>;
-  Eigen::Matrix<double, n, n> reduced = r * hessian * r.transpose();
-  if (Eigen::LLT<Eigen::Matrix<double, n, n>>(reduced).info() == Eigen::Success) return;
-  project_psd<n>(reduced, filter);
-  hessian.noalias() = r.transpose() * reduced * r;
+  const Eigen::Matrix<double, n, n> before = r * hessian * r.transpose();
+  Eigen::Matrix<double, n, n> after = before;
+  project_psd<n>(after, filter);
+  if (after != before) hessian.noalias() = r.transpose() * after * r;
 }
 
 template void project_psd<2>(Eigen::Matrix<double, 2, 2>&, SpdFilter);

@@ -45,6 +45,7 @@ inline void project_in_basis(const DistanceBasis& basis, Mat12& hessian, SpdFilt
   const Mat5 before = basis.transpose() * hessian * basis;
   Mat5 after = before;
   project_psd<5>(after, filter);
+  if (after == before) return;
   hessian.noalias() += basis * (after - before) * basis.transpose();
 }
 

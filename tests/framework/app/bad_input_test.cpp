@@ -60,7 +60,7 @@ const std::vector<Mistake> mistakes = {
     {"unknown column", "{probe: height,", "{probe: heigth,",
      {"scene.yaml:22:5: ", "unknown column 'heigth'; did you mean 'height'?"}},
     {"unknown group", "motion: [fixed]", "motion: [{type: fixed, select: {type: tag, name: wall}}]",
-     {"scene.yaml:5:3: ", "object 'floor' has no group 'wall'"}},
+     {"scene.yaml:5:5: ", "object 'floor' has no group 'wall'"}},
     {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
 };
 
