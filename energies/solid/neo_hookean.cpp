@@ -1,5 +1,6 @@
 // Compressible neo-Hookean solid: psi = mu/2 (|F|^2 - 3) - mu ln J + lambda/2 (ln J)^2. It resists
 // inversion: psi grows without bound as J goes to 0.
+#include <cmath>
 #include <limits>
 
 #include <Eigen/LU>
@@ -11,11 +12,17 @@ namespace tack {
 struct NeoHookean {
   Lame lame;
 
+  // In H = F - I, with J - 1 = tr H + minors + det H: near the rest shape the terms of first order
+  // cancel on paper, not in floating point.
   double energy(const Mat3& f) const {
-    const double j = f.determinant();
+    const Mat3 h = f - Mat3::Identity();
+    const double minors = h(0, 0) * h(1, 1) - h(0, 1) * h(1, 0) + h(1, 1) * h(2, 2) -
+                          h(1, 2) * h(2, 1) + h(2, 2) * h(0, 0) - h(2, 0) * h(0, 2);
+    const double higher = minors + h.determinant(), growth = h.trace() + higher;
+    const double j = growth > -0.5 ? 1 + growth : f.determinant();
     if (!(j > 0)) return std::numeric_limits<double>::infinity();
-    const double log_j = std::log(j);
-    return lame.mu / 2 * (f.squaredNorm() - 3) - lame.mu * log_j + lame.lambda / 2 * log_j * log_j;
+    const double log_j = growth > -0.5 ? std::log1p(growth) : std::log(j);
+    return lame.mu * (h.squaredNorm() / 2 - higher + (growth - log_j)) + lame.lambda / 2 * log_j * log_j;
   }
 
   PrincipalDerivatives derivatives(const Vec3& s) const {

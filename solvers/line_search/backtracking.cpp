@@ -1,7 +1,7 @@
 // Backtracking with the Armijo condition E(q + t p) <= E(q) + c t p.g. Close to a minimum the
-// predicted decrease drowns in the rounding error of E; there the slope decides instead: the
-// approximate Wolfe condition of Hager and Zhang 2005, (2 c - 1) p.g >= p.g(q + t p), to which
-// rounding does little. So the search does not stall on round-off.
+// decrease drowns in the rounding error of E; there the slope decides instead: the approximate Wolfe
+// condition of Hager and Zhang 2005, (2 c - 1) p.g >= p.g(q + t p), to which rounding does little. So
+// the search does not stall on round-off.
 #include <cmath>
 
 #include "framework/config/field.hpp"
@@ -29,8 +29,8 @@ class Backtracking : public LineSearch {
       ++result.evaluations;
       if (!std::isfinite(value)) continue;
       const double noise = std::max(start_noise, objective.value_noise());
-      const bool descends = value <= start + decrease_ * t * slope;
-      const bool in_the_noise = -t * slope < 1e3 * noise && value <= start + noise;
+      const bool descends = value < start - noise && value <= start + decrease_ * t * slope;
+      const bool in_the_noise = std::abs(value - start) <= noise;
       if (descends || (in_the_noise && flat_enough(objective, p, slope))) {
         result.found = true;
         result.step = t;

@@ -1,0 +1,121 @@
+#include <catch2/catch.hpp>
+
+#include <Eigen/LU>
+
+#include "framework/core/step_filter.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/tet_body.hpp"
+
+using namespace tack;
+
+namespace {
+
+double largest_step(const std::string& filter, World& world, const VecX& x, const VecX& p, double t_max = 1) {
+  PhaseClock clock;
+  const auto f = Registry<StepFilter>::make(filter);
+  const FeasibilityContext context{world.contact.get(), world.tets, clock};
+  REQUIRE(f->attach(context));
+  return f->largest_step(x, p, t_max);
+}
+
+// A small box 1 cm above a thin sheet.
+struct Fall {
+  TestScene scene{
+      "objects:\n"
+      "  - {name: sheet, shape: {type: grid, size: [0.5, 0.5], cells: [3, 3]}, motion: [fixed]}\n"
+      "  - {name: box, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {axis: [1, 0.3, 2], angle: 0.4,\n"
+      "     translate: [0.02, 0.1, 0.01]}, energies: [{type: neo_hookean, young: 1e5}]}\n"
+      "contact: {distance: 1 mm}\n"};
+  World& world = *scene.world;
+  VecX x = world.rest;
+  double gap = (world.contact->move_to(x), world.contact->smallest_distance(x));
+
+  VecX motion(const Vec3& d) const {
+    VecX p = VecX::Zero(x.size());
+    for (int b = 0; b < world.dofs.block_count(); ++b) vertex(p, world.dofs.vertex_of_block(b)) = d;
+    return p;
+  }
+  bool intersects(const VecX& y) const {
+    return !find_intersections(world.contact->surface().mesh, y, world.contact->filter(), 1).empty();
+  }
+};
+
+// The signed volume of a tet, six times.
+double volume(const VecX& x, const Tet& t) {
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k) edges.col(k) = vertex(x, t[k + 1]) - vertex(x, t[0]);
+  return edges.determinant();
+}
+
+}  // namespace
+
+TEST_CASE("ccd stops a fast body before a thin sheet", "[filters]") {
+  Fall fall;
+  const double height = fall.world.rest(1);  // of the sheet
+  double lowest = 1e9;
+  for (int b = 0; b < fall.world.dofs.block_count(); ++b)
+    lowest = std::min(lowest, vertex(fall.x, fall.world.dofs.vertex_of_block(b)).y() - height);
+  for (const double speed : {0.2, 1.0, 30.0}) {
+    INFO("speed " << speed);
+    const VecX p = fall.motion({0.01, -speed, 0.005});
+    const double t = largest_step("ccd", fall.world, fall.x, p);
+    CHECK(t < 1);
+    CHECK(t * speed < lowest);           // it does not arrive
+    CHECK(t * speed > 0.8 * lowest);     // and is not stopped long before
+    for (int i = 0; i <= 200; ++i) REQUIRE_FALSE(fall.intersects(fall.x + t * i / 200.0 * p));
+    CHECK(fall.intersects(fall.x + lowest * 1.05 / speed * p));  // it would have
+  }
+}
+
+TEST_CASE("ccd lets bodies go that part, slide or stay", "[filters]") {
+  Fall fall;
+  CHECK(largest_step("ccd", fall.world, fall.x, fall.motion({0, 5, 0})) == 1);
+  CHECK(largest_step("ccd", fall.world, fall.x, fall.motion({3, 0, 1})) == 1);
+  CHECK(largest_step("ccd", fall.world, fall.x, fall.motion(Vec3::Zero())) == 1);
+  CHECK(largest_step("ccd", fall.world, fall.x, fall.motion({0, -1, 0}), 1e-3) == 1e-3);
+}
+
+TEST_CASE("inversion: no tet loses more than its share, and no step is cut for nothing", "[filters]") {
+  const TetBody box(Vec3(1, 1, 1), {1, 1, 1});
+  World world;
+  RandomMotions random(5);
+  int cut = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    world.tets = {box.body.tets[static_cast<size_t>(trial) % box.body.tets.size()]};
+    const Tet& tet = world.tets[0];
+    const VecX x = box.rest + 0.1 * random.vectors(box.rest.size());
+    const VecX p = std::pow(10.0, random.uniform(-1.5, 1.5)) * random.vectors(x.size());
+    const double t = largest_step("inversion", world, x, p), keep = 0.2 * volume(x, tet);
+    REQUIRE(t > 0);
+    for (int i = 1; i <= 300; ++i) REQUIRE(volume(x + t * i / 300.0 * p, tet) >= keep * (1 - 1e-6));
+    if (t == 1) continue;
+    ++cut;
+    // just behind it the volume does fall below the bound
+    REQUIRE(volume(x + (t + 1e-6) * p, tet) <= keep + 1e-3 * volume(x, tet));
+  }
+  CHECK(cut > 500);
+}
+
+TEST_CASE("inversion: the worst tet of many decides, whatever their order", "[filters]") {
+  const TetBody box(Vec3(1, 1, 1), {7, 7, 7});  // several chunks of tets
+  World world;
+  RandomMotions random(6);
+  const VecX p = 0.3 * random.vectors(box.rest.size());
+  world.tets = box.body.tets;
+  const double all = largest_step("inversion", world, box.rest, p);
+  double smallest = 1;
+  for (const Tet& tet : box.body.tets) {
+    world.tets = {tet};
+    smallest = std::min(smallest, largest_step("inversion", world, box.rest, p));
+  }
+  CHECK(all < 1);
+  CHECK(all == Approx(smallest).epsilon(1e-6));
+}
+
+TEST_CASE("filters with nothing to watch stand aside", "[filters]") {
+  PhaseClock clock;
+  const std::vector<Tet> none;
+  for (const std::string& name : Registry<StepFilter>::kind().names())
+    CHECK_FALSE(Registry<StepFilter>::make(name)->attach({nullptr, none, clock}));
+}
