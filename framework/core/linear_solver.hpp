@@ -18,6 +18,11 @@ class LinearSolver : public Component {
   // x <- A^-1 b with the last successful factorisation.
   virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
   virtual int analyses() const = 0;  // symbolic analyses so far
+
+  // Whether the last factor solves to double precision, and a request that later ones do: false if
+  // that would change nothing.
+  virtual bool exact() const { return true; }
+  virtual bool sharpen() { return false; }
 };
 
 }  // namespace tack

@@ -27,18 +27,20 @@ class LaggedCholesky : public LinearSolver {
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
-    if (fresh_) {
-      direct_->solve(b, x, clock);
-      fresh_ = false;
-      return;
+    for (;;) {
+      if (fresh_ && direct_->exact()) {
+        direct_->solve(b, x, clock);
+        break;
+      }
+      const Outcome outcome = iterate(b, x, clock);
+      if (outcome == Outcome::solved) break;
+      const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
+      if (hopeless || !refresh(clock)) {
+        x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+        break;
+      }
     }
-    if (iterate(b, x, clock)) return;
-    if (refresh(clock)) {
-      direct_->solve(b, x, clock);
-      fresh_ = false;
-    } else {
-      x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
-    }
+    fresh_ = false;
   }
 
   int analyses() const override { return direct_->analyses(); }
@@ -51,8 +53,9 @@ class LaggedCholesky : public LinearSolver {
     return fresh_;
   }
 
-  // False if the factor is too old for the matrix.
-  bool iterate(const VecX& b, VecX& x, PhaseClock& clock) {
+  enum class Outcome { solved, too_slow, indefinite };
+
+  Outcome iterate(const VecX& b, VecX& x, PhaseClock& clock) {
     x.setZero(b.size());
     residual_ = b;
     direct_->solve(residual_, z_, clock);
@@ -62,14 +65,14 @@ class LaggedCholesky : public LinearSolver {
     for (int i = 0; i < max_iterations_; ++i) {
       if (!(rz > goal)) {
         stale_ = i > max_iterations_ / 2;
-        return true;
+        return Outcome::solved;
       }
       {
         const PhaseScope scope(clock, Phase::solve);
         operator_.multiply(*matrix_, direction_, product_);
       }
       const double curvature = direction_.dot(product_);
-      if (!(curvature > 0)) return false;
+      if (!(curvature > 0)) return Outcome::indefinite;
       const double step = rz / curvature;
       x += step * direction_;
       residual_ -= step * product_;
@@ -78,7 +81,7 @@ class LaggedCholesky : public LinearSolver {
       direction_ = z_ + next / rz * direction_;
       rz = next;
     }
-    return false;
+    return Outcome::too_slow;
   }
 
   std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("cholmod");

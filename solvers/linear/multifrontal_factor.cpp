@@ -1,0 +1,236 @@
+#include "solvers/linear/multifrontal_factor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "framework/assembly/parallel.hpp"
+#include "solvers/linear/dense_kernels.hpp"
+
+namespace tack {
+namespace {
+
+constexpr int panel_rows = 192;          // of the dense kernels that run in parallel
+constexpr std::ptrdiff_t parallel_entries = 1 << 15;  // smaller panels are not worth a second thread
+
+template <class T>
+std::unique_ptr<T[]> uninitialised(size_t n) {
+  return std::unique_ptr<T[]>(new T[n]);
+}
+
+}  // namespace
+
+template <class T>
+bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatrix& matrix) {
+  tree_ = &tree;
+  scale_.resize(matrix.size());
+  for (int c = 0; c < matrix.columns(); ++c)
+    scale_.segment<3>(3 * c) = matrix.block(matrix.column_start[c]).diagonal().cwiseSqrt().cwiseInverse();
+  if (!scale_.allFinite()) return false;  // a diagonal entry is not positive
+  if (capacity_ < tree.panel.back()) {
+    capacity_ = tree.panel.back() + tree.panel.back() / 8;
+    values_ = uninitialised<T>(capacity_);
+  }
+  updates_.clear();
+  updates_.resize(tree.nodes());
+  std::atomic<bool> definite = true;
+  for_each(static_cast<int>(tree.subtrees.size()), [&](int i) {
+    for (int s = tree.subtrees[i].first; s <= tree.subtrees[i].root && definite; ++s)
+      if (!process(s, matrix, false)) definite = false;
+  }, 1);
+  for (size_t k = 0; k < tree.top.size() && definite; ++k)
+    if (!process(tree.top[k], matrix, true)) definite = false;
+  return definite;
+}
+
+template <class T>
+bool MultifrontalFactor<T>::process(int s, const BlockMatrix& matrix, bool parallel) {
+  const SupernodeTree& tree = *tree_;
+  const int columns = tree.columns(s), height = tree.height(s), below = tree.below(s);
+  const bool leaf = tree.child_start[s] == tree.child_start[s + 1];
+  T* panel = values_.get() + tree.panel[s];
+  assemble(s, matrix);
+  if (below > 0) {
+    updates_[s] = uninitialised<T>(static_cast<size_t>(below) * below);
+    if (!leaf) std::fill_n(updates_[s].get(), static_cast<size_t>(below) * below, T(0));
+  }
+  for (int k = tree.child_start[s]; k < tree.child_start[s + 1]; ++k)
+    add_child(s, tree.children[k], parallel);
+  if (!blas::cholesky(columns, panel, height)) return false;
+  if (below == 0) return true;
+  if (parallel && std::ptrdiff_t(below) * height > parallel_entries) {
+    eliminate_parallel(columns, below, panel, height, updates_[s].get(), !leaf);
+    return true;
+  }
+  blas::solve_right(below, columns, panel, height, panel + columns, height);
+  blas::rank_update(below, columns, panel + columns, height, !leaf, updates_[s].get(), below);
+  return true;
+}
+
+template <class T>
+void MultifrontalFactor<T>::eliminate_parallel(int columns, int below, T* panel, int height, T* update,
+                                               bool add) {
+  for_each_chunk(below, [&](int, int first, int last) {
+    blas::solve_right(last - first, columns, panel, height, panel + columns + first, height);
+  }, panel_rows);
+  for_each_chunk(below, [&](int, int first, int last) {
+    const T* rows = panel + columns + first;
+    T* diagonal = update + first + std::ptrdiff_t(first) * below;
+    blas::rank_update(last - first, columns, rows, height, add, diagonal, below);
+    if (last < below)
+      blas::product_update(below - last, last - first, columns, panel + columns + last, height, rows,
+                           height, add, diagonal + (last - first), below);
+  }, panel_rows);
+}
+
+template <class T>
+void MultifrontalFactor<T>::assemble(int s, const BlockMatrix& matrix) {
+  const SupernodeTree& tree = *tree_;
+  const int height = tree.height(s);
+  T* values = values_.get();
+  std::fill(values + tree.panel[s], values + tree.panel[s + 1], T(0));
+  // Scales follow from the permuted row and column of each entry.
+  for (int k = tree.place_start[s]; k < tree.place_start[s + 1]; ++k) {
+    const SupernodeTree::Place& place = tree.places[k];
+    const auto block = matrix.block(place.block);
+    const std::ptrdiff_t offset = place.at - tree.panel[s];
+    const int column = tree.first[s] + static_cast<int>(offset / height);
+    const int row = tree.rows[tree.row_start[s] + static_cast<int>(offset % height)];
+    const double* rows = &scale_(tree.permutation[row]);
+    const double* columns = &scale_(tree.permutation[column]);
+    T* out = values + place.at;
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        out[i + std::ptrdiff_t(j) * height] =
+            static_cast<T>((place.transposed ? block(j, i) : block(i, j)) * rows[i] * columns[j]);
+  }
+}
+
+template <class T>
+void MultifrontalFactor<T>::add_child(int s, int child, bool parallel) {
+  const SupernodeTree& tree = *tree_;
+  const int columns = tree.columns(s), height = tree.height(s), below = tree.below(s);
+  const int n = tree.below(child);
+  const int* position = tree.position.data() + tree.row_start[child] + tree.columns(child);
+  const T* from = updates_[child].get();
+  T* panel = values_.get() + tree.panel[s];
+  T* update = updates_[s].get();
+  const auto add_column = [&](int j) {
+    const T* column = from + std::ptrdiff_t(j) * n;
+    if (position[j] < columns) {
+      T* to = panel + std::ptrdiff_t(position[j]) * height;
+      for (int i = j; i < n; ++i) to[position[i]] += column[i];
+    } else {
+      T* to = update + std::ptrdiff_t(position[j] - columns) * below - columns;
+      for (int i = j; i < n; ++i) to[position[i]] += column[i];
+    }
+  };
+  if (parallel) {
+    for_each(n, add_column, 64);
+  } else {
+    for (int j = 0; j < n; ++j) add_column(j);
+  }
+  updates_[child].reset();
+}
+
+// The factor's nodes on the part of x that `rows` numbers: first the node's own columns, then the rest.
+template <class T>
+void MultifrontalFactor<T>::forward(int s, const int* rows, T* x, T* scratch, bool parallel) const {
+  const int columns = tree_->columns(s), height = tree_->height(s), below = tree_->below(s);
+  const T* panel = values_.get() + tree_->panel[s];
+  T* own = x + rows[0];
+  blas::solve_lower(columns, panel, height, own, false);
+  const auto rest = [&](int, int first, int last) {
+    blas::multiply(last - first, columns, panel + columns + first, height, own, scratch + first);
+    for (int k = first; k < last; ++k) x[rows[columns + k]] -= scratch[k];
+  };
+  if (parallel && std::ptrdiff_t(columns) * below > parallel_entries) {
+    for_each_chunk(below, rest, panel_rows);
+  } else if (below > 0) {
+    rest(0, 0, below);
+  }
+}
+
+template <class T>
+void MultifrontalFactor<T>::backward(int s, const int* rows, T* x, T* scratch, bool parallel) const {
+  const int columns = tree_->columns(s), height = tree_->height(s), below = tree_->below(s);
+  const T* panel = values_.get() + tree_->panel[s];
+  T* own = x + rows[0];
+  for (int k = 0; k < below; ++k) scratch[k] = x[rows[columns + k]];
+  const auto rest = [&](int, int first, int last) {
+    blas::subtract_transposed(below, last - first, panel + columns + std::ptrdiff_t(first) * height,
+                              height, scratch, own + first);
+  };
+  if (parallel && std::ptrdiff_t(columns) * below > parallel_entries) {
+    for_each_chunk(columns, rest, panel_rows / 4);
+  } else if (below > 0) {
+    rest(0, 0, columns);
+  }
+  blas::solve_lower(columns, panel, height, own, true);
+}
+
+template <class T>
+void MultifrontalFactor<T>::forward_subtree(size_t i) {
+  const auto [first, root] = tree_->subtrees[i];
+  const int begin = tree_->first[first], own = tree_->first[root + 1] - begin, below = tree_->below(root);
+  std::vector<T>& work = work_[i];  // own columns, rows below the root, scratch
+  int tallest = 0;
+  for (int s = first; s <= root; ++s) tallest = std::max(tallest, tree_->below(s));
+  work.resize(static_cast<size_t>(own + below + tallest));
+  std::copy_n(x_.begin() + begin, own, work.begin());
+  std::fill_n(work.begin() + own, below, T(0));
+  for (int s = first; s <= root; ++s)
+    forward(s, tree_->local.data() + tree_->row_start[s], work.data(), work.data() + own + below, false);
+}
+
+template <class T>
+void MultifrontalFactor<T>::backward_subtree(size_t i) {
+  const auto [first, root] = tree_->subtrees[i];
+  const int begin = tree_->first[first], own = tree_->first[root + 1] - begin, below = tree_->below(root);
+  std::vector<T>& work = work_[i];
+  for (int k = 0; k < below; ++k) work[own + k] = x_[tree_->rows_below(root)[k]];
+  for (int s = root; s >= first; --s)
+    backward(s, tree_->local.data() + tree_->row_start[s], work.data(), work.data() + own + below, false);
+  std::copy_n(work.begin(), own, x_.begin() + begin);
+}
+
+template <class T>
+void MultifrontalFactor<T>::solve(const VecX& b, VecX& x) {
+  const SupernodeTree& tree = *tree_;
+  const int n = tree.size, subtrees = static_cast<int>(tree.subtrees.size());
+  const double largest = b.cwiseProduct(scale_).lpNorm<Eigen::Infinity>();
+  const double unit = largest > 0 ? largest : 1;  // keeps float in its range
+  x_.resize(n);
+  for (int k = 0; k < n; ++k) {
+    const int old = tree.permutation[k];
+    x_[k] = static_cast<T>(b(old) * scale_(old) / unit);
+  }
+  work_.resize(subtrees + 1);
+  std::vector<T>& scratch = work_.back();
+  for (const int s : tree.top)
+    scratch.resize(std::max<size_t>(scratch.size(), static_cast<size_t>(tree.below(s))));
+
+  for_each(subtrees, [&](int i) { forward_subtree(static_cast<size_t>(i)); }, 1);
+  for (int i = 0; i < subtrees; ++i) {
+    const auto [first, root] = tree.subtrees[i];
+    const int own = tree.first[root + 1] - tree.first[first];
+    for (int k = 0; k < tree.below(root); ++k) x_[tree.rows_below(root)[k]] += work_[i][own + k];
+    std::copy_n(work_[i].begin(), own, x_.begin() + tree.first[first]);
+  }
+  const auto rows = [&](int s) { return tree.rows.data() + tree.row_start[s]; };
+  for (const int s : tree.top) forward(s, rows(s), x_.data(), scratch.data(), true);
+  for (auto s = tree.top.rbegin(); s != tree.top.rend(); ++s)
+    backward(*s, rows(*s), x_.data(), scratch.data(), true);
+  for_each(subtrees, [&](int i) { backward_subtree(static_cast<size_t>(i)); }, 1);
+
+  x.resize(n);
+  for (int k = 0; k < n; ++k) {
+    const int old = tree.permutation[k];
+    x(old) = x_[k] * (unit * scale_(old));
+  }
+}
+
+template class MultifrontalFactor<float>;
+template class MultifrontalFactor<double>;
+
+}  // namespace tack

@@ -1,0 +1,60 @@
+// The structure of a sparse Cholesky factor: supernodes (runs of columns that share their rows below
+// the diagonal), their elimination tree, and where the blocks of the matrix go. Numbers of columns and
+// rows are those after the fill-reducing permutation. The tree is cut into independent subtrees, which
+// threads may process side by side, and a top that follows.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "framework/core/block_matrix.hpp"
+#include "solvers/linear/cholmod_session.hpp"
+
+namespace tack {
+
+struct SupernodeTree {
+  // factor: a supernodal analysis of the matrix's pattern, of a permutation that keeps blocks together.
+  SupernodeTree(const cholmod_factor& factor, const BlockMatrix& matrix);
+
+  int nodes() const { return static_cast<int>(parent.size()); }
+  int columns(int s) const { return first[s + 1] - first[s]; }
+  int height(int s) const { return row_start[s + 1] - row_start[s]; }
+  int below(int s) const { return height(s) - columns(s); }
+  const int* rows_below(int s) const { return rows.data() + row_start[s] + columns(s); }
+
+  int size = 0;                     // unknowns
+  std::vector<int> permutation;     // new -> old
+  std::vector<int> first;           // first column of each node
+  std::vector<int> row_start, rows; // rows of each node, ascending, its own columns first
+  std::vector<int> position;        // like rows: the place of a row in the parent's rows
+  std::vector<int> parent;          // -1: a root; parents come after their children
+  std::vector<int> child_start, children;
+  std::vector<std::ptrdiff_t> panel;  // where each node's columns (height x columns) start; last: the end
+
+  // Where a block of the matrix goes, sorted by node: entry (i, j) to at + i + j * height(node).
+  struct Place {
+    int block;
+    bool transposed;
+    std::ptrdiff_t at;
+  };
+  std::vector<int> place_start;
+  std::vector<Place> places;
+
+  // Nodes first..root are a subtree. `local` numbers the rows of its nodes within it: its columns,
+  // then the rows below its root. Aligned with rows; for the nodes of `top`, the rows themselves.
+  struct Subtree {
+    int first, root;
+  };
+  std::vector<Subtree> subtrees;
+  std::vector<int> top;
+  std::vector<int> local;
+
+ private:
+  void read(const cholmod_factor& factor);
+  void connect();
+  void place_blocks(const BlockMatrix& matrix);
+  void cut();
+  void number_locally(const Subtree& tree);
+};
+
+}  // namespace tack
