@@ -5,8 +5,10 @@
 // The Hessian is filtered in the principal frame, in closed form but for one 3x3 matrix.
 #pragma once
 
+#include <algorithm>
+
 #include "energies/solid/principal.hpp"
-#include "energies/solid/svd3.hpp"
+#include "energies/solid/svd3_batch.hpp"
 #include "energies/solid/tet_geometry.hpp"
 #include "framework/assembly/parallel.hpp"
 #include "framework/core/term.hpp"
@@ -34,19 +36,34 @@ class SolidTerm : public Term {
 
   void derivatives(const VecX& x, SpdFilter filter, double* gradient,
                    double* hessian) const override {
-    for_each(count(), [&](int t) {
-      const size_t at = static_cast<size_t>(t);
-      element(rest_[t], deformation_gradient(rest_[t], tets_[t], x), filter, gradient + 12 * at,
-              hessian ? hessian + 90 * at : nullptr);
+    for_each_chunk(count(), [&](int, int first, int last) {
+      for (int t = first; t < last; t += lanes)
+        elements(t, std::min(t + lanes, last), x, filter, gradient, hessian);
     });
   }
 
  private:
+  static constexpr int lanes = 8;  // tets whose decompositions are computed side by side
+
   int count() const { return static_cast<int>(tets_.size()); }
 
-  void element(const TetRest& rest, const Mat3& f, SpdFilter filter, double* gradient,
+  void elements(int first, int last, const VecX& x, SpdFilter filter, double* gradient,
+                double* hessian) const {
+    Svd3Batch<lanes> svd;
+    for (int l = 0; l < lanes; ++l) {
+      const int t = std::min(first + l, last - 1);
+      svd.set(l, deformation_gradient(rest_[t], tets_[t], x));
+    }
+    svd.decompose();
+    for (int t = first; t < last; ++t) {
+      const size_t at = static_cast<size_t>(t);
+      element(rest_[t], svd.get(t - first), filter, gradient + 12 * at,
+              hessian ? hessian + 90 * at : nullptr);
+    }
+  }
+
+  void element(const TetRest& rest, const Svd3& svd, SpdFilter filter, double* gradient,
                double* hessian) const {
-    const Svd3 svd = svd3(f);
     const PrincipalDerivatives d = material_.derivatives(svd.s);
     const Mat3 shape = rest.shape * svd.v;  // row a-1: V^T grad N_a
     Eigen::Map<Eigen::Matrix<double, 3, 4>> g(gradient);

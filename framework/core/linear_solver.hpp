@@ -19,8 +19,10 @@ class LinearSolver : public Component {
   virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
   virtual int analyses() const = 0;  // symbolic analyses so far
 
-  // Whether the last factor solves to double precision, and a request that later ones do: false if
-  // that would change nothing.
+  // For solvers that can trade accuracy for speed. A preconditioner calls allow_approximation() once;
+  // exact() tells whether the last factor solves to double precision nevertheless; sharpen() asks that
+  // later ones do, and is false if that would change nothing.
+  virtual void allow_approximation() {}
   virtual bool exact() const { return true; }
   virtual bool sharpen() { return false; }
 };

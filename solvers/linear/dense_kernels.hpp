@@ -2,6 +2,8 @@
 // Column-major; "lower" throughout.
 #pragma once
 
+#include <cstddef>
+
 extern "C" {
 void openblas_set_num_threads(int threads);
 #define TACK_DECLARE_KERNELS(p, T)                                                                   \
@@ -12,8 +14,6 @@ void openblas_set_num_threads(int threads);
                 const T*, T*, const int*);                                                           \
   void p##gemm_(const char*, const char*, const int*, const int*, const int*, const T*, const T*,    \
                 const int*, const T*, const int*, const T*, T*, const int*);                         \
-  void p##trsv_(const char*, const char*, const char*, const int*, const T*, const int*, T*,         \
-                const int*);                                                                         \
   void p##gemv_(const char*, const int*, const int*, const T*, const T*, const int*, const T*,       \
                 const int*, const T*, T*, const int*);
 TACK_DECLARE_KERNELS(s, float)
@@ -48,11 +48,6 @@ inline void set_threads(int threads) { openblas_set_num_threads(threads); }
     const T minus = -1, beta = add ? 1 : 0;                                                         \
     p##gemm_("N", "T", &m, &n, &k, &minus, a, &lda, b, &ldb, &beta, c, &ldc);                       \
   }                                                                                                 \
-  /* x <- L^-1 x, or L^-T x. */                                                                     \
-  inline void solve_lower(int n, const T* l, int ldl, T* x, bool transposed) {                      \
-    const int one = 1;                                                                              \
-    p##trsv_("L", transposed ? "T" : "N", "N", &n, l, &ldl, x, &one);                               \
-  }                                                                                                 \
   /* y <- A x; A is m x n. */                                                                       \
   inline void multiply(int m, int n, const T* a, int lda, const T* x, T* y) {                       \
     const T alpha = 1, beta = 0;                                                                    \
@@ -68,5 +63,30 @@ inline void set_threads(int threads) { openblas_set_num_threads(threads); }
 TACK_DEFINE_KERNELS(s, float)
 TACK_DEFINE_KERNELS(d, double)
 #undef TACK_DEFINE_KERNELS
+
+// x <- L^-1 x. By columns; in place of trsv, which costs more in calls than in sums when L is small.
+template <class T>
+void solve_lower(int n, const T* l, int ldl, T* x) {
+  for (int j = 0; j < n; ++j, l += ldl) {
+    const T xj = x[j] /= l[j];
+    for (int i = j + 1; i < n; ++i) x[i] -= xj * l[i];
+  }
+}
+
+// x <- L^-T x. Sums in a fixed order that vectorises.
+template <class T>
+void solve_lower_transposed(int n, const T* l, int ldl, T* x) {
+  constexpr int lanes = 16;
+  for (int j = n - 1; j >= 0; --j) {
+    const T* column = l + static_cast<std::ptrdiff_t>(j) * ldl;
+    T part[lanes] = {}, sum = x[j];
+    int i = j + 1;
+    for (; i + lanes <= n; i += lanes)
+      for (int k = 0; k < lanes; ++k) part[k] += column[i + k] * x[i + k];
+    for (; i < n; ++i) sum -= column[i] * x[i];
+    for (int k = 0; k < lanes; ++k) sum -= part[k];
+    x[j] = sum / column[j];
+  }
+}
 
 }  // namespace tack::blas

@@ -47,6 +47,7 @@ class LaggedCholesky : public LinearSolver {
 
  private:
   bool refresh(PhaseClock& clock) {
+    direct_->allow_approximation();
     fresh_ = direct_->factorize(*matrix_, clock);
     size_ = fresh_ ? matrix_->size() : 0;
     stale_ = false;
@@ -84,7 +85,7 @@ class LaggedCholesky : public LinearSolver {
     return Outcome::too_slow;
   }
 
-  std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("cholmod");
+  std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("multifrontal");
   double tolerance_ = 0.01;
   int max_iterations_ = 16;
 

@@ -12,12 +12,13 @@ namespace tack {
 
 class Multifrontal : public LinearSolver {
  public:
-  enum class Precision { single, full };
+  enum class Precision { automatic, single, full };
 
   void fields(Fields& f) override {
     analysis_.fields(f);
     f.choice("precision", precision_,
-             {{"single", Precision::single, "24 bits: half the time; only for a preconditioner"},
+             {{"automatic", Precision::automatic, "single as a preconditioner, double otherwise"},
+              {"single", Precision::single, "24 bits: about half the time"},
               {"double", Precision::full, "53 bits"}},
              "arithmetic of the factor");
   }
@@ -26,7 +27,7 @@ class Multifrontal : public LinearSolver {
     const PhaseScope scope(clock, Phase::factorize);
     blas::set_threads(1);
     if (analysis_.update(matrix, true)) tree_.emplace(*analysis_.factor(), matrix);
-    if (precision_ == Precision::single && single_.factorize(*tree_, matrix)) {
+    if (approximate() && single_.factorize(*tree_, matrix)) {
       exact_ = false;
       return true;
     }
@@ -43,14 +44,22 @@ class Multifrontal : public LinearSolver {
     }
   }
 
+  void allow_approximation() override { preconditioner_ = true; }
   bool exact() const override { return exact_; }
   bool sharpen() override {
-    return !exact_ && std::exchange(precision_, Precision::full) == Precision::single;
+    if (!approximate() || exact_) return false;
+    precision_ = Precision::full;
+    return true;
   }
   int analyses() const override { return analysis_.count(); }
 
  private:
-  Precision precision_ = Precision::full;
+  bool approximate() const {
+    return precision_ == Precision::single || (precision_ == Precision::automatic && preconditioner_);
+  }
+
+  Precision precision_ = Precision::automatic;
+  bool preconditioner_ = false;
   CholmodAnalysis analysis_;
   std::optional<SupernodeTree> tree_;
   MultifrontalFactor<float> single_;

@@ -139,7 +139,7 @@ void MultifrontalFactor<T>::forward(int s, const int* rows, T* x, T* scratch, bo
   const int columns = tree_->columns(s), height = tree_->height(s), below = tree_->below(s);
   const T* panel = values_.get() + tree_->panel[s];
   T* own = x + rows[0];
-  blas::solve_lower(columns, panel, height, own, false);
+  blas::solve_lower(columns, panel, height, own);
   const auto rest = [&](int, int first, int last) {
     blas::multiply(last - first, columns, panel + columns + first, height, own, scratch + first);
     for (int k = first; k < last; ++k) x[rows[columns + k]] -= scratch[k];
@@ -166,7 +166,7 @@ void MultifrontalFactor<T>::backward(int s, const int* rows, T* x, T* scratch, b
   } else if (below > 0) {
     rest(0, 0, columns);
   }
-  blas::solve_lower(columns, panel, height, own, true);
+  blas::solve_lower_transposed(columns, panel, height, own);
 }
 
 template <class T>
