@@ -93,7 +93,7 @@ TEST_CASE("when no step is small enough the run ends, with the last state intact
 }
 
 TEST_CASE("a quasi-static bar under traction stretches as its material says", "[stepping]") {
-  for (const double traction : {100.0, 2e4, 8e4, -2e4}) {
+  for (const double traction : {100.0, 2e4, 8e4, -400.0}) {  // more compression would buckle it
     INFO("traction " << traction << " Pa");
     const double mu = 1e5 / 2, s = traction / mu;  // nu = 0: no lateral contraction
     CHECK(stretch(bar("neo_hookean", 0, traction)) ==
