@@ -138,14 +138,14 @@ TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
   CHECK(read_csv(steps).rows.size() == done);
 }
 
-TEST_CASE("--steps stops early without judging the expectations") {
+TEST_CASE("option --steps stops early without judging the expectations") {
   const Place place(tiny_scene_with("at_least: 0.09", "at_least: 0.11"));
   CHECK(place.run({"--steps", "2"}).exit_code == 0);
   CHECK(place.summary()["steps"] == 2);
   CHECK(place.summary()["expect"].empty());
 }
 
-TEST_CASE("--set replaces values, wherever it stands, and the resolved scene shows them") {
+TEST_CASE("option --set replaces values, wherever it stands, and the resolved scene shows them") {
   const Place place;
   const Arguments set = {"--set", "time.step=5 ms", "--set", "objects.block.energies.0.young=2 MPa"};
   REQUIRE(place.run(set).exit_code == 0);
@@ -165,7 +165,7 @@ TEST_CASE("the resolved scene is a scene that gives the same run") {
   CHECK(file_text(place.path("second/scene.yaml")) == file_text(place.path("first/scene.yaml")));
 }
 
-TEST_CASE("-q prints nothing, -v every step, and the log has every step anyway") {
+TEST_CASE("option -q prints nothing, -v every step, and the log has every step anyway") {
   const Place place;
   const ProgramResult quiet = place.run({"-q", "-o", "quiet"});
   CHECK(quiet.exit_code == 0);

@@ -28,7 +28,7 @@ std::string error_after(const std::string& assignment) {
 
 }  // namespace
 
-TEST_CASE("--set replaces and creates values at a dotted path") {
+TEST_CASE("option --set replaces and creates values at a dotted path") {
   const std::string objects = "[{name: desk, size: 1}, {name: plate, shape: {size: 2}}]";
   const std::string rest = ", linear: cholmod, empty: null";
   CHECK(after("time.step=5 ms") == "{time: {step: \"5 ms\"}, objects: " + objects + rest + "}");
@@ -44,7 +44,7 @@ TEST_CASE("--set replaces and creates values at a dotted path") {
         "{time: {step: 0.1}, objects: " + objects + ", linear: null, empty: null}");
 }
 
-TEST_CASE("--set finds list entries by number and by name") {
+TEST_CASE("option --set finds list entries by number and by name") {
   const std::string rest = "], linear: cholmod, empty: null}";
   CHECK(after("objects.0.name=table") ==
         "{time: {step: 0.1}, objects: [{name: table, size: 1}, {name: plate, shape: {size: 2}}" +
@@ -55,7 +55,7 @@ TEST_CASE("--set finds list entries by number and by name") {
           rest);
 }
 
-TEST_CASE("--set is reported as what was given") {
+TEST_CASE("option --set is reported as what was given") {
   CHECK(error_after("objects.2.name=x") ==
         "--set objects.2.name=x: there is no entry 2; the list has 2, counted from 0");
   CHECK(error_after("objects.plat.size=1") ==
