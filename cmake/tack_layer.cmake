@@ -7,7 +7,7 @@ target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
                        -fno-math-errno
                        # false alarms of GCC 12 inside its own intrinsics and Eigen
                        -Wno-maybe-uninitialized -Wno-uninitialized -Wno-restrict
-                       -Wno-stringop-overflow -Wno-use-after-free)
+                       -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds)
 if(TACK_SANITIZE)
   target_compile_options(tack_options INTERFACE -fsanitize=address,undefined
                          -fno-omit-frame-pointer -g -O1)

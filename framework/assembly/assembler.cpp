@@ -110,7 +110,8 @@ void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const Ve
                          VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, true);
-  if (pattern_->cover(dynamic_.hessian_map.target, matrix)) locate_static_blocks();
+  std::vector<int> dynamic_positions;
+  if (pattern_->cover(dynamic_.hessian_map.target, matrix, dynamic_positions)) locate_static_blocks();
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
   for (int b = 0; b < dofs_.block_count(); ++b)
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
@@ -120,12 +121,7 @@ void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const Ve
     group->gather_gradient(scale, gradient);
   }
   static_.gather_hessian(scale, static_positions_, matrix);
-  std::vector<int> positions(dynamic_.hessian_map.targets());
-  for (size_t t = 0; t < positions.size(); ++t) {
-    const BlockKey key = dynamic_.hessian_map.target[t];
-    positions[t] = matrix.find(key_row(key), key_column(key));
-  }
-  dynamic_.gather_hessian(scale, positions, matrix);
+  dynamic_.gather_hessian(scale, dynamic_positions, matrix);
   add_linear(x, scale, gradient);
 }
 

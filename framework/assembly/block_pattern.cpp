@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "framework/assembly/parallel.hpp"
+
 namespace tack {
 namespace {
 
@@ -25,15 +27,22 @@ BlockPattern::BlockPattern(int columns, std::vector<BlockKey> static_keys)
   static_keys_.erase(std::unique(static_keys_.begin(), static_keys_.end()), static_keys_.end());
 }
 
-bool BlockPattern::cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix) {
-  const bool built = matrix.columns() == columns_ && !static_positions_.empty();
-  const bool covered = std::all_of(dynamic_keys.begin(), dynamic_keys.end(), [&](BlockKey key) {
-    return built && matrix.find(key_row(key), key_column(key)) >= 0;
-  });
-  if (built && covered) return false;
+bool BlockPattern::cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix,
+                         std::vector<int>& positions) {
+  positions.resize(dynamic_keys.size());
+  const auto find = [&] {
+    for_each(static_cast<int>(dynamic_keys.size()), [&](int k) {
+      positions[k] = matrix.find(key_row(dynamic_keys[k]), key_column(dynamic_keys[k]));
+    });
+  };
+  if (matrix.columns() == columns_ && !static_positions_.empty()) {
+    find();
+    if (std::find(positions.begin(), positions.end(), -1) == positions.end()) return false;
+  }
   const bool keep = extra_keys_.size() <= keep_factor * dynamic_keys.size() + 64;
   extra_keys_ = keep ? merged(extra_keys_, dynamic_keys) : dynamic_keys;
   rebuild(matrix);
+  find();
   return true;
 }
 

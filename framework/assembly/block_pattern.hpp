@@ -24,9 +24,9 @@ class BlockPattern {
   // Sorted unique keys of the static stencils; diagonal blocks are always added.
   BlockPattern(int columns, std::vector<BlockKey> static_keys);
 
-  // Makes sure that every dynamic key (sorted, unique) is in the matrix. Returns true if its
-  // structure had to change.
-  bool cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix);
+  // Makes sure that every dynamic key (sorted, unique) is in the matrix and finds their positions
+  // there. Returns true if its structure had to change.
+  bool cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix, std::vector<int>& positions);
 
   // Position in the matrix of the k-th static key.
   const std::vector<int>& static_positions() const { return static_positions_; }

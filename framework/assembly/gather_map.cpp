@@ -1,59 +1,144 @@
 #include "framework/assembly/gather_map.hpp"
 
-#include <tbb/parallel_sort.h>
-
+#include <algorithm>
 #include <utility>
+
+#include "framework/assembly/parallel.hpp"
 
 namespace tack {
 namespace {
 
-using Entry = std::pair<BlockKey, int>;  // target, slot
+// A run of stencils of one batch.
+struct Run {
+  const PlacedBatch* placed;
+  int first, last;
+};
 
-GatherMap group(std::vector<Entry> entries) {
-  tbb::parallel_sort(entries.begin(), entries.end());  // slots are unique: a total order
-  GatherMap map;
-  map.slot.reserve(entries.size());
-  for (const auto& [target, slot] : entries) {
-    if (map.target.empty() || map.target.back() != target) {
-      map.target.push_back(target);
-      map.start.push_back(static_cast<int>(map.slot.size()));
-    }
-    map.slot.push_back(slot);
+// At most a few dozen runs: each counts the entries of every column.
+std::vector<Run> runs_of(const std::vector<PlacedBatch>& batches) {
+  constexpr int shortest = 2048, most = 16;
+  int total = 0;
+  for (const PlacedBatch& placed : batches) total += placed.batch.count;
+  const int length = std::max(shortest, (total + most - 1) / most);
+  std::vector<Run> runs;
+  for (const PlacedBatch& placed : batches)
+    for (int first = 0; first < placed.batch.count; first += length)
+      runs.push_back({&placed, first, std::min(first + length, placed.batch.count)});
+  return runs;
+}
+
+struct Entry {
+  int row, slot;
+  bool operator<(const Entry& other) const {
+    return row != other.row ? row < other.row : slot < other.slot;
   }
-  map.start.push_back(static_cast<int>(map.slot.size()));
+};
+
+// The entries of all stencils by column, and where each column's start.
+struct Columns {
+  std::vector<Entry> entries;
+  std::vector<int> start;
+};
+
+// Counting sort; visit(placed batch, stencil, emit(column, row, slot)) lists a stencil's entries.
+template <class Visit>
+Columns by_column(const std::vector<PlacedBatch>& batches, int columns, const Visit& visit) {
+  const std::vector<Run> runs = runs_of(batches);
+  std::vector<std::vector<int>> next(runs.size());
+  for_each(static_cast<int>(runs.size()), [&](int r) {
+    next[r].assign(columns, 0);
+    for (int s = runs[r].first; s < runs[r].last; ++s)
+      visit(*runs[r].placed, s, [&](int column, int, int) { ++next[r][column]; });
+  }, 1);
+  Columns sorted;
+  sorted.start.assign(columns + 1, 0);
+  for (int c = 0; c < columns; ++c) {
+    int at = sorted.start[c];
+    for (auto& counts : next) at += std::exchange(counts[c], at);
+    sorted.start[c + 1] = at;
+  }
+  sorted.entries.resize(sorted.start.back());
+  for_each(static_cast<int>(runs.size()), [&](int r) {
+    for (int s = runs[r].first; s < runs[r].last; ++s)
+      visit(*runs[r].placed, s, [&](int column, int row, int slot) {
+        sorted.entries[next[r][column]++] = {row, slot};
+      });
+  }, 1);
+  return sorted;
+}
+
+// Sorts each column by row and counts its distinct rows.
+std::vector<int> sort_columns(Columns& sorted, int columns) {
+  std::vector<int> targets(columns + 1, 0);
+  for_each(columns, [&](int c) {
+    const auto begin = sorted.entries.begin() + sorted.start[c];
+    const auto end = sorted.entries.begin() + sorted.start[c + 1];
+    std::sort(begin, end);
+    int distinct = 0;
+    for (auto e = begin; e != end; ++e) distinct += e == begin || e->row != (e - 1)->row;
+    targets[c + 1] = distinct;
+  }, 64);
+  for (int c = 0; c < columns; ++c) targets[c + 1] += targets[c];
+  return targets;
+}
+
+// key(column, row) names a target.
+template <class Visit, class Key>
+GatherMap group(const std::vector<PlacedBatch>& batches, int columns, const Visit& visit, const Key& key) {
+  GatherMap map;
+  if (batches.empty()) {
+    map.start.push_back(0);
+    return map;
+  }
+  Columns sorted = by_column(batches, columns, visit);
+  const std::vector<int> first_target = sort_columns(sorted, columns);
+  map.target.resize(first_target.back());
+  map.start.resize(first_target.back() + 1);
+  map.slot.resize(sorted.entries.size());
+  map.start.back() = static_cast<int>(sorted.entries.size());
+  for_each(columns, [&](int c) {
+    int target = first_target[c] - 1;
+    for (int e = sorted.start[c]; e < sorted.start[c + 1]; ++e) {
+      const Entry& entry = sorted.entries[e];
+      if (e == sorted.start[c] || entry.row != sorted.entries[e - 1].row) {
+        map.target[++target] = key(c, entry.row);
+        map.start[target] = e;
+      }
+      map.slot[e] = entry.slot;
+    }
+  }, 64);
   return map;
 }
 
 }  // namespace
 
 GatherMap gradient_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
-  std::vector<Entry> entries;
-  for (const auto& [batch, first, unused] : batches) {
-    for (int k = 0; k < batch.arity * batch.count; ++k) {
-      const int block = dofs.block(batch.vertices[k]);
-      if (block >= 0) entries.emplace_back(static_cast<BlockKey>(block), first + k);
+  const auto visit = [&](const PlacedBatch& placed, int stencil, const auto& emit) {
+    const int arity = placed.batch.arity;
+    for (int k = arity * stencil; k < arity * (stencil + 1); ++k) {
+      const int block = dofs.block(placed.batch.vertices[k]);
+      if (block >= 0) emit(block, 0, placed.gradient_slot + k);
     }
-  }
-  return group(std::move(entries));
+  };
+  return group(batches, dofs.block_count(), visit,
+               [](int column, int) { return static_cast<BlockKey>(column); });
 }
 
 GatherMap hessian_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
-  std::vector<Entry> entries;
-  for (const auto& [batch, unused, first] : batches) {
-    int slot = first;
-    for (int s = 0; s < batch.count; ++s) {
-      const int* v = batch.vertices + batch.arity * s;
-      for (int i = 0; i < batch.arity; ++i) {
-        const int r = dofs.block(v[i]);
-        for (int j = 0; j <= i; ++j, ++slot) {
-          const int c = dofs.block(v[j]);
-          if (r < 0 || c < 0) continue;
-          entries.emplace_back(r >= c ? block_key(r, c) : block_key(c, r), 2 * slot + (r < c));
-        }
+  const auto visit = [&](const PlacedBatch& placed, int stencil, const auto& emit) {
+    const int arity = placed.batch.arity;
+    const int* v = placed.batch.vertices + arity * stencil;
+    int slot = placed.hessian_slot + hessian_blocks(arity) * stencil;
+    for (int i = 0; i < arity; ++i) {
+      const int r = dofs.block(v[i]);
+      for (int j = 0; j <= i; ++j, ++slot) {
+        const int c = dofs.block(v[j]);
+        if (r >= 0 && c >= 0) emit(std::min(r, c), std::max(r, c), 2 * slot + (r < c));
       }
     }
-  }
-  return group(std::move(entries));
+  };
+  return group(batches, dofs.block_count(), visit,
+               [](int column, int row) { return block_key(row, column); });
 }
 
 }  // namespace tack

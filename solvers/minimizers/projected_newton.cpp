@@ -13,11 +13,14 @@ namespace tack {
 
 class ProjectedNewton : public Minimizer {
  public:
+  enum class Filter { clamp, absolute, on_demand };
+
   void fields(Fields& f) override {
     Minimizer::fields(f);
     f.choice("filter", filter_,
-             {{"clamp", SpdFilter::clamp, "negative eigenvalues become zero"},
-              {"absolute", SpdFilter::absolute, "negative eigenvalues change sign"}},
+             {{"clamp", Filter::clamp, "negative eigenvalues become zero"},
+              {"absolute", Filter::absolute, "negative eigenvalues change sign"},
+              {"on_demand", Filter::on_demand, "clamp where the system turns out not to be positive definite"}},
              "how a stencil's Hessian is made positive semi-definite");
     f.component("linear", linear_, "solver of the Newton system");
     f.component("line_search", line_search_, "step length");
@@ -28,15 +31,20 @@ class ProjectedNewton : public Minimizer {
     Objective& objective = problem.objective;
     objective.move_to(q);
     VecX p;
+    int indefinite = 0;
     while (result.iterations < max_iterations_) {
       if (interrupt_requested) return fail(result, MinimizerStatus::interrupted);
-      const BlockMatrix& hessian = objective.hessian(filter_);
-      const VecX& gradient = objective.gradient();
-      if (!gradient.allFinite()) return fail(result, MinimizerStatus::not_finite);
-      if (!solve(hessian, gradient, p, problem.clock, result))
-        return fail(result, MinimizerStatus::factorization_failed);
+      const bool try_unfiltered = filter_ == Filter::on_demand && indefinite < patience;
+      if (!(try_unfiltered && solve_unfiltered(problem, p, result))) {
+        indefinite += try_unfiltered;
+        const BlockMatrix& hessian = objective.hessian(spd_filter());
+        const VecX& gradient = objective.gradient();
+        if (!gradient.allFinite()) return fail(result, MinimizerStatus::not_finite);
+        if (!solve(hessian, gradient, p, problem.clock, result))
+          return fail(result, MinimizerStatus::factorization_failed);
+      }
       ++result.iterations;
-      result.residual = problem.stopping_norm(p, gradient);
+      result.residual = problem.stopping_norm(p, objective.gradient());
       const bool last = result.residual <= 1;
       const MinimizerStatus status = advance(problem, p, q, result);
       // Below the tolerance the point is accepted as it is, whether or not the last step helped.
@@ -47,9 +55,23 @@ class ProjectedNewton : public Minimizer {
   }
 
  private:
+  SpdFilter spd_filter() const {
+    return filter_ == Filter::absolute ? SpdFilter::absolute : SpdFilter::clamp;
+  }
+
   static MinimizerResult fail(MinimizerResult result, MinimizerStatus status) {
     result.status = status;
     return result;
+  }
+
+  // p <- -H^-1 g without a filter. False if H shows a negative curvature, or p does not descend.
+  bool solve_unfiltered(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+    const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::none);
+    const VecX& gradient = problem.objective.gradient();
+    ++result.linear_solves;
+    if (!gradient.allFinite() || !linear_->factorize(hessian, problem.clock)) return false;
+    linear_->solve(-gradient, p, problem.clock);
+    return p.allFinite() && p.dot(gradient) < 0;
   }
 
   // p <- -H^-1 g; a semi-definite H (free rigid motions of a quasi-static body) gets a growing shift.
@@ -95,7 +117,10 @@ class ProjectedNewton : public Minimizer {
     return MinimizerStatus::converged;
   }
 
-  SpdFilter filter_ = SpdFilter::clamp;
+  // Indefinite systems in one solve after which all are filtered at once.
+  static constexpr int patience = 2;
+
+  Filter filter_ = Filter::clamp;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
 };
