@@ -60,6 +60,9 @@ TEST_CASE("experiment critical_strain at 0.01") { check_experiment("critical_str
 TEST_CASE("experiment critical_strain at 0.03") { check_experiment("critical_strain/strain_03.yaml"); }
 TEST_CASE("experiment critical_strain at 0.05") { check_experiment("critical_strain/strain_05.yaml"); }
 TEST_CASE("experiment stack/two_blocks") { check_experiment("stack/two_blocks.yaml"); }
+TEST_CASE("experiment stack/tower") { check_experiment("stack/tower.yaml"); }
+TEST_CASE("experiment arch/stands") { check_experiment("arch/stands.yaml"); }
+TEST_CASE("experiment arch/collapses") { check_experiment("arch/collapses.yaml"); }
 TEST_CASE("experiment slope/stick") { check_experiment("slope/stick.yaml"); }
 TEST_CASE("experiment slope/critical") { check_experiment("slope/critical.yaml"); }
 TEST_CASE("experiment slope/slide") { check_experiment("slope/slide.yaml"); }
