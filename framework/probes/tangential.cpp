@@ -52,8 +52,8 @@ class FrictionForce : public VectorProbe {
   int a_ = -1, b_ = -1;
 };
 
-// Mean of |T^T sum c_i v_i| over the points of a pair that are within reach of its laws, weighted with
-// their areas. Guards would count area again: they are left out. 0 if nothing touches.
+// Mean of |u| / h, u the slip of the last step, over the points of a pair that are within reach of its laws,
+// weighted with their areas. Guards would count area again: they are left out. 0 if nothing touches.
 class SlidingSpeed : public Probe {
  public:
   void fields(Fields& f) override {
@@ -73,6 +73,7 @@ class SlidingSpeed : public Probe {
       if (role->law >= 0 && (role->facing || pairs.plain_sums)) wanted_[role->law] = 1;
   }
   std::vector<double> sample(const World& world, const State& state) override {
+    if (state.h_before == 0) return {0};
     const LaggedContacts contacts = lag_contacts(
         *world.contact, world.contact_term->laws(LawPart::barrier), wanted_, state.x);
     const auto& object = world.contact->surface().mesh.vertex_object;
@@ -81,11 +82,11 @@ class SlidingSpeed : public Probe {
       for (const auto& c : list) {
         const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
         if (std::minmax(a, b) != std::minmax(a_, b_)) continue;
-        Vec3 velocity = Vec3::Zero();
+        Vec3 moved = Vec3::Zero();
         for (size_t i = 0; i < c.vertices.size(); ++i)
-          velocity += c.coefficients[i] * vertex(state.v, c.vertices[i]);
+          moved += c.coefficients[i] * (vertex(state.x, c.vertices[i]) - vertex(state.x_before, c.vertices[i]));
         area += c.area;
-        sum += c.area * (c.tangents.transpose() * velocity).norm();
+        sum += c.area * (c.tangents.transpose() * moved).norm() / state.h_before;
       }
     };
     add(contacts.twos);
@@ -111,7 +112,7 @@ class AttachedObjects : public Probe {
     require_contact(world, name_);
     index_ = object_index(world, to_, name_);
     const auto& adhesion = world.contact_term->laws(LawPart::adhesion);
-    adhesive_ = {};
+    adhesive_.clear();
     for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
   }
   std::vector<double> sample(const World& world, const State&) override {
@@ -142,7 +143,7 @@ class AttachedObjects : public Probe {
 TACK_REGISTER(Probe, FrictionForce, "friction_force",
               "Friction and tangential adhesion between objects in the last step [N].", "");
 TACK_REGISTER(Probe, SlidingSpeed, "sliding_speed",
-              "Mean tangential speed of one surface along another where they touch or adhere [m/s].", "");
+              "Mean speed of one surface along another where they touch or adhere, in the last step [m/s].", "");
 TACK_REGISTER(Probe, AttachedObjects, "attached_objects",
               "How many other objects an object holds within reach of its adhesion.", "");
 

@@ -17,6 +17,7 @@ struct Slide {
   double duration = 0.2;
   int max_iterations = 500;
   double speed = 4;
+  std::string pull = "0";  // m/s^2 along the floor
 
   std::string yaml() const {
     return fmt::format(
@@ -29,11 +30,12 @@ struct Slide {
         "    place: {{translate: [0, 0.025943376, 0]}}\n"
         "    velocity: [{}, 0, 0]\n"
         "    energies: [{{type: neo_hookean, young: 10 MPa, poisson: 0.3}}]\n"
-        "    loads: [{{type: body_force, value: [0, -10, 0], ramp: {}}}]\n"
+        "    loads: [{{type: body_force, value: [0, -10, 0], ramp: {}}},\n"
+        "            {{type: body_force, value: [1, 0, 0], ramp: {}}}]\n"
         "contact:\n  distance: 1 mm\n  barrier: {{type: clamped_log, stiffness: 50 kPa}}\n"
         "  friction: {{mu: 0.5, eps_v: 1 mm/s}}\n  lagging: {}\n"
         "solver: {{type: projected_newton, tolerance: 1e-6, max_iterations: {}}}\n",
-        h, duration, integrator, speed, ramp, lagging, max_iterations);
+        h, duration, integrator, speed, ramp, pull, lagging, max_iterations);
   }
 };
 
@@ -130,6 +132,14 @@ TEST_CASE("friction survives halved steps", "[friction]") {
   CHECK(smallest < 0.05);
   CHECK(r.friction == Approx(5).epsilon(0.02));
   CHECK(r.speed == Approx(3).epsilon(0.01));
+}
+
+TEST_CASE("a quasi-static block creeps as the slip law says", "[friction]") {
+  const Run r = run({.integrator = "quasi_static", .h = 0.1, .duration = 2, .speed = 0, .pull = "[[0, 0], [2, 4]]"});
+  double creep = 0;
+  for (int i = 1; i <= 20; ++i) creep += 1e-3 * 0.1 * (1 - std::sqrt(1 - 0.2 * i / 5));
+  CHECK(r.distance == Approx(creep).epsilon(0.01));
+  CHECK(r.friction == Approx(0.2 * 10.5).epsilon(1e-3));
 }
 
 TEST_CASE("without friction nothing is lagged", "[friction]") {
