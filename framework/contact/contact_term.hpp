@@ -33,10 +33,10 @@ class ContactTerm : public Term {
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
   // The force that object b exerts on object a [N].
   Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
-
- private:
+  // That part of each law of the pair table.
   const std::vector<PairLaw>& laws(LawPart part) const;
 
+ private:
   const ContactSystem& system_;
   PhaseClock& clock_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;

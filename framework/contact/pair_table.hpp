@@ -11,9 +11,11 @@
 // shorter range, and see to it that nothing passes where no quadrature point is near.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "framework/contact/pair_law.hpp"
+#include "framework/contact/tangential_law.hpp"
 
 namespace tack {
 
@@ -30,11 +32,16 @@ class PairTable {
   explicit PairTable(int objects) : objects_(objects), point_(objects * objects), edge_(objects * objects) {}
 
   int objects() const { return objects_; }
-  int add_law(PairLaw law) {
+  int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
     laws_.push_back(std::move(law));
+    tangential_.push_back(tangential);
     return static_cast<int>(laws_.size()) - 1;
   }
   const std::vector<PairLaw>& laws() const { return laws_; }
+  const TangentialLaw& tangential(int law) const { return tangential_[law]; }
+  bool any_tangential() const {
+    return std::any_of(tangential_.begin(), tangential_.end(), [](const auto& t) { return t.acts(); });
+  }
 
   // Points of object a against the surface of object b.
   PairRole& point(int a, int b) { return point_[a * objects_ + b]; }
@@ -51,6 +58,7 @@ class PairTable {
  private:
   int objects_;
   std::vector<PairLaw> laws_;
+  std::vector<TangentialLaw> tangential_;  // per law
   std::vector<PairRole> point_, edge_;
 };
 

@@ -94,6 +94,8 @@ std::vector<PointField> Recorder::point_fields(const State& state) const {
       fields.push_back({name, 3, world_.contact_term->forces(state.x, LawPart::all), "N"});
     if (name == "adhesion_force")
       fields.push_back({name, 3, world_.contact_term->forces(state.x, LawPart::adhesion), "N"});
+    if (name == "friction_force" && world_.friction)
+      fields.push_back({name, 3, world_.friction->forces(state.x, TangentialPart::all), "N"});
   }
   return fields;
 }

@@ -64,6 +64,7 @@ Json to_json(const RunSummary& s) {
           {"steps", s.steps},
           {"converged_steps", s.converged_steps},
           {"failed_solves", s.failed_solves},
+          {"unconverged_lags", s.unconverged_lags},
           {"wall_seconds", finite(s.wall_seconds)},
           {"phases", phases_json(s.phases)},
           {"totals", totals_json(s)},
@@ -95,6 +96,7 @@ void RunSummary::add(const StepReport& report) {
   ++steps;
   converged_steps += report.converged ? 1 : 0;
   failed_solves += report.halvings;
+  unconverged_lags += report.lag_converged ? 0 : 1;
   newton_iterations += report.solve.iterations;
   linear_solves += report.solve.linear_solves;
   line_search_evaluations += report.solve.line_search_evaluations;

@@ -1,7 +1,7 @@
 // What remains of a run in one place: summary.json, and the tables at the end on the terminal.
 //
 // Keys: name, version, commit, status, error, threads, dofs, steps, converged_steps, failed_solves,
-// wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
+// unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], intersections,
 // inverted_tets, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
@@ -34,6 +34,7 @@ struct RunSummary {
   int steps = 0;
   int converged_steps = 0;
   int failed_solves = 0;  // solves that were rolled back and repeated with half the step
+  int unconverged_lags = 0;  // steps in which friction did not reach contact.lagging.until
   double wall_seconds = 0;
   PhaseClock::Seconds phases{};
   long newton_iterations = 0;

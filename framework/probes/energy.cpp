@@ -14,7 +14,7 @@ class EnergyProbe : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("term", term_, "kinetic, total, or the name of a term as in steps.csv");
+    f.text("term", term_, "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix");
   }
   void prepare(const World& world) override {
     std::vector<std::string> names = {"total"};
@@ -26,7 +26,7 @@ class EnergyProbe : public Probe {
   std::vector<double> sample(const World& world, const State& state) override {
     double sum = 0;
     for (const auto& [name, value] : energies_by_term(world, state))
-      if (term_ == "total" || term_ == name) sum += value;
+      if (term_ == name || (term_ == "total" && is_stored(name))) sum += value;
     return {sum};
   }
 

@@ -166,6 +166,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     break;
   }
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
+  if (world->friction) world->terms.push_back(world->friction.get());
   return world;
 }
 

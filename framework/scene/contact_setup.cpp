@@ -120,6 +120,21 @@ class PairBuilder {
     return found == configs_.end() ? -1 : found->second;
   }
 
+  // What acts along the surfaces of a pair whose adhesion has the given peak traction.
+  TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const {
+    TangentialLaw law;
+    if (const auto& friction = pair && pair->friction ? pair->friction : contact_.friction) {
+      law.mu = friction->mu;
+      law.eps_v = friction->eps_v;
+    }
+    if (pair && pair->tangential_adhesion) {
+      law.mu_a = pair->tangential_adhesion->mu;
+      law.eps_a = pair->tangential_adhesion->eps_a.value_or(law.eps_v);
+      law.peak_traction = peak_traction;
+    }
+    return law;
+  }
+
   // 0 if no side has a Young's modulus.
   double softer_young(int a, int b) const {
     double softer = 0;
@@ -164,7 +179,10 @@ class PairBuilder {
       if (table_.plain_sums) guard.add(adhesion);
       report(a, b, static_cast<const AdhesionLaw&>(*adhesion), pressure);
     }
-    const LawIds ids{table_.add_law(pressure), table_.add_law(guard)};
+    const TangentialLaw along = tangential_of(pair, materials.adhesion_peak);
+    TangentialLaw along_guard = along;
+    if (!table_.plain_sums) along_guard.mu_a = 0;  // guards do not adhere
+    const LawIds ids{table_.add_law(pressure, along), table_.add_law(guard, along_guard)};
     laws_.emplace(key, ids);
     return ids;
   }
@@ -224,6 +242,8 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.filter(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact, clock);
+  if (world.contact->pairs().any_tangential())
+    world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
 }
 
 }  // namespace tack

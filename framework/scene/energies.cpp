@@ -23,6 +23,10 @@ std::vector<std::pair<std::string, double>> energies_by_term(const World& world,
     all.emplace_back("barrier", world.contact_term->part_value(state.x, LawPart::barrier));
     all.emplace_back("adhesion", world.contact_term->part_value(state.x, LawPart::adhesion));
   }
+  if (world.friction) {
+    all.emplace_back("friction", world.friction->part_value(state.x, TangentialPart::friction));
+    all.emplace_back("tangential_adhesion", world.friction->part_value(state.x, TangentialPart::adhesion));
+  }
   return all;
 }
 

@@ -35,11 +35,18 @@ void PairConfig::fields(Fields& f) {
   f.flag("contact", contact, "false: the two may pass through each other");
   f.component("barrier", barrier, "repulsion of this pair, instead of the common one");
   f.component("adhesion", adhesion, "attraction; pairs that are not named do not adhere");
+  f.optional_object("friction", friction, "friction of this pair, instead of the common one");
+  f.optional_object("tangential_adhesion", tangential_adhesion,
+                    "resistance to sliding within reach of the adhesion, which it needs");
   f.text("integrate", integrate,
          "whose surface vertices the pressure is integrated over: finer (the side with the finer "
          "surface), both (half each), or the name of one of the two objects");
   f.check("between", [this]() -> std::string {
     return between.size() == 2 ? "" : "expects two object names";
+  });
+  f.check("tangential_adhesion", [this]() -> std::string {
+    return !tangential_adhesion || adhesion
+               ? "" : "takes its strength from the pair's adhesion, and there is none; give one";
   });
 }
 
@@ -53,21 +60,23 @@ void ContactConfig::fields(Fields& f) {
            {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
             {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},
            "how pairs are weighted");
+  f.optional_object("friction", friction, "friction of every pair");
+  f.object("lagging", lagging, "how friction follows the normal forces within a step");
   f.list("pairs", pairs, "what differs between two objects");
 }
 
 void OutputConfig::fields(Fields& f) {
   f.flag("frames", frames, "write frames/*.vtu and run.pvd");
   f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
-  f.texts("fields", frame_fields, "vertex fields of the frames: velocity, contact_force, "
-                                  "adhesion_force, displacement, mass");
+  f.texts("fields", frame_fields, "vertex fields of the frames: velocity, contact_force, adhesion_force, "
+                                  "friction_force (with tangential adhesion), displacement, mass");
   f.check("fields", [this]() -> std::string {
     static const std::set<std::string> known = {"velocity", "contact_force", "adhesion_force",
-                                                "displacement", "mass"};
+                                                "friction_force", "displacement", "mass"};
     for (const auto& field : frame_fields)
       if (!known.count(field))
         return "unknown field '" + field +
-               "'; choose from velocity, contact_force, adhesion_force, displacement, mass";
+               "'; choose from velocity, contact_force, adhesion_force, friction_force, displacement, mass";
     return "";
   });
 }

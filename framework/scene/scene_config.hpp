@@ -12,6 +12,7 @@
 #include "framework/output/expectations.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/scene/energy.hpp"
+#include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
 #include "framework/scene/shape_source.hpp"
@@ -51,6 +52,8 @@ struct PairConfig {
   bool contact = true;
   std::unique_ptr<BarrierLaw> barrier;
   std::unique_ptr<AdhesionLaw> adhesion;
+  std::optional<FrictionConfig> friction;
+  std::optional<TangentialAdhesionConfig> tangential_adhesion;
   std::string integrate = "finer";
   void fields(Fields& f);
 };
@@ -61,6 +64,8 @@ struct ContactConfig {
   double guard = 0.5;      // range of guard stencils, in contact distances
   Weights weights = Weights::area;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
+  std::optional<FrictionConfig> friction;
+  LaggingConfig lagging;
   std::vector<PairConfig> pairs;
   void fields(Fields& f);
 };
@@ -68,7 +73,8 @@ struct ContactConfig {
 struct OutputConfig {
   double frame_interval = 0;  // s; 0: every step
   bool frames = true;
-  std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force"};
+  std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force",
+                                           "friction_force"};
   void fields(Fields& f);
 };
 

@@ -55,6 +55,23 @@ class CylinderShape : public ShapeSource {
   int across_ = 8, along_ = 8;
 };
 
+class VoussoirShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("inner_radius", stone_.inner_radius, units::length, "radius of the arch below").positive();
+    f.number("outer_radius", stone_.outer_radius, units::length, "radius of the arch above").positive();
+    f.number("angle", stone_.angle, units::angle, "of the arch that it takes, its joint included").positive();
+    f.number("depth", stone_.depth, units::length, "extent along z").positive();
+    f.number("joint", stone_.joint, units::length, "gap to the next stone, half of it on each side").nonnegative();
+    f.vector("cells", cells_, "cells along the arc, the radius and z").at_least(1);
+  }
+  Mesh make() const override { return voussoir(stone_, cells_); }
+
+ private:
+  Voussoir stone_;
+  std::array<int, 3> cells_ = {1, 1, 1};
+};
+
 class GridShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
@@ -82,6 +99,8 @@ class FileShape : public ShapeSource {
 TACK_REGISTER(ShapeSource, BoxShape, "box", "A box of tets (or its surface).", "");
 TACK_REGISTER(ShapeSource, SphereShape, "sphere", "A ball of tets (or its surface).", "");
 TACK_REGISTER(ShapeSource, CylinderShape, "cylinder", "A cylinder of tets along y.", "");
+TACK_REGISTER(ShapeSource, VoussoirShape, "voussoir",
+              "A stone of an arch about the z axis, at the crown; turn it into its place.", "");
 TACK_REGISTER(ShapeSource, GridShape, "grid", "A flat sheet of triangles.", "");
 TACK_REGISTER(ShapeSource, FileShape, "file", "A mesh read from a file.", "");
 

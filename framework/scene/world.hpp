@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/contact/adhesion_summary.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/friction_term.hpp"
 #include "framework/core/dof_map.hpp"
 #include "framework/core/linear_term.hpp"
 #include "framework/scene/scene_config.hpp"
@@ -26,6 +26,7 @@ struct World {
   LinearTerm gravity_term{"gravity"}, load_term{"loads"};
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
+  std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
   std::vector<AdhesionSummary> adhesion;
   State start;

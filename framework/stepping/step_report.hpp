@@ -22,6 +22,9 @@ struct StepReport {
   double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near
   int broad_phase_builds = 0;
   std::vector<std::pair<std::string, double>> energies;  // by term, and kinetic [J]
+  int lag_iterations = 0;        // solves with tangential forces of their own; 0 without friction
+  double friction_residual = 0;  // what tangential forces would change by, relative to the largest
+  bool lag_converged = true;     // false: contact.lagging.until was not reached
   // Found by the exact check in this step's solves; a solve that has any is rolled back.
   int intersections = 0;
   int inverted_tets = 0;

@@ -12,6 +12,17 @@
 #include "geometry/exact/orientation.hpp"
 
 namespace tack {
+namespace {
+
+// The result of a solve that follows another one of the same step.
+MinimizerResult after(const MinimizerResult& before, MinimizerResult result) {
+  result.iterations += before.iterations;
+  result.linear_solves += before.linear_solves;
+  result.line_search_evaluations += before.line_search_evaluations;
+  return result;
+}
+
+}  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
@@ -90,15 +101,40 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
   const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
   inertia_ = prediction.inertia;
   if (world_.contact) world_.contact->begin_step(state_.x);
+  if (world_.friction) {
+    world_.contact->move_to(state_.x);
+    world_.friction->begin_step(state_.x, h);
+  }
   apply_loads(state_.time + h);
   potential_.begin_step(state_.x, prediction.x, prediction.scale, prediction.inertia);
   const MinimizerProblem problem{
       potential_, [this](const VecX& q, const VecX& p) { return feasible_step(q, p); },
       [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_};
   VecX q = first_guess(h);
-  Attempt attempt{scene_.solver->minimize(problem, q), state_.x};
-  world_.dofs.scatter(q, attempt.x);
-  return attempt;
+  return solve_lagged(problem, q);
+}
+
+// The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.
+TimeStepper::Attempt TimeStepper::solve_lagged(const MinimizerProblem& problem, VecX& q) {
+  Attempt attempt{{}, state_.x};
+  if (!world_.friction) {
+    attempt.result = scene_.solver->minimize(problem, q);
+    world_.dofs.scatter(q, attempt.x);
+    return attempt;
+  }
+  const LaggingConfig& lagging = scene_.contact->lagging;
+  while (true) {
+    attempt.result = after(attempt.result, scene_.solver->minimize(problem, q));
+    world_.dofs.scatter(q, attempt.x);
+    ++attempt.lag_iterations;
+    if (attempt.result.status != MinimizerStatus::converged) return attempt;
+    world_.contact->move_to(attempt.x);
+    attempt.friction_residual = world_.friction->residual(attempt.x);
+    attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
+    const bool reached = lagging.until && attempt.lag_converged;
+    if (reached || attempt.lag_iterations >= lagging.iterations) return attempt;
+    world_.friction->lag(attempt.x);
+  }
 }
 
 std::string TimeStepper::verdict(const Attempt& attempt) {
@@ -131,14 +167,17 @@ bool TimeStepper::finished() const {
   return state_.time >= scene_.time.duration - 1e-9 * scene_.time.step;
 }
 
-StepReport TimeStepper::report(const MinimizerResult& result, double h, int halvings) const {
+StepReport TimeStepper::report(const Attempt& attempt, double h, int halvings) const {
   StepReport r;
   r.step = state_.step;
   r.time = state_.time;
   r.step_size = h;
   r.halvings = halvings;
-  r.solve = result;
-  r.converged = result.status == MinimizerStatus::converged;
+  r.solve = attempt.result;
+  r.converged = attempt.result.status == MinimizerStatus::converged;
+  r.lag_iterations = attempt.lag_iterations;
+  r.friction_residual = attempt.friction_residual;
+  r.lag_converged = attempt.lag_converged;
   r.min_distance = std::numeric_limits<double>::infinity();
   if (world_.contact) {
     r.contacts = static_cast<int>(world_.contact->contacts().size());
@@ -175,7 +214,12 @@ StepReport TimeStepper::advance() {
         ++slots_done_;
         h_ = whole;
       }
-      StepReport r = report(attempt.result, h, halvings);
+      StepReport r = report(attempt, h, halvings);
+      if (!attempt.lag_converged)
+        warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
+                          "{:.2g} of the largest (contact.lagging.until: {:.2g})",
+                          state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
+                          *scene_.contact->lagging.until));
       if (world_.contact) r.broad_phase_builds = world_.contact->broad_phase_builds() - builds_before;
       const PhaseClock::Seconds& after = clock_.seconds();
       for (int i = 0; i < phase_count; ++i) r.phases[i] = after[i] - before[i];

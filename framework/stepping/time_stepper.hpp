@@ -29,10 +29,14 @@ class TimeStepper {
 
  private:
   struct Attempt {
-    MinimizerResult result;
+    MinimizerResult result;  // counts over all lag iterations
     VecX x;
+    int lag_iterations = 0;
+    double friction_residual = 0;
+    bool lag_converged = true;
   };
   Attempt solve(double h);
+  Attempt solve_lagged(const MinimizerProblem& problem, VecX& q);
   VecX first_guess(double h);
   std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
@@ -40,7 +44,7 @@ class TimeStepper {
   double feasible_step(const VecX& q, const VecX& p);
   double stopping_norm(double h, const VecX& p, const VecX& gradient) const;
   void start_acceleration();
-  StepReport report(const MinimizerResult& result, double h, int halvings) const;
+  StepReport report(const Attempt& attempt, double h, int halvings) const;
 
   World& world_;
   const SceneConfig& scene_;

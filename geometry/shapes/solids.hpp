@@ -22,4 +22,16 @@ Mesh sphere(double radius, int cells);
 // y, cell diagonals point away from the axis.
 Mesh cylinder(double radius, double height, int cells_across, int cells_along);
 
+// A stone of an arch about the z axis, where it lies: its crown at (0, r, 0), its flat sides on the
+// planes through the axis at -angle/2 and angle/2 from +y, each moved inwards by joint/2. Corners have
+// the inner and outer radius before that; top and bottom are flat. `cells` run along the arc (x), the
+// radius (y) and the axis (z). The angle is below pi, the inner radius below the outer one.
+struct Voussoir {
+  double inner_radius = 0.9, outer_radius = 1.1;  // m
+  double angle = 0.1;                             // rad
+  double depth = 0.2;                             // along z [m]
+  double joint = 0;                               // m
+};
+Mesh voussoir(const Voussoir& stone, const std::array<int, 3>& cells);
+
 }  // namespace tack

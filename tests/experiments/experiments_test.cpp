@@ -60,6 +60,20 @@ TEST_CASE("experiment critical_strain at 0.01") { check_experiment("critical_str
 TEST_CASE("experiment critical_strain at 0.03") { check_experiment("critical_strain/strain_03.yaml"); }
 TEST_CASE("experiment critical_strain at 0.05") { check_experiment("critical_strain/strain_05.yaml"); }
 TEST_CASE("experiment stack/two_blocks") { check_experiment("stack/two_blocks.yaml"); }
+TEST_CASE("experiment stack/tower") { check_experiment("stack/tower.yaml"); }
+TEST_CASE("experiment arch/stands") { check_experiment("arch/stands.yaml"); }
+TEST_CASE("experiment arch/collapses") { check_experiment("arch/collapses.yaml"); }
+TEST_CASE("experiment slope/stick") { check_experiment("slope/stick.yaml"); }
+TEST_CASE("experiment slope/critical") { check_experiment("slope/critical.yaml"); }
+TEST_CASE("experiment slope/slide") { check_experiment("slope/slide.yaml"); }
+TEST_CASE("experiment shear/friction") { check_experiment("shear/friction.yaml"); }
+TEST_CASE("experiment shear/tangential_adhesion") { check_experiment("shear/tangential_adhesion.yaml"); }
+TEST_CASE("experiment shear/both") { check_experiment("shear/both.yaml"); }
+TEST_CASE("experiment wall_cube/free_fall") { check_experiment("wall_cube/free_fall.yaml"); }
+TEST_CASE("experiment wall_cube/stuck") { check_experiment("wall_cube/stuck.yaml"); }
+TEST_CASE("experiment wall_cube/stuck_rough") { check_experiment("wall_cube/stuck_rough.yaml"); }
+TEST_CASE("experiment wall_cube/slides") { check_experiment("wall_cube/slides.yaml"); }
+TEST_CASE("experiment wall_cube/detaches") { check_experiment("wall_cube/detaches.yaml"); }
 
 // The force depends neither on the resolution nor on how the meshes lie on each other. The steps are
 // longer than in pull.yaml, so the fall after the peak, and with it the work, is not resolved.
@@ -82,6 +96,16 @@ TEST_CASE("the adhesive force of plates does not depend on their meshes") {
   check_states(o);
   CHECK(value_of(o, "peak adhesive force") == Approx(10).epsilon(0.02));
   CHECK(value_of(o, "adhesive force at dhat_p") == Approx(10).epsilon(0.02));
+}
+
+TEST_CASE("the tangential adhesion of plates does not depend on their meshes") {
+  const int cells = GENERATE(3, 7, 20);
+  const std::string n = std::to_string(cells);
+  const Outcome o = run("shear/tangential_adhesion.yaml", {"--set", "objects.upper.shape.cells=[" + n + ",1," + n + "]"});
+  CAPTURE(cells);
+  check_states(o);
+  CHECK(value_of(o, "peak") == Approx(1).epsilon(0.02));
+  CHECK(value_of(o, "gone at twice the speed") == Approx(0).margin(0.01));
 }
 
 }  // namespace

@@ -61,6 +61,15 @@ const std::vector<Mistake> mistakes = {
      {"scene.yaml:22:5: ", "unknown column 'heigth'; did you mean 'height'?"}},
     {"unknown group", "motion: [fixed]", "motion: [{type: fixed, select: {type: tag, name: wall}}]",
      {"scene.yaml:5:5: ", "object 'floor' has no group 'wall'"}},
+    {"tangential adhesion alone", "adhesion: {type: fang, critical_strain: 0.001}", "tangential_adhesion: {mu: 1}",
+     {"scene.yaml:17:28: tangential_adhesion: takes its strength from the pair's adhesion", "give one"}},
+    {"friction without coefficient", "distance: 1 mm", "friction: {eps_v: 1 mm/s}",
+     {"scene.yaml:14:13: ", "'mu'"}},
+    {"negative friction", "distance: 1 mm", "friction: {mu: -0.5}", {"scene.yaml:14:18: mu: -0.5 must be not negative"}},
+    {"probe of friction without friction", "type: contact_force, on: block, from: floor, part: adhesion",
+     "type: friction_force, on: block",
+     {"scene.yaml:20:5: probe 'stickiness': no pair has friction or tangential adhesion; give one in "
+      "contact.pairs"}},
     {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
 };
 

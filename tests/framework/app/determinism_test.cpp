@@ -34,11 +34,15 @@ std::string run_with_threads(const fs::path& folder, const std::string& scene, c
 TEST_CASE("probes and frames do not depend on the run or on the number of threads") {
   const TemporaryFolder folder;
   // Large enough for several chunks of every parallel loop; askew, so that every kind of pair occurs.
-  write_file(folder.path() / "scene.yaml",
-             tiny_scene_with("size: [0.2, 0.2, 0.2]}",
-                             "size: [0.2, 0.2, 0.2], cells: [7, 4, 7]}\n"
-                             "    velocity: [0.1, -0.2, 0.3]"));
+  std::string scene = tiny_scene_with("size: [0.2, 0.2, 0.2]}",
+                                      "size: [0.2, 0.2, 0.2], cells: [7, 4, 7]}\n"
+                                      "    velocity: [0.1, -0.2, 0.3]");
+  const std::string adhesion = "critical_strain: 0.001}\n";
+  scene.insert(scene.find(adhesion) + adhesion.size(),
+               "      friction: {mu: 0.4}\n      tangential_adhesion: {mu: 1, eps_a: 10 mm/s}\n");
+  write_file(folder.path() / "scene.yaml", scene);
   const std::string one = run_with_threads(folder.path(), "scene.yaml", "1");
+  CHECK(contains(one, "friction_force"));
   CHECK(run_with_threads(folder.path(), "scene.yaml", "1") == one);
   CHECK(run_with_threads(folder.path(), "scene.yaml", "2") == one);
   CHECK(run_with_threads(folder.path(), "scene.yaml", "4") == one);

@@ -63,7 +63,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
       "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves",
       "line_search_evaluations", "contacts", "candidates", "min_distance", "energy_kinetic",
       "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "residual",
-      "converged", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_filter",
+      "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_filter",
       "seconds_factorize", "seconds_solve", "seconds_broad_phase", "seconds_narrow_phase", "seconds_ccd",
       "seconds_line_search", "seconds_check", "seconds_io"};
   CHECK(steps.columns == columns);

@@ -83,7 +83,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
                                          "expect", "failed_solves", "intersections",
                                          "inverted_tets", "max_contacts", "min_distance", "name",
                                          "phases", "status", "steps", "threads", "totals",
-                                         "version", "wall_seconds"});
+                                         "unconverged_lags", "version", "wall_seconds"});
   CHECK(json["expect"] == nlohmann::json::array());
   CHECK(json["min_distance"].is_null());  // nothing was ever near
 }
@@ -109,11 +109,14 @@ TEST_CASE("a summary counts the steps in") {
   RunSummary s;
   s.add(report(true, 5, 0.2));
   s.add(report(false, 9, infinity));
-  s.add(report(true, 7, 0.1));
+  StepReport unlagged = report(true, 7, 0.1);
+  unlagged.lag_converged = false;
+  s.add(unlagged);
   const nlohmann::json json = written(s);
   CHECK(json["steps"] == 3);
   CHECK(json["converged_steps"] == 2);
   CHECK(json["failed_solves"] == 6);
+  CHECK(json["unconverged_lags"] == 1);
   CHECK(json["totals"] == nlohmann::json({{"newton_iterations", 9},
                                           {"linear_solves", 12},
                                           {"line_search_evaluations", 15},

@@ -122,6 +122,27 @@ TEST_CASE("a cylinder converges to its volume and area with good tets", "[shapes
   CHECK(bounding_box(cylinder(2, 3, 4, 1)).max().isApprox(Vec3(2, 1.5, 2)));
 }
 
+TEST_CASE("voussoirs make an arch with even joints", "[shapes]") {
+  const Voussoir stone{0.8, 1.1, 2 * pi / 25, 0.2, 1e-3};
+  const Mesh mesh = voussoir(stone, {2, 3, 1});
+  check_solid(mesh);
+  // A trapezoid between the radii, less the joints.
+  const double sine = std::sin(stone.angle / 2), cosine = std::cos(stone.angle / 2);
+  const double width = (0.8 + 1.1) / 2 * 2 * sine - 1e-3 * cosine;
+  CHECK(total_volume(mesh) == Approx(width * 0.3 * cosine * 0.2));
+  // The side faces are half a joint from the planes of the joints.
+  const Vec3 normal(cosine, -sine, 0);
+  int on_joint = 0;
+  for (const Vec3& x : mesh.vertices) {
+    CHECK(normal.dot(x) <= -0.5e-3 + 1e-12);
+    on_joint += std::abs(normal.dot(x) + 0.5e-3) < 1e-12;
+  }
+  CHECK(on_joint == 4 * 2);
+  CHECK_THROWS_AS(voussoir({0.8, 0.8, 0.1, 0.2, 0}, {1, 1, 1}), InputError);
+  CHECK_THROWS_AS(voussoir({0.8, 1.1, pi, 0.2, 0}, {1, 1, 1}), InputError);
+  CHECK_THROWS_AS(voussoir({0.8, 1.1, 0.01, 0.2, 0.01}, {1, 1, 1}), InputError);
+}
+
 TEST_CASE("solids refuse sizes and cells that make no mesh", "[shapes]") {
   CHECK_THROWS_AS(box_tets(Vec3(1, 0, 1), {1, 1, 1}), InputError);
   CHECK_THROWS_AS(box_tets(Vec3(1, 1, 1), {1, 0, 1}), InputError);

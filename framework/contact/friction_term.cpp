@@ -1,0 +1,171 @@
+#include "framework/contact/friction_term.hpp"
+
+#include <algorithm>
+
+#include "framework/assembly/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// Calls body(contacts) for each arity, in batch order.
+template <class Body>
+void for_each_arity(const LaggedContacts& contacts, const Body& body) {
+  body(contacts.twos);
+  body(contacts.threes);
+  body(contacts.fours);
+}
+
+// A contact's part of the potential as a function of x.
+template <int K>
+struct Slip {
+  Slip(const LaggedContact<K>& contact, const VecX& x, const VecX& start) : c(contact) {
+    Vec3 moved = Vec3::Zero();
+    for (int i = 0; i < K; ++i)
+      moved += c.coefficients[i] * (vertex(x, c.vertices[i]) - vertex(start, c.vertices[i]));
+    u = c.tangents.transpose() * moved;
+    y = u.norm();
+  }
+
+  // E [J], E'/y [N/m] and E'' [N/m].
+  SlipSample sample(const TangentialLaw& law, double h, TangentialPart part) const {
+    SlipSample s{0, 0, 0};
+    const auto add = [&](double magnitude, const SlipSample& f) {
+      s.value += magnitude * f.value;
+      s.slope_over_y += magnitude * f.slope_over_y;
+      s.curvature += magnitude * f.curvature;
+    };
+    if (part != TangentialPart::adhesion) add(law.mu * c.normal_force, friction_slip(y, law.eps_v * h));
+    if (part != TangentialPart::friction)
+      add(law.mu_a * law.peak_traction * c.area, adhesion_slip(y, law.eps_a * h));
+    return s;
+  }
+
+  Vec3 slope(const SlipSample& s) const { return c.tangents * (s.slope_over_y * u); }
+
+  // T H T^T, filtered.
+  Mat3 curvature(const SlipSample& s, SpdFilter filter) const {
+    const double across = filtered(s.slope_over_y, filter), along = filtered(s.curvature, filter);
+    // Without slip both eigenvalues are equal, and any direction will do.
+    const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));
+    return across * c.tangents * c.tangents.transpose() +
+           (along - across) * direction * direction.transpose();
+  }
+
+  const LaggedContact<K>& c;
+  Vec2 u;    // m
+  double y;  // m
+};
+
+template <int K>
+double sum_values(const std::vector<LaggedContact<K>>& contacts, const PairTable& pairs, const VecX& x,
+                  const VecX& start, double h, TangentialPart part) {
+  return sum_chunks(static_cast<int>(contacts.size()), [&](int first, int last) {
+    double sum = 0;
+    for (int i = first; i < last; ++i)
+      sum += Slip<K>(contacts[i], x, start).sample(pairs.tangential(contacts[i].law), h, part).value;
+    return sum;
+  });
+}
+
+}  // namespace
+
+FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& normal)
+    : Term("friction"), system_(system), normal_(normal) {
+  for (size_t law = 0; law < system.pairs().laws().size(); ++law)
+    wanted_.push_back(system.pairs().tangential(static_cast<int>(law)).acts());
+}
+
+LaggedContacts FrictionTerm::lagged_at(const VecX& x) const {
+  return lag_contacts(system_, normal_.laws(LawPart::barrier), wanted_, x);
+}
+
+void FrictionTerm::begin_step(const VecX& x, double h) {
+  start_ = x;
+  h_ = h;
+  lag(x);
+}
+
+void FrictionTerm::lag(const VecX& x) { contacts_ = lagged_at(x); }
+
+double FrictionTerm::residual(const VecX& x) const {
+  const VecX held = forces(x, TangentialPart::all);
+  const VecX now = forces_of(lagged_at(x), x, TangentialPart::all, std::nullopt);
+  double largest = 0, difference = 0;
+  for (int v = 0; v < x.size() / 3; ++v) {
+    largest = std::max({largest, vertex(held, v).norm(), vertex(now, v).norm()});
+    difference = std::max(difference, (vertex(held, v) - vertex(now, v)).norm());
+  }
+  return largest > 0 ? difference / largest : 0;
+}
+
+double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {
+  double sum = 0;
+  for_each_arity(contacts_, [&](const auto& contacts) {
+    sum += sum_values(contacts, system_.pairs(), x, start_, h_, part);
+  });
+  return sum;
+}
+
+std::vector<StencilBatch> FrictionTerm::batches() const {
+  std::vector<StencilBatch> batches;
+  for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
+    auto& vertices = batch_vertices_[batches.size()];
+    vertices.clear();
+    for (const auto& c : contacts) vertices.insert(vertices.end(), c.vertices.begin(), c.vertices.end());
+    batches.push_back({K, static_cast<int>(contacts.size()), vertices.data()});
+  });
+  return batches;
+}
+
+void FrictionTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+  for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
+    constexpr int slots = 9 * hessian_blocks(K);
+    const int count = static_cast<int>(contacts.size());
+    for_each(count, [&](int n) {
+      const Slip<K> slip(contacts[n], x, start_);
+      const auto& c = contacts[n].coefficients;
+      const SlipSample s = slip.sample(system_.pairs().tangential(contacts[n].law), h_, TangentialPart::all);
+      const Vec3 slope = slip.slope(s);
+      for (int i = 0; i < K; ++i)
+        Eigen::Map<Vec3>(gradient + 3 * (K * static_cast<size_t>(n) + i)) = c[i] * slope;
+      if (!hessian) return;
+      const Mat3 curvature = slip.curvature(s, filter);
+      double* out = hessian + slots * static_cast<size_t>(n);
+      for (int i = 0; i < K; ++i)
+        for (int j = 0; j <= i; ++j, out += 9) Eigen::Map<Mat3>{out} = c[i] * c[j] * curvature;
+    });
+    gradient += 3 * K * static_cast<size_t>(count);
+    if (hessian) hessian += slots * static_cast<size_t>(count);
+  });
+}
+
+VecX FrictionTerm::forces_of(const LaggedContacts& lagged, const VecX& x, TangentialPart part,
+                             std::optional<ObjectPair> only) const {
+  VecX force = VecX::Zero(x.size());
+  const auto& object = system_.surface().mesh.vertex_object;
+  for_each_arity(lagged, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
+    for (const LaggedContact<K>& c : contacts) {
+      const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
+      if (only && !((a == only->a && b == only->b) || (a == only->b && b == only->a))) continue;
+      const Slip<K> slip(c, x, start_);
+      const Vec3 slope = slip.slope(slip.sample(system_.pairs().tangential(c.law), h_, part));
+      for (int i = 0; i < K; ++i) vertex(force, c.vertices[i]) -= c.coefficients[i] * slope;
+    }
+  });
+  return force;
+}
+
+VecX FrictionTerm::forces(const VecX& x, TangentialPart part, std::optional<ObjectPair> only) const {
+  return forces_of(contacts_, x, part, only);
+}
+
+Vec3 FrictionTerm::force_between(const VecX& x, TangentialPart part, ObjectPair pair) const {
+  const VecX force = forces(x, part, pair);
+  const auto& object = system_.surface().mesh.vertex_object;
+  Vec3 sum = Vec3::Zero();
+  for (size_t v = 0; v < object.size(); ++v)
+    if (object[v] == pair.a) sum += vertex(force, static_cast<int>(v));
+  return sum;
+}
+
+}  // namespace tack

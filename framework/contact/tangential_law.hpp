@@ -1,0 +1,45 @@
+// Friction and tangential adhesion of one contact as functions of the slip y = |u| of the time step:
+//     E = mu lambda f0(y) + mu_a lambda_a f_t0(y)          [J]
+//     f0' = f1 = 2y/e - y^2/e^2 for y < e = eps_v h, then 1  (the paper, eq. 3 and 4)
+//     f_t0' = f_t = 2y/e - y^2/e^2 for y < 2e, e = eps_a h, then 0  (eq. 13 and 14; the text prints
+//     eps_v in the range, but the quadratic vanishes at 2 eps_a h)
+// Both integrals start at f(0) = 0. f_t0 is concave between e and 2e.
+#pragma once
+
+namespace tack {
+
+// What two objects exert on each other along their surfaces.
+struct TangentialLaw {
+  double mu = 0;             // coefficient of friction
+  double eps_v = 1e-3;       // sliding speed from which friction is whole [m/s]
+  double mu_a = 0;           // tangential adhesion over normal adhesion
+  double peak_traction = 0;  // of the normal adhesion [Pa]
+  double eps_a = 1e-3;       // sliding speed of the largest tangential adhesion [m/s]
+
+  bool acts() const { return mu > 0 || mu_a * peak_traction > 0; }
+};
+
+// f(y) [m], f'(y)/y [1/m] and f''(y) [1/m]; the quotient is finite at y = 0.
+struct SlipSample {
+  double value, slope_over_y, curvature;
+};
+
+namespace detail {
+inline SlipSample slip_start(double y, double e) {
+  return {y * y / e * (1 - y / (3 * e)), (2 - y / e) / e, 2 * (1 - y / e) / e};
+}
+}  // namespace detail
+
+// f0; e = eps_v h [m].
+inline SlipSample friction_slip(double y, double e) {
+  if (y < e) return detail::slip_start(y, e);
+  return {y - e / 3, 1 / y, 0};
+}
+
+// f_t0; e = eps_a h [m].
+inline SlipSample adhesion_slip(double y, double e) {
+  if (y < 2 * e) return detail::slip_start(y, e);
+  return {4 * e / 3, 0, 0};
+}
+
+}  // namespace tack

@@ -1,0 +1,151 @@
+// Probes of what happens along touching surfaces.
+#include "framework/contact/lagged_contacts.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/probes/vertex_set.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+void require_contact(const World& world, const std::string& probe) {
+  if (!world.contact) throw InputError("probe '" + probe + "': the scene has no contact section");
+}
+
+// The tangential force of the last step that the second object exerts on the first, or all on one.
+class FrictionForce : public VectorProbe {
+ public:
+  void fields(Fields& f) override {
+    VectorProbe::fields(f);
+    f.text("on", on_, "the object that the force acts on").required();
+    f.text("from", from_, "the object that exerts it; without it, all others together");
+    f.choice("part", part_,
+             {{"all", TangentialPart::all, "friction and tangential adhesion"},
+              {"friction", TangentialPart::friction, "friction only"},
+              {"adhesion", TangentialPart::adhesion, "tangential adhesion only"}},
+             "which tangential laws");
+  }
+
+  void prepare(const World& world) override {
+    require_contact(world, name_);
+    if (!world.friction)
+      throw InputError("probe '" + name_ + "': no pair has friction or tangential adhesion; give one in "
+                       "contact.pairs");
+    a_ = object_index(world, on_, name_);
+    b_ = from_.empty() ? -1 : object_index(world, from_, name_);
+  }
+
+ protected:
+  Vec3 value(const World& world, const State& state) override {
+    if (b_ >= 0) return world.friction->force_between(state.x, part_, {a_, b_});
+    const VecX forces = world.friction->forces(state.x, part_);
+    Vec3 sum = Vec3::Zero();
+    const Body& body = world.bodies[a_];
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+      sum += vertex(forces, v);
+    return sum;
+  }
+
+ private:
+  std::string on_, from_;
+  TangentialPart part_ = TangentialPart::all;
+  int a_ = -1, b_ = -1;
+};
+
+// Mean of |u| / h, u the slip of the last step, over the points of a pair that are within reach of its laws,
+// weighted with their areas. Guards would count area again: they are left out. 0 if nothing touches.
+class SlidingSpeed : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.texts("between", between_, "two object names").required();
+    f.check("between", [this]() -> std::string {
+      return between_.size() == 2 ? "" : "expects two object names";
+    });
+  }
+  void prepare(const World& world) override {
+    require_contact(world, name_);
+    a_ = object_index(world, between_[0], name_);
+    b_ = object_index(world, between_[1], name_);
+    const PairTable& pairs = world.contact->pairs();
+    wanted_.assign(pairs.laws().size(), 0);
+    for (const PairRole* role : {&pairs.point(a_, b_), &pairs.point(b_, a_)})
+      if (role->law >= 0 && (role->facing || pairs.plain_sums)) wanted_[role->law] = 1;
+  }
+  std::vector<double> sample(const World& world, const State& state) override {
+    if (state.h_before == 0) return {0};
+    const LaggedContacts contacts = lag_contacts(
+        *world.contact, world.contact_term->laws(LawPart::barrier), wanted_, state.x);
+    const auto& object = world.contact->surface().mesh.vertex_object;
+    double area = 0, sum = 0;
+    const auto add = [&](const auto& list) {
+      for (const auto& c : list) {
+        const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
+        if (std::minmax(a, b) != std::minmax(a_, b_)) continue;
+        Vec3 moved = Vec3::Zero();
+        for (size_t i = 0; i < c.vertices.size(); ++i)
+          moved += c.coefficients[i] * (vertex(state.x, c.vertices[i]) - vertex(state.x_before, c.vertices[i]));
+        area += c.area;
+        sum += c.area * (c.tangents.transpose() * moved).norm() / state.h_before;
+      }
+    };
+    add(contacts.twos);
+    add(contacts.threes);
+    add(contacts.fours);
+    return {area > 0 ? sum / area : 0};
+  }
+
+ private:
+  std::vector<std::string> between_;
+  int a_ = -1, b_ = -1;
+  std::vector<char> wanted_;  // per law
+};
+
+// How many other objects are within reach of an object's adhesion.
+class AttachedObjects : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.text("to", to_, "name of the object that holds them").required();
+  }
+  void prepare(const World& world) override {
+    require_contact(world, name_);
+    index_ = object_index(world, to_, name_);
+    const auto& adhesion = world.contact_term->laws(LawPart::adhesion);
+    adhesive_.clear();
+    for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
+  }
+  std::vector<double> sample(const World& world, const State&) override {
+    std::vector<char> held(world.bodies.size(), 0);
+    const auto& object = world.contact->surface().mesh.vertex_object;
+    const auto mark = [&](const auto& stencils, size_t second) {
+      for (const auto& s : stencils) {
+        if (!adhesive_[s.law]) continue;
+        const int a = object[s.vertices[0]], b = object[s.vertices[second]];
+        if (a == index_ && b != index_) held[b] = 1;
+        if (b == index_ && a != index_) held[a] = 1;
+      }
+    };
+    const ContactSet& set = world.contact->contacts();
+    mark(set.point_point, 1);
+    mark(set.point_edge, 1);
+    mark(set.point_triangle, 1);
+    mark(set.edge_edge, 2);
+    return {static_cast<double>(std::count(held.begin(), held.end(), 1))};
+  }
+
+ private:
+  std::string to_;
+  int index_ = -1;
+  std::vector<char> adhesive_;  // per law
+};
+
+TACK_REGISTER(Probe, FrictionForce, "friction_force",
+              "Friction and tangential adhesion between objects in the last step [N].", "");
+TACK_REGISTER(Probe, SlidingSpeed, "sliding_speed",
+              "Mean speed of one surface along another where they touch or adhere, in the last step [m/s].", "");
+TACK_REGISTER(Probe, AttachedObjects, "attached_objects",
+              "How many other objects an object holds within reach of its adhesion.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,28 @@
+// The parts of a scene's contact section that act along surfaces.
+#pragma once
+
+#include <optional>
+
+#include "framework/config/field.hpp"
+
+namespace tack {
+
+struct FrictionConfig {
+  double mu = 0;
+  double eps_v = 1e-3;  // m/s
+  void fields(Fields& f);
+};
+
+struct TangentialAdhesionConfig {
+  double mu = 1;                // mu_a
+  std::optional<double> eps_a;  // m/s
+  void fields(Fields& f);
+};
+
+struct LaggingConfig {
+  int iterations = 1;
+  std::optional<double> until;  // relative
+  void fields(Fields& f);
+};
+
+}  // namespace tack
