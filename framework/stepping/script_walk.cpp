@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-constexpr double pull_strength = 100;    // K, in mean diagonal stiffnesses of the unknowns
+constexpr double pull_strength = 1000;   // K, in mean diagonal stiffnesses of the unknowns
 constexpr int max_pulls = 8;             // each ten times stronger
 constexpr double close_enough = 0.01;    // of the whole way, from where the last move is tried
 constexpr double weak = 0.1;             // a Newton step that brings less of the rest of the way wants a larger K

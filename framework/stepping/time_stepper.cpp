@@ -12,6 +12,12 @@
 #include "geometry/exact/orientation.hpp"
 
 namespace tack {
+namespace {
+
+// Of the way that free vertices may move along with scripted ones: the last bit would leave no gap.
+constexpr double most_of_it = 0.9;
+
+}  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
@@ -114,20 +120,22 @@ VecX TimeStepper::first_guess(double h) {
   return potential_->value() < staying ? guess : q;
 }
 
-// A feasible start with the scripted vertices at their places.
+// A feasible start with the scripted vertices at their places: the straight way, with the free ones
+// moving along as far as they may, or not at all, whichever is better; a walk if that is blocked.
 ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
                                               const TimeIntegrator::Prediction& prediction) {
   const VecX scripted = places - state_.x;
-  VecX moved = scripted, q;
+  VecX along = VecX::Zero(scripted.size()), q;
   if (inertia_) {
-    VecX free_part;
-    world_.dofs.gather(h * (state_.v + h * state_.a), free_part);
-    world_.dofs.scatter(free_part, moved);
+    world_.dofs.gather(h * (state_.v + h * state_.a), q);
+    world_.dofs.scatter(q, along);
   }
   ScriptWalk::Result best{{}, VecX(), ""};
   double lowest = std::numeric_limits<double>::infinity();
-  for (const VecX& p : {moved, scripted}) {
-    if (largest_step(state_.x, p) < 1) continue;
+  const auto reach_of = [&](double part) {
+    const VecX p = scripted + part * along;
+    const double t = largest_step(state_.x, p);
+    if (t < 1) return t;
     VecX x = state_.x + p;
     world_.dofs.gather(x, q);
     potential_->move_to(q);
@@ -135,7 +143,12 @@ ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
       lowest = potential_->value();
       best.x = std::move(x);
     }
-  }
+    return t;
+  };
+  const bool predicted = !along.isZero();
+  const double t = predicted ? reach_of(1) : 0;
+  if (t > 0 && t < 1) reach_of(most_of_it * t);
+  reach_of(0);
   if (best.x.size() > 0) return best;
   if (!walk_)
     walk_.emplace(world_, *scene_.solver, clock_,
@@ -259,8 +272,9 @@ StepReport TimeStepper::advance() {
     }
     if (h < whole * std::pow(0.5, scene_.time.max_halvings) * (1 + 1e-9))
       throw SimulationError(fmt::format(
-          "step {} at t = {} s failed with h = {} s ({}); refine time.step, loosen solver.tolerance or "
-          "raise solver.max_iterations", state_.step + 1, state_.time, h, wrong));
+          "step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, wrong,
+          attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations"
+                                  : "leave room for what the script pushes"));
     h_ = h / 2;
     warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s", state_.step + 1,
                       state_.time, wrong, h_));
