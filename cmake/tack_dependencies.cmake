@@ -13,6 +13,7 @@ find_package(VTK REQUIRED COMPONENTS CommonCore CommonDataModel IOXML IOGeometry
 set(TACK_VTK VTK::CommonCore VTK::CommonDataModel VTK::IOXML VTK::IOGeometry VTK::IOPLY VTK::IOLegacy)
 find_library(TACK_GMSH gmsh REQUIRED)
 find_library(TACK_UDUNITS udunits2 REQUIRED)
+find_library(TACK_MUPARSER muparser REQUIRED)
 
 # Debian ships no CMake config for SuiteSparse 5.12.
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)

@@ -14,6 +14,9 @@ class ContactSystem {
  public:
   ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter, PhaseClock& clock);
 
+  // Which vertices are free at present (non-zero): no force is computed between primitives without
+  // one. Empty: every candidate has one.
+  void set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
   // Starts a time step at x: areas are taken there and held.
   void begin_step(const VecX& x);
   // Makes x the current configuration: finds its active stencils.

@@ -54,6 +54,11 @@ std::vector<PointGroup> united(std::vector<PointGroup> groups) {
   return groups;
 }
 
+template <size_t K>
+bool none_free(const std::vector<char>& free, const std::array<int, K>& vertices) {
+  return !free.empty() && std::none_of(vertices.begin(), vertices.end(), [&](int v) { return free[v] != 0; });
+}
+
 // What one chunk finds; chunks are joined in order.
 struct Found {
   ContactStencils<2> point_point;
@@ -65,9 +70,10 @@ struct Found {
 class PointSearch {
  public:
   PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-              const std::vector<std::array<int, 2>>& particles, const VecX& x, Found& found)
-      : surface_(surface), pairs_(pairs), candidates_(candidates), particles_(particles), x_(x),
-        found_(found) {}
+              const std::vector<std::array<int, 2>>& particles, const std::vector<char>& free,
+              const VecX& x, Found& found)
+      : surface_(surface), pairs_(pairs), candidates_(candidates), particles_(particles), free_(free),
+        x_(x), found_(found) {}
 
   void search(const PointGroup& g) {
     const PairRole& role = pairs_.point(surface_.mesh.vertex_object[g.point], g.object);
@@ -89,16 +95,21 @@ class PointSearch {
   void add(int p, const PointFeature& f, int law, double weight) {
     const auto& v = f.vertices;
     switch (f.count()) {
-      case 1: found_.point_point.push_back({{p, v[0]}, law, weight}); break;
-      case 2: found_.point_edge.push_back({{p, v[0], v[1]}, law, weight}); break;
-      default: found_.point_triangle.push_back({{p, v[0], v[1], v[2]}, law, weight});
+      case 1: keep(found_.point_point, {{p, v[0]}, law, weight}); break;
+      case 2: keep(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
+      default: keep(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
     }
+  }
+  template <int K>
+  void keep(ContactStencils<K>& stencils, const std::type_identity_t<ContactStencil<K>>& stencil) {
+    if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
   }
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
   const Candidates& candidates_;
   const std::vector<std::array<int, 2>>& particles_;
+  const std::vector<char>& free_;
   const VecX& x_;
   Found& found_;
   PointFeatures features_;
@@ -108,7 +119,8 @@ class PointSearch {
 };
 
 void search_edges(const ContactSurface& surface, const PairTable& pairs,
-                  const Candidates& candidates, const VecX& x, int first, int last, Found& found) {
+                  const Candidates& candidates, const std::vector<char>& free, const VecX& x, int first,
+                  int last, Found& found) {
   const CollisionMesh& mesh = surface.mesh;
   for (int i = first; i < last; ++i) {
     const auto [ia, ib] = candidates.edge_edge[i];
@@ -119,6 +131,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs,
     const Vec3 gap = (a0.cwiseMin(a1) - b0.cwiseMax(b1)).cwiseMax(b0.cwiseMin(b1) - a0.cwiseMax(a1));
     if (gap.maxCoeff() >= role.range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(a0, a1, b0, b1) < role.range * role.range)) continue;
+    if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
     const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
   }
@@ -210,11 +223,11 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
   const int edges = static_cast<int>(candidates.edge_edge.size());
   std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
-    PointSearch search(surface_, pairs_, candidates, particles_, x, found_points[c]);
+    PointSearch search(surface_, pairs_, candidates, particles_, free_, x, found_points[c]);
     for (int g = first; g < last; ++g) search.search(groups_[g]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
-    search_edges(surface_, pairs_, candidates, x, first, last, found_edges[c]);
+    search_edges(surface_, pairs_, candidates, free_, x, first, last, found_edges[c]);
   });
   join(found_points, &Found::point_point, contacts.point_point);
   join(found_points, &Found::point_edge, contacts.point_edge);

@@ -30,6 +30,8 @@ class NarrowPhase {
   void set_candidates(const Candidates& candidates, const VecX& x);
   // Forgets the areas of the last step and takes those of x.
   void begin_step(const Candidates& candidates, const VecX& x);
+  // Stencils without a free vertex (non-zero) are left out; empty: every candidate has one.
+  void set_free(std::vector<char> free) { free_ = std::move(free); }
   // The stencils closer than their law's range.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const;
 
@@ -41,6 +43,7 @@ class NarrowPhase {
   const ContactSurface& surface_;
   const PairTable& pairs_;
   FacingArea facing_;
+  std::vector<char> free_;  // per global vertex, or empty
   std::vector<std::array<int, 2>> particles_;  // particle candidates in both directions, sorted
   std::vector<PointGroup> groups_;             // by point, then object
   std::vector<PointGroup> known_;              // groups of this step with their areas, sorted

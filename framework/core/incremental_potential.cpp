@@ -17,8 +17,12 @@ IncrementalPotential::IncrementalPotential(std::vector<const Term*> terms, const
                                            const VecX& mass, PhaseClock& clock,
                                            std::function<void(const VecX&)> on_move)
     : terms_(terms), dofs_(dofs), on_move_(std::move(on_move)), assembler_(terms, dofs, clock) {
-  free_mass_.resize(dofs.block_count());
-  for (int b = 0; b < dofs.block_count(); ++b) free_mass_(b) = mass(dofs.vertex_of_block(b));
+  set_mass(mass);
+}
+
+void IncrementalPotential::set_mass(const VecX& mass) {
+  free_mass_.resize(dofs_.block_count());
+  for (int b = 0; b < dofs_.block_count(); ++b) free_mass_(b) = mass(dofs_.vertex_of_block(b));
 }
 
 void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction, double scale,

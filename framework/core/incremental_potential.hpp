@@ -18,6 +18,9 @@ class IncrementalPotential : public Objective {
   IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs, const VecX& mass,
                        PhaseClock& clock, std::function<void(const VecX& x)> on_move);
 
+  // Other masses from the next step on.
+  void set_mass(const VecX& mass);
+
   // Starts a step: prediction x~ (3n), scale beta h^2 (or 1), inertia on or off, and the
   // configuration that holds the fixed vertices.
   void begin_step(const VecX& x_start, const VecX& prediction, double scale, bool inertia);

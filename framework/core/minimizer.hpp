@@ -39,6 +39,13 @@ struct MinimizerResult {
   int linear_solves = 0;
   int line_search_evaluations = 0;
   double residual = 0;  // the last stopping norm, in units of the tolerance
+
+  // Adds the work of an earlier minimisation of the same step.
+  void add_work(const MinimizerResult& other) {
+    iterations += other.iterations;
+    linear_solves += other.linear_solves;
+    line_search_evaluations += other.line_search_evaluations;
+  }
 };
 
 class Minimizer : public Component {

@@ -46,7 +46,8 @@ class ContactForce : public VectorProbe {
   int a_ = -1, b_ = -1;
 };
 
-// The force that holds fixed vertices against everything that acts on them.
+// The force that makes held vertices stand still or move as their script says: against everything that
+// acts on them, and their own inertia. Vertices that are free at present need none.
 class Reaction : public VectorProbe {
  public:
   void fields(Fields& f) override {
@@ -56,7 +57,7 @@ class Reaction : public VectorProbe {
   void prepare(const World& world) override {
     set_.prepare(world, name_);
     for (const int v : set_.vertices())
-      if (world.dofs.block(v) >= 0)
+      if (!world.script.ever_held(v))
         throw InputError("probe '" + name_ + "': a reaction needs held vertices, and some of these are "
                          "free; give the selection of the motion that holds them");
   }
@@ -66,7 +67,8 @@ class Reaction : public VectorProbe {
     VecX gradient = VecX::Zero(state.x.size());
     for (const Term* term : world.terms) add_term_gradient(*term, state.x, gradient);
     Vec3 sum = Vec3::Zero();
-    for (const int v : set_.vertices()) sum += vertex(gradient, v);
+    for (const int v : set_.vertices())
+      if (world.dofs.block(v) < 0) sum += vertex(gradient, v) + world.mass(v) * vertex(state.a, v);
     return sum;
   }
 
@@ -75,7 +77,7 @@ class Reaction : public VectorProbe {
 };
 
 TACK_REGISTER(Probe, ContactForce, "contact_force", "Normal contact force between objects [N].", "");
-TACK_REGISTER(Probe, Reaction, "reaction", "The force that holds a selection of fixed vertices [N].", "");
+TACK_REGISTER(Probe, Reaction, "reaction", "The force that holds or drives a selection of held vertices [N].", "");
 
 }  // namespace
 }  // namespace tack

@@ -13,7 +13,7 @@ struct Body {
   std::string name;
   int first_vertex = 0;
   int vertex_count = 0;
-  bool movable = true;  // some vertex is free
+  bool movable = true;  // some vertex is free at some time
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
   std::vector<Triangle> triangles;  // the surface, outward oriented

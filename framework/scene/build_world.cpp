@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "framework/scene/world.hpp"
@@ -44,13 +45,16 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   world.bodies.push_back(std::move(body));
 }
 
-void hold_vertices(const ObjectConfig& object, int index, World& world, std::vector<char>& movable) {
-  for (const auto& motion : object.motion)
-    for (const int v : select(motion->selection(), world.selection_context(index))) movable[v] = 0;
+void hold_vertices(const ObjectConfig& object, int index, World& world) {
+  for (size_t i = 0; i < object.motion.size(); ++i) {
+    const Motion& motion = *object.motion[i];
+    world.script.add({&motion, select(motion.selection(), world.selection_context(index)),
+                      fmt::format("motion {} ({}) of '{}'", i, motion.type(), object.name)});
+  }
   Body& body = world.bodies[index];
   body.movable = false;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-    body.movable = body.movable || movable[v];
+    body.movable = body.movable || world.script.ever_free(v);
 }
 
 void add_energies(const ObjectConfig& object, const Body& body, World& world) {
@@ -66,9 +70,8 @@ void add_energies(const ObjectConfig& object, const Body& body, World& world) {
 }
 
 void check_mass(const World& world) {
-  for (int b = 0; b < world.dofs.block_count(); ++b) {
-    const int v = world.dofs.vertex_of_block(b);
-    if (world.mass(v) > 0) continue;
+  for (int v = 0; v < static_cast<int>(world.mass.size()); ++v) {
+    if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
     for (const Body& body : world.bodies)
       if (v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
         throw InputError(fmt::format("object '{}': vertex {} has no mass; give every part an energy "
@@ -144,13 +147,11 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     add_body(object, placed_mesh(object), *world);
   });
   world->mass = VecX::Zero(world->rest.size() / 3);
-  std::vector<char> movable(world->rest.size() / 3, 1);
-  for_each_object(scene, root, [&](size_t i) {
-    hold_vertices(scene.objects[i], static_cast<int>(i), *world, movable);
-  });
-  world->dofs = DofMap(movable);
-  if (world->dofs.block_count() == 0)
-    throw InputError("nothing can move: every object is fixed; free one of them");
+  world->script = Script(static_cast<int>(world->rest.size()) / 3);
+  for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });
+  if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
+    throw InputError("nothing can move: every object is held throughout; free one of them");
+  world->dofs = DofMap(world->script.free(world->script.active(scene.time.step / 2)));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
   check_mass(*world);
   world->gravity = scene.gravity;

@@ -70,12 +70,13 @@ class PairBuilder {
     const int n = table_.objects();
     for (int a = 0; a < n; ++a) {
       for (int b = a; b < n; ++b) {
-        if (!world_.bodies[a].movable && !world_.bodies[b].movable) continue;
         const int index = config_of(a, b);
         if (index >= 0 && !contact_.pairs[index].contact) {
           filter_.set(a, b, false);
           continue;
         }
+        // Without a law, but the exact check sees one being driven through the other.
+        if (!world_.bodies[a].movable && !world_.bodies[b].movable) continue;
         set_roles(a, b, index, sizes);
       }
     }
@@ -236,7 +237,9 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty());
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
-    surface.mesh.vertex_movable[v] = world.dofs.block(v) >= 0;
+    surface.mesh.vertex_movable[v] = world.dofs.block(v) >= 0 || world.script.may_move(v);
+  for (int v = 0; !world.script.holds().empty() && v < world.dofs.vertex_count(); ++v)
+    surface.mesh.vertex_group.push_back(world.script.rigid_group(v));
   PairBuilder builder(scene, root, world);
   builder.build(sizes);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),

@@ -1,7 +1,14 @@
-// What an object's vertices are made to do.
+// What an object's vertices are made to do: they are held, still or moving, during a time span, and
+// free before and after it. Held vertices own no unknowns; released ones keep their velocity.
+// Motions are counted from the anchor: where a vertex is when it is seized, its rest position if it
+// is held from the start. A step that begins or ends a span in its middle belongs to the side on
+// which more of it lies.
 #pragma once
 
+#include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "framework/config/field.hpp"
 #include "framework/scene/selection.hpp"
@@ -13,11 +20,21 @@ class Motion : public Component {
   static constexpr const char* kind_name = "motion";
   static constexpr const char* kind_doc = "Prescribes the motion of some vertices of an object.";
 
-  void fields(Fields& f) override { f.component("select", select_, "the vertices it holds"); }
+  void fields(Fields& f) override;
   const Selection& selection() const { return *select_; }
+  double from() const { return from_; }                                                     // s
+  double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
+
+  // Writes where the vertices are at time t [s] into their rows of x; rest, anchor: 3n [m].
+  virtual void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,
+                     VecX& x) const = 0;
+  virtual bool moves() const { return true; }  // false: they stay at their anchor
+  virtual bool rigid() const { return true; }  // distances between them do not change
 
  private:
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+  double from_ = 0;
+  std::optional<double> until_;
 };
 
 }  // namespace tack

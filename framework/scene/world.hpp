@@ -10,6 +10,7 @@
 #include "framework/core/dof_map.hpp"
 #include "framework/core/linear_term.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "framework/scene/script.hpp"
 #include "framework/stepping/state.hpp"
 
 namespace tack {
@@ -18,7 +19,8 @@ struct World {
   std::vector<Body> bodies;
   VecX rest;              // 3n [m]
   VecX mass;              // n [kg]
-  DofMap dofs;
+  Script script;          // who is held when
+  DofMap dofs;            // of the present step; the first before it
   std::vector<Tet> tets;  // of all bodies that may move
   Vec3 gravity = Vec3::Zero();
 

@@ -45,6 +45,19 @@ class Newmark : public TimeIntegrator {
     a = 4 / (h * h) * (x - old.x - h * old.v) - old.a;
     v = old.v + h / 2 * (old.a + a);
   }
+  // A jump in a script's velocity would ring on for ever.
+  void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
+                   VecX& a) const override {
+    VecX v_path, a_path;
+    path_.update(old, x, h, v_path, a_path);
+    for (const int i : held) {
+      vertex(v, i) = vertex(v_path, i);
+      vertex(a, i) = vertex(a_path, i);
+    }
+  }
+
+ private:
+  Bdf2 path_;
 };
 
 class QuasiStatic : public TimeIntegrator {

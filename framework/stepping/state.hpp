@@ -10,6 +10,8 @@ struct State {
   int step = 0;     // accepted steps
   VecX x, v, a;     // 3n: positions [m], velocities [m/s], accelerations [m/s^2]
 
+  VecX anchor;          // 3n: where the vertices that are held now were when they were seized [m]
+
   // The step before, for two-step integrators; valid while the step size stays the same.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none

@@ -20,6 +20,10 @@ class TimeIntegrator : public Component {
   virtual Prediction predict(const State& state, double h) const = 0;
   // Velocities and accelerations from the new positions; time and history are the caller's.
   virtual void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const = 0;
+  // Corrects them for vertices that do not follow from forces, if the above carries velocities over
+  // from step to step.
+  virtual void update_held(const State& /*old*/, const VecX& /*x*/, double /*h*/,
+                           const std::vector<int>& /*held*/, VecX& /*v*/, VecX& /*a*/) const {}
 };
 
 }  // namespace tack

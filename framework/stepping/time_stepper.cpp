@@ -14,21 +14,14 @@
 namespace tack {
 namespace {
 
-// The result of a solve that follows another one of the same step.
-MinimizerResult after(const MinimizerResult& before, MinimizerResult result) {
-  result.iterations += before.iterations;
-  result.linear_solves += before.linear_solves;
-  result.line_search_evaluations += before.line_search_evaluations;
-  return result;
-}
+// Of the way that free vertices may move along with scripted ones: the last bit would leave no gap.
+constexpr double most_of_it = 0.9;
 
 }  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      potential_(world.terms, world.dofs, world.mass, clock,
-                 [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); }),
       h_(scene.time.step) {
   const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
@@ -36,22 +29,48 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
     if (filter->attach(context)) filters_.push_back(std::move(filter));
   }
   direction_ = VecX::Zero(state_.x.size());
-  start_acceleration();
+  state_.anchor = state_.x;
+  hold(h_);
 }
 
-// M^-1 times the forces at the start: Newmark's first step and the first guess build on it.
-void TimeStepper::start_acceleration() {
-  if (!scene_.time.integrator->predict(state_, scene_.time.step).inertia) return;
-  apply_loads(0);
+// Makes the holds that act in the step from now to now + h the present ones. Vertices that are free
+// from now on keep their velocity; those that are held from now on are held where they are.
+void TimeStepper::hold(double h) {
+  const Script& script = world_.script;
+  std::vector<char> active = script.active(state_.time + h / 2);
+  if (potential_ && active == active_) return;
+  const std::vector<char> free = script.free(active);
+  std::vector<int> released;
+  bool held_may_move = false;
+  held_.clear();
+  for (int v = 0; v < static_cast<int>(free.size()); ++v) {
+    if (!free[v]) held_.push_back(v);
+    if (free[v] && (!potential_ || world_.dofs.block(v) < 0)) released.push_back(v);
+    held_may_move = held_may_move || (!free[v] && script.may_move(v));
+  }
+  for (size_t i = 0; i < active.size(); ++i)
+    if (active[i] && !(potential_ && active_[i]))
+      for (const int v : script.holds()[i].vertices) vertex(state_.anchor, v) = vertex(state_.x, v);
+  active_ = std::move(active);
+  world_.dofs = DofMap(free);
+  walk_.reset();
+  potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
+                     [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); });
+  if (world_.contact) world_.contact->set_free(held_may_move ? free : std::vector<char>());
+  set_accelerations(state_.time, released);
+}
+
+// M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
+void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
+  if (vertices.empty() || !scene_.time.integrator->predict(state_, scene_.time.step).inertia) return;
+  apply_loads(t);
   VecX q;
   world_.dofs.gather(state_.x, q);
-  potential_.begin_step(state_.x, state_.x, 1.0, false);
-  potential_.move_to(q);
-  const VecX& gradient = potential_.gradient();
-  for (int b = 0; b < world_.dofs.block_count(); ++b) {
-    const int v = world_.dofs.vertex_of_block(b);
-    vertex(state_.a, v) = -gradient.segment<3>(3 * b) / world_.mass(v);
-  }
+  potential_->begin_step(state_.x, state_.x, 1.0, false);
+  potential_->move_to(q);
+  const VecX& gradient = potential_->gradient();
+  for (const int v : vertices)
+    vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / world_.mass(v);
 }
 
 void TimeStepper::apply_loads(double t) {
@@ -65,19 +84,23 @@ void TimeStepper::apply_loads(double t) {
   world_.load_term.set(std::move(force), state_.x);
 }
 
+double TimeStepper::largest_step(const VecX& x, const VecX& p) {
+  double t = 1;
+  for (const auto& filter : filters_) t = filter->largest_step(x, p, t);
+  return t;
+}
+
 double TimeStepper::feasible_step(const VecX& q, const VecX& p) {
-  VecX x = potential_.configuration();
+  VecX x = potential_->configuration();
   world_.dofs.scatter(q, x);
   direction_.setZero();
   world_.dofs.scatter(p, direction_);
-  double t = 1;
-  for (const auto& filter : filters_) t = filter->largest_step(x, direction_, t);
-  return t;
+  return largest_step(x, direction_);
 }
 
 double TimeStepper::stopping_norm(double h, const VecX& p, const VecX& gradient) const {
   if (inertia_) return p.lpNorm<Eigen::Infinity>() / h / scene_.solver->velocity_tolerance();
-  const double allowed = scene_.solver->force_tolerance() * potential_.largest_stencil_force();
+  const double allowed = scene_.solver->force_tolerance() * potential_->largest_stencil_force();
   const double residual = gradient.lpNorm<Eigen::Infinity>();
   return residual == 0 ? 0 : residual / allowed;
 }
@@ -90,14 +113,51 @@ VecX TimeStepper::first_guess(double h) {
   if (!inertia_) return q;
   world_.dofs.gather(h * (state_.v + h * state_.a), p);
   if (p.isZero()) return q;
-  potential_.move_to(q);
-  const double staying = potential_.value();
+  potential_->move_to(q);
+  const double staying = potential_->value();
   const VecX guess = q + feasible_step(q, p) * p;
-  potential_.move_to(guess);
-  return potential_.value() < staying ? guess : q;
+  potential_->move_to(guess);
+  return potential_->value() < staying ? guess : q;
+}
+
+// A feasible start with the scripted vertices at their places: the straight way, with the free ones
+// moving along as far as they may, or not at all, whichever is better; a walk if that is blocked.
+ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
+                                              const TimeIntegrator::Prediction& prediction) {
+  const VecX scripted = places - state_.x;
+  VecX along = VecX::Zero(scripted.size()), q;
+  if (inertia_) {
+    world_.dofs.gather(h * (state_.v + h * state_.a), q);
+    world_.dofs.scatter(q, along);
+  }
+  ScriptWalk::Result best{{}, VecX(), ""};
+  double lowest = std::numeric_limits<double>::infinity();
+  const auto reach_of = [&](double part) {
+    const VecX p = scripted + part * along;
+    const double t = largest_step(state_.x, p);
+    if (t < 1) return t;
+    VecX x = state_.x + p;
+    world_.dofs.gather(x, q);
+    potential_->move_to(q);
+    if (potential_->value() < lowest) {
+      lowest = potential_->value();
+      best.x = std::move(x);
+    }
+    return t;
+  };
+  const bool predicted = !along.isZero();
+  const double t = predicted ? reach_of(1) : 0;
+  if (t > 0 && t < 1) reach_of(most_of_it * t);
+  reach_of(0);
+  if (best.x.size() > 0) return best;
+  if (!walk_)
+    walk_.emplace(world_, *scene_.solver, clock_,
+                  [this](const VecX& x, const VecX& p) { return largest_step(x, p); });
+  return walk_->run(state_.x, places, prediction);
 }
 
 TimeStepper::Attempt TimeStepper::solve(double h) {
+  hold(h);
   const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
   inertia_ = prediction.inertia;
   if (world_.contact) world_.contact->begin_step(state_.x);
@@ -106,38 +166,53 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
     world_.friction->begin_step(state_.x, h);
   }
   apply_loads(state_.time + h);
-  potential_.begin_step(state_.x, prediction.x, prediction.scale, prediction.inertia);
+  VecX places = state_.x;
+  world_.script.place(active_, world_.rest, state_.anchor, state_.time + h, places);
+  potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
+  Attempt attempt{{}, places};
+  VecX q;
+  if (places == state_.x) {
+    q = first_guess(h);
+  } else {
+    const ScriptWalk::Result start = follow_script(h, places, prediction);
+    attempt.result = start.solve;
+    attempt.failure = start.failure;
+    if (!start.failure.empty() || start.solve.status == MinimizerStatus::interrupted) return attempt;
+    world_.dofs.gather(start.x, q);
+  }
+  if (world_.dofs.size() == 0) return attempt;
   const MinimizerProblem problem{
-      potential_, [this](const VecX& q, const VecX& p) { return feasible_step(q, p); },
+      *potential_, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); },
       [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_};
-  VecX q = first_guess(h);
-  return solve_lagged(problem, q);
+  minimize_lagged(problem, q, attempt);
+  return attempt;
 }
 
 // The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.
-TimeStepper::Attempt TimeStepper::solve_lagged(const MinimizerProblem& problem, VecX& q) {
-  Attempt attempt{{}, state_.x};
-  if (!world_.friction) {
+void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt) {
+  const auto minimize = [&] {
+    const MinimizerResult before = attempt.result;
     attempt.result = scene_.solver->minimize(problem, q);
+    attempt.result.add_work(before);
     world_.dofs.scatter(q, attempt.x);
-    return attempt;
-  }
+  };
+  minimize();
+  if (!world_.friction) return;
   const LaggingConfig& lagging = scene_.contact->lagging;
-  while (true) {
-    attempt.result = after(attempt.result, scene_.solver->minimize(problem, q));
-    world_.dofs.scatter(q, attempt.x);
-    ++attempt.lag_iterations;
-    if (attempt.result.status != MinimizerStatus::converged) return attempt;
+  for (attempt.lag_iterations = 1;; ++attempt.lag_iterations) {
+    if (attempt.result.status != MinimizerStatus::converged) return;
     world_.contact->move_to(attempt.x);
     attempt.friction_residual = world_.friction->residual(attempt.x);
     attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
     const bool reached = lagging.until && attempt.lag_converged;
-    if (reached || attempt.lag_iterations >= lagging.iterations) return attempt;
+    if (reached || attempt.lag_iterations >= lagging.iterations) return;
     world_.friction->lag(attempt.x);
+    minimize();
   }
 }
 
 std::string TimeStepper::verdict(const Attempt& attempt) {
+  if (!attempt.failure.empty()) return attempt.failure;
   if (attempt.result.status != MinimizerStatus::converged)
     return fmt::format("{} after {} iterations, {:.3g} times the tolerance",
                        to_string(attempt.result.status), attempt.result.iterations, attempt.result.residual);
@@ -155,6 +230,7 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
 void TimeStepper::commit(const VecX& x, double h) {
   VecX v, a;
   scene_.time.integrator->update(state_, x, h, v, a);
+  scene_.time.integrator->update_held(state_, x, h, held_, v, a);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);
@@ -228,8 +304,9 @@ StepReport TimeStepper::advance() {
     }
     if (h < whole * std::pow(0.5, scene_.time.max_halvings) * (1 + 1e-9))
       throw SimulationError(fmt::format(
-          "step {} at t = {} s failed with h = {} s ({}); refine time.step, loosen solver.tolerance or "
-          "raise solver.max_iterations", state_.step + 1, state_.time, h, wrong));
+          "step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, wrong,
+          attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations"
+                                  : "leave room for what the script pushes"));
     h_ = h / 2;
     warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s", state_.step + 1,
                       state_.time, wrong, h_));

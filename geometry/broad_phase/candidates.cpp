@@ -9,7 +9,7 @@
 namespace tack {
 namespace {
 
-// The relation of overlap_pairs: no common vertex, and objects that may touch.
+// The relation of overlap_pairs: no common vertex, not rigid together, and objects that may touch.
 template <std::size_t M, std::size_t N>
 struct MayTouch {
   const Primitives<M>& first;
@@ -17,6 +17,7 @@ struct MayTouch {
   const ObjectPairFilter& filter;
 
   bool accept(int a, int b) const {
+    if (first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
            filter.allows(first.objects[a], second.objects[b]);
   }

@@ -19,6 +19,7 @@ struct Primitives {
   std::vector<int> ids;                      // the primitive's name outside, e.g. its edge index
   std::vector<int> objects;                  // that of the first vertex: none spans two objects
   std::vector<char> movable;                 // whether some vertex is
+  std::vector<int> groups;                   // the rigid group of all its vertices, or -1
   Bvh tree;
 
   void add(const std::array<int, N>& corners, int id, const CollisionMesh& mesh) {
@@ -27,6 +28,9 @@ struct Primitives {
     objects.push_back(mesh.vertex_object[corners[0]]);
     movable.push_back(0);
     for (const int v : corners) movable.back() |= mesh.vertex_movable[v] != 0;
+    groups.push_back(mesh.vertex_group.empty() ? -1 : mesh.vertex_group[corners[0]]);
+    for (const int v : corners)
+      if (groups.back() >= 0 && mesh.vertex_group[v] != groups.back()) groups.back() = -1;
   }
 
   // Sets the tree to the unions of the vertices' boxes (by global id), inflated [m].

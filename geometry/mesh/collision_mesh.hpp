@@ -13,7 +13,10 @@ struct CollisionMesh {
   std::vector<Edge> edges;           // global vertex ids
   std::vector<Triangle> triangles;   // global vertex ids, oriented outwards where closed
   std::vector<int> vertex_object;    // per global vertex: object id, also for interior vertices
-  std::vector<char> vertex_movable;  // per global vertex: 0 if fixed or scripted
+  std::vector<char> vertex_movable;  // per global vertex: 0 if it never moves
+  // Per global vertex: vertices of one group (>= 0) never move against each other; -1: in no group.
+  // May be empty: no groups but what is not movable.
+  std::vector<int> vertex_group;
   std::vector<int> codim_edges;      // indices into edges: those in no triangle (rods), ascending
   std::vector<int> codim_points;     // global ids of vertices in no edge (particles), ascending
 };

@@ -75,6 +75,21 @@ TEST_CASE("experiment wall_cube/stuck_rough") { check_experiment("wall_cube/stuc
 TEST_CASE("experiment wall_cube/slides") { check_experiment("wall_cube/slides.yaml"); }
 TEST_CASE("experiment wall_cube/detaches") { check_experiment("wall_cube/detaches.yaml"); }
 
+TEST_CASE("experiment squash/block") { check_experiment("squash/block.yaml"); }
+TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.yaml"); }
+
+// The whole runs take some ten seconds and some half a minute; these end when the first folds lie on each
+// other.
+TEST_CASE("experiments twist, their beginnings") {
+  const auto [file, steps] = GENERATE(table<std::string, int>({{"mat", 48}, {"cloth_as_tets", 36}}));
+  CAPTURE(file);
+  const Outcome o = run("twist/" + file + ".yaml", {"--steps", std::to_string(steps)});
+  CHECK(o.result.exit_code == 0);
+  CHECK(o.summary["steps"] == steps);
+  CHECK(o.summary["max_contacts"] > 50);
+  check_states(o);
+}
+
 // The force depends neither on the resolution nor on how the meshes lie on each other. The steps are
 // longer than in pull.yaml, so the fall after the peak, and with it the work, is not resolved.
 TEST_CASE("the adhesive force of plates does not depend on their meshes") {

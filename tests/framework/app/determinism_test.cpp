@@ -31,6 +31,17 @@ std::string run_with_threads(const fs::path& folder, const std::string& scene, c
 
 }  // namespace
 
+// The sticky floor becomes a plate that is driven ten contact distances into the block, every step.
+TEST_CASE("a scripted surface pushes with the same bits for any number of threads") {
+  const TemporaryFolder folder;
+  std::string scene = tiny_scene_with("size: [0.2, 0.2, 0.2]}", "size: [0.2, 0.2, 0.2], cells: [7, 4, 7]}");
+  const std::string fixed = "motion: [fixed]";
+  scene.replace(scene.find(fixed), fixed.size(), "motion: [{type: translate, velocity: [0.1, 1, 0]}]");
+  write_file(folder.path() / "scene.yaml", scene);
+  const std::string one = run_with_threads(folder.path(), "scene.yaml", "1");
+  CHECK(run_with_threads(folder.path(), "scene.yaml", "2") == one);
+}
+
 TEST_CASE("probes and frames do not depend on the run or on the number of threads") {
   const TemporaryFolder folder;
   // Large enough for several chunks of every parallel loop; askew, so that every kind of pair occurs.

@@ -1,0 +1,28 @@
+// A formula of named variables, as text: "0.1 * sin(2 * pi * t)". Operators and functions are those
+// of muParser (https://beltoforion.de/en/muparser/features.php), and the constant pi.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tack {
+
+class Formula {
+ public:
+  // Throws InputError, without a place, with the position and what is wrong there.
+  Formula(const std::string& text, const std::vector<std::string>& variables);
+  ~Formula();
+  Formula(Formula&&) noexcept;
+  Formula& operator=(Formula&&) noexcept;
+
+  // One value per variable, in their order. Not for several threads at once.
+  double operator()(std::span<const double> values) const;
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace tack

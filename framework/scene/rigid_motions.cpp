@@ -1,0 +1,132 @@
+// Motions that keep the shape of what they hold: translate, rotate, keyframes.
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "framework/scene/motion.hpp"
+
+namespace tack {
+namespace {
+
+// x = anchor + v s or anchor + d s / duration, s the time since `from`, at most the duration.
+class Translate : public Motion {
+ public:
+  void fields(Fields& f) override {
+    f.optional_vector("velocity", velocity_, units::velocity, "constant velocity; or give displacement");
+    f.optional_vector("displacement", displacement_, units::length,
+                      "covered in the duration, at constant velocity; or give velocity");
+    f.optional_number("duration", duration_, units::time,
+                      "moves for so long, then stands; as long as it holds unless given").positive();
+    f.check("velocity", [this]() -> std::string {
+      return velocity_.has_value() != displacement_.has_value() ? "" : "give either velocity or displacement";
+    });
+    f.check("displacement", [this]() -> std::string {
+      const bool ends = duration_ || until() < std::numeric_limits<double>::infinity();
+      return !displacement_ || ends ? "" : "needs the duration that it takes";
+    });
+    Motion::fields(f);
+  }
+  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
+             VecX& x) const override {
+    const double whole = duration_.value_or(until() - from()), s = std::clamp(t - from(), 0.0, whole);
+    const Vec3 d = velocity_ ? Vec3(*velocity_ * s) : Vec3(*displacement_ * (s / whole));
+    for (const int v : vertices) vertex(x, v) = vertex(anchor, v) + d;
+  }
+
+ private:
+  std::optional<Vec3> velocity_, displacement_;  // m/s, m
+  std::optional<double> duration_;               // s
+};
+
+// x = c + R(axis, angle) (anchor - c).
+class Rotate : public Motion {
+ public:
+  void fields(Fields& f) override {
+    f.vector("axis", axis_, units::none, "direction of the axis; turns are right-handed about it").required();
+    f.vector("centre", centre_, units::length, "a point of the axis");
+    f.optional_number("angular_velocity", speed_, units::angular_velocity,
+                      "constant angular velocity; or give angle");
+    f.optional_number("angle", angle_, units::angle,
+                      "turned in the duration, at constant speed; or give angular_velocity");
+    f.optional_number("duration", duration_, units::time,
+                      "turns for so long, then stands; as long as it holds unless given").positive();
+    f.check("axis", [this]() -> std::string { return axis_.norm() > 0 ? "" : "must not be zero"; });
+    f.check("angular_velocity", [this]() -> std::string {
+      return speed_.has_value() != angle_.has_value() ? "" : "give either angular_velocity or angle";
+    });
+    f.check("angle", [this]() -> std::string {
+      const bool ends = duration_ || until() < std::numeric_limits<double>::infinity();
+      return !angle_ || ends ? "" : "needs the duration that it takes";
+    });
+    Motion::fields(f);
+  }
+  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
+             VecX& x) const override {
+    const double whole = duration_.value_or(until() - from()), s = std::clamp(t - from(), 0.0, whole);
+    const double angle = speed_ ? *speed_ * s : *angle_ * (s / whole);
+    const Mat3 r = Eigen::AngleAxisd(angle, axis_.normalized()).toRotationMatrix();
+    for (const int v : vertices) vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_);
+  }
+
+ private:
+  Vec3 axis_ = Vec3::UnitY(), centre_ = Vec3::Zero();  // -, m
+  std::optional<double> speed_, angle_, duration_;     // rad/s, rad, s
+};
+
+struct Keyframe {
+  double time = 0;                  // s
+  Vec3 translation = Vec3::Zero();  // m
+  Vec3 rotation = Vec3::Zero();     // rad, axis times angle
+  void fields(Fields& f) {
+    f.number("time", time, units::time, "time of the frame").required();
+    f.vector("translation", translation, units::length, "from the anchor, after the rotation");
+    f.vector("rotation", rotation, units::angle, "axis times angle, about the centre");
+  }
+};
+
+// x = c + R(w) (anchor - c) + d, with d and the rotation vector w linear between the frames and
+// constant outside them.
+class Keyframes : public Motion {
+ public:
+  void fields(Fields& f) override {
+    f.vector("centre", centre_, units::length, "the point that rotations leave in place");
+    f.list("frames", frames_, "what is reached when; linear in between, constant before and after")
+        .required().nonempty();
+    f.check("frames", [this]() -> std::string {
+      const auto not_later = [](const Keyframe& a, const Keyframe& b) { return b.time <= a.time; };
+      return std::adjacent_find(frames_.begin(), frames_.end(), not_later) == frames_.end()
+                 ? "" : "times must increase from frame to frame";
+    });
+    Motion::fields(f);
+  }
+  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
+             VecX& x) const override {
+    const Keyframe k = at(t);
+    const double angle = k.rotation.norm();
+    const Vec3 axis = angle > 0 ? Vec3(k.rotation / angle) : Vec3::UnitX();
+    const Mat3 r = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    for (const int v : vertices)
+      vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_) + k.translation;
+  }
+
+ private:
+  Keyframe at(double t) const {
+    const auto later = std::find_if(frames_.begin(), frames_.end(), [t](const Keyframe& k) { return k.time > t; });
+    if (later == frames_.begin()) return frames_.front();
+    if (later == frames_.end()) return frames_.back();
+    const Keyframe &a = *(later - 1), &b = *later;
+    const double u = (t - a.time) / (b.time - a.time);
+    return {t, a.translation + u * (b.translation - a.translation),
+            a.rotation + u * (b.rotation - a.rotation)};
+  }
+
+  Vec3 centre_ = Vec3::Zero();  // m
+  std::vector<Keyframe> frames_ = {Keyframe{}};
+};
+
+TACK_REGISTER(Motion, Translate, "translate", "Moves vertices along a line at constant velocity.", "");
+TACK_REGISTER(Motion, Rotate, "rotate", "Turns vertices about an axis at constant angular velocity.", "");
+TACK_REGISTER(Motion, Keyframes, "keyframes",
+              "Moves vertices rigidly from frame to frame, linearly in between.", "");
+
+}  // namespace
+}  // namespace tack

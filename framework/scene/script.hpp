@@ -1,0 +1,47 @@
+// Who holds which vertices when: all motions of a scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/scene/motion.hpp"
+
+namespace tack {
+
+class Script {
+ public:
+  struct Hold {
+    const Motion* motion;
+    std::vector<int> vertices;  // global, ascending
+    std::string name;           // for messages: "motion 0 (fixed) of 'plate'"
+  };
+
+  Script() = default;
+  explicit Script(int vertex_count)
+      : ever_held_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
+        rigid_group_(vertex_count, -1) {}
+
+  // Throws InputError if another motion holds one of the vertices at the same time.
+  void add(Hold hold);
+  const std::vector<Hold>& holds() const { return holds_; }
+
+  // Which of the holds act at time t [s], and which vertices those leave free.
+  std::vector<char> active(double t) const;
+  std::vector<char> free(const std::vector<char>& active) const;
+  // Writes where the active holds have their vertices at time t into x; anchor, rest: 3n [m].
+  void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t, VecX& x) const;
+
+  bool ever_held(int v) const { return ever_held_[v]; }
+  bool ever_free(int v) const { return ever_free_[v]; }
+  // Whether the vertex may ever be elsewhere than at its start.
+  bool may_move(int v) const { return ever_free_[v] || moves_[v]; }
+  // Vertices of one group (>= 0) never move against each other, throughout the run; -1: no such group.
+  int rigid_group(int v) const { return rigid_group_[v]; }
+
+ private:
+  std::vector<Hold> holds_;
+  std::vector<char> ever_held_, ever_free_, moves_;
+  std::vector<int> rigid_group_;
+};
+
+}  // namespace tack

@@ -1,0 +1,141 @@
+#include "framework/stepping/script_walk.hpp"
+
+#include <fmt/format.h>
+
+#include "framework/config/bind.hpp"
+#include "framework/stepping/obstacle.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double pull_strength = 1000;   // K, in mean diagonal stiffnesses of the unknowns
+constexpr int max_pulls = 8;             // each ten times stronger
+constexpr double close_enough = 0.01;    // of the whole way, from where the last move is tried
+constexpr double weak = 0.1;             // a Newton step that brings less of the rest of the way wants a larger K
+constexpr int patience = 30;             // iterations without progress before it is given up
+
+double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertices) {
+  double largest = 0;
+  for (const int v : vertices) largest = std::max(largest, (vertex(a, v) - vertex(b, v)).norm());
+  return largest;
+}
+
+}  // namespace
+
+// One run: where to, from how far, and whether it still gets anywhere.
+struct ScriptWalk::Pull {
+  const VecX& places;
+  double whole_way;
+  double best;          // the smallest remaining distance so far [m]
+  int since_best = 0;   // iterations
+  bool stuck = false;
+
+  // Below 1 when this minimisation need not go on.
+  double norm(double remaining, double next_step) {
+    if (remaining < 0.99 * best) best = remaining, since_best = 0;
+    stuck = ++since_best > patience;
+    if (stuck) return 0;
+    return std::min(remaining / (close_enough * whole_way), next_step / (weak * remaining));
+  }
+};
+
+ScriptWalk::ScriptWalk(World& world, Minimizer& like, PhaseClock& clock, LargestStep largest_step)
+    : world_(world), minimizer_(bind_component<Minimizer>(to_value(&like))), clock_(clock),
+      largest_step_(std::move(largest_step)) {}
+
+void ScriptWalk::prepare(const VecX& x, const VecX& places) {
+  std::vector<int> moving;
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v)
+    if (world_.dofs.block(v) < 0 && vertex(x, v) != vertex(places, v)) moving.push_back(v);
+  if (potential_ && moving == moving_) return;
+  moving_ = std::move(moving);
+  std::vector<char> unknown(world_.dofs.vertex_count());
+  for (size_t v = 0; v < unknown.size(); ++v) unknown[v] = world_.dofs.block(static_cast<int>(v)) >= 0;
+  for (const int v : moving_) unknown[v] = 1;
+  dofs_ = DofMap(unknown);
+  potential_.emplace(world_.terms, dofs_, world_.mass, clock_,
+                     [this](const VecX& at) { if (world_.contact) world_.contact->move_to(at); });
+}
+
+VecX ScriptWalk::masses(double pull, bool inertia) const {
+  VecX mass = inertia ? world_.mass : VecX::Zero(world_.mass.size()).eval();
+  for (const int v : moving_) mass(v) = pull;
+  return mass;
+}
+
+// The mean of the Hessian's diagonal without the pull: what K is measured against.
+double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction) {
+  VecX q;
+  dofs_.gather(x, q);
+  potential_->set_mass(masses(0, prediction.inertia));
+  potential_->begin_step(x, prediction.x, prediction.scale, true);
+  potential_->move_to(q);
+  const BlockMatrix& matrix = potential_->hessian(SpdFilter::clamp);
+  double sum = 0;
+  for (int c = 0; c < matrix.columns(); ++c) sum += matrix.block(matrix.column_start[c]).trace();
+  return sum / matrix.size();
+}
+
+void ScriptWalk::minimize(Pull& pull, Result& result) {
+  const auto feasible_step = [&](const VecX& q, const VecX& p) {
+    VecX x = potential_->configuration(), direction = VecX::Zero(x.size());
+    dofs_.scatter(q, x);
+    dofs_.scatter(p, direction);
+    return largest_step_(x, direction);
+  };
+  const auto norm = [&](const VecX& p, const VecX&) {
+    double next_step = 0;
+    for (const int v : moving_) next_step = std::max(next_step, p.segment<3>(3 * dofs_.block(v)).norm());
+    return pull.norm(largest_row(potential_->configuration(), pull.places, moving_), next_step);
+  };
+  VecX q;
+  dofs_.gather(result.x, q);
+  const MinimizerResult before = result.solve;
+  result.solve = minimizer_->minimize({*potential_, feasible_step, norm, clock_}, q);
+  result.solve.add_work(before);
+  dofs_.scatter(q, result.x);
+}
+
+// The last move, to the exact places.
+bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
+  VecX last = VecX::Zero(x.size());
+  for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
+  if (largest_step_(x, last) < 1) return false;
+  for (const int v : moving_) vertex(x, v) = vertex(places, v);
+  return true;
+}
+
+ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
+                                   const TimeIntegrator::Prediction& prediction) {
+  prepare(x, places);
+  VecX towards = prediction.x;
+  for (const int v : moving_) vertex(towards, v) = vertex(places, v);
+  const double whole_way = largest_row(x, places, moving_);
+  Pull pull{places, whole_way, std::numeric_limits<double>::infinity()};
+  Result result{{}, x, ""};
+  double k = pull_strength * stiffness(x, prediction);
+  for (int i = 0; i < max_pulls && !pull.stuck; ++i, k *= 10) {
+    potential_->set_mass(masses(k, prediction.inertia));
+    potential_->begin_step(result.x, towards, prediction.scale, true);
+    minimize(pull, result);
+    if (result.solve.status == MinimizerStatus::interrupted) return result;
+    const bool near = largest_row(result.x, places, moving_) <= close_enough * whole_way;
+    if (!near || !arrive(places, result.x)) continue;
+    result.solve.status = MinimizerStatus::converged;
+    return result;
+  }
+  result.failure = failure(result.x, places);
+  return result;
+}
+
+std::string ScriptWalk::failure(const VecX& x, const VecX& places) const {
+  int furthest = moving_.front();
+  double distance = 0;
+  for (const int v : moving_) {
+    const double d = (vertex(x, v) - vertex(places, v)).norm();
+    if (d > distance) distance = d, furthest = v;
+  }
+  return describe_obstacle(world_, x, furthest, distance);
+}
+
+}  // namespace tack

@@ -1,0 +1,55 @@
+// Carries scripted vertices to their places when the straight way there is blocked.
+// The vertices that still have to move become unknowns for a while, with a large mass K and their
+// places as their prediction, so that their inertia is a pull towards the places:
+//     E(x) = 1/2 |x - x~|_M^2 + 1/2 K sum_s |x_s - place_s|^2 + beta h^2 sum_i P_i(x)
+// (the augmented Lagrangian of Li et al. 2020, Incremental Potential Contact, supplement A, without
+// its multipliers). Every iteration is filtered like any other, so nothing is passed through, and
+// the Hessian couples what pushes with what is pushed. Near the places the vertices are put exactly
+// there, if that last move is free; otherwise K grows.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "framework/core/incremental_potential.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+
+class ScriptWalk {
+ public:
+  // The largest t in [0, 1] such that x + s p is feasible for all s in [0, t] (3n each).
+  using LargestStep = std::function<double(const VecX& x, const VecX& p)>;
+
+  ScriptWalk(World& world, Minimizer& like, PhaseClock& clock, LargestStep largest_step);
+
+  struct Result {
+    MinimizerResult solve;  // sums over its minimisations
+    VecX x;                 // 3n; feasible
+    std::string failure;    // "" if the scripted vertices are exactly at their places in x
+  };
+  // From x, which is feasible, to a feasible configuration in which all vertices that differ between
+  // x and places (3n) and are not free are at their places.
+  Result run(const VecX& x, const VecX& places, const TimeIntegrator::Prediction& prediction);
+
+ private:
+  struct Pull;
+  void prepare(const VecX& x, const VecX& places);
+  VecX masses(double pull, bool inertia) const;
+  double stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction);
+  void minimize(Pull& pull, Result& result);
+  bool arrive(const VecX& places, VecX& x) const;
+  std::string failure(const VecX& x, const VecX& places) const;
+
+  World& world_;
+  std::unique_ptr<Minimizer> minimizer_;  // its own: the factors that it keeps are those of its unknowns
+  PhaseClock& clock_;
+  LargestStep largest_step_;
+  std::vector<int> moving_;  // the scripted vertices that have to move
+  DofMap dofs_;              // the free and the moving vertices
+  std::optional<IncrementalPotential> potential_;
+};
+
+}  // namespace tack

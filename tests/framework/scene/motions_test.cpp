@@ -1,0 +1,149 @@
+// Every motion against its closed form, and what is told about wrong ones.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/errors.hpp"
+#include "tests/support/simulation.hpp"
+
+using namespace tack;
+
+namespace {
+
+// A small block, of which a motion holds one face.
+std::string block(const std::string& motion, const std::string& more = "") {
+  return fmt::format("time: {{step: 0.02, duration: 1, max_halvings: 20}}\n"
+                     "objects: [{{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1]}},\n"
+                     "  energies: [{{type: neo_hookean, young: 1e5}}],\n"
+                     "  motion: [{{{}, select: {{type: face, direction: [1, 0, 0]}}}}]}}]\n{}", motion, more);
+}
+
+Mat3 turn(const Vec3& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
+}
+
+using Place = std::function<Vec3(const Vec3& rest, double t)>;
+struct Case {
+  std::string motion;
+  Place place;
+};
+
+const std::vector<Case> cases = {
+    {"type: translate, velocity: [0.3, -0.2, 0.1]",
+     [](const Vec3& x, double t) { return Vec3(x + t * Vec3(0.3, -0.2, 0.1)); }},
+    {"type: translate, displacement: [5 cm, 0, 1 cm], duration: 0.1",
+     [](const Vec3& x, double t) { return Vec3(x + std::min(t / 0.1, 1.0) * Vec3(0.05, 0, 0.01)); }},
+    {"type: rotate, axis: [1, 2, 0], centre: [0.1, 0, 0], angular_velocity: 90 deg/s",
+     [](const Vec3& x, double t) {
+       const Vec3 c(0.1, 0, 0);
+       return Vec3(c + turn({1, 2, 0}, t * std::numbers::pi / 2) * (x - c));
+     }},
+    {"type: rotate, axis: [1, 0, 0], angle: 30 deg, duration: 0.1",
+     [](const Vec3& x, double t) {
+       return Vec3(turn({1, 0, 0}, std::min(t / 0.1, 1.0) * std::numbers::pi / 6) * x);
+     }},
+    {"type: keyframes, frames: [{time: 0.04}, {time: 0.1, translation: [0.06, 0, 0], rotation: [30 deg, 0, 0]}]",
+     [](const Vec3& x, double t) {
+       const double u = std::clamp((t - 0.04) / 0.06, 0.0, 1.0);
+       return Vec3(turn({1, 0, 0}, u * std::numbers::pi / 6) * x + u * Vec3(0.06, 0, 0));
+     }},
+    {"type: formula, x: 0.01 * sin(2 * pi * t), z: Y * t^2",
+     [](const Vec3& x, double t) {
+       return Vec3(x.x() + 0.01 * std::sin(2 * std::numbers::pi * t), x.y(), x.z() + x.y() * t * t);
+     }},
+};
+
+void check_places(const Simulation& run, const Place& place) {
+  int held = 0;
+  for (int v = 0; v < 8; ++v) {
+    if (run.world->dofs.block(v) >= 0) continue;
+    ++held;
+    CHECK((run.at(v) - place(run.rest(v), run.state().time)).norm() <= 1e-15);
+  }
+  CHECK(held == 4);
+}
+
+std::string error_of(const std::string& yaml) {
+  try {
+    TestScene scene(yaml);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("held vertices are where their motion says, at every step") {
+  for (const Case& c : cases) {
+    INFO(c.motion);
+    Simulation run(block(c.motion));
+    for (int i = 0; i < 8; ++i) {
+      run.step();
+      check_places(run, c.place);
+    }
+    CHECK(run.warnings.empty());
+  }
+}
+
+TEST_CASE("the time of a motion follows halved steps") {
+  for (const Case& c : cases) {
+    INFO(c.motion);
+    Simulation run(block(c.motion, "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"));
+    int steps = 0;
+    while (run.state().time < 0.1 - 1e-9 && steps++ < 5000) {
+      run.step();
+      check_places(run, c.place);
+    }
+    CHECK(run.state().time == Approx(0.1).epsilon(1e-9));
+    CHECK(steps > 5);
+    CHECK_FALSE(run.warnings.empty());
+  }
+}
+
+TEST_CASE("a motion counts from where and when it seizes vertices") {
+  Simulation run("time: {step: 0.02, duration: 1}\n"
+                 "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, velocity: [0.5, 0, 0],\n"
+                 "  energies: [{type: neo_hookean, young: 1e5}],\n"
+                 "  motion: [{type: translate, velocity: [0, 1, 0], from: 0.06},\n"
+                 "           {type: fixed, from: 0.04, until: 0.06}]}]\n");
+  for (int i = 1; i <= 6; ++i) {
+    run.step();
+    const double flown = 0.5 * std::min(0.02 * i, 0.04), lifted = std::max(0.02 * i - 0.06, 0.0);
+    for (int v = 0; v < 8; ++v)
+      CHECK((run.at(v) - run.rest(v) - Vec3(flown, lifted, 0)).norm() <= 1e-12);
+  }
+}
+
+TEST_CASE("wrong motions are told with their place") {
+  const auto told = [](const std::string& motion, const std::string& what) {
+    INFO(motion);
+    CHECK_THAT(error_of(block(motion)), Catch::Contains(what));
+  };
+  told("type: formula, y: sin(t", "test.yaml:5:31: y: formula 'sin(t': Missing parenthesis (position 6)");
+  told("type: formula, y: 2 * tt", "test.yaml:5:31: y: formula '2 * tt': Unexpected token \"tt\" found at position 4");
+  told("type: formula, y: 2 * tt", "variables: t, X, Y, Z");
+  told("type: keyframes, frames: [{time: 1}, {time: 1}]", "test.yaml:5:38: frames: times must increase");
+  told("type: keyframes, frames: []", "test.yaml:5:38: frames");
+  told("type: translate", "test.yaml:5:12: velocity: give either velocity or displacement");
+  told("type: translate, velocity: [1, 0, 0], displacement: [1, 0, 0]", "give either");
+  told("type: translate, displacement: [1, 0, 0]", "displacement: needs the duration");
+  told("type: rotate, axis: [0, 0, 0], angle: 1, duration: 1", "axis: must not be zero");
+  told("type: rotate, axis: [0, 0, 1]", "give either angular_velocity or angle");
+  told("type: rotate, axis: [0, 0, 1], angle: 1", "angle: needs the duration");
+  told("type: fixed, from: 2, until: 1", "until: must be later than from");
+  told("type: fixed}, {type: translate, velocity: [1, 0, 0]",
+       "test.yaml:3:11: motion 0 (fixed) of 'block' and motion 1 (translate) of 'block' hold 4 vertices at once, "
+       "from 0 s to the end; give them different");
+  told("type: fixed, until: 0.5}, {type: fixed, from: 0.25", "from 0.25 s to 0.5 s");
+  CHECK(error_of(block("type: fixed, until: 0.5}, {type: fixed, from: 0.5")).empty());
+}
+
+TEST_CASE("a formula without a finite value ends the run, by name") {
+  Simulation run(block("type: formula, x: 't < 0.03 ? 0 : 1 / (t - t)'"));
+  run.step();
+  CHECK_THROWS_WITH(run.step(), Catch::Contains("motion formula x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
+}

@@ -1,0 +1,184 @@
+// Scripted surfaces: releasing, pushing, and what it takes to hold them.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "geometry/errors.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "tests/support/simulation.hpp"
+
+using namespace tack;
+
+namespace {
+
+Vec3 momentum(const Simulation& run) {
+  Vec3 sum = Vec3::Zero();
+  for (int v = 0; v < run.world->mass.size(); ++v) sum += run.world->mass(v) * vertex(run.state().v, v);
+  return sum;
+}
+
+double front_of(const Simulation& run, int body) {
+  double front = -1e9;
+  for (int v = 0; v < run.world->bodies[body].vertex_count; ++v)
+    front = std::max(front, run.at(run.world->bodies[body].first_vertex + v).x());
+  return front;
+}
+
+// A plate that meets a block at x = 0 and drives it along x.
+std::string plate_and_block(const std::string& time, const std::string& motion, const std::string& block_motion) {
+  return time + fmt::format(
+      "solver: {{type: projected_newton, tolerance: 1e-4}}\n"
+      "objects:\n"
+      "  - {{name: plate, shape: {{type: box, size: [0.02, 0.2, 0.2]}}, place: {{translate: [-0.0155, 0, 0]}},\n"
+      "     motion: [{}]}}\n"
+      "  - {{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}},\n"
+      "     place: {{translate: [0.05, 0, 0]}}, motion: [{}],\n"
+      "     energies: [{{type: neo_hookean, young: 1e5, poisson: 0, density: 1000}}]}}\n"
+      "contact: {{distance: 1 mm}}\n"
+      "probes: [{{name: drive, type: reaction, object: plate}}]\n", motion, block_motion);
+}
+
+const std::string thrown =
+    "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]},\n"
+    "  energies: [{type: neo_hookean, young: 1e5}],\n"
+    "  motion: [{type: translate, velocity: [0.3, 0.2, 0], until: 0.05}]}]\n";
+
+}  // namespace
+
+TEST_CASE("released vertices keep their velocity: free flight is exact") {
+  const std::string integrator = GENERATE("implicit_euler", "bdf2", "newmark");
+  INFO(integrator);
+  Simulation run(fmt::format("time: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) + thrown);
+  CHECK(run.world->dofs.size() == 0);
+  for (int i = 1; i <= 12; ++i) {
+    run.step();
+    for (int v = 0; v < 8; ++v) {
+      CHECK((run.at(v) - run.rest(v) - 0.01 * i * Vec3(0.3, 0.2, 0)).norm() <= 1e-12);
+      CHECK((vertex(run.state().v, v) - Vec3(0.3, 0.2, 0)).norm() <= 1e-10);
+    }
+  }
+  CHECK(run.world->dofs.size() == 24);
+}
+
+TEST_CASE("what is released falls as each integrator's formula says") {
+  const std::string integrator = GENERATE("implicit_euler", "newmark");
+  INFO(integrator);
+  Simulation run(fmt::format("gravity: [0, -10, 0]\ntime: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) +
+                 thrown);
+  for (int i = 0; i < 12; ++i) run.step();
+  const int n = 7;  // steps in flight
+  const double fallen = integrator == "newmark" ? 10 * 0.07 * 0.07 / 2 : 10 * 1e-4 * n * (n + 1) / 2.0;
+  for (int v = 0; v < 8; ++v)
+    CHECK((run.at(v) - run.rest(v) - Vec3(0.12 * 0.3, 0.12 * 0.2 - fallen, 0)).norm() <= 1e-10);
+}
+
+TEST_CASE("a plate that moves ten contact distances a step pushes a block ahead") {
+  Simulation run(plate_and_block("time: {step: 0.01, duration: 1}\n", "{type: translate, velocity: [1, 0, 0]}", ""));
+  Vec3 impulse = Vec3::Zero();
+  for (int i = 1; i <= 10; ++i) {
+    const StepReport report = run.step();
+    const auto force = run.sample(0);
+    impulse += report.step_size * Vec3(force[0], force[1], force[2]);
+    CHECK(report.min_distance > 0);
+    CHECK(front_of(run, 0) == Approx(-0.0055 + 0.01 * i).margin(1e-14));
+  }
+  CHECK(front_of(run, 1) > 0.15);
+  CHECK(find_intersections(run.world->contact->surface().mesh, run.state().x, run.world->contact->filter(), 1).empty());
+  // The plate has no mass: what drives it has gone into the block. 1 kg, at least as fast as the plate.
+  CHECK(momentum(run).x() > 0.9);
+  CHECK((impulse - momentum(run)).norm() < 0.01 * momentum(run).x());
+  CHECK(run.warnings.empty());
+}
+
+TEST_CASE("pushing works without inertia") {
+  Simulation run(plate_and_block("time: {step: 0.1, duration: 1, integrator: quasi_static}\n",
+                                 "{type: translate, velocity: [0.1, 0, 0]}",
+                                 "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"));
+  for (int i = 1; i <= 5; ++i) {
+    CHECK(run.step().min_distance > 0);
+    CHECK(front_of(run, 0) == Approx(-0.0055 + 0.01 * i).margin(1e-14));
+  }
+  // A mu (1/a - a) with the gap between nothing and the contact distance
+  CHECK(run.sample(0)[0] > 623.4);
+  CHECK(run.sample(0)[0] < 644.9);
+  CHECK(run.warnings.empty());
+}
+
+TEST_CASE("a script that cannot be followed is told by name") {
+  const auto told = [](const std::string& scene, const std::string& what) {
+    Simulation run(scene);
+    const auto ahead = [&] { while (!run.stepper.finished()) run.step(); };
+    CHECK_THROWS_AS(ahead(), SimulationError);
+    const double reached = run.state().time;
+    CHECK_THROWS_WITH(run.step(), Catch::Contains(what));
+    CHECK(run.state().time == reached);  // the last good state stays
+    if (!run.world->contact) return;
+    CHECK(find_intersections(run.world->contact->surface().mesh, run.state().x, run.world->contact->filter(), 1).empty());
+  };
+  // onto the wall, which is fixed
+  told("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
+       "objects:\n"
+       "  - {name: wall, shape: {type: box, size: [0.02, 0.2, 0.2]}, motion: [fixed]}\n"
+       "  - {name: plate, shape: {type: box, size: [0.02, 0.1, 0.1]}, place: {translate: [-0.04, 0, 0]},\n"
+       "     motion: [{type: translate, velocity: [1, 0, 0]}]}\n"
+       "  - {name: far, shape: {type: box, size: [0.02, 0.1, 0.1]}, place: {translate: [3, 0, 0]},\n"
+       "     energies: [{type: neo_hookean, young: 1e5}]}\n"
+       "contact: {distance: 1 mm}\n",
+       "the script drives 'plate' into 'wall': vertex ");
+  // through a block that has nowhere to go
+  told(plate_and_block("time: {step: 0.5, duration: 1, integrator: quasi_static, max_halvings: 0}\n",
+                       "{type: translate, velocity: [0.25, 0, 0]}",
+                       "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"),
+       "the script drives 'plate' into 'block': vertex ");
+  // its own elements
+  told("time: {step: 0.1, duration: 1, max_halvings: 2}\n"
+       "objects: [{name: bar, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 1, 1]},\n"
+       "  energies: [{type: neo_hookean, young: 1e5}],\n"
+       "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}},\n"
+       "    {type: translate, velocity: [-1, 0, 0], select: {type: face, direction: [1, 0, 0]}}]}]\n",
+       "the script deforms 'bar' too far: vertex ");
+}
+
+TEST_CASE("the force that compresses a bar is that of its material") {
+  // Short enough not to buckle.
+  Simulation run("time: {step: 0.1, duration: 1, integrator: quasi_static}\n"
+                 "solver: {type: projected_newton, force_tolerance: 1e-10}\n"
+                 "objects: [{name: bar, shape: {type: box, size: [0.15, 0.1, 0.1], cells: [3, 2, 2]},\n"
+                 "  energies: [{type: neo_hookean, young: 1e5, poisson: 0}],\n"
+                 "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}},\n"
+                 "    {type: translate, velocity: [-0.06, 0, 0], select: {type: face, direction: [1, 0, 0]}}]}]\n"
+                 "probes:\n"
+                 "  - {name: driven, type: reaction, object: bar, select: {type: face, direction: [1, 0, 0]}}\n"
+                 "  - {name: fixed, type: reaction, object: bar, select: {type: face, direction: [-1, 0, 0]}}\n");
+  for (int i = 1; i <= 10; ++i) {
+    run.step();
+    const double a = 1 - 0.006 * i / 0.15, force = 1e5 / 2 * 0.01 * (a - 1 / a);  // A mu (a - 1/a)
+    CHECK(run.sample(0)[0] == Approx(force).epsilon(1e-7));
+    CHECK(run.sample(1)[0] == Approx(-force).epsilon(1e-7));
+  }
+}
+
+TEST_CASE("no force between held primitives, no candidates within a rigid group") {
+  Simulation run("time: {step: 0.01, duration: 1}\n"
+                 "objects: [{name: sheet, shape: {type: box, size: [0.1, 0.0005, 0.1], cells: [6, 1, 6]},\n"
+                 "  energies: [{type: neo_hookean, young: 1e5}],\n"
+                 "  motion: [{type: rotate, axis: [1, 0, 0], angular_velocity: 1, select: {type: plane, point: [0.01, 0, 0], normal: [1, 0, 0]}}]}]\n"
+                 "contact: {distance: 20 mm}\n");
+  const ContactSystem& contact = *run.world->contact;
+  const CollisionMesh& mesh = contact.surface().mesh;
+  const auto held = [&](int v) { return run.world->dofs.block(v) < 0; };
+  for (const auto& [p, t] : contact.candidates().point_triangle)
+    CHECK_FALSE((held(p) && held(mesh.triangles[t][0]) && held(mesh.triangles[t][1]) && held(mesh.triangles[t][2])));
+  run.world->contact->begin_step(run.world->rest);
+  run.world->contact->move_to(run.world->rest);
+  const auto all_have_a_free_vertex = [&](const auto& stencils) {
+    for (const auto& s : stencils)
+      CHECK(std::any_of(s.vertices.begin(), s.vertices.end(), [&](int v) { return !held(v); }));
+  };
+  CHECK(contact.contacts().size() > 10);
+  all_have_a_free_vertex(contact.contacts().point_point);
+  all_have_a_free_vertex(contact.contacts().point_edge);
+  all_have_a_free_vertex(contact.contacts().point_triangle);
+  all_have_a_free_vertex(contact.contacts().edge_edge);
+}
