@@ -55,7 +55,7 @@ Sums sums(const LaggedContacts& contacts) {
 
 LaggedContacts lag(const World& world, const VecX& x) {
   const std::vector<char> all(world.contact->pairs().laws().size(), 1);
-  return lag_contacts(*world.contact, world.contact_term->laws(LawPart::barrier), all, x);
+  return lag_contacts({*world.contact, world.contact_term->laws(LawPart::barrier), all, x});
 }
 
 }  // namespace
