@@ -37,8 +37,6 @@ struct LaggedContacts {
   std::vector<LaggedContact<2>> twos;    // point-point
   std::vector<LaggedContact<3>> threes;  // point-edge
   std::vector<LaggedContact<4>> fours;   // point-triangle, then edge-edge
-
-  std::size_t size() const { return twos.size() + threes.size() + fours.size(); }
 };
 
 struct LagRequest {
