@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "framework/assembly/parallel.hpp"
+#include "framework/contact/slip.hpp"
 
 namespace tack {
 namespace {
@@ -15,50 +16,9 @@ void for_each_arity(const LaggedContacts& contacts, const Body& body) {
   body(contacts.fours);
 }
 
-// A contact's part of the potential as a function of x.
 template <int K>
-struct Slip {
-  Slip(const LaggedContact<K>& contact, const VecX& x, const VecX& start) : c(contact) {
-    Vec3 moved = Vec3::Zero();
-    for (int i = 0; i < K; ++i)
-      moved += c.coefficients[i] * (vertex(x, c.vertices[i]) - vertex(start, c.vertices[i]));
-    u = c.tangents.transpose() * moved;
-    y = u.norm();
-  }
-
-  // E [J], E'/y [N/m] and E'' [N/m].
-  SlipSample sample(const TangentialLaw& law, double h, TangentialPart part) const {
-    SlipSample s{0, 0, 0};
-    const auto add = [&](double magnitude, const SlipSample& f) {
-      s.value += magnitude * f.value;
-      s.slope_over_y += magnitude * f.slope_over_y;
-      s.curvature += magnitude * f.curvature;
-    };
-    if (part != TangentialPart::adhesion) add(law.mu * c.normal_force, friction_slip(y, law.eps_v * h));
-    if (part != TangentialPart::friction)
-      add(law.mu_a * law.peak_traction * c.area, adhesion_slip(y, law.eps_a * h));
-    return s;
-  }
-
-  Vec3 slope(const SlipSample& s) const { return c.tangents * (s.slope_over_y * u); }
-
-  // T H T^T, filtered.
-  Mat3 curvature(const SlipSample& s, SpdFilter filter) const {
-    const double across = filtered(s.slope_over_y, filter), along = filtered(s.curvature, filter);
-    // Without slip both eigenvalues are equal, and any direction will do.
-    const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));
-    return across * c.tangents * c.tangents.transpose() +
-           (along - across) * direction * direction.transpose();
-  }
-
-  const LaggedContact<K>& c;
-  Vec2 u;    // m
-  double y;  // m
-};
-
-template <int K>
-double sum_values(const std::vector<LaggedContact<K>>& contacts, const PairTable& pairs, const VecX& x,
-                  const VecX& start, double h, TangentialPart part) {
+double sum_values(const std::vector<LaggedContact<K>>& contacts, const PairTable& pairs,
+                  const VecX& x, const VecX& start, double h, TangentialPart part) {
   return sum_chunks(static_cast<int>(contacts.size()), [&](int first, int last) {
     double sum = 0;
     for (int i = first; i < last; ++i)
@@ -76,7 +36,7 @@ FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& norma
 }
 
 LaggedContacts FrictionTerm::lagged_at(const VecX& x) const {
-  return lag_contacts(system_, normal_.laws(LawPart::barrier), wanted_, x);
+  return lag_contacts({system_, normal_.laws(LawPart::barrier), wanted_, x});
 }
 
 void FrictionTerm::begin_step(const VecX& x, double h) {
@@ -111,20 +71,23 @@ std::vector<StencilBatch> FrictionTerm::batches() const {
   for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
     auto& vertices = batch_vertices_[batches.size()];
     vertices.clear();
-    for (const auto& c : contacts) vertices.insert(vertices.end(), c.vertices.begin(), c.vertices.end());
+    for (const auto& c : contacts)
+      vertices.insert(vertices.end(), c.vertices.begin(), c.vertices.end());
     batches.push_back({K, static_cast<int>(contacts.size()), vertices.data()});
   });
   return batches;
 }
 
-void FrictionTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+void FrictionTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
+                               double* hessian) const {
   for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
     constexpr int slots = 9 * hessian_blocks(K);
     const int count = static_cast<int>(contacts.size());
     for_each(count, [&](int n) {
       const Slip<K> slip(contacts[n], x, start_);
       const auto& c = contacts[n].coefficients;
-      const SlipSample s = slip.sample(system_.pairs().tangential(contacts[n].law), h_, TangentialPart::all);
+      const TangentialLaw& law = system_.pairs().tangential(contacts[n].law);
+      const SlipSample s = slip.sample(law, h_, TangentialPart::all);
       const Vec3 slope = slip.slope(s);
       for (int i = 0; i < K; ++i)
         Eigen::Map<Vec3>(gradient + 3 * (K * static_cast<size_t>(n) + i)) = c[i] * slope;
@@ -155,7 +118,8 @@ VecX FrictionTerm::forces_of(const LaggedContacts& lagged, const VecX& x, Tangen
   return force;
 }
 
-VecX FrictionTerm::forces(const VecX& x, TangentialPart part, std::optional<ObjectPair> only) const {
+VecX FrictionTerm::forces(const VecX& x, TangentialPart part,
+                          std::optional<ObjectPair> only) const {
   return forces_of(contacts_, x, part, only);
 }
 

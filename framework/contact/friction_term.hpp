@@ -1,21 +1,21 @@
 // Friction and tangential adhesion of a time step (the paper, sections 3.1 and 4.3):
 //     P_t(x) = sum_k mu lambda_k f0(|u_k|) + mu_a lambda_a,k f_t0(|u_k|),    u_k = T_k^T (x - x^n)
-// with the slip laws of tangential_law.hpp, over contacts whose magnitudes, closest points and tangents
-// are held (lagged_contacts.hpp): those of the start of the step, or of the latest solution when the
-// step is solved again. The slip always counts from the start of the step, and eps h follows h.
+// with the slip laws of tangential_law.hpp, over contacts whose magnitudes, closest points and
+// tangents are held (lagged_contacts.hpp): those of the start of the step, or of the latest solution
+// when the step is solved again. The slip always counts from the start of the step, and eps h
+// follows h.
 //
-// The Hessian of a contact is c c^T (x) T H T^T, H = phi'' on u and phi'/y across, phi the sum of both
-// laws: its only nonzero eigenvalues are |c|^2 times those, so filtering is in closed form.
+// The Hessian of a contact is c c^T (x) T H T^T (slip.hpp): its only nonzero eigenvalues are |c|^2
+// times those of H, so filtering is in closed form.
 #pragma once
 
 #include <optional>
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/slip.hpp"
 
 namespace tack {
-
-enum class TangentialPart { all, friction, adhesion };
 
 class FrictionTerm : public Term {
  public:
@@ -24,9 +24,10 @@ class FrictionTerm : public Term {
 
   // Starts a step of size h at x, where the contact system must be.
   void begin_step(const VecX& x, double h);
-  // Takes magnitudes and tangents at x, where the contact system must be, for what is left of the step.
+  // Takes magnitudes and tangents at x, where the contact system must be, for the rest of the step.
   void lag(const VecX& x);
-  // What lag(x) would change: the largest difference of a vertex's force at x, over the largest force.
+  // What lag(x) would change: the largest difference of a vertex's force at x, over the largest
+  // force.
   double residual(const VecX& x) const;
 
   double value(const VecX& x) const override { return part_value(x, TangentialPart::all); }
@@ -37,7 +38,8 @@ class FrictionTerm : public Term {
 
   double part_value(const VecX& x, TangentialPart part) const;
   // The force of a part on every vertex (3n) [N]; with a pair, of its contacts only.
-  VecX forces(const VecX& x, TangentialPart part, std::optional<ObjectPair> only = std::nullopt) const;
+  VecX forces(const VecX& x, TangentialPart part,
+              std::optional<ObjectPair> only = std::nullopt) const;
   // The force that object b exerts on object a [N].
   Vec3 force_between(const VecX& x, TangentialPart part, ObjectPair pair) const;
 

@@ -1,152 +1,21 @@
 #include "framework/contact/lagged_contacts.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
-#include "framework/assembly/parallel.hpp"
 #include "geometry/distance/closest_parameters.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 
 namespace tack {
 namespace {
 
-TangentBasis tangents_of(const Vec3& normal) {
-  TangentBasis basis;
-  basis.col(0) = normal.unitOrthogonal();
-  basis.col(1) = normal.cross(basis.col(0));
-  return basis;
-}
-
-// One feature that a point sees.
-struct Feature {
-  int point, object, law;
-  std::array<int, 3> vertices;        // of the feature; -1 from its end on
-  std::array<double, 3> coefficients;  // of the closest point
-  Vec3 normal;                        // unit, from the feature to the point
-  double gap, weight;                 // m, m^2
-  double force;                       // along the normal [N]; negative for negative weights
-
-  int count() const { return 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
-};
-
-template <int K>
-void fill_feature(const VecX& x, const ContactStencil<K>& s, const PairLaw& barrier, Feature& f) {
-  const Vec3 p = vertex(x, s.vertices[0]);
-  f.vertices = {-1, -1, -1};
-  f.coefficients = {1, 0, 0};
-  for (int i = 1; i < K; ++i) f.vertices[i - 1] = s.vertices[i];
-  if constexpr (K == 3) {
-    const double u = project_onto_line(p, vertex(x, s.vertices[1]), vertex(x, s.vertices[2])).u;
-    f.coefficients = {1 - u, u, 0};
-  } else if constexpr (K == 4) {
-    const PlaneProjection at = project_onto_triangle(p, vertex(x, s.vertices[1]), vertex(x, s.vertices[2]),
-                                                     vertex(x, s.vertices[3]));
-    f.coefficients = {1 - at.u - at.v, at.u, at.v};
-  }
-  Vec3 separation = p;
-  for (int i = 1; i < K; ++i) separation -= f.coefficients[i - 1] * vertex(x, s.vertices[i]);
-  f.point = s.vertices[0];
-  f.law = s.law;
-  f.gap = separation.norm();
-  f.normal = separation / f.gap;
-  f.weight = s.weight;
-  f.force = -s.weight * barrier.at(f.gap).slope;
-}
-
-class PointLag {
- public:
-  PointLag(const ContactSystem& system, const std::vector<PairLaw>& barriers,
-           const std::vector<char>& wanted, const VecX& x)
-      : object_(system.surface().mesh.vertex_object), barriers_(barriers), wanted_(wanted), x_(x) {
-    take(system.contacts().point_point);
-    take(system.contacts().point_edge);
-    take(system.contacts().point_triangle);
-    std::stable_sort(features_.begin(), features_.end(), [](const Feature& a, const Feature& b) {
-      return std::pair(a.point, a.object) < std::pair(b.point, b.object);
-    });
-  }
-
-  void contacts(LaggedContacts& out) {
-    for (auto first = features_.begin(); first != features_.end();) {
-      const auto same = [&](const Feature& f) { return f.point == first->point && f.object == first->object; };
-      const auto last = std::find_if_not(first, features_.end(), same);
-      split(first, last, out);
-      first = last;
-    }
-  }
-
- private:
-  using Iterator = std::vector<Feature>::iterator;
-
-  template <int K>
-  void take(const ContactStencils<K>& stencils) {
-    const size_t before = features_.size();
-    std::vector<int> chosen;
-    for (size_t i = 0; i < stencils.size(); ++i)
-      if (wanted_[stencils[i].law]) chosen.push_back(static_cast<int>(i));
-    features_.resize(before + chosen.size());
-    for_each(static_cast<int>(chosen.size()), [&](int i) {
-      const ContactStencil<K>& s = stencils[chosen[i]];
-      Feature& f = features_[before + i];
-      fill_feature(x_, s, barriers_[s.law], f);
-      f.object = object_[s.vertices[1]];
-    });
-  }
-
-  // The features of one (point, object): the strongest left, with all that agree with it, is a contact.
-  void split(Iterator first, Iterator last, LaggedContacts& out) {
-    std::stable_sort(first, last, [](const Feature& a, const Feature& b) {
-      return a.force != b.force ? a.force > b.force : a.gap < b.gap;
-    });
-    while (first != last) {
-      const Feature& strongest = *first;
-      const auto next = std::stable_partition(std::next(first), last, [&](const Feature& f) {
-        return f.normal.dot(strongest.normal) > 0;
-      });
-      double force = 0, area = 0;
-      for (auto f = first; f != next; ++f) {
-        force += f->force * f->normal.dot(strongest.normal);
-        area += f->weight;
-      }
-      if (force > 0 || area > 0) add(strongest, std::max(force, 0.0), std::max(area, 0.0), out);
-      first = next;
-    }
-  }
-
-  void add(const Feature& f, double force, double area, LaggedContacts& out) {
-    switch (f.count()) {
-      case 1: out.twos.push_back(contact<2>(f, force, area)); break;
-      case 2: out.threes.push_back(contact<3>(f, force, area)); break;
-      default: out.fours.push_back(contact<4>(f, force, area));
-    }
-  }
-  template <int K>
-  static LaggedContact<K> contact(const Feature& f, double force, double area) {
-    LaggedContact<K> c{{}, {}, tangents_of(f.normal), f.law, 1, force, area};
-    c.vertices[0] = f.point;
-    c.coefficients[0] = 1;
-    for (int i = 1; i < K; ++i) {
-      c.vertices[i] = f.vertices[i - 1];
-      c.coefficients[i] = -f.coefficients[i - 1];
-    }
-    return c;
-  }
-
-  const std::vector<int>& object_;
-  const std::vector<PairLaw>& barriers_;
-  const std::vector<char>& wanted_;
-  const VecX& x_;
-  std::vector<Feature> features_;
-};
-
-LaggedContact<4> edge_contact(const VecX& x, const ContactStencil<4>& s, double eps_x, const PairLaw& barrier) {
+LaggedContact<4> edge_contact(const VecX& x, const ContactStencil<4>& s, double eps_x,
+                              const PairLaw& barrier) {
   const auto& v = s.vertices;
   const Vec3 a0 = vertex(x, v[0]), a1 = vertex(x, v[1]), b0 = vertex(x, v[2]), b1 = vertex(x, v[3]);
   const Vec2 at = edge_edge_parameters(a0, a1, b0, b1);
   LaggedContact<4> c{v, {1 - at.x(), at.x(), at.y() - 1, -at.y()}, {}, s.law, 2, 0, 0};
-  const Vec3 separation = c.coefficients[0] * a0 + c.coefficients[1] * a1 + c.coefficients[2] * b0 +
-                          c.coefficients[3] * b1;
+  const auto& k = c.coefficients;
+  const Vec3 separation = k[0] * a0 + k[1] * a1 + k[2] * b0 + k[3] * b1;
   const double gap = separation.norm();
   const double weight = s.weight * edge_edge_mollifier(a0, a1, b0, b1, eps_x);
   c.tangents = tangents_of(separation / gap);
@@ -157,15 +26,22 @@ LaggedContact<4> edge_contact(const VecX& x, const ContactStencil<4>& s, double 
 
 }  // namespace
 
-LaggedContacts lag_contacts(const ContactSystem& system, const std::vector<PairLaw>& barriers,
-                            const std::vector<char>& wanted, const VecX& x) {
+TangentBasis tangents_of(const Vec3& normal) {
+  TangentBasis basis;
+  basis.col(0) = normal.unitOrthogonal();
+  basis.col(1) = normal.cross(basis.col(0));
+  return basis;
+}
+
+LaggedContacts lag_contacts(const LagRequest& request) {
   LaggedContacts out;
-  PointLag(system, barriers, wanted, x).contacts(out);
-  const ContactSet& set = system.contacts();
+  lag_points(request, out);
+  const ContactSet& set = request.system.contacts();
   for (size_t i = 0; i < set.edge_edge.size(); ++i) {
     const ContactStencil<4>& s = set.edge_edge[i];
-    if (wanted[s.law])
-      out.fours.push_back(edge_contact(x, s, set.mollifier_threshold[i], barriers[s.law]));
+    if (!request.wanted[s.law]) continue;
+    const PairLaw& barrier = request.barriers[s.law];
+    out.fours.push_back(edge_contact(request.x, s, set.mollifier_threshold[i], barrier));
   }
   return out;
 }

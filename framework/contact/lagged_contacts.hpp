@@ -6,11 +6,11 @@
 //     area   = sum w              the tangential adhesion is mu_a area max a'              [m^2]
 // (the paper, section 3.1 and eq. 13).
 //
-// Inclusion-exclusion (point_features.hpp) gives a point several features with weights of both signs.
-// Friction of each by itself would not be convex, and its magnitudes would not add up. So the features
-// of (point, object) whose normals agree (dot > 0) are one contact: lambda is the net force along the
-// normal of the strongest feature, area the net weight, neither below zero, and the closest point is the
-// strongest feature's. Pairs of edges stay as they are.
+// Inclusion-exclusion (point_features.hpp) gives a point several features with weights of both
+// signs. Friction of each by itself would not be convex, and its magnitudes would not add up. So the
+// features of (point, object) whose normals agree (dot > 0) are one contact: lambda is the net force
+// along the normal of the strongest feature, area the net weight, neither below zero, and the closest
+// point is the strongest feature's. Pairs of edges stay as they are.
 #pragma once
 
 #include <array>
@@ -34,16 +34,22 @@ struct LaggedContact {
 };
 
 struct LaggedContacts {
-  std::vector<LaggedContact<2>> twos;   // point-point
+  std::vector<LaggedContact<2>> twos;    // point-point
   std::vector<LaggedContact<3>> threes;  // point-edge
   std::vector<LaggedContact<4>> fours;   // point-triangle, then edge-edge
-
-  std::size_t size() const { return twos.size() + threes.size() + fours.size(); }
 };
 
-// The contacts at x, where the system must be, of the laws with wanted[law] != 0. `barriers`: the
-// repulsive part of each law of the system's pair table.
-LaggedContacts lag_contacts(const ContactSystem& system, const std::vector<PairLaw>& barriers,
-                            const std::vector<char>& wanted, const VecX& x);
+struct LagRequest {
+  const ContactSystem& system;           // must be at x
+  const std::vector<PairLaw>& barriers;  // the repulsive part of each law of its pair table
+  const std::vector<char>& wanted;       // per law: others are left out if 0
+  const VecX& x;
+};
+LaggedContacts lag_contacts(const LagRequest& request);
+
+// Its parts: a basis of the plane across a unit normal, and the contacts of points
+// (lagged_points.cpp).
+TangentBasis tangents_of(const Vec3& normal);
+void lag_points(const LagRequest& request, LaggedContacts& out);
 
 }  // namespace tack

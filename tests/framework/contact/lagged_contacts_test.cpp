@@ -16,17 +16,17 @@ using namespace tack;
 namespace {
 
 // A plate of 0.1 m x 0.1 m on a larger one, 0.7 mm apart.
-std::string plates(int upper_cells, int lower_cells, const std::string& integrate) {
+std::string plates(int upper_cells, int lower_cells, const std::string& weights) {
   return fmt::format(
       "objects:\n"
       "  - {{name: lower, shape: {{type: box, size: [0.16, 0.01, 0.16], cells: [{0}, 1, {0}]}},\n"
       "     place: {{translate: [0.003, -0.005, 0.002]}}, motion: [fixed]}}\n"
       "  - {{name: upper, shape: {{type: box, size: [0.1, 0.01, 0.1], cells: [{1}, 1, {1}]}},\n"
       "     place: {{translate: [0, 0.0057, 0]}}, energies: [{{type: neo_hookean, young: 1e5}}]}}\n"
-      "contact:\n  distance: 1e-3\n  barrier: {{type: clamped_log, stiffness: 1e3}}\n"
-      "  pairs: [{{between: [upper, lower], integrate: {2}, friction: {{mu: 0.5}},\n"
+      "contact:\n  distance: 1e-3\n  weights: {2}\n  barrier: {{type: clamped_log, stiffness: 1e3}}\n"
+      "  pairs: [{{between: [upper, lower], integrate: upper, friction: {{mu: 0.5}},\n"
       "    adhesion: {{type: fang, young: 1e3, critical_strain: 0.1}}}}]\n",
-      lower_cells, upper_cells, integrate);
+      lower_cells, upper_cells, weights);
 }
 
 struct Sums {
@@ -55,7 +55,7 @@ Sums sums(const LaggedContacts& contacts) {
 
 LaggedContacts lag(const World& world, const VecX& x) {
   const std::vector<char> all(world.contact->pairs().laws().size(), 1);
-  return lag_contacts(*world.contact, world.contact_term->laws(LawPart::barrier), all, x);
+  return lag_contacts({*world.contact, world.contact_term->laws(LawPart::barrier), all, x});
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ TEST_CASE("lagged contacts: the forces add up to the barrier's, the areas to the
   for (const int upper : {2, 5, 8}) {
     for (const int lower : {1, 4, 11}) {
       INFO("cells " << upper << " on " << lower);
-      TestScene scene(plates(upper, lower, "upper"));
+      TestScene scene(plates(upper, lower, "area"));
       World& world = *scene.world;
       world.contact->begin_step(world.rest);
       world.contact->move_to(world.rest);
@@ -76,6 +76,36 @@ TEST_CASE("lagged contacts: the forces add up to the barrier's, the areas to the
       CHECK(s.contacts == (upper + 1) * (upper + 1));  // one per point, whatever it sees
     }
   }
+}
+
+// Plain sums count area several times; friction follows the forces that they give. Those of a few pairs of
+// edges lean.
+TEST_CASE("lagged contacts: the forces of plain sums add up too", "[friction]") {
+  TestScene scene(plates(5, 4, "pair"));
+  World& world = *scene.world;
+  world.contact->begin_step(world.rest);
+  world.contact->move_to(world.rest);
+  const double pressing = world.contact_term->force_between(world.rest, LawPart::barrier, {1, 0}).y();
+  CHECK(sums(lag(world, world.rest)).force == Approx(pressing).epsilon(1e-3));
+}
+
+// The floor's points see the facets, edges and vertices of the ball, with weights of both signs; their
+// normals differ by a little.
+TEST_CASE("lagged contacts: the forces of a ball on a floor add up", "[friction]") {
+  TestScene scene(
+      "objects:\n"
+      "  - {name: floor, shape: {type: box, size: [0.06, 0.01, 0.06], cells: [60, 1, 60]},\n"
+      "     place: {translate: [0.0003, -0.005, 0.0002]}, motion: [fixed]}\n"
+      "  - {name: ball, shape: {type: sphere, radius: 0.1, cells: 16}, place: {translate: [0, 0.1004, 0]},\n"
+      "     energies: [{type: neo_hookean, young: 1e5}]}\n"
+      "contact: {distance: 1e-3, friction: {mu: 0.5}}\n");
+  World& world = *scene.world;
+  world.contact->begin_step(world.rest);
+  world.contact->move_to(world.rest);
+  const Vec3 pressing = world.contact_term->force_between(world.rest, LawPart::barrier, {1, 0});
+  const Sums s = sums(lag(world, world.rest));
+  CHECK(s.contacts > 20);
+  CHECK(s.force == Approx(pressing.y()).epsilon(0.01));
 }
 
 // The four lower corners of a blade in a groove: its walls are two contacts if it is steep, one if it is

@@ -1,4 +1,4 @@
-// Probes of what happens along touching surfaces.
+// Probes of how surfaces touch: how fast they slide, and what holds on to what.
 #include "framework/contact/lagged_contacts.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
@@ -11,46 +11,6 @@ namespace {
 void require_contact(const World& world, const std::string& probe) {
   if (!world.contact) throw InputError("probe '" + probe + "': the scene has no contact section");
 }
-
-// The tangential force of the last step that the second object exerts on the first, or all on one.
-class FrictionForce : public VectorProbe {
- public:
-  void fields(Fields& f) override {
-    VectorProbe::fields(f);
-    f.text("on", on_, "the object that the force acts on").required();
-    f.text("from", from_, "the object that exerts it; without it, all others together");
-    f.choice("part", part_,
-             {{"all", TangentialPart::all, "friction and tangential adhesion"},
-              {"friction", TangentialPart::friction, "friction only"},
-              {"adhesion", TangentialPart::adhesion, "tangential adhesion only"}},
-             "which tangential laws");
-  }
-
-  void prepare(const World& world) override {
-    require_contact(world, name_);
-    if (!world.friction)
-      throw InputError("probe '" + name_ + "': no pair has friction or tangential adhesion; give one in "
-                       "contact.pairs");
-    a_ = object_index(world, on_, name_);
-    b_ = from_.empty() ? -1 : object_index(world, from_, name_);
-  }
-
- protected:
-  Vec3 value(const World& world, const State& state) override {
-    if (b_ >= 0) return world.friction->force_between(state.x, part_, {a_, b_});
-    const VecX forces = world.friction->forces(state.x, part_);
-    Vec3 sum = Vec3::Zero();
-    const Body& body = world.bodies[a_];
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-      sum += vertex(forces, v);
-    return sum;
-  }
-
- private:
-  std::string on_, from_;
-  TangentialPart part_ = TangentialPart::all;
-  int a_ = -1, b_ = -1;
-};
 
 // Mean of |u| / h, u the slip of the last step, over the points of a pair that are within reach of its laws,
 // weighted with their areas. Guards would count area again: they are left out. 0 if nothing touches.
@@ -75,7 +35,7 @@ class SlidingSpeed : public Probe {
   std::vector<double> sample(const World& world, const State& state) override {
     if (state.h_before == 0) return {0};
     const LaggedContacts contacts = lag_contacts(
-        *world.contact, world.contact_term->laws(LawPart::barrier), wanted_, state.x);
+        {*world.contact, world.contact_term->laws(LawPart::barrier), wanted_, state.x});
     const auto& object = world.contact->surface().mesh.vertex_object;
     double area = 0, sum = 0;
     const auto add = [&](const auto& list) {
@@ -84,7 +44,8 @@ class SlidingSpeed : public Probe {
         if (std::minmax(a, b) != std::minmax(a_, b_)) continue;
         Vec3 moved = Vec3::Zero();
         for (size_t i = 0; i < c.vertices.size(); ++i)
-          moved += c.coefficients[i] * (vertex(state.x, c.vertices[i]) - vertex(state.x_before, c.vertices[i]));
+          moved += c.coefficients[i] *
+                   (vertex(state.x, c.vertices[i]) - vertex(state.x_before, c.vertices[i]));
         area += c.area;
         sum += c.area * (c.tangents.transpose() * moved).norm() / state.h_before;
       }
@@ -140,8 +101,6 @@ class AttachedObjects : public Probe {
   std::vector<char> adhesive_;  // per law
 };
 
-TACK_REGISTER(Probe, FrictionForce, "friction_force",
-              "Friction and tangential adhesion between objects in the last step [N].", "");
 TACK_REGISTER(Probe, SlidingSpeed, "sliding_speed",
               "Mean speed of one surface along another where they touch or adhere, in the last step [m/s].", "");
 TACK_REGISTER(Probe, AttachedObjects, "attached_objects",

@@ -1,0 +1,56 @@
+// The slip u = T^T sum_i c_i (x_i - x_i^n) of one lagged contact [m], and its part of the potential,
+//     E = mu lambda f0(y) + mu_a lambda_a f_t0(y),   y = |u|,
+// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T.
+#pragma once
+
+#include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/tangential_law.hpp"
+#include "framework/core/spd_filter.hpp"
+
+namespace tack {
+
+enum class TangentialPart { all, friction, adhesion };
+
+template <int K>
+struct Slip {
+  Slip(const LaggedContact<K>& contact, const VecX& x, const VecX& start) : c(contact) {
+    Vec3 moved = Vec3::Zero();
+    for (int i = 0; i < K; ++i)
+      moved += c.coefficients[i] * (vertex(x, c.vertices[i]) - vertex(start, c.vertices[i]));
+    u = c.tangents.transpose() * moved;
+    y = u.norm();
+  }
+
+  // E [J], E'/y [N/m] and E'' [N/m].
+  SlipSample sample(const TangentialLaw& law, double h, TangentialPart part) const {
+    SlipSample s{0, 0, 0};
+    const auto add = [&](double magnitude, const SlipSample& f) {
+      s.value += magnitude * f.value;
+      s.slope_over_y += magnitude * f.slope_over_y;
+      s.curvature += magnitude * f.curvature;
+    };
+    if (part != TangentialPart::adhesion)
+      add(law.mu * c.normal_force, friction_slip(y, law.eps_v * h));
+    if (part != TangentialPart::friction)
+      add(law.mu_a * law.peak_traction * c.area, adhesion_slip(y, law.eps_a * h));
+    return s;
+  }
+
+  Vec3 slope(const SlipSample& s) const { return c.tangents * (s.slope_over_y * u); }
+
+  // T H T^T with H = E'' along u and E'/y across, filtered.
+  Mat3 curvature(const SlipSample& s, SpdFilter filter) const {
+    const double across = filtered(s.slope_over_y, filter);
+    const double along = filtered(s.curvature, filter);
+    // Without slip both eigenvalues are equal, and any direction will do.
+    const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));
+    return across * c.tangents * c.tangents.transpose() +
+           (along - across) * direction * direction.transpose();
+  }
+
+  const LaggedContact<K>& c;
+  Vec2 u;    // m
+  double y;  // m
+};
+
+}  // namespace tack
