@@ -73,7 +73,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   const BlockMatrix& matrix = potential_->hessian(SpdFilter::clamp);
   double sum = 0;
   for (int c = 0; c < matrix.columns(); ++c) sum += matrix.block(matrix.column_start[c]).trace();
-  return sum / matrix.size();
+  return sum > 0 ? sum / matrix.size() : 1.0;  // nothing resists: any pull will do
 }
 
 void ScriptWalk::minimize(Pull& pull, Result& result) {

@@ -14,6 +14,7 @@
 #include "framework/core/incremental_potential.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
+#include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/script_walk.hpp"
 #include "framework/stepping/step_report.hpp"
 
@@ -55,8 +56,7 @@ class TimeStepper {
   PhaseClock& clock_;
   std::function<void(const std::string&)> warn_;
   State state_;
-  std::vector<char> active_;  // the holds of the script that act in the present step
-  std::vector<int> held_;     // the vertices that they hold
+  HeldVertices held_;
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
   std::vector<std::unique_ptr<StepFilter>> filters_;
