@@ -25,7 +25,7 @@ double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertice
 // One run: where to, from how far, and whether it still gets anywhere.
 struct ScriptWalk::Pull {
   const VecX& places;
-  double whole_way;
+  double whole_way;     // of the vertex that has the longest [m]
   double best;          // the smallest remaining distance so far [m]
   int since_best = 0;   // iterations
   bool stuck = false;
@@ -119,6 +119,7 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
     potential_->begin_step(result.x, towards, prediction.scale, true);
     minimize(pull, result);
     if (result.solve.status == MinimizerStatus::interrupted) return result;
+    if (result.solve.status == MinimizerStatus::iteration_limit) break;
     const bool near = largest_row(result.x, places, moving_) <= close_enough * whole_way;
     if (!near || !arrive(places, result.x)) continue;
     result.solve.status = MinimizerStatus::converged;

@@ -158,6 +158,26 @@ TEST_CASE("the force that compresses a bar is that of its material") {
   }
 }
 
+TEST_CASE("what drives a part of a body is what the body gains in momentum") {
+  const std::string integrator = GENERATE("implicit_euler", "newmark", "bdf2");
+  Simulation run(fmt::format("time: {{step: 0.002, duration: 1, integrator: {}}}\n", integrator) +
+                 "solver: {type: projected_newton, tolerance: 1e-7}\n"
+                 "objects: [{name: bar, shape: {type: box, size: [0.5, 0.1, 0.1], cells: [5, 2, 2]},\n"
+                 "  energies: [{type: neo_hookean, young: 1e5, density: 1000}],\n"
+                 "  motion: [{type: formula, x: 5 * t^2, select: {type: face, direction: [1, 0, 0]}}]}]\n"
+                 "probes: [{name: drive, type: reaction, object: bar, select: {type: face, direction: [1, 0, 0]}}]\n");
+  Vec3 impulse = Vec3::Zero();
+  for (int i = 0; i < 50; ++i) {
+    const StepReport report = run.step();
+    const auto force = run.sample(0);
+    impulse += report.step_size * Vec3(force[0], force[1], force[2]);
+  }
+  INFO(integrator << ": " << impulse.x() << " N s, " << momentum(run).x());
+  const double within = integrator == "implicit_euler" ? 1e-5 : 0.05;  // sums over steps are of first order
+  CHECK((impulse - momentum(run)).norm() < within * momentum(run).norm());
+  CHECK(momentum(run).x() > 3);
+}
+
 TEST_CASE("no force between held primitives, no candidates within a rigid group") {
   Simulation run("time: {step: 0.01, duration: 1}\n"
                  "objects: [{name: sheet, shape: {type: box, size: [0.1, 0.0005, 0.1], cells: [6, 1, 6]},\n"
