@@ -10,7 +10,9 @@ namespace {
 // Motion at constant speed for a while.
 class SteadyMotion : public Motion {
  protected:
-  void duration_field(Fields& f, const char* doc) { f.optional_number("duration", duration_, units::time, doc).positive(); }
+  void duration_field(Fields& f, const char* doc) {
+    f.optional_number("duration", duration_, units::time, doc).positive();
+  }
   bool ends() const { return duration_ || until() < std::numeric_limits<double>::infinity(); }
   // What a speed, or else a whole way, amounts to at time t. Without a duration it goes on to the end of
   // the last step, which may lie a little after `until`, so that what is released is as fast as it was.
@@ -88,7 +90,7 @@ struct Keyframe {
   Vec3 rotation = Vec3::Zero();     // rad, axis times angle
   void fields(Fields& f) {
     f.number("time", time, units::time, "time of the frame").required();
-    f.vector("translation", translation, units::length, "from the anchor, after the rotation");
+    f.vector("translation", translation, units::length, "from where they were seized, after the rotation");
     f.vector("rotation", rotation, units::angle, "axis times angle, about the centre");
   }
 };
@@ -120,7 +122,8 @@ class Keyframes : public Motion {
 
  private:
   Keyframe at(double t) const {
-    const auto later = std::find_if(frames_.begin(), frames_.end(), [t](const Keyframe& k) { return k.time > t; });
+    const auto later =
+        std::find_if(frames_.begin(), frames_.end(), [t](const Keyframe& k) { return k.time > t; });
     if (later == frames_.begin()) return frames_.front();
     if (later == frames_.end()) return frames_.back();
     const Keyframe &a = *(later - 1), &b = *later;

@@ -11,7 +11,7 @@ namespace {
 constexpr double pull_strength = 1000;   // K, in mean diagonal stiffnesses of the unknowns
 constexpr int max_pulls = 8;             // each ten times stronger
 constexpr double close_enough = 0.01;    // of the whole way, from where the last move is tried
-constexpr double weak = 0.1;             // a Newton step that brings less of the rest of the way wants a larger K
+constexpr double weak = 0.1;             // a Newton step that brings less of the rest wants a larger K
 constexpr int patience = 30;             // iterations without progress before it is given up
 
 double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertices) {

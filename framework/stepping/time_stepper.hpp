@@ -42,7 +42,8 @@ class TimeStepper {
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
-  ScriptWalk::Result follow_script(double h, const VecX& places, const TimeIntegrator::Prediction& prediction);
+  ScriptWalk::Result follow_script(double h, const VecX& places,
+                                   const TimeIntegrator::Prediction& prediction);
   std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
   void apply_loads(double t);

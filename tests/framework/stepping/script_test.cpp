@@ -18,6 +18,11 @@ Vec3 momentum(const Simulation& run) {
   return sum;
 }
 
+bool intersects(const Simulation& run) {
+  const ContactSystem& contact = *run.world->contact;
+  return !find_intersections(contact.surface().mesh, run.state().x, contact.filter(), 1).empty();
+}
+
 double front_of(const Simulation& run, int body) {
   double front = -1e9;
   for (int v = 0; v < run.world->bodies[body].vertex_count; ++v)
@@ -86,7 +91,7 @@ TEST_CASE("a plate that moves ten contact distances a step pushes a block ahead"
     CHECK(front_of(run, 0) == Approx(-0.0055 + 0.01 * i).margin(1e-14));
   }
   CHECK(front_of(run, 1) > 0.15);
-  CHECK(find_intersections(run.world->contact->surface().mesh, run.state().x, run.world->contact->filter(), 1).empty());
+  CHECK_FALSE(intersects(run));
   // The plate has no mass: what drives it has gone into the block. 1 kg, at least as fast as the plate.
   CHECK(momentum(run).x() > 0.9);
   CHECK((impulse - momentum(run)).norm() < 0.01 * momentum(run).x());
@@ -116,7 +121,7 @@ TEST_CASE("a script that cannot be followed is told by name") {
     CHECK_THROWS_WITH(run.step(), Catch::Contains(what));
     CHECK(run.state().time == reached);  // the last good state stays
     if (!run.world->contact) return;
-    CHECK(find_intersections(run.world->contact->surface().mesh, run.state().x, run.world->contact->filter(), 1).empty());
+    CHECK_FALSE(intersects(run));
   };
   // onto the wall, which is fixed
   told("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
