@@ -11,6 +11,22 @@
 
 namespace tack {
 
+Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b) {
+  const auto keep = [&](const auto& all, const auto& first_of, const auto& second_of) {
+    std::vector<std::array<int, 2>> kept;
+    for (const auto& pair : all) {
+      const int i = mesh.vertex_object[first_of(pair[0])], j = mesh.vertex_object[second_of(pair[1])];
+      if ((i == a && j == b) || (i == b && j == a)) kept.push_back(pair);
+    }
+    return kept;
+  };
+  const auto self = [](int v) { return v; };
+  const auto edge = [&](int e) { return mesh.edges[e][0]; };
+  const auto triangle = [&](int t) { return mesh.triangles[t][0]; };
+  return {keep(candidates.point_triangle, self, triangle), keep(candidates.edge_edge, edge, edge),
+          keep(candidates.point_edge, self, edge), keep(candidates.point_point, self, self)};
+}
+
 double smallest_distance(const CollisionMesh& mesh, const Candidates& candidates, const VecX& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto smallest = [&](const auto& pairs, const auto& squared) {

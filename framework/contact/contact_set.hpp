@@ -41,6 +41,9 @@ struct ContactSurface {
   VecX rest;                        // rest configuration
 };
 
+// The candidates between objects a and b.
+Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b);
+
 // The smallest distance among the candidates [m]; infinity without candidates.
 double smallest_distance(const CollisionMesh& mesh, const Candidates& candidates, const VecX& x);
 

@@ -56,7 +56,8 @@ std::vector<PointGroup> united(std::vector<PointGroup> groups) {
 
 template <size_t K>
 bool none_free(const std::vector<char>& free, const std::array<int, K>& vertices) {
-  return !free.empty() && std::none_of(vertices.begin(), vertices.end(), [&](int v) { return free[v] != 0; });
+  const auto is_free = [&](int v) { return free[v] != 0; };
+  return !free.empty() && std::none_of(vertices.begin(), vertices.end(), is_free);
 }
 
 // What one chunk finds; chunks are joined in order.

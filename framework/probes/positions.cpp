@@ -86,23 +86,7 @@ class Gap : public Probe {
   }
   std::vector<double> sample(const World& world, const State& state) override {
     const CollisionMesh& mesh = world.contact->surface().mesh;
-    const auto object = [&](int v) { return mesh.vertex_object[v]; };
-    const auto wanted = [&](int p, int q) {
-      return (object(p) == a_ && object(q) == b_) || (object(p) == b_ && object(q) == a_);
-    };
-    const auto keep = [&](const auto& all, const auto& first_of, const auto& second_of) {
-      std::vector<std::array<int, 2>> kept;
-      for (const auto& pair : all)
-        if (wanted(first_of(pair[0]), second_of(pair[1]))) kept.push_back(pair);
-      return kept;
-    };
-    const auto self = [](int v) { return v; };
-    const auto edge = [&](int e) { return mesh.edges[e][0]; };
-    const auto triangle = [&](int t) { return mesh.triangles[t][0]; };
-    const Candidates& all = world.contact->candidates();
-    const Candidates kept{keep(all.point_triangle, self, triangle), keep(all.edge_edge, edge, edge),
-                          keep(all.point_edge, self, edge), keep(all.point_point, self, self)};
-    return {smallest_distance(mesh, kept, state.x)};
+    return {smallest_distance(mesh, candidates_between(mesh, world.contact->candidates(), a_, b_), state.x)};
   }
 
  private:

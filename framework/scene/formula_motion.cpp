@@ -18,8 +18,8 @@ class FormulaMotion : public Motion {
   void fields(Fields& f) override {
     for (int i = 0; i < 3; ++i) {
       const std::string key(1, "xyz"[i]);
-      f.text(key, text_[i], "displacement along " + key + " from the anchor [m]: a formula in t [s] and the "
-                            "rest position X, Y, Z [m]");
+      f.text(key, text_[i], "displacement along " + key + " from where a vertex was seized [m]: a formula in "
+                            "t [s] and its rest position X, Y, Z [m]");
       f.check(key, [this, i] { return compile(i); });
     }
     Motion::fields(f);
@@ -50,7 +50,8 @@ class FormulaMotion : public Motion {
   }
 
   std::array<std::string, 3> text_ = {"0", "0", "0"};
-  std::array<Formula, 3> formula_ = {Formula("0", variables), Formula("0", variables), Formula("0", variables)};
+  std::array<Formula, 3> formula_ = {Formula("0", variables), Formula("0", variables),
+                                     Formula("0", variables)};
 };
 
 TACK_REGISTER(Motion, FormulaMotion, "formula", "Moves each vertex by formulas of time and place.", "");

@@ -7,38 +7,54 @@
 namespace tack {
 namespace {
 
+// Motion at constant speed for a while.
+class SteadyMotion : public Motion {
+ protected:
+  void duration_field(Fields& f, const char* doc) {
+    f.optional_number("duration", duration_, units::time, doc).positive();
+  }
+  bool ends() const { return duration_ || until() < std::numeric_limits<double>::infinity(); }
+  // What a speed, or else a whole way, amounts to at time t. Without a duration it goes on to the end of
+  // the last step, which may lie a little after `until`, so that what is released is as fast as it was.
+  template <class T>
+  T way(const std::optional<T>& speed, const std::optional<T>& whole, double t) const {
+    double s = std::max(t - from(), 0.0);
+    if (duration_) s = std::min(s, *duration_);
+    return speed ? T(*speed * s) : T(*whole * (s / duration_.value_or(until() - from())));
+  }
+
+ private:
+  std::optional<double> duration_;  // s
+};
+
 // x = anchor + v s or anchor + d s / duration, s the time since `from`, at most the duration.
-class Translate : public Motion {
+class Translate : public SteadyMotion {
  public:
   void fields(Fields& f) override {
     f.optional_vector("velocity", velocity_, units::velocity, "constant velocity; or give displacement");
     f.optional_vector("displacement", displacement_, units::length,
                       "covered in the duration, at constant velocity; or give velocity");
-    f.optional_number("duration", duration_, units::time,
-                      "moves for so long, then stands; as long as it holds unless given").positive();
+    duration_field(f, "moves for so long, then stands; as long as it holds unless given");
     f.check("velocity", [this]() -> std::string {
       return velocity_.has_value() != displacement_.has_value() ? "" : "give either velocity or displacement";
     });
     f.check("displacement", [this]() -> std::string {
-      const bool ends = duration_ || until() < std::numeric_limits<double>::infinity();
-      return !displacement_ || ends ? "" : "needs the duration that it takes";
+      return !displacement_ || ends() ? "" : "needs the duration that it takes";
     });
     Motion::fields(f);
   }
   void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
              VecX& x) const override {
-    const double whole = duration_.value_or(until() - from()), s = std::clamp(t - from(), 0.0, whole);
-    const Vec3 d = velocity_ ? Vec3(*velocity_ * s) : Vec3(*displacement_ * (s / whole));
+    const Vec3 d = way(velocity_, displacement_, t);
     for (const int v : vertices) vertex(x, v) = vertex(anchor, v) + d;
   }
 
  private:
   std::optional<Vec3> velocity_, displacement_;  // m/s, m
-  std::optional<double> duration_;               // s
 };
 
 // x = c + R(axis, angle) (anchor - c).
-class Rotate : public Motion {
+class Rotate : public SteadyMotion {
  public:
   void fields(Fields& f) override {
     f.vector("axis", axis_, units::none, "direction of the axis; turns are right-handed about it").required();
@@ -47,29 +63,25 @@ class Rotate : public Motion {
                       "constant angular velocity; or give angle");
     f.optional_number("angle", angle_, units::angle,
                       "turned in the duration, at constant speed; or give angular_velocity");
-    f.optional_number("duration", duration_, units::time,
-                      "turns for so long, then stands; as long as it holds unless given").positive();
+    duration_field(f, "turns for so long, then stands; as long as it holds unless given");
     f.check("axis", [this]() -> std::string { return axis_.norm() > 0 ? "" : "must not be zero"; });
     f.check("angular_velocity", [this]() -> std::string {
       return speed_.has_value() != angle_.has_value() ? "" : "give either angular_velocity or angle";
     });
     f.check("angle", [this]() -> std::string {
-      const bool ends = duration_ || until() < std::numeric_limits<double>::infinity();
-      return !angle_ || ends ? "" : "needs the duration that it takes";
+      return !angle_ || ends() ? "" : "needs the duration that it takes";
     });
     Motion::fields(f);
   }
   void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
              VecX& x) const override {
-    const double whole = duration_.value_or(until() - from()), s = std::clamp(t - from(), 0.0, whole);
-    const double angle = speed_ ? *speed_ * s : *angle_ * (s / whole);
-    const Mat3 r = Eigen::AngleAxisd(angle, axis_.normalized()).toRotationMatrix();
+    const Mat3 r = Eigen::AngleAxisd(way(speed_, angle_, t), axis_.normalized()).toRotationMatrix();
     for (const int v : vertices) vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_);
   }
 
  private:
   Vec3 axis_ = Vec3::UnitY(), centre_ = Vec3::Zero();  // -, m
-  std::optional<double> speed_, angle_, duration_;     // rad/s, rad, s
+  std::optional<double> speed_, angle_;                // rad/s, rad
 };
 
 struct Keyframe {
@@ -78,7 +90,7 @@ struct Keyframe {
   Vec3 rotation = Vec3::Zero();     // rad, axis times angle
   void fields(Fields& f) {
     f.number("time", time, units::time, "time of the frame").required();
-    f.vector("translation", translation, units::length, "from the anchor, after the rotation");
+    f.vector("translation", translation, units::length, "from where they were seized, after the rotation");
     f.vector("rotation", rotation, units::angle, "axis times angle, about the centre");
   }
 };
@@ -110,7 +122,8 @@ class Keyframes : public Motion {
 
  private:
   Keyframe at(double t) const {
-    const auto later = std::find_if(frames_.begin(), frames_.end(), [t](const Keyframe& k) { return k.time > t; });
+    const auto later =
+        std::find_if(frames_.begin(), frames_.end(), [t](const Keyframe& k) { return k.time > t; });
     if (later == frames_.begin()) return frames_.front();
     if (later == frames_.end()) return frames_.back();
     const Keyframe &a = *(later - 1), &b = *later;

@@ -29,7 +29,8 @@ class Script {
   std::vector<char> active(double t) const;
   std::vector<char> free(const std::vector<char>& active) const;
   // Writes where the active holds have their vertices at time t into x; anchor, rest: 3n [m].
-  void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t, VecX& x) const;
+  void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
+             VecX& x) const;
 
   bool ever_held(int v) const { return ever_held_[v]; }
   bool ever_free(int v) const { return ever_free_[v]; }

@@ -48,6 +48,7 @@ class Newmark : public TimeIntegrator {
   // A jump in a script's velocity would ring on for ever.
   void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {
+    if (held.empty()) return;
     VecX v_path, a_path;
     path_.update(old, x, h, v_path, a_path);
     for (const int i : held) {

@@ -2,30 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace tack {
 namespace {
 
 // The object nearest to object a; -1 if nothing is within the reach of contact.
 int nearest_object(const ContactSystem& contact, const VecX& x, int a) {
   const CollisionMesh& mesh = contact.surface().mesh;
-  const Candidates& all = contact.candidates();
   int nearest = -1;
   double smallest = std::numeric_limits<double>::infinity();
   for (int b = 0; b < contact.pairs().objects(); ++b) {
-    const auto wanted = [&](int p, int q) {
-      const int i = mesh.vertex_object[p], j = mesh.vertex_object[q];
-      return (i == a && j == b) || (i == b && j == a);
-    };
-    Candidates between;
-    for (const auto& c : all.point_triangle)
-      if (wanted(c[0], mesh.triangles[c[1]][0])) between.point_triangle.push_back(c);
-    for (const auto& c : all.edge_edge)
-      if (wanted(mesh.edges[c[0]][0], mesh.edges[c[1]][0])) between.edge_edge.push_back(c);
-    for (const auto& c : all.point_edge)
-      if (wanted(c[0], mesh.edges[c[1]][0])) between.point_edge.push_back(c);
-    for (const auto& c : all.point_point)
-      if (wanted(c[0], c[1])) between.point_point.push_back(c);
-    const double d = smallest_distance(mesh, between, x);
+    const double d = smallest_distance(mesh, candidates_between(mesh, contact.candidates(), a, b), x);
     if (d < smallest) smallest = d, nearest = b;
   }
   return nearest;

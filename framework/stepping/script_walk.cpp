@@ -11,7 +11,7 @@ namespace {
 constexpr double pull_strength = 1000;   // K, in mean diagonal stiffnesses of the unknowns
 constexpr int max_pulls = 8;             // each ten times stronger
 constexpr double close_enough = 0.01;    // of the whole way, from where the last move is tried
-constexpr double weak = 0.1;             // a Newton step that brings less of the rest of the way wants a larger K
+constexpr double weak = 0.1;             // a Newton step that brings less of the rest wants a larger K
 constexpr int patience = 30;             // iterations without progress before it is given up
 
 double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertices) {
@@ -25,7 +25,7 @@ double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertice
 // One run: where to, from how far, and whether it still gets anywhere.
 struct ScriptWalk::Pull {
   const VecX& places;
-  double whole_way;
+  double whole_way;     // of the vertex that has the longest [m]
   double best;          // the smallest remaining distance so far [m]
   int since_best = 0;   // iterations
   bool stuck = false;
@@ -73,7 +73,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   const BlockMatrix& matrix = potential_->hessian(SpdFilter::clamp);
   double sum = 0;
   for (int c = 0; c < matrix.columns(); ++c) sum += matrix.block(matrix.column_start[c]).trace();
-  return sum / matrix.size();
+  return sum > 0 ? sum / matrix.size() : 1.0;  // nothing resists: any pull will do
 }
 
 void ScriptWalk::minimize(Pull& pull, Result& result) {
@@ -119,6 +119,7 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
     potential_->begin_step(result.x, towards, prediction.scale, true);
     minimize(pull, result);
     if (result.solve.status == MinimizerStatus::interrupted) return result;
+    if (result.solve.status == MinimizerStatus::iteration_limit) break;
     const bool near = largest_row(result.x, places, moving_) <= close_enough * whole_way;
     if (!near || !arrive(places, result.x)) continue;
     result.solve.status = MinimizerStatus::converged;

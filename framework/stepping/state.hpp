@@ -10,7 +10,7 @@ struct State {
   int step = 0;     // accepted steps
   VecX x, v, a;     // 3n: positions [m], velocities [m/s], accelerations [m/s^2]
 
-  VecX anchor;          // 3n: where the vertices that are held now were when they were seized [m]
+  VecX anchor;          // 3n: where vertices were when they were last seized [m]; empty before the first step
 
   // The step before, for two-step integrators; valid while the step size stays the same.
   VecX x_before, v_before;

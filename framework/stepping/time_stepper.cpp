@@ -22,41 +22,27 @@ constexpr double most_of_it = 0.9;
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      h_(scene.time.step) {
+      held_(world.script, world.rest), h_(scene.time.step) {
   const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
     auto filter = Registry<StepFilter>::make(name);
     if (filter->attach(context)) filters_.push_back(std::move(filter));
   }
   direction_ = VecX::Zero(state_.x.size());
-  state_.anchor = state_.x;
   hold(h_);
 }
 
-// Makes the holds that act in the step from now to now + h the present ones. Vertices that are free
-// from now on keep their velocity; those that are held from now on are held where they are.
+// Makes those the unknowns that are free in the step from now to now + h.
 void TimeStepper::hold(double h) {
-  const Script& script = world_.script;
-  std::vector<char> active = script.active(state_.time + h / 2);
-  if (potential_ && active == active_) return;
-  const std::vector<char> free = script.free(active);
+  if (!held_.change(state_, state_.time + h / 2)) return;
   std::vector<int> released;
-  bool held_may_move = false;
-  held_.clear();
-  for (int v = 0; v < static_cast<int>(free.size()); ++v) {
-    if (!free[v]) held_.push_back(v);
-    if (free[v] && (!potential_ || world_.dofs.block(v) < 0)) released.push_back(v);
-    held_may_move = held_may_move || (!free[v] && script.may_move(v));
-  }
-  for (size_t i = 0; i < active.size(); ++i)
-    if (active[i] && !(potential_ && active_[i]))
-      for (const int v : script.holds()[i].vertices) vertex(state_.anchor, v) = vertex(state_.x, v);
-  active_ = std::move(active);
-  world_.dofs = DofMap(free);
+  for (int v = 0; v < static_cast<int>(held_.free().size()); ++v)
+    if (held_.free()[v] && (!potential_ || world_.dofs.block(v) < 0)) released.push_back(v);
+  world_.dofs = DofMap(held_.free());
   walk_.reset();
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
                      [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); });
-  if (world_.contact) world_.contact->set_free(held_may_move ? free : std::vector<char>());
+  if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.free() : std::vector<char>());
   set_accelerations(state_.time, released);
 }
 
@@ -167,7 +153,7 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
   }
   apply_loads(state_.time + h);
   VecX places = state_.x;
-  world_.script.place(active_, world_.rest, state_.anchor, state_.time + h, places);
+  held_.place(state_.time + h, places);
   potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
   Attempt attempt{{}, places};
   VecX q;
@@ -230,7 +216,8 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
 void TimeStepper::commit(const VecX& x, double h) {
   VecX v, a;
   scene_.time.integrator->update(state_, x, h, v, a);
-  scene_.time.integrator->update_held(state_, x, h, held_, v, a);
+  scene_.time.integrator->update_held(state_, x, h, held_.vertices(), v, a);
+  held_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);

@@ -14,6 +14,7 @@
 #include "framework/core/incremental_potential.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
+#include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/script_walk.hpp"
 #include "framework/stepping/step_report.hpp"
 
@@ -45,7 +46,8 @@ class TimeStepper {
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
-  ScriptWalk::Result follow_script(double h, const VecX& places, const TimeIntegrator::Prediction& prediction);
+  ScriptWalk::Result follow_script(double h, const VecX& places,
+                                   const TimeIntegrator::Prediction& prediction);
   std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
   void apply_loads(double t);
@@ -59,8 +61,7 @@ class TimeStepper {
   PhaseClock& clock_;
   std::function<void(const std::string&)> warn_;
   State state_;
-  std::vector<char> active_;  // the holds of the script that act in the present step
-  std::vector<int> held_;     // the vertices that they hold
+  HeldVertices held_;
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
   std::vector<std::unique_ptr<StepFilter>> filters_;

@@ -81,7 +81,7 @@ TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.
 // The whole runs take some ten seconds and some half a minute; these end when the first folds lie on each
 // other.
 TEST_CASE("experiments twist, their beginnings") {
-  const auto [file, steps] = GENERATE(table<std::string, int>({{"mat", 48}, {"cloth_as_tets", 36}}));
+  const auto [file, steps] = GENERATE(table<std::string, int>({{"mat", 40}, {"cloth_as_tets", 28}}));
   CAPTURE(file);
   const Outcome o = run("twist/" + file + ".yaml", {"--steps", std::to_string(steps)});
   CHECK(o.result.exit_code == 0);

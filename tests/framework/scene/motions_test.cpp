@@ -118,6 +118,28 @@ TEST_CASE("a motion counts from where and when it seizes vertices") {
   }
 }
 
+// The free end is thrown, so steps fail and are halved around the time at which one motion hands over to
+// the next; what a failed step seized must not count.
+TEST_CASE("a rolled back step seizes nothing") {
+  Simulation run("time: {step: 0.02, duration: 1, max_halvings: 20}\n"
+                 "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"
+                 "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"
+                 "  velocity: [2, 3, 0], energies: [{type: neo_hookean, young: 1e5}],\n"
+                 "  motion: [{type: translate, velocity: [0, 0.5, 0], until: 0.025, select: &face {type: face, direction: [-1, 0, 0]}},\n"
+                 "    {type: translate, velocity: [0, 0, 0.25], from: 0.025, select: *face}]}]\n");
+  double handed_over = 0;  // the end of the last step of the first motion
+  while (run.state().time < 0.06) {
+    const double before = run.state().time;
+    run.step();
+    const double t = run.state().time;
+    if ((before + t) / 2 < 0.025) handed_over = t;
+    for (int v = 0; v < 20; ++v)
+      if (run.rest(v).x() < -0.199)
+        CHECK((run.at(v) - run.rest(v) - Vec3(0, 0.5 * handed_over, 0.25 * std::max(t - 0.025, 0.0))).norm() <= 1e-14);
+  }
+  CHECK(run.warnings.size() > 3);
+}
+
 TEST_CASE("wrong motions are told with their place") {
   const auto told = [](const std::string& motion, const std::string& what) {
     INFO(motion);

@@ -1,0 +1,39 @@
+// Which vertices are held in the present step, and from where their motions count.
+// What a step that is rolled back seized or released is forgotten with it: anchors become those of
+// the state when the step is committed.
+#pragma once
+
+#include <vector>
+
+#include "framework/scene/script.hpp"
+#include "framework/stepping/state.hpp"
+
+namespace tack {
+
+class HeldVertices {
+ public:
+  HeldVertices(const Script& script, const VecX& rest) : script_(script), rest_(rest) {}
+
+  // Makes the holds at time `middle`, that of the step, the present ones; false if they are already.
+  // Vertices that were not held by them before are held where they are in the state.
+  bool change(const State& state, double middle);
+  void commit(State& state);
+
+  const std::vector<char>& free() const { return free_; }      // per vertex
+  const std::vector<int>& vertices() const { return held_; }  // ascending
+  // Whether some of the held vertices may be elsewhere at another time.
+  bool may_move() const;
+  // Writes where they are at time t into their rows of x.
+  void place(double t, VecX& x) const { script_.place(active_, rest_, anchor_, t, x); }
+
+ private:
+  const Script& script_;
+  const VecX& rest_;
+  bool known_ = false;
+  std::vector<char> active_, committed_;  // per hold of the script
+  std::vector<char> free_;
+  std::vector<int> held_;
+  VecX anchor_;  // 3n [m]
+};
+
+}  // namespace tack
