@@ -41,7 +41,9 @@ struct Slip {
   // T H T^T with H = E'' along u and E'/y across, filtered.
   Mat3 curvature(const SlipSample& s, SpdFilter filter) const {
     const double across = filtered(s.slope_over_y, filter);
-    const double along = filtered(s.curvature, filter);
+    // Where E'/y falls with y, y^2/2 times it lies above E: a step with the exact curvature, which is
+    // zero for whole friction, overshoots from sliding into sticking.
+    const double along = filter == SpdFilter::majorize ? across : filtered(s.curvature, filter);
     // Without slip both eigenvalues are equal, and any direction will do.
     const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));
     return across * c.tangents * c.tangents.transpose() +

@@ -86,8 +86,8 @@ class LaggedCholesky : public LinearSolver {
   }
 
   std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("multifrontal");
-  double tolerance_ = 0.01;
-  int max_iterations_ = 16;
+  double tolerance_ = 0.03;
+  int max_iterations_ = 12;
 
   const BlockMatrix* matrix_ = nullptr;
   int size_ = 0;        // of the factor; 0: there is none

@@ -38,8 +38,10 @@ bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatr
     for (int s = tree.subtrees[i].first; s <= tree.subtrees[i].root && definite; ++s)
       if (!process(s, matrix, false)) definite = false;
   }, 1);
-  for (size_t k = 0; k < tree.top.size() && definite; ++k)
-    if (!process(tree.top[k], matrix, true)) definite = false;
+  for (const std::vector<int>& level : tree.top_levels)
+    for_each(static_cast<int>(level.size()), [&](int k) {
+      if (definite && !process(level[k], matrix, true)) definite = false;
+    }, 1);
   return definite;
 }
 

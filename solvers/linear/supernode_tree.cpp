@@ -11,6 +11,7 @@ SupernodeTree::SupernodeTree(const cholmod_factor& factor, const BlockMatrix& ma
   connect();
   place_blocks(matrix);
   cut();
+  sort_top();
   local = rows;
   for (const Subtree& tree : subtrees) number_locally(tree);
 }
@@ -106,7 +107,16 @@ void SupernodeTree::cut() {
     top.push_back(s);
     for (int k = child_start[s]; k < child_start[s + 1]; ++k) queue.emplace(work[children[k]], children[k]);
   }
+}
+
+void SupernodeTree::sort_top() {
   std::sort(top.begin(), top.end());
+  std::vector<size_t> level(nodes(), 0);
+  for (const int s : top) {
+    if (level[s] == top_levels.size()) top_levels.emplace_back();
+    top_levels[level[s]].push_back(s);
+    if (parent[s] >= 0) level[parent[s]] = std::max(level[parent[s]], level[s] + 1);
+  }
 }
 
 void SupernodeTree::number_locally(const Subtree& tree) {

@@ -47,6 +47,7 @@ struct SupernodeTree {
   };
   std::vector<Subtree> subtrees;
   std::vector<int> top;
+  std::vector<std::vector<int>> top_levels;  // the top again: nodes of a level are independent
   std::vector<int> local;
 
  private:
@@ -54,6 +55,7 @@ struct SupernodeTree {
   void connect();
   void place_blocks(const BlockMatrix& matrix);
   void cut();
+  void sort_top();
   void number_locally(const Subtree& tree);
 };
 

@@ -32,12 +32,13 @@ class ProjectedNewton : public Minimizer {
     objective.move_to(q);
     VecX p;
     int indefinite = 0;
+    bool careful = false;  // the last step went too far
     while (result.iterations < max_iterations_) {
       if (interrupt_requested) return fail(result, MinimizerStatus::interrupted);
       const bool try_unfiltered = filter_ == Filter::on_demand && indefinite < patience;
       if (!(try_unfiltered && solve_unfiltered(problem, p, result))) {
         indefinite += try_unfiltered;
-        const BlockMatrix& hessian = objective.hessian(spd_filter());
+        const BlockMatrix& hessian = objective.hessian(careful ? SpdFilter::majorize : spd_filter());
         const VecX& gradient = objective.gradient();
         if (!gradient.allFinite()) return fail(result, MinimizerStatus::not_finite);
         if (!solve(hessian, gradient, p, problem.clock, result))
@@ -46,7 +47,9 @@ class ProjectedNewton : public Minimizer {
       ++result.iterations;
       result.residual = problem.stopping_norm(p, objective.gradient());
       const bool last = result.residual <= 1;
+      const int evaluations = result.line_search_evaluations;
       const MinimizerStatus status = advance(problem, p, q, result);
+      careful = result.line_search_evaluations > evaluations + 1;
       // Below the tolerance the point is accepted as it is, whether or not the last step helped.
       if (last) return result;
       if (status != MinimizerStatus::converged) return fail(result, status);
