@@ -58,7 +58,7 @@ function(tack_app)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
   tack_cool("${SOURCES}")
   add_executable(tack_cli ${SOURCES})
-  target_precompile_headers(tack_cli PRIVATE ${TACK_PRECOMPILED})
+  target_precompile_headers(tack_cli PRIVATE ${TACK_PRECOMPILED} <CLI/CLI.hpp>)
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack RUNTIME_OUTPUT_DIRECTORY
                         ${CMAKE_BINARY_DIR}/bin)
   # The commit goes into every summary.json; it is read again at each build.

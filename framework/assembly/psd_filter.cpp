@@ -1,5 +1,6 @@
 #include "framework/assembly/psd_filter.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "framework/assembly/symmetric_eigen.hpp"
@@ -7,32 +8,36 @@
 namespace tack {
 namespace {
 
-// Rows: an orthonormal basis of the complement of (1, ..., 1) in R^K (Helmert).
+// Rows: an orthonormal basis of the complement of (1, ..., 1) in R^K (Helmert): row r is
+// scale[r] (1, ..., 1, -(r+1), 0, ..., 0).
 template <int K>
-Eigen::Matrix<double, K - 1, K> helmert() {
-  Eigen::Matrix<double, K - 1, K> basis = Eigen::Matrix<double, K - 1, K>::Zero();
+const std::array<double, K - 1> helmert_scale = [] {
+  std::array<double, K - 1> scale;
+  for (int r = 0; r < K - 1; ++r) scale[r] = 1.0 / std::sqrt((r + 1.0) * (r + 2.0));
+  return scale;
+}();
+
+// y <- H y for the K numbers at y, y + stride, ...; the last of them is dropped (left as it is).
+template <int K>
+void reduce(double* y, int stride) {
+  double sum = 0;
   for (int r = 0; r < K - 1; ++r) {
-    const double scale = 1.0 / std::sqrt((r + 1.0) * (r + 2.0));
-    basis.row(r).head(r + 1).setConstant(scale);
-    basis(r, r + 1) = -(r + 1.0) * scale;
+    sum += y[r * stride];
+    y[r * stride] = helmert_scale<K>[r] * (sum - (r + 1) * y[(r + 1) * stride]);
   }
-  return basis;
 }
 
+// y <- H^T y, the inverse: K - 1 numbers become K.
 template <int K>
-using Reduction = Eigen::Matrix<double, 3 * (K - 1), 3 * K>;
-
-template <int K>
-Reduction<K> reduction() {
-  const auto basis = helmert<K>();
-  Reduction<K> r;
-  for (int i = 0; i < K - 1; ++i)
-    for (int j = 0; j < K; ++j) r.template block<3, 3>(3 * i, 3 * j) = basis(i, j) * Mat3::Identity();
-  return r;
+void expand(double* y, int stride) {
+  double sum = 0;  // of the later rows' shares
+  for (int r = K - 2; r >= 0; --r) {
+    const double share = helmert_scale<K>[r] * y[r * stride];
+    y[(r + 1) * stride] = sum - (r + 1) * share;
+    sum += share;
+  }
+  y[0] = sum;
 }
-
-template <int K>
-const Reduction<K> reduction_of = reduction<K>();
 
 // Whether a Cholesky factorisation of the lower triangle runs through.
 template <int N>
@@ -67,12 +72,22 @@ void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter) {
 template <int K>
 void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter filter) {
   if (filter == SpdFilter::none) return;
-  constexpr int n = 3 * (K - 1);
-  const Reduction<K>& r = reduction_of<K>;
-  const Eigen::Matrix<double, n, n> before = r * hessian * r.transpose();
+  constexpr int n = 3 * (K - 1), full = 3 * K;
+  Eigen::Matrix<double, full, full> work = hessian;
+  for (int c = 0; c < full; ++c)
+    for (int d = 0; d < 3; ++d) reduce<K>(&work(d, c), 3);
+  for (int r = 0; r < n; ++r)
+    for (int d = 0; d < 3; ++d) reduce<K>(&work(r, d), 3 * full);
+  const Eigen::Matrix<double, n, n> before = work.template topLeftCorner<n, n>();
   Eigen::Matrix<double, n, n> after = before;
   project_psd<n>(after, filter);
-  if (after != before) hessian.noalias() = r.transpose() * after * r;
+  if (after == before) return;
+  work.template topLeftCorner<n, n>() = after;
+  for (int r = 0; r < n; ++r)
+    for (int d = 0; d < 3; ++d) expand<K>(&work(r, d), 3 * full);
+  for (int c = 0; c < full; ++c)
+    for (int d = 0; d < 3; ++d) expand<K>(&work(d, c), 3);
+  hessian = work;
 }
 
 template void project_psd<2>(Eigen::Matrix<double, 2, 2>&, SpdFilter);
