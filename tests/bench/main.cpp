@@ -10,7 +10,9 @@ int main(int argc, char** argv) {
   tack::bench::add_solid_energies();
   tack::bench::add_scalar_laws();
   tack::bench::add_linear_solvers();
+  tack::bench::add_runs();
   benchmark::RunSpecifiedBenchmarks();
+  tack::bench::print_runs(stderr);
   benchmark::Shutdown();
   return 0;
 }

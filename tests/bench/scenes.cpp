@@ -66,11 +66,10 @@ std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
   return scene;
 }
 
-std::unique_ptr<Scene> two_blocks(const std::string& linear) {
+std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides) {
   auto scene = std::make_unique<Scene>();
-  std::vector<std::string> overrides = {"output.frames=false"};
-  if (!linear.empty()) overrides.push_back("solver.linear=" + linear);
-  scene->loaded = load_scene(TACK_SOURCE_DIR "/experiments/stack/two_blocks.yaml", overrides);
+  overrides.push_back("output.frames=false");
+  scene->loaded = load_scene(TACK_SOURCE_DIR "/experiments/" + file, overrides);
   scene->world = build_world(scene->loaded.config, scene->loaded.root, scene->clock);
   return scene;
 }

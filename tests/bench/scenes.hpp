@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "framework/core/incremental_potential.hpp"
 #include "framework/scene/load_scene.hpp"
@@ -24,8 +25,9 @@ enum class Laws { barrier, barrier_and_adhesion };
 // energy, contact only. weights: "area" or "pair".
 std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws);
 
-// experiments/stack/two_blocks.yaml, without frames. `linear`: the linear solver; "" for the scene's.
-std::unique_ptr<Scene> two_blocks(const std::string& linear = "");
+// A file in experiments/, without frames. Overrides: "a.b=c".
+std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides = {});
+inline std::unique_ptr<Scene> two_blocks() { return experiment("stack/two_blocks.yaml"); }
 
 // The potential of all terms of a scene, at rest: one step of 0.01 s about to start.
 class StepPotential {

@@ -1,8 +1,12 @@
-// The whole of experiments/stack/two_blocks.yaml, 60 steps, nothing written: seconds per step and per
-// Newton iteration, and the share of each phase.
-#include <chrono>
-#include <string>
+// Whole runs of experiments, nothing written: seconds per step and Newton iteration, and the share of
+// each phase, as counters and in one table at the end. The groups: `run` the experiments as they stand,
+// `cells` meshes with 1, 2, 4 and 8 times the vertices, `linear` each linear solver.
+#include <fmt/format.h>
 
+#include <string>
+#include <vector>
+
+#include "framework/core/linear_solver.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
@@ -16,10 +20,10 @@ struct Totals {
   PhaseClock::Seconds phases{};
 };
 
-Totals run_to_end(Scene& scene) {
+Totals run(Scene& scene, int steps) {
   TimeStepper stepper(*scene.world, scene.loaded.config, scene.clock, [](const std::string&) {});
   Totals totals;
-  while (!stepper.finished()) {
+  while (!stepper.finished() && totals.steps < steps) {
     const StepReport report = stepper.advance();
     ++totals.steps;
     totals.iterations += report.solve.iterations;
@@ -29,12 +33,28 @@ Totals run_to_end(Scene& scene) {
   return totals;
 }
 
+struct Row {
+  std::string name;
+  Eigen::Index unknowns;
+  Totals totals;
+};
+std::vector<Row>& table() {
+  static std::vector<Row> rows;
+  return rows;
+}
+
+struct Run {
+  std::string name, file;  // in experiments/
+  std::vector<std::string> overrides = {};
+  int steps = 1 << 30;
+};
+
 // One run per repetition: a second one in the same world would start with a factor of the first.
-void two_blocks_run(benchmark::State& state, const char* linear) {
-  const auto scene = two_blocks(linear);
+void measure(benchmark::State& state, const Run& r) {
+  const auto scene = experiment(r.file, r.overrides);
   Totals totals;
   for (auto _ : state) {
-    totals = run_to_end(*scene);
+    totals = run(*scene, r.steps);
     state.SetIterationTime(totals.seconds);
   }
   state.counters["s_per_step"] = totals.seconds / totals.steps;
@@ -43,13 +63,46 @@ void two_blocks_run(benchmark::State& state, const char* linear) {
   for (int i = 0; i < phase_count; ++i)
     if (totals.phases[i] > 0)
       state.counters["%" + std::string(phase_names[i])] = 100 * totals.phases[i] / totals.seconds;
+  table().push_back({r.name, scene->world->dofs.size(), totals});
 }
-void one_run(benchmark::internal::Benchmark* b) {
-  b->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
+
+std::vector<Run> runs() {
+  std::vector<Run> runs;
+  for (const char* file : {"debonding/pull", "stack/two_blocks", "stack/tower", "slope/slide", "shear/both",
+                           "wall_cube/detaches", "arch/stands", "squash/block", "twist/mat", "twist/cloth_as_tets"})
+    runs.push_back({"run/" + std::string(file), std::string(file) + ".yaml"});
+  for (const int n : {39, 55, 79, 111})
+    runs.push_back({fmt::format("cells/twist/{}", n), "twist/mat.yaml",
+                    {fmt::format("objects.mat.shape.cells=[{},1,{}]", n, n)}, 20});
+  for (const int n : {9, 12, 15, 19})
+    runs.push_back({fmt::format("cells/two_blocks/{}", n), "stack/two_blocks.yaml",
+                    {fmt::format("objects.lower.shape.cells=[{},{},{}]", n, n, n),
+                     fmt::format("objects.upper.shape.cells=[{},{},{}]", n, n, n)}});
+  for (const std::string& linear : Registry<LinearSolver>::kind().names())
+    runs.push_back({"linear/two_blocks/" + linear, "stack/two_blocks.yaml", {"solver.linear=" + linear}});
+  return runs;
 }
-BENCHMARK_CAPTURE(two_blocks_run, as_it_stands, "")->Apply(one_run);
-BENCHMARK_CAPTURE(two_blocks_run, cholmod, "cholmod")->Apply(one_run);
-BENCHMARK_CAPTURE(two_blocks_run, lagged_cholesky, "lagged_cholesky")->Apply(one_run);
 
 }  // namespace
+
+void add_runs() {
+  for (const Run& r : runs())
+    benchmark::RegisterBenchmark(r.name.c_str(), [r](benchmark::State& state) { measure(state, r); })
+        ->Iterations(1)->UseManualTime()->Unit(benchmark::kSecond);
+}
+
+void print_runs(std::FILE* out) {
+  if (table().empty()) return;
+  fmt::print(out, "\n{:26}{:>9}{:>7}{:>8}{:>9}{:>9}", "percent of a run", "unknowns", "steps", "it/step", "ms/step", "ms/it");
+  for (const auto& phase : phase_names) fmt::print(out, "{:>14}", phase);
+  fmt::print(out, "\n");
+  for (const Row& row : table()) {
+    const Totals& t = row.totals;
+    fmt::print(out, "{:26}{:9}{:7}{:8.2f}{:9.2f}{:9.2f}", row.name, row.unknowns, t.steps,
+               double(t.iterations) / t.steps, 1e3 * t.seconds / t.steps, 1e3 * t.seconds / t.iterations);
+    for (const double seconds : t.phases) fmt::print(out, "{:14.1f}", 100 * seconds / t.seconds);
+    fmt::print(out, "\n");
+  }
+}
+
 }  // namespace tack::bench
