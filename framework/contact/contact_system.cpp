@@ -5,8 +5,18 @@
 namespace tack {
 namespace {
 
-// The skin, in ranges: how far vertices may move before candidates are searched anew.
-constexpr double skin_in_ranges = 0.5;
+// Skin of the candidates: twice as far as vertices may move before they are searched anew. A tenth of an
+// edge adds few candidates to what the extent of the primitives brings along already.
+double skin_of(const ContactSurface& surface, double range) {
+  double length = 0;
+  int movable = 0;
+  for (const auto& [a, b] : surface.mesh.edges) {
+    if (!surface.mesh.vertex_movable[a] && !surface.mesh.vertex_movable[b]) continue;
+    length += (vertex(surface.rest, a) - vertex(surface.rest, b)).norm();
+    ++movable;
+  }
+  return std::clamp(0.1 * length / std::max(movable, 1), 0.5 * range, 2 * range);
+}
 
 }  // namespace
 
@@ -17,6 +27,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPair
   for (int a = 0; a < pairs_.objects(); ++a)
     for (int b = a; b < pairs_.objects(); ++b)
       edge_range_ = std::max(edge_range_, pairs_.edge(a, b).range);
+  skin_ = skin_of(surface_, range_);
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
   narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_);
 }
@@ -35,7 +46,7 @@ void ContactSystem::move_to(const VecX& x) {
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  if (broad_phase_->update(x, p, range_, edge_range_, skin_in_ranges * range_))
+  if (broad_phase_->update(x, p, range_, edge_range_, skin_))
     narrow_phase_->set_candidates(candidates(), x);
 }
 

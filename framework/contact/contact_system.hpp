@@ -40,6 +40,7 @@ class ContactSystem {
   PhaseClock& clock_;
   double range_ = 0;       // the largest of all laws [m]
   double edge_range_ = 0;  // the largest of those between edges [m]
+  double skin_ = 0;        // of the candidates [m]
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   ContactSet contacts_;
