@@ -23,7 +23,7 @@ class Cholmod : public LinearSolver {
     blas::set_threads(blas_threads_);
     // CHOLMOD's own OpenMP loops ask for four threads and spin: twice as slow as none.
     omp_set_max_active_levels(0);
-    analysis_.update(matrix, supernodal_);
+    analysis_.update(matrix, supernodal_ ? CholmodAnalysis::Kind::supernodal : CholmodAnalysis::Kind::simplicial);
     ScalarCsc& csc = analysis_.csc();
     csc.set_values(matrix);
     cholmod_sparse view = lower_view(matrix.size(), csc.column_start, csc.row, csc.values.data());

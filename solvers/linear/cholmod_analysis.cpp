@@ -10,22 +10,28 @@ void CholmodAnalysis::fields(Fields& f) {
            "fill-reducing ordering");
 }
 
-void CholmodAnalysis::configure(bool supernodal) {
+void CholmodAnalysis::configure() {
   session_->print = 0;
-  session_->supernodal = supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+  session_->supernodal = kind_ == Kind::simplicial ? CHOLMOD_SIMPLICIAL : CHOLMOD_SUPERNODAL;
   session_->final_ll = 1;
   session_->nmethods = 1;
   session_->method[0].ordering = CHOLMOD_GIVEN;
   session_->postorder = 1;
   session_->quick_return_if_not_posdef = 1;
+  if (kind_ == Kind::supernodal_blocks) {  // columns below which supernodes merge, in blocks
+    session_->nrelax[0] = 2;
+    session_->nrelax[1] = 6;
+    session_->nrelax[2] = 16;
+  }
 }
 
-bool CholmodAnalysis::update(const BlockMatrix& matrix, bool supernodal) {
-  if (matrix.version == version_ && factor_) return false;
-  configure(supernodal);
-  csc_.set_structure(matrix);
-  const bool same_size = permutation_.size() == static_cast<size_t>(matrix.size());
-  factor_ = same_size ? analyze_with(permutation_, matrix.size()) : nullptr;
+bool CholmodAnalysis::update(const BlockMatrix& matrix, Kind kind) {
+  if (matrix.version == version_ && factor_ && kind == kind_) return false;
+  kind_ = kind;
+  configure();
+  if (kind != Kind::supernodal_blocks) csc_.set_structure(matrix);
+  const bool same_size = block_order_.size() == static_cast<size_t>(matrix.columns());
+  factor_ = same_size ? analyze_with(matrix, block_order_) : nullptr;
   constexpr double tolerated_growth = 1.3;
   if (!factor_ || session_->fl > tolerated_growth * operations_) order(matrix);
   version_ = matrix.version;
@@ -33,10 +39,19 @@ bool CholmodAnalysis::update(const BlockMatrix& matrix, bool supernodal) {
   return true;
 }
 
-FactorPtr CholmodAnalysis::analyze_with(std::vector<int>& permutation, int n) {
-  cholmod_sparse view = lower_view(n, csc_.column_start, csc_.row, nullptr);
-  return {cholmod_analyze_p(&view, permutation.data(), nullptr, 0, session_.get()),
-          FactorDeleter{session_.get()}};
+FactorPtr CholmodAnalysis::analyze_with(const BlockMatrix& matrix, std::vector<int>& block_order) {
+  const FactorDeleter deleter{session_.get()};
+  const int n = matrix.columns();
+  if (kind_ == Kind::supernodal_blocks) {
+    // CHOLMOD only reads them.
+    cholmod_sparse graph = lower_view(n, const_cast<std::vector<int>&>(matrix.column_start),
+                                      const_cast<std::vector<int>&>(matrix.row), nullptr);
+    return {cholmod_analyze_p(&graph, block_order.data(), nullptr, 0, session_.get()), deleter};
+  }
+  std::vector<int> order(3 * n);
+  for (int k = 0; k < 3 * n; ++k) order[k] = 3 * block_order[k / 3] + k % 3;
+  cholmod_sparse view = lower_view(3 * n, csc_.column_start, csc_.row, nullptr);
+  return {cholmod_analyze_p(&view, order.data(), nullptr, 0, session_.get()), deleter};
 }
 
 // Orders the graph of blocks and keeps the cheapest.
@@ -53,12 +68,10 @@ void CholmodAnalysis::order(const BlockMatrix& matrix) {
                         ? cholmod_amd(&graph, nullptr, 0, block_order.data(), session_.get())
                         : cholmod_metis(&graph, nullptr, 0, 1, block_order.data(), session_.get());
     if (!ok) continue;
-    std::vector<int> order(3 * n);
-    for (int k = 0; k < 3 * n; ++k) order[k] = 3 * block_order[k / 3] + k % 3;
-    FactorPtr factor = analyze_with(order, 3 * n);
+    FactorPtr factor = analyze_with(matrix, block_order);
     if (!factor || (factor_ && session_->fl >= operations_)) continue;
     operations_ = session_->fl;
-    permutation_ = std::move(order);
+    block_order_ = std::move(block_order);
     factor_ = std::move(factor);
   }
 }

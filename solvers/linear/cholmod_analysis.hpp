@@ -1,7 +1,8 @@
 // The fill-reducing ordering and symbolic Cholesky analysis of a block matrix by SuiteSparse. The
 // ordering is found on the graph of 3x3 blocks, nine times smaller than the matrix: the best of AMD and
 // METIS by predicted operations. It is kept while the pattern changes little (contacts coming and
-// going); the analysis is redone whenever the pattern does change.
+// going); the analysis is redone whenever the pattern does change, for the scalar matrix, which
+// CHOLMOD's own factorisation needs, or for the matrix whose entries are the blocks.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,9 @@ class CholmodAnalysis {
   enum class Ordering { best, amd, metis };
 
   void fields(Fields& f);
-  // Makes factor() and csc() those of the matrix's pattern; true if the pattern is new.
-  bool update(const BlockMatrix& matrix, bool supernodal);
+  enum class Kind { simplicial, supernodal, supernodal_blocks };
+  // Makes factor() and, but for blocks, csc() those of the matrix's pattern; true if the pattern is new.
+  bool update(const BlockMatrix& matrix, Kind kind);
 
   cholmod_factor* factor() const { return factor_.get(); }
   cholmod_common* common() { return session_.get(); }
@@ -26,14 +28,15 @@ class CholmodAnalysis {
   int count() const { return count_; }
 
  private:
-  void configure(bool supernodal);
-  FactorPtr analyze_with(std::vector<int>& permutation, int n);
+  void configure();
+  FactorPtr analyze_with(const BlockMatrix& matrix, std::vector<int>& block_order);
   void order(const BlockMatrix& matrix);
 
   Ordering ordering_ = Ordering::best;
+  Kind kind_ = Kind::supernodal;
   CholmodSession session_;
   ScalarCsc csc_;
-  std::vector<int> permutation_;
+  std::vector<int> block_order_;
   FactorPtr factor_;
   double operations_ = 0;  // predicted for the ordering when it was made
   std::uint64_t version_ = 0;

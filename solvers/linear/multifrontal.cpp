@@ -26,7 +26,7 @@ class Multifrontal : public LinearSolver {
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
     blas::set_threads(1);
-    if (analysis_.update(matrix, true)) tree_.emplace(*analysis_.factor(), matrix);
+    if (analysis_.update(matrix, CholmodAnalysis::Kind::supernodal_blocks)) tree_.emplace(*analysis_.factor(), matrix);
     if (approximate() && single_.factorize(*tree_, matrix)) {
       exact_ = false;
       return true;

@@ -16,15 +16,25 @@ SupernodeTree::SupernodeTree(const cholmod_factor& factor, const BlockMatrix& ma
   for (const Subtree& tree : subtrees) number_locally(tree);
 }
 
+// Every row and column of the factor stands for three.
 void SupernodeTree::read(const cholmod_factor& factor) {
-  const auto ints = [](const void* data, size_t n) {
+  const auto threefold = [](const void* data, size_t n) {
     const int* p = static_cast<const int*>(data);
-    return std::vector<int>(p, p + n);
+    std::vector<int> expanded(3 * n);
+    for (size_t k = 0; k < n; ++k)
+      for (int d = 0; d < 3; ++d) expanded[3 * k + d] = 3 * p[k] + d;
+    return expanded;
   };
-  permutation = ints(factor.Perm, factor.n);
-  first = ints(factor.super, factor.nsuper + 1);
-  row_start = ints(factor.pi, factor.nsuper + 1);
-  rows = ints(factor.s, static_cast<size_t>(row_start.back()));
+  const auto starts = [](const void* data, size_t n) {
+    const int* p = static_cast<const int*>(data);
+    std::vector<int> tripled(p, p + n);
+    for (int& k : tripled) k *= 3;
+    return tripled;
+  };
+  permutation = threefold(factor.Perm, factor.n);
+  first = starts(factor.super, factor.nsuper + 1);
+  row_start = starts(factor.pi, factor.nsuper + 1);
+  rows = threefold(factor.s, static_cast<size_t>(row_start.back() / 3));
   panel.assign(1, 0);
   for (size_t s = 0; s < factor.nsuper; ++s)
     panel.push_back(panel.back() + std::ptrdiff_t(first[s + 1] - first[s]) *

@@ -13,7 +13,7 @@
 namespace tack {
 
 struct SupernodeTree {
-  // factor: a supernodal analysis of the matrix's pattern, of a permutation that keeps blocks together.
+  // factor: a supernodal analysis of the pattern of blocks.
   SupernodeTree(const cholmod_factor& factor, const BlockMatrix& matrix);
 
   int nodes() const { return static_cast<int>(parent.size()); }

@@ -59,7 +59,7 @@ TEST_CASE("subtrees and top are each node once, parents after children", "[linea
   for (const int n : {2, 5, 12}) {
     const BlockMatrix matrix = grid(n, random);
     CholmodAnalysis analysis;
-    REQUIRE(analysis.update(matrix, true));
+    REQUIRE(analysis.update(matrix, CholmodAnalysis::Kind::supernodal_blocks));
     const SupernodeTree tree(*analysis.factor(), matrix);
     std::vector<int> seen(tree.nodes(), 0), owner(tree.nodes(), -1);
     for (size_t i = 0; i < tree.subtrees.size(); ++i)
