@@ -2,10 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "framework/assembly/parallel.hpp"
+#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/stencil_blocks.hpp"
 
 namespace tack {
+namespace {
+
+template <int K>
+void clamp_slots(double* slots) {
+  Eigen::Matrix<double, 3 * K, 3 * K> hessian;
+  load_blocks<K>(slots, hessian);
+  project_stencil_psd<K>(hessian, SpdFilter::clamp);
+  store_blocks<K>(hessian, slots);
+}
+
+// Clamps one stencil's Hessian in its slots. Every stencil feels only relative motion.
+void clamp_slots(int arity, double* slots) {
+  switch (arity) {
+    case 2: return clamp_slots<2>(slots);
+    case 3: return clamp_slots<3>(slots);
+    case 4: return clamp_slots<4>(slots);
+  }
+  throw std::logic_error("no stencil filter of this arity");
+}
+
+}  // namespace
 
 void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   batches.clear();
@@ -34,6 +58,19 @@ void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessi
         with_hessian ? hessian_slots.data() + 9 * static_cast<size_t>(first_hessian[t]) : nullptr;
     terms[t]->derivatives(x, filter, gradient_slots.data() + 3 * static_cast<size_t>(first_gradient[t]),
                           hessian);
+  }
+}
+
+void Assembler::Group::clamp_at(const std::vector<char>& block, const DofMap& dofs) {
+  for (const PlacedBatch& placed : batches) {
+    const StencilBatch& b = placed.batch;
+    const auto flagged = [&](int vertex) { return dofs.block(vertex) >= 0 && block[dofs.block(vertex)]; };
+    for_each(b.count, [&](int s) {
+      const int* v = b.vertices + static_cast<size_t>(b.arity) * s;
+      if (std::none_of(v, v + b.arity, flagged)) return;
+      const int blocks = hessian_blocks(b.arity);
+      clamp_slots(b.arity, hessian_slots.data() + 9 * (static_cast<size_t>(placed.hessian_slot) + static_cast<size_t>(blocks) * s));
+    });
   }
 }
 
@@ -106,7 +143,7 @@ void Assembler::locate_static_blocks() {
   }
 }
 
-void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const VecX& block_mass,
+void Assembler::assemble(const VecX& x, double scale, const HessianOptions& options, const VecX& block_mass,
                          VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, true);
@@ -117,11 +154,14 @@ void Assembler::assemble(const VecX& x, double scale, SpdFilter filter, const Ve
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
 
   for (Group* group : {&static_, &dynamic_}) {
-    group->evaluate(x, filter, true);
+    group->evaluate(x, options.filter, true);
     group->gather_gradient(scale, gradient);
+    if (!options.clamp_at) continue;
+    const PhaseScope filtering(clock_, Phase::filter);
+    group->clamp_at(*options.clamp_at, dofs_);
   }
   static_.gather_hessian(scale, static_positions_, matrix);
-  dynamic_.gather_hessian(scale, dynamic_positions, matrix);
+  if (!options.without_dynamic) dynamic_.gather_hessian(scale, dynamic_positions, matrix);
   add_linear(x, scale, gradient);
 }
 

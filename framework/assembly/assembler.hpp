@@ -18,8 +18,14 @@ class Assembler {
   // Adds scale * gradient of the sum of the terms, in the unknowns (3m), to `gradient`.
   void add_gradient(const VecX& x, double scale, VecX& gradient);
 
+  struct HessianOptions {
+    SpdFilter filter = SpdFilter::none;
+    // Clamps the stencils that touch an unknown block with a flag, after `filter`.
+    const std::vector<char>* clamp_at = nullptr;
+    bool without_dynamic = false;  // the Hessian leaves dynamic terms out; the gradient does not
+  };
   // The same, and matrix <- scale * Hessian + diag(block_mass) with each stencil filtered.
-  void assemble(const VecX& x, double scale, SpdFilter filter, const VecX& block_mass,
+  void assemble(const VecX& x, double scale, const HessianOptions& options, const VecX& block_mass,
                 VecX& gradient, BlockMatrix& matrix);
 
   // The largest component of any stencil's force at the last evaluation [N].
@@ -35,6 +41,7 @@ class Assembler {
 
     void place(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, SpdFilter filter, bool with_hessian);
+    void clamp_at(const std::vector<char>& block, const DofMap& dofs);
     void gather_gradient(double scale, VecX& gradient) const;
     void gather_hessian(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
   };

@@ -8,7 +8,7 @@
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/assembly/psd_filter.hpp"
-#include "framework/contact/stencil_blocks.hpp"
+#include "framework/assembly/stencil_blocks.hpp"
 #include "framework/contact/stencil_energy.hpp"
 #include "framework/core/term.hpp"
 

@@ -83,11 +83,21 @@ const VecX& IncrementalPotential::gradient() {
   return gradient_;
 }
 
-const BlockMatrix& IncrementalPotential::hessian(SpdFilter filter) {
+const BlockMatrix& IncrementalPotential::assemble(const Assembler::HessianOptions& options) {
   start_gradient();
-  assembler_.assemble(x_, scale_, filter, block_mass_, gradient_, matrix_);
+  assembler_.assemble(x_, scale_, options, block_mass_, gradient_, matrix_);
   gradient_known_ = true;
   return matrix_;
+}
+
+const BlockMatrix& IncrementalPotential::hessian(SpdFilter filter) { return assemble({filter}); }
+
+const BlockMatrix& IncrementalPotential::partly_clamped_hessian(const std::vector<char>& block) {
+  return assemble({SpdFilter::none, &block});
+}
+
+const BlockMatrix& IncrementalPotential::contactless_hessian() {
+  return assemble({SpdFilter::clamp, nullptr, true});
 }
 
 }  // namespace tack

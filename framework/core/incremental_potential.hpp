@@ -26,6 +26,7 @@ class IncrementalPotential : public Objective {
   void begin_step(const VecX& x_start, const VecX& prediction, double scale, bool inertia);
 
   const VecX& configuration() const { return x_; }
+  double scale() const { return scale_; }  // beta h^2, or 1
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
 
   int size() const override { return dofs_.size(); }
@@ -34,11 +35,14 @@ class IncrementalPotential : public Objective {
   double value_noise() const override;
   const VecX& gradient() override;
   const BlockMatrix& hessian(SpdFilter filter) override;
+  const BlockMatrix& partly_clamped_hessian(const std::vector<char>& block) override;
+  const BlockMatrix& contactless_hessian() override;
   int value_count() const override { return value_count_; }
 
  private:
   double inertia_value() const;
   void start_gradient();
+  const BlockMatrix& assemble(const Assembler::HessianOptions& options);
 
   std::vector<const Term*> terms_;
   const DofMap& dofs_;

@@ -5,11 +5,16 @@
 namespace tack {
 
 void Minimizer::fields(Fields& f) {
-  f.number("tolerance", tolerance_, units::velocity,
-           "stops when |p|_inf / h is below, p the last search direction").positive();
+  f.choice("stopping", stopping_,
+           {{"velocity", Stopping::velocity, "|p|_inf / h against `tolerance`, p the Newton direction"},
+            {"force", Stopping::force, "largest residual force against `force_tolerance`; quasi-static steps always"},
+            {"acceleration", Stopping::acceleration, "largest M^-1 times residual force against `acceleration_tolerance`"}},
+           "when a solve has converged");
+  f.number("tolerance", tolerance_, units::velocity, "of the velocity").positive();
   f.number("force_tolerance", force_tolerance_, units::none,
-           "quasi-static: stops when the largest residual force is below this part of the largest "
-           "force of any element or contact").positive();
+           "of the residual force, as a part of the largest force of any element or contact").positive();
+  f.number("acceleration_tolerance", acceleration_tolerance_, units::acceleration,
+           "of the residual acceleration").positive();
   f.integer("max_iterations", max_iterations_, "iterations before the step is given up").at_least(1);
 }
 

@@ -31,13 +31,16 @@ struct MinimizerProblem {
   // The stopping norm given the last search direction p and the gradient; converged when below 1.
   std::function<double(const VecX& p, const VecX& gradient)> stopping_norm;
   PhaseClock& clock;
+  // Whether that norm is of p, which then must be the Newton direction: methods whose own direction is
+  // something else ask solvers/minimizers/convergence_judge.hpp.
+  bool norm_of_direction = true;
 };
 
 struct MinimizerResult {
   MinimizerStatus status = MinimizerStatus::converged;
   int iterations = 0;
   int linear_solves = 0;
-  int line_search_evaluations = 0;
+  int line_search_evaluations = 0;  // values in search of a step length, or of a foreign minimiser
   double residual = 0;  // the last stopping norm, in units of the tolerance
 
   // Adds the work of an earlier minimisation of the same step.
@@ -48,14 +51,23 @@ struct MinimizerResult {
   }
 };
 
+// When a minimisation has converged.
+enum class Stopping {
+  velocity,      // |p|_inf / h below a tolerance [m/s], p the Newton direction (the paper)
+  force,         // |gradient|_inf below a part of the largest force of any stencil
+  acceleration,  // |M^-1 gradient|_inf below a tolerance [m/s^2]
+};
+
 class Minimizer : public Component {
  public:
   static constexpr const char* kind_name = "minimizer";
   static constexpr const char* kind_doc = "Minimises the incremental potential of one step.";
 
   void fields(Fields& f) override;
-  double velocity_tolerance() const { return tolerance_; }     // m/s
-  double force_tolerance() const { return force_tolerance_; }  // relative
+  Stopping stopping() const { return stopping_; }
+  double velocity_tolerance() const { return tolerance_; }                   // m/s
+  double force_tolerance() const { return force_tolerance_; }                // relative
+  double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
 
   // q: in, the feasible start; out, the last feasible iterate.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;
@@ -64,8 +76,10 @@ class Minimizer : public Component {
   int max_iterations_ = 500;
 
  private:
-  double tolerance_ = 0.01;       // m/s
+  Stopping stopping_ = Stopping::velocity;
+  double tolerance_ = 0.01;  // m/s
   double force_tolerance_ = 1e-4;
+  double acceleration_tolerance_ = 1;  // m/s^2
 };
 
 }  // namespace tack

@@ -3,6 +3,8 @@
 // computed twice.
 #pragma once
 
+#include <vector>
+
 #include "framework/core/block_matrix.hpp"
 #include "framework/core/spd_filter.hpp"
 #include "geometry/types.hpp"
@@ -19,8 +21,14 @@ class Objective {
   // A bound on the rounding error of value(), to tell descent from noise.
   virtual double value_noise() const = 0;
   virtual const VecX& gradient() = 0;
-  // The gradient too is up to date afterwards.
+  // The gradient too is up to date afterwards. One matrix: the next call of any of these overwrites it.
   virtual const BlockMatrix& hessian(SpdFilter filter) = 0;
+  // Clamps the stencils that touch an unknown block (3 unknowns) with block[b] != 0, and only those.
+  virtual const BlockMatrix& partly_clamped_hessian(const std::vector<char>& /*block*/) {
+    return hessian(SpdFilter::clamp);
+  }
+  // Clamped, of what does not change with the point's contacts: inertia and elasticity.
+  virtual const BlockMatrix& contactless_hessian() { return hessian(SpdFilter::clamp); }
   virtual int value_count() const = 0;  // evaluations of value() so far
 };
 

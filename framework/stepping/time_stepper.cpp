@@ -84,9 +84,19 @@ double TimeStepper::feasible_step(const VecX& q, const VecX& p) {
   return largest_step(x, direction_);
 }
 
+Stopping TimeStepper::stopping() const { return inertia_ ? scene_.solver->stopping() : Stopping::force; }
+
 double TimeStepper::stopping_norm(double h, const VecX& p, const VecX& gradient) const {
-  if (inertia_) return p.lpNorm<Eigen::Infinity>() / h / scene_.solver->velocity_tolerance();
-  const double allowed = scene_.solver->force_tolerance() * potential_->largest_stencil_force();
+  const Minimizer& solver = *scene_.solver;
+  if (stopping() == Stopping::velocity) return p.lpNorm<Eigen::Infinity>() / h / solver.velocity_tolerance();
+  if (stopping() == Stopping::acceleration) {
+    double largest = 0;
+    for (int b = 0; b < world_.dofs.block_count(); ++b)
+      largest = std::max(largest, gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() /
+                                      world_.mass(world_.dofs.vertex_of_block(b)));
+    return largest / potential_->scale() / solver.acceleration_tolerance();
+  }
+  const double allowed = scene_.solver->force_tolerance() * potential_->scale() * potential_->largest_stencil_force();
   const double residual = gradient.lpNorm<Eigen::Infinity>();
   return residual == 0 ? 0 : residual / allowed;
 }
@@ -169,7 +179,8 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
   if (world_.dofs.size() == 0) return attempt;
   const MinimizerProblem problem{
       *potential_, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); },
-      [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_};
+      [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_,
+      stopping() == Stopping::velocity};
   minimize_lagged(problem, q, attempt);
   return attempt;
 }

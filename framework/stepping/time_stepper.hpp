@@ -53,6 +53,7 @@ class TimeStepper {
   void apply_loads(double t);
   double largest_step(const VecX& x, const VecX& p);
   double feasible_step(const VecX& q, const VecX& p);
+  Stopping stopping() const;
   double stopping_norm(double h, const VecX& p, const VecX& gradient) const;
   StepReport report(const Attempt& attempt, double h, int halvings) const;
 

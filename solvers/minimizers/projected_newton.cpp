@@ -1,70 +1,50 @@
 // Projected Newton (the paper, section 5): each stencil's Hessian is made positive semi-definite, the
 // system is solved directly, the step is cut to the feasible part and then line-searched.
-#include <cmath>
 #include <memory>
 
 #include "framework/config/field.hpp"
-#include "framework/core/interrupt.hpp"
 #include "framework/core/linear_solver.hpp"
-#include "framework/core/minimizer.hpp"
-#include "solvers/line_search/line_search.hpp"
+#include "solvers/minimizers/descent_minimizer.hpp"
 
 namespace tack {
 
-class ProjectedNewton : public Minimizer {
+class ProjectedNewton : public DescentMinimizer {
  public:
   enum class Filter { clamp, absolute, on_demand };
 
   void fields(Fields& f) override {
-    Minimizer::fields(f);
+    DescentMinimizer::fields(f);
     f.choice("filter", filter_,
              {{"clamp", Filter::clamp, "negative eigenvalues become zero"},
               {"absolute", Filter::absolute, "negative eigenvalues change sign"},
               {"on_demand", Filter::on_demand, "clamp where the system turns out not to be positive definite"}},
              "how a stencil's Hessian is made positive semi-definite");
     f.component("linear", linear_, "solver of the Newton system");
-    f.component("line_search", line_search_, "step length");
   }
 
-  MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) override {
-    MinimizerResult result;
-    Objective& objective = problem.objective;
-    objective.move_to(q);
-    VecX p;
-    int indefinite = 0;
-    bool careful = false;  // the last step went too far
-    while (result.iterations < max_iterations_) {
-      if (interrupt_requested) return fail(result, MinimizerStatus::interrupted);
-      const bool try_unfiltered = filter_ == Filter::on_demand && indefinite < patience;
-      if (!(try_unfiltered && solve_unfiltered(problem, p, result))) {
-        indefinite += try_unfiltered;
-        const BlockMatrix& hessian = objective.hessian(careful ? SpdFilter::majorize : spd_filter());
-        const VecX& gradient = objective.gradient();
-        if (!gradient.allFinite()) return fail(result, MinimizerStatus::not_finite);
-        if (!solve(hessian, gradient, p, problem.clock, result))
-          return fail(result, MinimizerStatus::factorization_failed);
-      }
-      ++result.iterations;
-      result.residual = problem.stopping_norm(p, objective.gradient());
-      const bool last = result.residual <= 1;
-      const int evaluations = result.line_search_evaluations;
-      const MinimizerStatus status = advance(problem, p, q, result);
-      careful = result.line_search_evaluations > evaluations + 1;
-      // Below the tolerance the point is accepted as it is, whether or not the last step helped.
-      if (last) return result;
-      if (status != MinimizerStatus::converged) return fail(result, status);
-    }
-    return fail(result, MinimizerStatus::iteration_limit);
+ protected:
+  bool newton_like() const override { return true; }
+
+  void begin(const MinimizerProblem&, MinimizerResult&) override {
+    indefinite_ = 0;
+    careful_ = false;
   }
+
+  MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    if (filter_ == Filter::on_demand && indefinite_ < patience) {
+      if (solve_unfiltered(problem, p, result)) return MinimizerStatus::converged;
+      ++indefinite_;
+    }
+    const BlockMatrix& hessian = problem.objective.hessian(careful_ ? SpdFilter::majorize : spd_filter());
+    const bool solved = solve(hessian, problem.objective.gradient(), p, problem.clock, result);
+    return solved ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
+  }
+
+  void stepped(const MinimizerProblem&, const Step& step) override { careful_ = step.evaluations > 1; }
 
  private:
   SpdFilter spd_filter() const {
     return filter_ == Filter::absolute ? SpdFilter::absolute : SpdFilter::clamp;
-  }
-
-  static MinimizerResult fail(MinimizerResult result, MinimizerStatus status) {
-    result.status = status;
-    return result;
   }
 
   // p <- -H^-1 g without a filter. False if H shows a negative curvature, or p does not descend.
@@ -72,7 +52,7 @@ class ProjectedNewton : public Minimizer {
     const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::none);
     const VecX& gradient = problem.objective.gradient();
     ++result.linear_solves;
-    if (!gradient.allFinite() || !linear_->factorize(hessian, problem.clock)) return false;
+    if (!linear_->factorize(hessian, problem.clock)) return false;
     linear_->solve(-gradient, p, problem.clock);
     return p.allFinite() && p.dot(gradient) < 0;
   }
@@ -101,31 +81,13 @@ class ProjectedNewton : public Minimizer {
     return false;
   }
 
-  // Moves q along the feasible part of p.
-  MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
-                          MinimizerResult& result) {
-    Objective& objective = problem.objective;
-    const double t_max = problem.feasible_step(q, p);
-    if (!(t_max > 1e-12)) return MinimizerStatus::blocked;
-    const PhaseScope scope(problem.clock, Phase::line_search);
-    const double slope = objective.gradient().dot(p);
-    if (slope >= 0) return MinimizerStatus::line_search_failed;
-    const LineSearchResult found = line_search_->search(objective, q, p, slope, t_max);
-    result.line_search_evaluations += found.evaluations;
-    if (!found.found) {
-      objective.move_to(q);
-      return MinimizerStatus::line_search_failed;
-    }
-    q += found.step * p;
-    return MinimizerStatus::converged;
-  }
-
   // Indefinite systems in one solve after which all are filtered at once.
   static constexpr int patience = 2;
 
   Filter filter_ = Filter::clamp;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
-  std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
+  int indefinite_ = 0;
+  bool careful_ = false;  // the last step went too far
 };
 
 TACK_REGISTER(Minimizer, ProjectedNewton, "projected_newton",

@@ -58,7 +58,7 @@ struct Problem {
   void check(Assembler& assembler, BlockMatrix& matrix) const {
     constexpr double scale = 0.3;
     VecX gradient = VecX::Constant(dofs.size(), 2.0), alone = VecX::Zero(dofs.size());
-    assembler.assemble(x, scale, SpdFilter::none, mass, gradient, matrix);
+    assembler.assemble(x, scale, {SpdFilter::none}, mass, gradient, matrix);
     assembler.add_gradient(x, scale, alone);
     const MatX hessian = expected_hessian(scale);
     CHECK((dense(matrix) - hessian).norm() <= 1e-13 * hessian.norm());

@@ -1,0 +1,46 @@
+#include "solvers/minimizers/convergence_judge.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tack {
+namespace {
+
+constexpr double sooner = 1.5;  // looks again before the gradient has fallen as far as the verdict says
+
+}  // namespace
+
+ConvergenceJudge::ConvergenceJudge() : linear_(Registry<LinearSolver>::make("lagged_cholesky")) {}
+
+void ConvergenceJudge::begin() { begun_ = false; }
+
+bool ConvergenceJudge::newton_direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+  const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
+  ++result.linear_solves;
+  if (!linear_->factorize(hessian, problem.clock)) return false;
+  linear_->solve(-problem.objective.gradient(), p, problem.clock);
+  return p.allFinite();
+}
+
+double ConvergenceJudge::verdict(const MinimizerProblem& problem, MinimizerResult& result) {
+  VecX p;
+  if (problem.norm_of_direction && !newton_direction(problem, p, result))
+    return std::numeric_limits<double>::infinity();
+  return problem.stopping_norm(p, problem.objective.gradient());
+}
+
+bool ConvergenceJudge::converged(const MinimizerProblem& problem, MinimizerResult& result) {
+  if (!problem.norm_of_direction) {
+    result.residual = problem.stopping_norm(VecX(), problem.objective.gradient());
+    return result.residual <= 1;
+  }
+  const double gradient = problem.objective.gradient().norm();
+  if (begun_ && gradient > next_gradient_) return false;
+  if (!std::isfinite(gradient)) return false;
+  begun_ = true;
+  result.residual = verdict(problem, result);
+  next_gradient_ = gradient * std::min(sooner / result.residual, 0.9);
+  return result.residual <= 1;
+}
+
+}  // namespace tack

@@ -1,0 +1,31 @@
+// Judges the convergence of methods whose own direction says nothing about the distance from the
+// minimum (gradient methods, foreign minimisers), by the norm that Newton's method is judged by. Where
+// that norm is of the Newton direction, one system is solved for it: at the start, and again when the
+// gradient has fallen as far as the last verdict asked for.
+#pragma once
+
+#include <memory>
+
+#include "framework/core/linear_solver.hpp"
+#include "framework/core/minimizer.hpp"
+
+namespace tack {
+
+class ConvergenceJudge {
+ public:
+  ConvergenceJudge();
+  void begin();  // a new minimisation
+  // Whether the objective's present point has converged; result.residual is the last verdict.
+  bool converged(const MinimizerProblem& problem, MinimizerResult& result);
+  // Solves for the Newton direction whatever the gradient; where p is the norm's.
+  double verdict(const MinimizerProblem& problem, MinimizerResult& result);
+  // p <- the Newton direction; false where the clamped Hessian is singular.
+  bool newton_direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result);
+
+ private:
+  std::unique_ptr<LinearSolver> linear_;
+  double next_gradient_ = 0;  // |gradient| below which it is worth another look
+  bool begun_ = false;
+};
+
+}  // namespace tack
