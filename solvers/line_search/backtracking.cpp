@@ -2,6 +2,7 @@
 // decrease drowns in the rounding error of E; there the slope decides instead: the approximate Wolfe
 // condition of Hager and Zhang 2005, (2 c - 1) p.g >= p.g(q + t p), to which rounding does little. So
 // the search does not stall on round-off.
+#include <algorithm>
 #include <cmath>
 
 #include "framework/config/field.hpp"
@@ -22,8 +23,9 @@ class Backtracking : public LineSearch {
     LineSearchResult result;
     const double start = objective.value();
     const double start_noise = objective.value_noise();
+    const double t_min = std::min(t_max, smallest_step(q, p));
     double t = t_max;
-    for (int trial = 0; trial < max_trials_; ++trial, t *= shrink_) {
+    for (int trial = 0; trial < max_trials_ && t >= t_min; ++trial, t *= shrink_) {
       objective.move_to(q + t * p);
       const double value = objective.value();
       ++result.evaluations;

@@ -1,6 +1,8 @@
 // Step length along a descent direction.
 #pragma once
 
+#include <limits>
+
 #include "framework/config/registry.hpp"
 #include "framework/core/objective.hpp"
 
@@ -22,5 +24,10 @@ class LineSearch : public Component {
   virtual LineSearchResult search(Objective& objective, const VecX& q, const VecX& p, double slope,
                                   double t_max) = 0;
 };
+
+// Steps that are shorter change no digit of q: nothing to be learned there.
+inline double smallest_step(const VecX& q, const VecX& p) {
+  return std::numeric_limits<double>::epsilon() * q.lpNorm<Eigen::Infinity>() / p.lpNorm<Eigen::Infinity>();
+}
 
 }  // namespace tack

@@ -1,24 +1,33 @@
-// Projected Newton (the paper, section 5): each stencil's Hessian is made positive semi-definite, the
-// system is solved directly, the step is cut to the feasible part and then line-searched.
+// Projected Newton (the paper, section 5): stencil Hessians are made positive semi-definite, the
+// system is solved, the step is cut to the feasible part and then line-searched.
+#include <cmath>
 #include <memory>
 
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
+#include "solvers/minimizers/shifted_factor.hpp"
 
 namespace tack {
 
 class ProjectedNewton : public DescentMinimizer {
  public:
-  enum class Filter { clamp, absolute, on_demand };
+  enum class Filter { none, clamp, absolute, on_demand, progressive, adaptive };
 
   void fields(Fields& f) override {
     DescentMinimizer::fields(f);
     f.choice("filter", filter_,
-             {{"clamp", Filter::clamp, "negative eigenvalues become zero"},
-              {"absolute", Filter::absolute, "negative eigenvalues change sign"},
-              {"on_demand", Filter::on_demand, "clamp where the system turns out not to be positive definite"}},
-             "how a stencil's Hessian is made positive semi-definite");
+             {{"none", Filter::none, "the exact Hessian, shifted where it is not positive definite"},
+              {"clamp", Filter::clamp, "negative eigenvalues of stencils become zero"},
+              {"absolute", Filter::absolute, "negative eigenvalues of stencils change sign"},
+              {"on_demand", Filter::on_demand,
+               "clamp where the system turns out not to be positive definite (Longva et al. 2023)"},
+              {"progressive", Filter::progressive,
+               "clamp the stencils at large residuals, more of them until the system is positive definite "
+               "(Fernandez-Fernandez et al. 2026)"},
+              {"adaptive", Filter::adaptive,
+               "clamp while steps do what the quadratic model says, absolute otherwise (Chen et al. 2024)"}},
+             "how the Hessian is made positive definite");
     f.component("linear", linear_, "solver of the Newton system");
   }
 
@@ -28,66 +37,85 @@ class ProjectedNewton : public DescentMinimizer {
   void begin(const MinimizerProblem&, MinimizerResult&) override {
     indefinite_ = 0;
     careful_ = false;
+    model_fits_ = true;
+    clamped_from_ = 2;
   }
 
   MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
-    if (filter_ == Filter::on_demand && indefinite_ < patience) {
-      if (solve_unfiltered(problem, p, result)) return MinimizerStatus::converged;
-      ++indefinite_;
-    }
-    const BlockMatrix& hessian = problem.objective.hessian(careful_ ? SpdFilter::majorize : spd_filter());
-    const bool solved = solve(hessian, problem.objective.gradient(), p, problem.clock, result);
+    const bool solved = filter_ == Filter::progressive ? solve_progressively(problem, p, result)
+                        : try_unfiltered(problem, p, result) ||
+                              shifted_solve(*linear_, problem.objective.hessian(spd_filter()),
+                                            problem.objective.gradient(), p, problem.clock, result);
     return solved ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
   }
 
-  void stepped(const MinimizerProblem&, const Step& step) override { careful_ = step.evaluations > 1; }
+  void stepped(const MinimizerProblem&, const Step& step) override {
+    careful_ = step.evaluations > 1;
+    const double t = step.length, predicted = -(t - t * t / 2) * step.slope;
+    model_fits_ = std::abs(step.decrease / predicted - 1) <= fit;
+  }
 
  private:
   SpdFilter spd_filter() const {
-    return filter_ == Filter::absolute ? SpdFilter::absolute : SpdFilter::clamp;
+    switch (filter_) {
+      case Filter::none: return SpdFilter::none;
+      case Filter::absolute: return SpdFilter::absolute;
+      case Filter::adaptive: return model_fits_ ? SpdFilter::clamp : SpdFilter::absolute;
+      default: return careful_ ? SpdFilter::majorize : SpdFilter::clamp;
+    }
   }
 
-  // p <- -H^-1 g without a filter. False if H shows a negative curvature, or p does not descend.
-  bool solve_unfiltered(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
-    const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::none);
-    const VecX& gradient = problem.objective.gradient();
+  // p <- -H^-1 g. False if H shows a negative curvature, or p does not descend.
+  bool solve(const BlockMatrix& hessian, const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     ++result.linear_solves;
     if (!linear_->factorize(hessian, problem.clock)) return false;
-    linear_->solve(-gradient, p, problem.clock);
-    return p.allFinite() && p.dot(gradient) < 0;
+    linear_->solve(-problem.objective.gradient(), p, problem.clock);
+    return p.allFinite() && p.dot(problem.objective.gradient()) < 0;
   }
 
-  // p <- -H^-1 g; a semi-definite H (free rigid motions of a quasi-static body) gets a growing shift.
-  bool solve(const BlockMatrix& hessian, const VecX& gradient, VecX& p, PhaseClock& clock,
-             MinimizerResult& result) {
-    ++result.linear_solves;
-    if (linear_->factorize(hessian, clock)) {
-      linear_->solve(-gradient, p, clock);
-      if (p.allFinite()) return true;
-    }
-    BlockMatrix shifted = hessian;
-    double largest = 0;
-    for (int c = 0; c < shifted.columns(); ++c)
-      largest = std::max(largest, shifted.block(shifted.column_start[c]).diagonal().maxCoeff());
-    for (double shift = 1e-10; shift <= 1; shift *= 100) {
-      for (int c = 0; c < shifted.columns(); ++c)
-        shifted.block(shifted.column_start[c]).diagonal() =
-            hessian.block(shifted.column_start[c]).diagonal().array() + shift * largest;
-      ++result.linear_solves;
-      if (!linear_->factorize(shifted, clock)) continue;
-      linear_->solve(-gradient, p, clock);
-      if (p.allFinite()) return true;
-    }
+  // On demand: after a few failures in one minimisation, all further systems are filtered at once.
+  bool try_unfiltered(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+    constexpr int patience = 2;
+    if (filter_ != Filter::on_demand || indefinite_ >= patience) return false;
+    if (solve(problem.objective.hessian(SpdFilter::none), problem, p, result)) return true;
+    ++indefinite_;
     return false;
   }
 
-  // Indefinite systems in one solve after which all are filtered at once.
-  static constexpr int patience = 2;
+  // Clamps stencils where the gradient of a block of unknowns is above `clamped_from_` times the
+  // largest: none of them to begin with, fewer again after a success.
+  bool solve_progressively(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+    constexpr double tighten = 0.1, relax = 2, all = 1e-4;
+    for (; clamped_from_ > all; clamped_from_ = std::min(clamped_from_, 1.0) * tighten) {
+      const BlockMatrix& hessian = clamped_from_ > 1 ? problem.objective.hessian(SpdFilter::none)
+                                                     : problem.objective.partly_clamped_hessian(
+                                                           large_residuals(problem.objective.gradient()));
+      if (solve(hessian, problem, p, result)) {
+        clamped_from_ = std::min(relax * clamped_from_, 2.0);
+        return true;
+      }
+    }
+    return shifted_solve(*linear_, problem.objective.hessian(SpdFilter::clamp), problem.objective.gradient(),
+                         p, problem.clock, result);
+  }
+
+  std::vector<char> large_residuals(const VecX& gradient) const {
+    const double bound = clamped_from_ * gradient.lpNorm<Eigen::Infinity>();
+    std::vector<char> large(static_cast<size_t>(gradient.size() / 3));
+    for (size_t b = 0; b < large.size(); ++b)
+      large[b] = gradient.segment<3>(3 * static_cast<Eigen::Index>(b)).lpNorm<Eigen::Infinity>() >= bound;
+    return large;
+  }
+
+  // Of the decrease that the quadratic model predicts, the part that may miss where it fits.
+  static constexpr double fit = 0.01;
 
   Filter filter_ = Filter::clamp;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
   int indefinite_ = 0;
-  bool careful_ = false;  // the last step went too far
+  bool careful_ = false;       // the last step went too far
+  bool model_fits_ = true;
+  double clamped_from_ = 2;    // of the largest residual; above 1: no stencil
 };
 
 TACK_REGISTER(Minimizer, ProjectedNewton, "projected_newton",

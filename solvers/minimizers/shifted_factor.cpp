@@ -1,0 +1,39 @@
+#include "solvers/minimizers/shifted_factor.hpp"
+
+#include <algorithm>
+
+namespace tack {
+namespace {
+
+constexpr double first_shift = 1e-10, growth = 100;
+
+double largest_diagonal(const BlockMatrix& matrix) {
+  double largest = 0;
+  for (int c = 0; c < matrix.columns(); ++c)
+    largest = std::max(largest, matrix.block(matrix.column_start[c]).diagonal().cwiseAbs().maxCoeff());
+  return largest;
+}
+
+}  // namespace
+
+bool shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
+                   PhaseClock& clock, MinimizerResult& result) {
+  const auto solved = [&](const BlockMatrix& matrix) {
+    ++result.linear_solves;
+    if (!linear.factorize(matrix, clock)) return false;
+    linear.solve(-gradient, p, clock);
+    return p.allFinite() && !(p.dot(gradient) > 0);
+  };
+  if (solved(hessian)) return true;
+  BlockMatrix shifted = hessian;
+  const double largest = largest_diagonal(hessian);
+  for (double shift = first_shift; shift <= 1; shift *= growth) {
+    for (int c = 0; c < shifted.columns(); ++c)
+      shifted.block(shifted.column_start[c]).diagonal() =
+          hessian.block(shifted.column_start[c]).diagonal().array() + shift * largest;
+    if (solved(shifted)) return true;
+  }
+  return false;
+}
+
+}  // namespace tack

@@ -1,0 +1,15 @@
+// Factorises a Hessian that may be semi-definite (free rigid motions of a quasi-static body) or, without
+// a filter, indefinite: its diagonal gets a shift that grows until the factorisation runs through and
+// the direction p = -H^-1 g is finite and descends.
+#pragma once
+
+#include "framework/core/linear_solver.hpp"
+#include "framework/core/minimizer.hpp"
+
+namespace tack {
+
+// p <- -(H + shift)^-1 g; false if even the largest shift, that of the largest diagonal entry, fails.
+bool shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
+                   PhaseClock& clock, MinimizerResult& result);
+
+}  // namespace tack
