@@ -32,21 +32,22 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
  protected:
-  bool newton_like() const override { return true; }
+  bool newton_like() const override { return shift_ == 0; }
 
   void begin(const MinimizerProblem&, MinimizerResult&) override {
     indefinite_ = 0;
     careful_ = false;
     model_fits_ = true;
     clamped_from_ = 2;
+    shift_ = 0;
   }
 
   MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    shift_ = 0;
     const bool solved = filter_ == Filter::progressive ? solve_progressively(problem, p, result)
-                        : try_unfiltered(problem, p, result) ||
-                              shifted_solve(*linear_, problem.objective.hessian(spd_filter()),
-                                            problem.objective.gradient(), p, problem.clock, result);
-    return solved ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
+                                                       : try_unfiltered(problem, p, result);
+    return solved || solve_shifted(problem, p, result) ? MinimizerStatus::converged
+                                                       : MinimizerStatus::factorization_failed;
   }
 
   void stepped(const MinimizerProblem&, const Step& step) override {
@@ -95,8 +96,14 @@ class ProjectedNewton : public DescentMinimizer {
         return true;
       }
     }
-    return shifted_solve(*linear_, problem.objective.hessian(SpdFilter::clamp), problem.objective.gradient(),
-                         p, problem.clock, result);
+    return false;
+  }
+
+  bool solve_shifted(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+    const auto shift = shifted_solve(*linear_, problem.objective.hessian(spd_filter()),
+                                     problem.objective.gradient(), p, problem.clock, result);
+    shift_ = shift.value_or(0);
+    return shift.has_value();
   }
 
   std::vector<char> large_residuals(const VecX& gradient) const {
@@ -113,6 +120,7 @@ class ProjectedNewton : public DescentMinimizer {
   Filter filter_ = Filter::clamp;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
   int indefinite_ = 0;
+  double shift_ = 0;           // of the last direction
   bool careful_ = false;       // the last step went too far
   bool model_fits_ = true;
   double clamped_from_ = 2;    // of the largest residual; above 1: no stencil

@@ -5,7 +5,7 @@
 namespace tack {
 namespace {
 
-constexpr double first_shift = 1e-10, growth = 100;
+constexpr double shifts[] = {1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5, 2, 10, 100};
 
 double largest_diagonal(const BlockMatrix& matrix) {
   double largest = 0;
@@ -16,7 +16,7 @@ double largest_diagonal(const BlockMatrix& matrix) {
 
 }  // namespace
 
-bool shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
+std::optional<double> shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
                    PhaseClock& clock, MinimizerResult& result) {
   const auto solved = [&](const BlockMatrix& matrix) {
     ++result.linear_solves;
@@ -24,16 +24,16 @@ bool shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX&
     linear.solve(-gradient, p, clock);
     return p.allFinite() && !(p.dot(gradient) > 0);
   };
-  if (solved(hessian)) return true;
+  if (solved(hessian)) return 0.0;
   BlockMatrix shifted = hessian;
   const double largest = largest_diagonal(hessian);
-  for (double shift = first_shift; shift <= 1; shift *= growth) {
+  for (const double shift : shifts) {
     for (int c = 0; c < shifted.columns(); ++c)
       shifted.block(shifted.column_start[c]).diagonal() =
           hessian.block(shifted.column_start[c]).diagonal().array() + shift * largest;
-    if (solved(shifted)) return true;
+    if (solved(shifted)) return shift;
   }
-  return false;
+  return std::nullopt;
 }
 
 }  // namespace tack

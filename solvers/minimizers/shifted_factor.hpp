@@ -3,13 +3,17 @@
 // the direction p = -H^-1 g is finite and descends.
 #pragma once
 
+#include <optional>
+
 #include "framework/core/linear_solver.hpp"
 #include "framework/core/minimizer.hpp"
 
 namespace tack {
 
-// p <- -(H + shift)^-1 g; false if even the largest shift, that of the largest diagonal entry, fails.
-bool shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
+// p <- -(H + shift)^-1 g. The shift, in units of the largest diagonal entry: 0 if H itself would do, and
+// nothing if even a shift of 100 fails. A shifted direction is short: its length says little about how far
+// the minimum is.
+std::optional<double> shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
                    PhaseClock& clock, MinimizerResult& result);
 
 }  // namespace tack

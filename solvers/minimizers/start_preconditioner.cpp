@@ -24,7 +24,7 @@ bool StartPreconditioner::begin(const MinimizerProblem& problem, MinimizerResult
       kind_ == Kind::elastic ? objective.contactless_hessian() : objective.hessian(SpdFilter::clamp);
   if (kind_ != Kind::block_diagonal) {
     VecX p;
-    return shifted_solve(*linear_, hessian, objective.gradient(), p, problem.clock, result);
+    return shifted_solve(*linear_, hessian, objective.gradient(), p, problem.clock, result).has_value();
   }
   inverse_.resize(hessian.columns());
   for_each(hessian.columns(), [&](int c) {

@@ -57,12 +57,13 @@ struct Ended {
   int values;
 };
 
-Ended minimize(const std::string& type, const Curve& curve, double feasible = 1, int max_iterations = 300) {
+Ended minimize(const std::string& type, const Curve& curve, double feasible = 1, int max_iterations = 300,
+               const Vec3& start = {1, 2, 3}) {
   Separable objective(curve);
   PhaseClock clock;
   const auto minimizer =
       component<Minimizer>("{type: " + type + ", max_iterations: " + std::to_string(max_iterations) + "}");
-  VecX q = Vec3(1, 2, 3);
+  VecX q = start;
   const MinimizerResult result = minimizer->minimize(
       {objective, [&](const VecX&, const VecX&) { return feasible; },
        [](const VecX& p, const VecX&) { return p.lpNorm<Eigen::Infinity>() / 1e-6; }, clock},
@@ -113,5 +114,17 @@ TEST_CASE("statuses of minimizers", "[minimizer]") {
     interrupt_requested = false;
     CHECK(e.result.status == MinimizerStatus::interrupted);
     CHECK(e.q == Vec3(1, 2, 3));
+  }
+}
+
+// A shifted system gives a short step wherever it is taken: short steps are no proof of a minimum.
+TEST_CASE("an indefinite Hessian leads on to a minimum, not to a claim of one", "[minimizer]") {
+  const Curve wells = {[](double x) { return x * x * (x * x / 4 - 0.5); }, [](double x) { return x * (x * x - 1); },
+                       [](double x) { return 3 * x * x - 1; }};
+  for (const char* filter : {"none", "clamp", "absolute", "on_demand", "progressive", "adaptive"}) {
+    INFO(filter);
+    const Ended e = minimize(std::string("projected_newton, filter: ") + filter, wells, 1, 300, Vec3(1e-7, 1e-7, 1e-7));
+    CHECK(e.result.status == MinimizerStatus::converged);
+    CHECK((e.q.cwiseAbs() - Vec3(1, 1, 1)).norm() < 1e-5);
   }
 }
