@@ -19,6 +19,10 @@ class LinearSolver : public Component {
   virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
   virtual int analyses() const = 0;  // symbolic analyses so far
 
+  // The relative residual that solves may leave from now on, for solvers that iterate; direct ones
+  // need no such leave.
+  virtual void set_tolerance(double /*relative*/) {}
+
   // For solvers that can trade accuracy for speed. A preconditioner calls allow_approximation() once;
   // exact() tells whether the last factor solves to double precision nevertheless; sharpen() asks that
   // later ones do, and is false if that would change nothing.
