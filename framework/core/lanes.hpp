@@ -33,6 +33,7 @@ struct BlockLanes {
   template <class T>
   explicit BlockLanes(const T* block) : a(load4(block)), b(load4(block + 3)), c(load3(block + 6)) {}
   Lanes times(const double* v) const { return a * v[0] + b * v[1] + c * v[2]; }
+  Lanes transposed_times(const Lanes& v) const { return Lanes{sum3(a * v), sum3(b * v), sum3(c * v), 0}; }
   Lanes a, b, c;
 };
 

@@ -17,7 +17,7 @@ class BlockJacobi : public Preconditioner {
     }) > 0;
   }
 
-  void apply(const VecX& r, VecX& z) const override {
+  void apply(const VecX& r, VecX& z) override {
     z.resize(r.size());
     for_each(static_cast<int>(inverse_.size()), [&](int c) {
       z.segment<3>(3 * c) = inverse_[c] * r.segment<3>(3 * c);

@@ -14,7 +14,7 @@ class Preconditioner : public Component {
 
   // For this matrix; false where a 3x3 block on its diagonal is not positive definite, so neither is it.
   virtual bool update(const BlockMatrix& matrix) = 0;
-  virtual void apply(const VecX& r, VecX& z) const = 0;  // z <- M^-1 r
+  virtual void apply(const VecX& r, VecX& z) = 0;  // z <- M^-1 r
 };
 
 }  // namespace tack
