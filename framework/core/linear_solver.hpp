@@ -31,6 +31,7 @@ class LinearSolver : public Component {
   // The relative residual that solves may leave from now on, for solvers that iterate; direct ones
   // need no such leave.
   virtual void set_tolerance(double /*relative*/) {}
+  virtual int iterations() const { return 0; }  // of the last solve
 
   // Analyses the matrix's pattern; nothing from solvers that make no factor.
   virtual std::optional<FactorCost> predict(const BlockMatrix& /*matrix*/, PhaseClock&) { return {}; }

@@ -8,8 +8,6 @@
 #include "framework/core/linear_solver.hpp"
 #include "solvers/linear/conjugate_gradients.hpp"
 
-#include <chrono>
-static double now(){return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();}
 namespace tack {
 
 class LaggedCholesky : public LinearSolver {
@@ -35,10 +33,9 @@ class LaggedCholesky : public LinearSolver {
         direct_->solve(b, x, clock);
         break;
       }
-      double t0=now(); const Outcome outcome = iterations_.solve(
+      const Outcome outcome = iterations_.solve(
           *matrix_, b, x, {tolerance_, max_iterations_}, clock,
           [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
-    if(getenv("CGDBG")) fprintf(stderr,"S %d %.4f\n", iterations_.iterations(),now()-t0);
       if (outcome == Outcome::solved) {
         stale_ = iterations_.iterations() > max_iterations_ / 2;
         break;
@@ -53,15 +50,16 @@ class LaggedCholesky : public LinearSolver {
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
+  int iterations() const override { return iterations_.iterations(); }
   int analyses() const override { return direct_->analyses(); }
+  std::optional<FactorCost> predict(const BlockMatrix& matrix, PhaseClock& clock) override {
+    return direct_->predict(matrix, clock);
+  }
 
  private:
   bool refresh(PhaseClock& clock) {
     direct_->allow_approximation();
-    const auto c = direct_->predict(*matrix_, clock);
-    double t0=now();
     fresh_ = direct_->factorize(*matrix_, clock);
-    if(getenv("CGDBG")) fprintf(stderr,"F %g %g %.4f\n", c->operations,c->entries,now()-t0);
     size_ = fresh_ ? matrix_->size() : 0;
     stale_ = false;
     return fresh_;

@@ -16,7 +16,8 @@ class Pcg : public LinearSolver {
     f.component("preconditioner", preconditioner_, "approximate inverse");
     f.number("tolerance", tolerance_, units::none,
              "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
-    f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved").at_least(1);
+    f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
+        .at_least(1);
     f.flag("truncate", truncate_,
            "keep what was reached where the curvature turns negative or the iterations run out, for inexact "
            "Newton methods; otherwise such a system counts as unsolved");
@@ -30,22 +31,22 @@ class Pcg : public LinearSolver {
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
     using Outcome = ConjugateGradients::Outcome;
-    const Outcome outcome = iterations_.solve(*matrix_, b, x, {tolerance_, max_iterations_}, clock, [&](const VecX& r, VecX& z) {
-      preconditioner_->apply(r, z);
-    });
-    if(getenv("CGDBG")) fprintf(stderr,"cg %d\n", iterations_.iterations());
+    const Outcome outcome =
+        iterations_.solve(*matrix_, b, x, {tolerance_, max_iterations_}, clock,
+                          [&](const VecX& r, VecX& z) { preconditioner_->apply(r, z); });
     const bool reached = truncate_ && iterations_.iterations() > 0;
     if (outcome != Outcome::solved && !reached)
       x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
+  int iterations() const override { return iterations_.iterations(); }
   int analyses() const override { return 0; }
 
  private:
-  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("block_jacobi");
-  double tolerance_ = 1e-3;
-  int max_iterations_ = 2000;
+  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
+  double tolerance_ = 0.01;
+  int max_iterations_ = 1000;
   bool truncate_ = false;
 
   const BlockMatrix* matrix_ = nullptr;

@@ -5,6 +5,7 @@
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
+#include "solvers/minimizers/newton_system.hpp"
 
 namespace tack {
 
@@ -21,6 +22,7 @@ class ProjectedNewton : public DescentMinimizer {
              "how a stencil's Hessian is made positive semi-definite");
     f.component("linear", linear_, "solver of the Newton system");
   }
+  std::string linear_solver() const override { return linear_->describe(); }
 
  protected:
   bool newton_like() const override { return true; }
@@ -36,7 +38,7 @@ class ProjectedNewton : public DescentMinimizer {
       ++indefinite_;
     }
     const BlockMatrix& hessian = problem.objective.hessian(careful_ ? SpdFilter::majorize : spd_filter());
-    const bool solved = solve(hessian, problem.objective.gradient(), p, problem.clock, result);
+    const bool solved = solve_newton_system(*linear_, hessian, problem.objective.gradient(), p, problem.clock, result);
     return solved ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
   }
 
@@ -55,30 +57,6 @@ class ProjectedNewton : public DescentMinimizer {
     if (!linear_->factorize(hessian, problem.clock)) return false;
     linear_->solve(-gradient, p, problem.clock);
     return p.allFinite() && p.dot(gradient) < 0;
-  }
-
-  // p <- -H^-1 g; a semi-definite H (free rigid motions of a quasi-static body) gets a growing shift.
-  bool solve(const BlockMatrix& hessian, const VecX& gradient, VecX& p, PhaseClock& clock,
-             MinimizerResult& result) {
-    ++result.linear_solves;
-    if (linear_->factorize(hessian, clock)) {
-      linear_->solve(-gradient, p, clock);
-      if (p.allFinite()) return true;
-    }
-    BlockMatrix shifted = hessian;
-    double largest = 0;
-    for (int c = 0; c < shifted.columns(); ++c)
-      largest = std::max(largest, shifted.block(shifted.column_start[c]).diagonal().maxCoeff());
-    for (double shift = 1e-10; shift <= 1; shift *= 100) {
-      for (int c = 0; c < shifted.columns(); ++c)
-        shifted.block(shifted.column_start[c]).diagonal() =
-            hessian.block(shifted.column_start[c]).diagonal().array() + shift * largest;
-      ++result.linear_solves;
-      if (!linear_->factorize(shifted, clock)) continue;
-      linear_->solve(-gradient, p, clock);
-      if (p.allFinite()) return true;
-    }
-    return false;
   }
 
   // Indefinite systems in one solve after which all are filtered at once.
