@@ -36,8 +36,8 @@ class AutomaticSolver : public LinearSolver {
     }
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
-    if (solves_ >= trial && average_ > budget_)
-      stop_iterating(fmt::format("it took {:.0f} iterations, worth it are {:.0f}", average_, budget_));
+    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_)
+      stop_iterating(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_, budget_));
   }
 
   void set_tolerance(double relative) override {
@@ -76,6 +76,7 @@ class AutomaticSolver : public LinearSolver {
   static constexpr double per_block = 54;     // an iteration: product and incomplete factor
   static constexpr double expected = 20;      // iterations that a system may well take
   static constexpr int trial = 4;             // systems before iterations are judged
+  static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell
   static constexpr int memory = 16;           // systems that their average goes over
 
   std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("lagged_cholesky");

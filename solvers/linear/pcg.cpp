@@ -45,7 +45,7 @@ class Pcg : public LinearSolver {
 
  private:
   std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
-  double tolerance_ = 0.01;
+  double tolerance_ = 1e-3;
   int max_iterations_ = 1000;
   bool truncate_ = false;
 

@@ -63,7 +63,7 @@ class ProjectedNewton : public DescentMinimizer {
   static constexpr int patience = 2;
 
   Filter filter_ = Filter::clamp;
-  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
+  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
   int indefinite_ = 0;
   bool careful_ = false;  // the last step went too far
 };
