@@ -99,8 +99,17 @@ class Run {
       }
       recorder.step(stepper.state(), report);
       summary_.add(report);
+      tell_linear_solver();
       progress_.step(report);
     }
+  }
+
+  // Once it has seen a system, and again when it has changed its mind.
+  void tell_linear_solver() {
+    const std::string solver = scene_.config.solver->linear_solver();
+    if (solver == summary_.linear_solver) return;
+    summary_.linear_solver = solver;
+    progress_.detail("linear solver: " + solver);
   }
 
   int finish(Recorder& recorder) {

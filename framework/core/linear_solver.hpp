@@ -1,11 +1,20 @@
 // Solves A x = b for a symmetric positive definite block matrix.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "framework/config/registry.hpp"
 #include "framework/core/block_matrix.hpp"
 #include "framework/core/phase_clock.hpp"
 
 namespace tack {
+
+// What a Cholesky factor costs, predicted from the pattern of the matrix alone.
+struct FactorCost {
+  double operations = 0;  // multiplications and additions of a factorisation
+  double entries = 0;     // of L
+};
 
 class LinearSolver : public Component {
  public:
@@ -18,6 +27,16 @@ class LinearSolver : public Component {
   // x <- A^-1 b with the last successful factorisation.
   virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
   virtual int analyses() const = 0;  // symbolic analyses so far
+
+  // The relative residual that solves may leave from now on, for solvers that iterate; direct ones
+  // need no such leave.
+  virtual void set_tolerance(double /*relative*/) {}
+  virtual int iterations() const { return 0; }  // of the last solve
+
+  // Analyses the matrix's pattern; nothing from solvers that make no factor.
+  virtual std::optional<FactorCost> predict(const BlockMatrix& /*matrix*/, PhaseClock&) { return {}; }
+  // What solves and why, in a few words, once it is known: for the log.
+  virtual std::string describe() const { return std::string(type()); }
 
   // For solvers that can trade accuracy for speed. A preconditioner calls allow_approximation() once;
   // exact() tells whether the last factor solves to double precision nevertheless; sharpen() asks that

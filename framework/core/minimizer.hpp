@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "framework/config/registry.hpp"
@@ -68,6 +69,9 @@ class Minimizer : public Component {
   double velocity_tolerance() const { return tolerance_; }                   // m/s
   double force_tolerance() const { return force_tolerance_; }                // relative
   double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
+
+  // What solves linear systems and why, once it is known; "" for methods without.
+  virtual std::string linear_solver() const { return {}; }
 
   // q: in, the feasible start; out, the last feasible iterate.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;

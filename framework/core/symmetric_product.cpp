@@ -1,9 +1,9 @@
 #include "framework/core/symmetric_product.hpp"
 
 #include "framework/assembly/parallel.hpp"
+#include "framework/core/lanes.hpp"
 
 namespace tack {
-
 void SymmetricProduct::index_rows(const BlockMatrix& matrix) {
   columns_ = matrix.columns();
   version_ = matrix.version;
@@ -27,14 +27,15 @@ void SymmetricProduct::index_rows(const BlockMatrix& matrix) {
 void SymmetricProduct::multiply(const BlockMatrix& matrix, const VecX& x, VecX& y) {
   if (matrix.version != version_ || matrix.columns() != columns_) index_rows(matrix);
   y.resize(x.size());
+  const double* values = matrix.values.data();
   for_each(columns_, [&](int r) {
-    int k = matrix.column_start[r];
-    Vec3 sum = matrix.block(k) * x.segment<3>(3 * r);
-    for (++k; k < matrix.column_start[r + 1]; ++k)
-      sum += matrix.block(k).transpose() * x.segment<3>(3 * matrix.row[k]);
+    TransposedSum own;
+    for (int k = matrix.column_start[r]; k < matrix.column_start[r + 1]; ++k)
+      own.add(BlockLanes(values + 9 * std::ptrdiff_t(k)), load3(x.data() + 3 * std::ptrdiff_t(matrix.row[k])));
+    Lanes sum = own.sum();
     for (int i = row_start_[r]; i < row_start_[r + 1]; ++i)
-      sum += matrix.block(block_[i]) * x.segment<3>(3 * column_[i]);
-    y.segment<3>(3 * r) = sum;
+      sum += BlockLanes(values + 9 * std::ptrdiff_t(block_[i])).times(x.data() + 3 * std::ptrdiff_t(column_[i]));
+    store3(sum, y.data() + 3 * std::ptrdiff_t(r));
   }, 128);
 }
 

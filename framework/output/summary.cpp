@@ -61,6 +61,7 @@ Json to_json(const RunSummary& s) {
           {"error", s.error},
           {"threads", s.threads},
           {"dofs", s.dofs},
+          {"linear_solver", s.linear_solver},
           {"steps", s.steps},
           {"converged_steps", s.converged_steps},
           {"failed_solves", s.failed_solves},

@@ -1,6 +1,6 @@
 // What remains of a run in one place: summary.json, and the tables at the end on the terminal.
 //
-// Keys: name, version, commit, status, error, threads, dofs, steps, converged_steps, failed_solves,
+// Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], intersections,
 // inverted_tets, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
@@ -31,6 +31,7 @@ struct RunSummary {
   std::string error;  // empty if there was none
   int threads = 0;
   int dofs = 0;
+  std::string linear_solver;  // what it is and why; empty for minimisers without one
   int steps = 0;
   int converged_steps = 0;
   int failed_solves = 0;  // solves that were rolled back and repeated with half the step

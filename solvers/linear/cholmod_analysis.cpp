@@ -32,11 +32,18 @@ bool CholmodAnalysis::update(const BlockMatrix& matrix, Kind kind) {
   if (kind != Kind::supernodal_blocks) csc_.set_structure(matrix);
   const bool same_size = block_order_.size() == static_cast<size_t>(matrix.columns());
   factor_ = same_size ? analyze_with(matrix, block_order_) : nullptr;
+  cost_ = last_cost();
   constexpr double tolerated_growth = 1.3;
   if (!factor_ || session_->fl > tolerated_growth * operations_) order(matrix);
   version_ = matrix.version;
   ++count_;
   return true;
+}
+
+// A multiplication of blocks is 27 of scalars.
+FactorCost CholmodAnalysis::last_cost() const {
+  const bool blocks = kind_ == Kind::supernodal_blocks;
+  return {session_.get()->fl * (blocks ? 27 : 1), session_.get()->lnz * (blocks ? 9 : 1)};
 }
 
 FactorPtr CholmodAnalysis::analyze_with(const BlockMatrix& matrix, std::vector<int>& block_order) {
@@ -71,6 +78,7 @@ void CholmodAnalysis::order(const BlockMatrix& matrix) {
     FactorPtr factor = analyze_with(matrix, block_order);
     if (!factor || (factor_ && session_->fl >= operations_)) continue;
     operations_ = session_->fl;
+    cost_ = last_cost();
     block_order_ = std::move(block_order);
     factor_ = std::move(factor);
   }

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "framework/config/field.hpp"
+#include "framework/core/linear_solver.hpp"
 #include "solvers/linear/cholmod_session.hpp"
 #include "solvers/linear/scalar_csc.hpp"
 
@@ -26,11 +27,14 @@ class CholmodAnalysis {
   cholmod_common* common() { return session_.get(); }
   ScalarCsc& csc() { return csc_; }
   int count() const { return count_; }
+  // Of the present factor, in scalars.
+  FactorCost cost() const { return cost_; }
 
  private:
   void configure();
   FactorPtr analyze_with(const BlockMatrix& matrix, std::vector<int>& block_order);
   void order(const BlockMatrix& matrix);
+  FactorCost last_cost() const;
 
   Ordering ordering_ = Ordering::best;
   Kind kind_ = Kind::supernodal;
@@ -38,6 +42,7 @@ class CholmodAnalysis {
   ScalarCsc csc_;
   std::vector<int> block_order_;
   FactorPtr factor_;
+  FactorCost cost_;
   double operations_ = 0;  // predicted for the ordering when it was made
   std::uint64_t version_ = 0;
   int count_ = 0;

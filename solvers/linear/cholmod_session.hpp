@@ -15,6 +15,7 @@ class CholmodSession {
   CholmodSession(const CholmodSession&) = delete;
   CholmodSession& operator=(const CholmodSession&) = delete;
   cholmod_common* get() { return &common_; }
+  const cholmod_common* get() const { return &common_; }
   cholmod_common* operator->() { return &common_; }
 
  private:

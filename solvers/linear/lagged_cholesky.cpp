@@ -6,7 +6,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
-#include "framework/core/symmetric_product.hpp"
+#include "solvers/linear/conjugate_gradients.hpp"
 
 namespace tack {
 
@@ -27,13 +27,19 @@ class LaggedCholesky : public LinearSolver {
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+    using Outcome = ConjugateGradients::Outcome;
     for (;;) {
       if (fresh_ && direct_->exact()) {
         direct_->solve(b, x, clock);
         break;
       }
-      const Outcome outcome = iterate(b, x, clock);
-      if (outcome == Outcome::solved) break;
+      const Outcome outcome = iterations_.solve(
+          *matrix_, b, x, {tolerance_, max_iterations_}, clock,
+          [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
+      if (outcome == Outcome::solved) {
+        stale_ = iterations_.iterations() > max_iterations_ / 2;
+        break;
+      }
       const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
       if (hopeless || !refresh(clock)) {
         x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
@@ -43,7 +49,12 @@ class LaggedCholesky : public LinearSolver {
     fresh_ = false;
   }
 
+  void set_tolerance(double relative) override { tolerance_ = relative; }
+  int iterations() const override { return iterations_.iterations(); }
   int analyses() const override { return direct_->analyses(); }
+  std::optional<FactorCost> predict(const BlockMatrix& matrix, PhaseClock& clock) override {
+    return direct_->predict(matrix, clock);
+  }
 
  private:
   bool refresh(PhaseClock& clock) {
@@ -54,37 +65,6 @@ class LaggedCholesky : public LinearSolver {
     return fresh_;
   }
 
-  enum class Outcome { solved, too_slow, indefinite };
-
-  Outcome iterate(const VecX& b, VecX& x, PhaseClock& clock) {
-    x.setZero(b.size());
-    residual_ = b;
-    direct_->solve(residual_, z_, clock);
-    direction_ = z_;
-    double rz = residual_.dot(z_);
-    const double goal = tolerance_ * tolerance_ * rz;
-    for (int i = 0; i < max_iterations_; ++i) {
-      if (!(rz > goal)) {
-        stale_ = i > max_iterations_ / 2;
-        return Outcome::solved;
-      }
-      {
-        const PhaseScope scope(clock, Phase::solve);
-        operator_.multiply(*matrix_, direction_, product_);
-      }
-      const double curvature = direction_.dot(product_);
-      if (!(curvature > 0)) return Outcome::indefinite;
-      const double step = rz / curvature;
-      x += step * direction_;
-      residual_ -= step * product_;
-      direct_->solve(residual_, z_, clock);
-      const double next = residual_.dot(z_);
-      direction_ = z_ + next / rz * direction_;
-      rz = next;
-    }
-    return Outcome::too_slow;
-  }
-
   std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("multifrontal");
   double tolerance_ = 0.03;
   int max_iterations_ = 12;
@@ -93,8 +73,7 @@ class LaggedCholesky : public LinearSolver {
   int size_ = 0;        // of the factor; 0: there is none
   bool fresh_ = false;  // the factor is that of matrix_
   bool stale_ = false;  // the last solve took so long that the next deserves a new factor
-  SymmetricProduct operator_;
-  VecX residual_, z_, direction_, product_;
+  ConjugateGradients iterations_;
 };
 
 TACK_REGISTER(LinearSolver, LaggedCholesky, "lagged_cholesky",

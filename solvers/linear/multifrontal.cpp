@@ -26,7 +26,7 @@ class Multifrontal : public LinearSolver {
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
     blas::set_threads(1);
-    if (analysis_.update(matrix, CholmodAnalysis::Kind::supernodal_blocks)) tree_.emplace(*analysis_.factor(), matrix);
+    analyze(matrix);
     if (approximate() && single_.factorize(*tree_, matrix)) {
       exact_ = false;
       return true;
@@ -53,7 +53,17 @@ class Multifrontal : public LinearSolver {
   }
   int analyses() const override { return analysis_.count(); }
 
+  std::optional<FactorCost> predict(const BlockMatrix& matrix, PhaseClock& clock) override {
+    const PhaseScope scope(clock, Phase::factorize);
+    analyze(matrix);
+    return analysis_.cost();
+  }
+
  private:
+  void analyze(const BlockMatrix& matrix) {
+    if (analysis_.update(matrix, CholmodAnalysis::Kind::supernodal_blocks)) tree_.emplace(*analysis_.factor(), matrix);
+  }
+
   bool approximate() const {
     return precision_ == Precision::single || (precision_ == Precision::automatic && preconditioner_);
   }

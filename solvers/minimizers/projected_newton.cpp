@@ -30,6 +30,7 @@ class ProjectedNewton : public DescentMinimizer {
              "how the Hessian is made positive definite");
     f.component("linear", linear_, "solver of the Newton system");
   }
+  std::string linear_solver() const override { return linear_->describe(); }
 
  protected:
   bool newton_like() const override { return shift_ == 0; }
@@ -118,7 +119,7 @@ class ProjectedNewton : public DescentMinimizer {
   static constexpr double fit = 0.01;
 
   Filter filter_ = Filter::clamp;
-  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("lagged_cholesky");
+  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
   int indefinite_ = 0;
   double shift_ = 0;           // of the last direction
   bool careful_ = false;       // the last step went too far

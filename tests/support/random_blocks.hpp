@@ -52,4 +52,34 @@ inline BlockMatrix random_spd(int columns, RandomMotions& random, int neighbours
   return matrix;
 }
 
+// A grid of n^3 nodes, each coupled to its next neighbours by random blocks.
+inline BlockMatrix grid(int n, RandomMotions& random, double stiffest = 1) {
+  static std::uint64_t versions = 1u << 20;
+  BlockMatrix matrix;
+  matrix.version = ++versions;
+  matrix.column_start.push_back(0);
+  const auto index = [&](int i, int j, int k) { return (i * n + j) * n + k; };
+  for (int c = 0; c < n * n * n; ++c) {
+    const int i = c / (n * n), j = c / n % n, k = c % n;
+    matrix.row.push_back(c);
+    if (k + 1 < n) matrix.row.push_back(index(i, j, k + 1));
+    if (j + 1 < n) matrix.row.push_back(index(i, j + 1, k));
+    if (i + 1 < n) matrix.row.push_back(index(i + 1, j, k));
+    matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
+  }
+  matrix.values.assign(9 * matrix.row.size(), 0.0);
+  for (int c = 0; c < n * n * n; ++c) {
+    const int diagonal = matrix.column_start[c];
+    matrix.block(diagonal).diagonal().array() += 1;
+    for (int e = diagonal + 1; e < matrix.column_start[c + 1]; ++e) {
+      Mat3 root = Mat3::NullaryExpr([&] { return random.uniform(-1, 1); });
+      const Mat3 spring = std::pow(stiffest, random.uniform(0, 1)) * (root * root.transpose());
+      matrix.block(e) = -spring;
+      matrix.block(diagonal) += spring;
+      matrix.block(matrix.column_start[matrix.row[e]]) += spring;
+    }
+  }
+  return matrix;
+}
+
 }  // namespace tack

@@ -1,0 +1,98 @@
+// Chooses between a factor that is kept and conjugate gradients with an incomplete one, by what they
+// read and compute: the operations and entries of the factor as its symbolic analysis predicts them,
+// against the blocks of the matrix and the iterations that were needed. Counts, not seconds, so that
+// runs repeat bit for bit; the constants are measured, see docs/performance.md.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "framework/config/field.hpp"
+#include "framework/core/linear_solver.hpp"
+
+namespace tack {
+
+class AutomaticSolver : public LinearSolver {
+ public:
+  void fields(Fields& f) override {
+    f.component("direct", direct_, "solver where a factor is cheap, or iterations are many");
+    f.component("iterative", iterative_, "solver where a factor is expensive");
+  }
+
+  bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
+    matrix_ = &matrix;
+    if (matrix.size() > 1.25 * decided_for_ || 1.25 * matrix.size() < decided_for_) decide(clock);
+    if (iterating_ && iterative_->factorize(matrix, clock)) return true;
+    if (iterating_) stop_iterating("its preconditioner broke down");
+    return direct_->factorize(matrix, clock);
+  }
+
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+    if (!iterating_) return direct_->solve(b, x, clock);
+    iterative_->solve(b, x, clock);
+    if (!x.allFinite()) {
+      stop_iterating("it did not converge");
+      if (direct_->factorize(*matrix_, clock)) direct_->solve(b, x, clock);
+      return;
+    }
+    solves_ = std::min(solves_ + 1, memory);
+    average_ += (iterative_->iterations() - average_) / solves_;
+    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_)
+      stop_iterating(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_, budget_));
+  }
+
+  void set_tolerance(double relative) override {
+    direct_->set_tolerance(relative);
+    iterative_->set_tolerance(relative);
+  }
+  int iterations() const override { return iterating_ ? iterative_->iterations() : direct_->iterations(); }
+  int analyses() const override { return direct_->analyses(); }
+  std::string describe() const override { return reason_; }
+
+ private:
+  void decide(PhaseClock& clock) {
+    decided_for_ = matrix_->size();
+    solves_ = 0;
+    average_ = 0;
+    iterating_ = false;
+    reason_ = direct_->describe();
+    const auto cost = direct_->predict(*matrix_, clock);
+    if (!cost) return;
+    budget_ = (operation * cost->operations + reads * cost->entries) / (per_block * matrix_->blocks());
+    iterating_ = budget_ > expected;
+    reason_ = fmt::format("{} ({} unknowns; a factor has {:.2g} entries and takes {:.2g} operations, as much as "
+                          "{:.0f} iterations of {})",
+                          iterating_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
+                          cost->entries, cost->operations, budget_, iterative_->describe());
+  }
+
+  void stop_iterating(const std::string& why) {
+    iterating_ = false;
+    reason_ = fmt::format("{} (in place of {}: {})", direct_->describe(), iterative_->describe(), why);
+  }
+
+  // In units of the time that it takes to read an entry of a factor of single precision.
+  static constexpr double operation = 0.009;  // of a factorisation, which serves four or five systems
+  static constexpr double reads = 13;         // passes through the factor for each system
+  static constexpr double per_block = 54;     // an iteration: product and incomplete factor
+  static constexpr double expected = 20;      // iterations that a system may well take
+  static constexpr int trial = 4;             // systems before iterations are judged
+  static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell
+  static constexpr int memory = 16;           // systems that their average goes over
+
+  std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("lagged_cholesky");
+  std::unique_ptr<LinearSolver> iterative_ = Registry<LinearSolver>::make("pcg");
+
+  const BlockMatrix* matrix_ = nullptr;
+  bool iterating_ = false;
+  double decided_for_ = 0;  // unknowns
+  double budget_ = 0;       // iterations that cost as much as the factor
+  double average_ = 0;      // iterations of recent systems
+  int solves_ = 0;
+  std::string reason_ = "auto";
+};
+
+TACK_REGISTER(LinearSolver, AutomaticSolver, "auto",
+              "A kept factor or conjugate gradients, whichever should be faster.",
+              "predicted operations and fill against counted iterations");
+
+}  // namespace tack

@@ -1,0 +1,60 @@
+// Preconditioned conjugate gradients: memory and work of an iteration grow in proportion to the mesh,
+// the number of iterations with its fineness and, per time step h, with h sqrt(stiffness / mass).
+#include <limits>
+#include <memory>
+
+#include "framework/config/field.hpp"
+#include "framework/core/linear_solver.hpp"
+#include "solvers/linear/conjugate_gradients.hpp"
+#include "solvers/linear/preconditioner.hpp"
+
+namespace tack {
+
+class Pcg : public LinearSolver {
+ public:
+  void fields(Fields& f) override {
+    f.component("preconditioner", preconditioner_, "approximate inverse");
+    f.number("tolerance", tolerance_, units::none,
+             "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
+    f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
+        .at_least(1);
+    f.flag("truncate", truncate_,
+           "keep what was reached where the curvature turns negative or the iterations run out, for inexact "
+           "Newton methods; otherwise such a system counts as unsolved");
+  }
+
+  bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
+    const PhaseScope scope(clock, Phase::factorize);
+    matrix_ = &matrix;
+    return preconditioner_->update(matrix);
+  }
+
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+    using Outcome = ConjugateGradients::Outcome;
+    const Outcome outcome =
+        iterations_.solve(*matrix_, b, x, {tolerance_, max_iterations_}, clock,
+                          [&](const VecX& r, VecX& z) { preconditioner_->apply(r, z); });
+    const bool reached = truncate_ && iterations_.iterations() > 0;
+    if (outcome != Outcome::solved && !reached)
+      x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+
+  void set_tolerance(double relative) override { tolerance_ = relative; }
+  int iterations() const override { return iterations_.iterations(); }
+  int analyses() const override { return 0; }
+
+ private:
+  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
+  double tolerance_ = 1e-3;
+  int max_iterations_ = 1000;
+  bool truncate_ = false;
+
+  const BlockMatrix* matrix_ = nullptr;
+  ConjugateGradients iterations_;
+};
+
+TACK_REGISTER(LinearSolver, Pcg, "pcg",
+              "Conjugate gradients with a preconditioner made anew for every system.",
+              "Nocedal and Wright, Numerical Optimization, 5.1 (preconditioned conjugate gradients)");
+
+}  // namespace tack

@@ -1,0 +1,20 @@
+// An approximate inverse M^-1 of a symmetric positive definite block matrix, itself symmetric positive
+// definite.
+#pragma once
+
+#include "framework/config/registry.hpp"
+#include "framework/core/block_matrix.hpp"
+
+namespace tack {
+
+class Preconditioner : public Component {
+ public:
+  static constexpr const char* kind_name = "preconditioner";
+  static constexpr const char* kind_doc = "Approximate inverse that speeds conjugate gradients up.";
+
+  // For this matrix; false where a 3x3 block on its diagonal is not positive definite, so neither is it.
+  virtual bool update(const BlockMatrix& matrix) = 0;
+  virtual void apply(const VecX& r, VecX& z) = 0;  // z <- M^-1 r
+};
+
+}  // namespace tack

@@ -1,0 +1,78 @@
+// Inexact Newton: each system is solved by iterations, and only as well as the last step was worth.
+// The residual that is left is eta |g|, with the second choice of Eisenstat and Walker (1996),
+//   eta_k = gamma (|g_k| / |g_k-1|)^2, not below gamma eta_k-1^2 while that is above 0.1,
+// so that convergence stays superlinear and the first, far away steps cost little.
+#include <memory>
+
+#include "framework/config/field.hpp"
+#include "framework/core/linear_solver.hpp"
+#include "solvers/minimizers/descent_minimizer.hpp"
+#include "solvers/minimizers/shifted_factor.hpp"
+
+namespace tack {
+
+class NewtonPcg : public DescentMinimizer {
+ public:
+  void fields(Fields& f) override {
+    DescentMinimizer::fields(f);
+    f.number("forcing_max", forcing_max_, units::none, "largest relative residual of a system").range(1e-6, 0.5);
+    f.number("forcing_min", forcing_min_, units::none,
+             "smallest relative residual, and that of the step which convergence is judged by").range(1e-12, 0.1);
+    f.component("linear", linear_, "solver of the Newton systems, one that iterates");
+    f.check("forcing_min", [this] {
+      return forcing_min_ <= forcing_max_ ? "" : "forcing_min is above forcing_max";
+    });
+  }
+  std::string linear_solver() const override { return linear_->describe(); }
+
+ protected:
+  bool newton_like() const override { return shift_ == 0; }
+
+  void begin(const MinimizerProblem&, MinimizerResult&) override {
+    last_gradient_ = 0;
+    shift_ = 0;
+  }
+
+  MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
+    const VecX& gradient = problem.objective.gradient();
+    const auto solve = [&](double residual) {
+      linear_->set_tolerance(residual);
+      const auto shift = shifted_solve(*linear_, hessian, gradient, p, problem.clock, result);
+      shift_ = shift.value_or(0);
+      return shift.has_value();
+    };
+    forcing_ = next_forcing(gradient.norm());
+    if (!solve(forcing_)) return MinimizerStatus::factorization_failed;
+    // A step that was solved for loosely may be short because it is wrong.
+    const bool judged = problem.stopping_norm(p, gradient) <= 1;
+    if (judged && forcing_ > forcing_min_ && !solve(forcing_min_)) return MinimizerStatus::factorization_failed;
+    return MinimizerStatus::converged;
+  }
+
+ private:
+  double next_forcing(double gradient) {
+    constexpr double gamma = 0.9, safeguard = 0.1;
+    double forcing = forcing_max_;
+    if (last_gradient_ > 0) {
+      const double ratio = gradient / last_gradient_, before = gamma * forcing_ * forcing_;
+      forcing = gamma * ratio * ratio;
+      if (before > safeguard) forcing = std::max(forcing, before);
+    }
+    last_gradient_ = gradient;
+    return std::clamp(forcing, forcing_min_, forcing_max_);
+  }
+
+  double forcing_max_ = 0.1;
+  double forcing_min_ = 1e-3;
+  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("pcg");
+  double forcing_ = 0;        // of the last system
+  double shift_ = 0;          // of its matrix
+  double last_gradient_ = 0;  // its |g|; 0: there was none
+};
+
+TACK_REGISTER(Minimizer, NewtonPcg, "newton_pcg",
+              "Inexact Newton's method: systems solved by conjugate gradients, as well as it is worth.",
+              "Eisenstat and Walker 1996, Choosing the Forcing Terms in an Inexact Newton Method");
+
+}  // namespace tack

@@ -1,0 +1,56 @@
+// Which solver `auto` takes, and when it changes its mind.
+#include <catch2/catch.hpp>
+
+#include "framework/core/linear_solver.hpp"
+#include "tests/support/component_variants.hpp"
+#include "tests/support/random_blocks.hpp"
+
+using namespace tack;
+
+namespace {
+
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+// What it says after some systems of the matrix.
+std::string chosen(LinearSolver& solver, const BlockMatrix& matrix, RandomMotions& random, int systems = 1) {
+  PhaseClock clock;
+  for (int i = 0; i < systems; ++i) {
+    const VecX b = random.vectors(matrix.size());
+    VecX x, product;
+    REQUIRE(solver.factorize(matrix, clock));
+    solver.solve(b, x, clock);
+    matrix.multiply(x, product);
+    CHECK((product - b).norm() < 0.2 * b.norm());
+  }
+  return solver.describe();
+}
+
+}  // namespace
+
+TEST_CASE("auto factorises small systems and iterates on large solids", "[linear]") {
+  RandomMotions random(1);
+  const auto solver = component<LinearSolver>("auto");
+  CHECK(starts_with(chosen(*solver, random_spd(60, random, 8), random), "lagged_cholesky (180 unknowns"));
+  CHECK(starts_with(chosen(*solver, grid(14, random), random, 6), "pcg (8232 unknowns"));
+  CHECK(starts_with(chosen(*solver, random_spd(70, random, 8), random), "lagged_cholesky (210 unknowns"));
+}
+
+TEST_CASE("auto gives iterations up that take too many or fail", "[linear]") {
+  RandomMotions random(2);
+  const BlockMatrix stiff = grid(14, random, 1e6);
+  const auto patient = component<LinearSolver>("{type: auto, iterative: {type: pcg, preconditioner: block_jacobi}}");
+  CHECK(starts_with(chosen(*patient, stiff, random), "pcg"));
+  CHECK(starts_with(chosen(*patient, stiff, random, 4), "lagged_cholesky (in place of pcg: it took "));
+  const auto strict = component<LinearSolver>("{type: auto, iterative: {type: pcg, max_iterations: 1}}");
+  CHECK(starts_with(chosen(*strict, stiff, random), "lagged_cholesky (in place of pcg: it did not converge"));
+}
+
+TEST_CASE("auto refuses indefinite matrices whatever it has chosen", "[linear]") {
+  RandomMotions random(3);
+  BlockMatrix matrix = grid(14, random);
+  const auto solver = component<LinearSolver>("auto");
+  chosen(*solver, matrix, random);
+  matrix.block(matrix.column_start[900])(1, 1) = -5;
+  PhaseClock clock;
+  CHECK_FALSE(solver->factorize(matrix, clock));
+}

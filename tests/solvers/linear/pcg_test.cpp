@@ -1,0 +1,171 @@
+// Conjugate gradients with every registered preconditioner.
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include "framework/core/linear_solver.hpp"
+#include "solvers/linear/domain_rows.hpp"
+#include "solvers/linear/preconditioner.hpp"
+#include "tests/support/component_variants.hpp"
+#include "tests/support/random_blocks.hpp"
+
+using namespace tack;
+
+namespace {
+
+std::vector<std::string> preconditioners() { return Registry<Preconditioner>::kind().names(); }
+
+std::string pcg(const std::string& preconditioner, const std::string& settings) {
+  return "{type: pcg, preconditioner: " + preconditioner + ", " + settings + "}";
+}
+
+struct Solved {
+  VecX x;
+  int iterations;
+};
+Solved solve(const std::string& yaml, const BlockMatrix& matrix, const VecX& b) {
+  const auto solver = component<LinearSolver>(yaml);
+  PhaseClock clock;
+  REQUIRE(solver->factorize(matrix, clock));
+  VecX x;
+  solver->solve(b, x, clock);
+  return {x, solver->iterations()};
+}
+
+double relative_residual(const BlockMatrix& matrix, const VecX& x, const VecX& b) {
+  VecX product;
+  matrix.multiply(x, product);
+  return (product - b).norm() / b.norm();
+}
+
+// Blocks a(i, j) times the identity.
+BlockMatrix scalar_blocks(const MatX& a, std::uint64_t version) {
+  BlockMatrix matrix;
+  matrix.version = version;
+  matrix.column_start.push_back(0);
+  for (int c = 0; c < a.cols(); ++c) {
+    for (int r = c; r < a.rows(); ++r) {
+      if (a(r, c) == 0) continue;
+      matrix.row.push_back(r);
+      const Mat3 block = a(r, c) * Mat3::Identity();
+      matrix.values.insert(matrix.values.end(), block.data(), block.data() + 9);
+    }
+    matrix.column_start.push_back(static_cast<int>(matrix.row.size()));
+  }
+  return matrix;
+}
+
+}  // namespace
+
+TEST_CASE("conjugate gradients solve to the tolerance they are given", "[linear]") {
+  RandomMotions random(1);
+  const BlockMatrix matrix = grid(9, random, 1e3);
+  const VecX b = random.vectors(matrix.size());
+  for (const std::string& name : preconditioners()) {
+    INFO(name);
+    const Solved loose = solve(pcg(name, "tolerance: 0.1"), matrix, b);
+    const Solved tight = solve(pcg(name, "tolerance: 1e-11"), matrix, b);
+    CHECK(loose.iterations < tight.iterations);
+    CHECK(relative_residual(matrix, tight.x, b) < 1e-8);
+    const auto solver = component<LinearSolver>(pcg(name, "tolerance: 0.1"));
+    PhaseClock clock;
+    solver->set_tolerance(1e-11);
+    REQUIRE(solver->factorize(matrix, clock));
+    VecX x;
+    solver->solve(b, x, clock);
+    CHECK((x == tight.x));
+    solver->solve(VecX::Zero(b.size()), x, clock);
+    CHECK(x.norm() == 0);
+  }
+}
+
+TEST_CASE("conjugate gradients have the same bits for 1 and 2 threads", "[linear]") {
+  RandomMotions random(2);
+  const BlockMatrix matrix = grid(14, random, 100);
+  const VecX b = random.vectors(matrix.size());
+  for (const char* preconditioner : {"block_jacobi", "{type: incomplete_cholesky, domain: 300}"}) {
+    const auto with_threads = [&](size_t threads) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      return solve(pcg(preconditioner, "tolerance: 1e-6"), matrix, b).x;
+    };
+    CHECK((with_threads(1) == with_threads(2)));
+  }
+}
+
+TEST_CASE("what conjugate gradients could not solve is not taken for a solution", "[linear]") {
+  RandomMotions random(3);
+  const BlockMatrix matrix = grid(6, random);
+  MatX saddle(2, 2);  // blocks on the diagonal that are definite hide an indefinite matrix
+  saddle << 1, 3, 3, 1;
+  const BlockMatrix indefinite = scalar_blocks(saddle, 1u << 30);
+  VecX opposed(6);
+  opposed << 1, 2, 3, -1, -2, -3;
+  for (const std::string& name : preconditioners()) {
+    INFO(name);
+    const VecX b = random.vectors(matrix.size());
+    CHECK_FALSE(solve(pcg(name, "tolerance: 1e-10, max_iterations: 2"), matrix, b).x.allFinite());
+    const VecX cut = solve(pcg(name, "tolerance: 1e-10, max_iterations: 2, truncate: true"), matrix, b).x;
+    CHECK(relative_residual(matrix, cut, b) < 1);
+    // The incomplete factor of this one is complete but for its shift, and sees what it is.
+    const auto solver = component<LinearSolver>(pcg(name, "truncate: true"));
+    PhaseClock clock;
+    VecX x;
+    if (!solver->factorize(indefinite, clock)) continue;
+    solver->solve(opposed, x, clock);
+    CHECK_FALSE(x.allFinite());
+  }
+}
+
+// Kershaw's matrix is positive definite, but its incomplete factor has a negative pivot.
+TEST_CASE("an incomplete factor that breaks down is made with a shift", "[linear]") {
+  MatX kershaw(4, 4);
+  kershaw << 3, -2, 0, 2, -2, 3, -2, 0, 0, -2, 3, -2, 2, 0, -2, 3;
+  const BlockMatrix matrix = scalar_blocks(kershaw, (1u << 30) + 1);
+  VecX b(12);
+  for (int i = 0; i < 12; ++i) b(i) = std::sin(1.0 + i);
+  const Solved solved = solve(pcg("incomplete_cholesky", "tolerance: 1e-12, max_iterations: 12"), matrix, b);
+  CHECK(relative_residual(matrix, solved.x, b) < 1e-10);
+  CHECK(solved.iterations > 1);
+}
+
+TEST_CASE("an incomplete factor is complete where none of it fills in", "[linear]") {
+  const int n = 50;
+  MatX chain = MatX::Zero(n, n);
+  for (int i = 0; i < n; ++i) {
+    chain(i, i) = 2.001;
+    if (i > 0) chain(i, i - 1) = chain(i - 1, i) = -1;
+  }
+  const BlockMatrix matrix = scalar_blocks(chain, (1u << 30) + 2);
+  RandomMotions random(4);
+  const VecX b = random.vectors(matrix.size());
+  const auto iterations = [&](const std::string& preconditioner) {
+    const Solved solved = solve(pcg(preconditioner, "tolerance: 1e-8"), matrix, b);
+    CHECK(relative_residual(matrix, solved.x, b) < 1e-5);
+    return solved.iterations;
+  };
+  CHECK(iterations("incomplete_cholesky") <= 3);
+  CHECK(iterations("{type: incomplete_cholesky, domain: 10}") <= 15);
+  CHECK(iterations("block_jacobi") >= 25);
+}
+
+TEST_CASE("domains are coupled through their separators only", "[linear]") {
+  RandomMotions random(5);
+  const BlockMatrix matrix = grid(8, random);
+  DomainRows rows;
+  rows.build(matrix, 100);
+  CHECK(rows.domains() == 6);
+  CHECK(rows.size() == matrix.columns());
+  size_t blocks = 0;
+  for (int d = 0; d < rows.domains(); ++d)
+    for (int i = rows.domain_start[d]; i < rows.domain_start[d + 1]; ++i)
+      CHECK(rows.entries[rows.row_start[i]].column >= rows.domain_start[d]);
+  for (int i = 0; i < rows.size(); ++i) {
+    CHECK(rows.entries[rows.diagonal(i)].column == i);
+    for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k, ++blocks) {
+      const DomainRows::Entry& e = rows.entries[k];
+      const int r = rows.vertex[i], c = rows.vertex[e.column];
+      CHECK(matrix.find(std::max(r, c), std::min(r, c)) == e.block);
+      CHECK(e.transposed == (r < c));
+    }
+  }
+  CHECK(blocks == matrix.row.size());
+}
