@@ -37,7 +37,8 @@ class AutomaticSolver : public LinearSolver {
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
     if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_)
-      stop_iterating(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_, budget_));
+      stop_iterating(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_,
+                                 budget_));
   }
 
   void set_tolerance(double relative) override {

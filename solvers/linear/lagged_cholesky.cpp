@@ -33,11 +33,11 @@ class LaggedCholesky : public LinearSolver {
         direct_->solve(b, x, clock);
         break;
       }
-      const Outcome outcome = iterations_.solve(
+      const Outcome outcome = cg_.solve(
           *matrix_, b, x, {tolerance_, max_iterations_}, clock,
           [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
       if (outcome == Outcome::solved) {
-        stale_ = iterations_.iterations() > max_iterations_ / 2;
+        stale_ = cg_.iterations() > max_iterations_ / 2;
         break;
       }
       const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
@@ -50,7 +50,7 @@ class LaggedCholesky : public LinearSolver {
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
-  int iterations() const override { return iterations_.iterations(); }
+  int iterations() const override { return cg_.iterations(); }
   int analyses() const override { return direct_->analyses(); }
   std::optional<FactorCost> predict(const BlockMatrix& matrix, PhaseClock& clock) override {
     return direct_->predict(matrix, clock);
@@ -73,7 +73,7 @@ class LaggedCholesky : public LinearSolver {
   int size_ = 0;        // of the factor; 0: there is none
   bool fresh_ = false;  // the factor is that of matrix_
   bool stale_ = false;  // the last solve took so long that the next deserves a new factor
-  ConjugateGradients iterations_;
+  ConjugateGradients cg_;
 };
 
 TACK_REGISTER(LinearSolver, LaggedCholesky, "lagged_cholesky",

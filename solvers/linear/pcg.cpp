@@ -32,15 +32,15 @@ class Pcg : public LinearSolver {
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
     using Outcome = ConjugateGradients::Outcome;
     const Outcome outcome =
-        iterations_.solve(*matrix_, b, x, {tolerance_, max_iterations_}, clock,
+        cg_.solve(*matrix_, b, x, {tolerance_, max_iterations_}, clock,
                           [&](const VecX& r, VecX& z) { preconditioner_->apply(r, z); });
-    const bool reached = truncate_ && iterations_.iterations() > 0;
+    const bool reached = truncate_ && cg_.iterations() > 0;
     if (outcome != Outcome::solved && !reached)
       x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
-  int iterations() const override { return iterations_.iterations(); }
+  int iterations() const override { return cg_.iterations(); }
   int analyses() const override { return 0; }
 
  private:
@@ -50,7 +50,7 @@ class Pcg : public LinearSolver {
   bool truncate_ = false;
 
   const BlockMatrix* matrix_ = nullptr;
-  ConjugateGradients iterations_;
+  ConjugateGradients cg_;
 };
 
 TACK_REGISTER(LinearSolver, Pcg, "pcg",

@@ -37,9 +37,9 @@ TEST_CASE("auto factorises small systems and iterates on large solids", "[linear
 
 TEST_CASE("auto gives iterations up that take too many or fail", "[linear]") {
   RandomMotions random(2);
-  const BlockMatrix stiff = grid(14, random, 1e6);
+  const BlockMatrix mild = grid(14, random), stiff = grid(14, random, 1e6);
   const auto patient = component<LinearSolver>("{type: auto, iterative: {type: pcg, preconditioner: block_jacobi}}");
-  CHECK(starts_with(chosen(*patient, stiff, random), "pcg"));
+  CHECK(starts_with(chosen(*patient, mild, random), "pcg"));
   CHECK(starts_with(chosen(*patient, stiff, random, 4), "lagged_cholesky (in place of pcg: it took "));
   const auto strict = component<LinearSolver>("{type: auto, iterative: {type: pcg, max_iterations: 1}}");
   CHECK(starts_with(chosen(*strict, stiff, random), "lagged_cholesky (in place of pcg: it did not converge"));
