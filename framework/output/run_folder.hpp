@@ -32,6 +32,7 @@ class RunFolder {
   std::filesystem::path log() const { return root_ / "log.txt"; }
   std::filesystem::path frames() const { return root_ / "frames"; }
   std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
+  std::filesystem::path problems() const { return root_ / "problems"; }  // made when it is needed
 
   // frames/frame_000012.vtu, relative to root().
   static std::filesystem::path frame(int number);
