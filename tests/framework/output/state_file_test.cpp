@@ -91,8 +91,9 @@ TEST_CASE("a problem carries the meshes that its scene reads from files", "[stat
   const TemporaryFolder folder;
   const fs::path mesh = folder.path() / "tets.msh", path = folder.path() / "a.problem";
   fs::copy_file(TACK_TEST_DATA "/meshes/two_tets_41_ascii.msh", mesh);
-  TestScene scene("objects: [{name: body, shape: {type: file, path: " + mesh.string() +
-                  "}, energies: [{type: neo_hookean, young: 1e5}]}]");
+  TestScene scene("objects:\n  - {name: obstacle, shape: {type: file, path: " + mesh.string() +
+                  "}, motion: [fixed]}\n"
+                  "  - {name: block, shape: {type: box, size: [1, 1, 1]}, energies: [{type: neo_hookean, young: 1e5}]}");
   StateFile file = state_file_of(StateFile::Kind::problem, scene.config);
   file.state = scene.world->start;
   write_state_file(path, file);
