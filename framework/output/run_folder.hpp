@@ -12,10 +12,11 @@ namespace tack {
 
 class RunFolder {
  public:
-  // Makes the folder with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
+  enum class Content { run, anything };
+  // Makes the folder, of a run with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
   // a run, a file of that name, and the working directory itself or one around it. root() is
   // absolute and without links.
-  static RunFolder create(const std::filesystem::path& root);
+  static RunFolder create(const std::filesystem::path& root, Content content = Content::run);
 
   // The folder of an earlier run, to go on with it or to read it.
   static RunFolder open(const std::filesystem::path& root);
