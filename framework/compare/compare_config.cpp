@@ -42,7 +42,7 @@ void CompareConfig::fields(Fields& f) {
     return "";
   });
   f.check("reference_time_step", [this]() -> std::string {
-    return reference_time_step && base.empty() ? "is for a base: a single step's end would lie elsewhere" : "";
+    return reference_time_step && !problems.empty() ? "is for a base: a single step's end would lie elsewhere" : "";
   });
 }
 

@@ -36,6 +36,15 @@ std::vector<double> time_steps(const CompareConfig& config, const CompareCase& w
   return config.time_steps.empty() ? std::vector<double>{what.step_size} : config.time_steps;
 }
 
+const char* name_of(Branch::Kind kind) {
+  switch (kind) {
+    case Branch::Kind::same: return "same";
+    case Branch::Kind::equal: return "equal";
+    case Branch::Kind::another: return "another";
+  }
+  return "";
+}
+
 void measure_errors(Entry& e, const Trial& trial) {
   CompareRow& row = e.row;
   const TrialResult& found = trial.result();
@@ -43,16 +52,20 @@ void measure_errors(Entry& e, const Trial& trial) {
   if (!found.complete || !e.reference->found()) return;
   Trial& reference = *e.reference->trial;
   const TrialResult& exact = reference.result();
-  row.error_rms = rms_distance(trial.world(), found.x, exact.x);
-  row.error_max = largest_distance(trial.world(), found.x, exact.x);
+  VecX solution = exact.x;
+  if (found.converged && row.time_step == e.reference_step) {
+    Branch branch = branch_of(*e.what, *e.reference, row.time_step, found.x);
+    row.branch = name_of(branch.kind);
+    solution = std::move(branch.x);
+  }
+  row.error_rms = rms_distance(trial.world(), found.x, solution);
+  row.error_max = largest_distance(trial.world(), found.x, solution);
   row.relative_error = row.error_max / e.what->size;
   row.energy_gap = e.what->single() ? reference.potential_at(found.x) - reference.potential_at(exact.x)
                                     : found.energy - exact.energy;
   const auto columns = trial.probe_columns();
   for (size_t i = 0; i < columns.size(); ++i)
     row.probe_errors.emplace_back(columns[i], found.probes[i] - exact.probes[i]);
-  if (found.converged && row.time_step == e.reference_step)
-    row.branch = same_branch(*e.what, *e.reference, row.time_step, found.x) ? "same" : "another";
 }
 
 void run_once(Entry& e, bool first) {
@@ -106,9 +119,13 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
   std::vector<CompareCase> cases;
   if (!config.base.empty()) cases.push_back(experiment_case(config.base, config.set, config.steps));
   for (const std::string& path : config.problems) cases.push_back(problem_case(path));
-  for (const CompareCase& c : cases)  // with every solver and time step, to know now what does not fit
-    for (const double h : time_steps(config, c))
+  for (const CompareCase& c : cases) {  // with every solver and time step, to know now what does not fit
+    if (config.reference_time_step && !c.single()) c.steps_of(*config.reference_time_step);
+    for (const double h : time_steps(config, c)) {
+      c.steps_of(h);
       for (const SolverEntry& solver : config.solvers) Trial(c, {solver.solver, config.tolerances.front(), h});
+    }
+  }
   return cases;
 }
 
@@ -134,6 +151,7 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
         for (const SolverEntry& solver : config.solvers) {
           Entry e{&what, &solver, common, h_reference, {}, {}, {}};
           e.row.problem = what.name;
+          e.row.single_step = what.single();
           e.row.solver = solver.name;
           e.row.tolerance = tolerance;
           e.row.time_step = h;

@@ -17,12 +17,15 @@ struct CompareRow {
   long iterations = 0, evaluations = 0, linear_solves = 0;
   std::string status;
   bool converged = false;
-  std::string branch;  // "same", "another" (solution than the reference's), "" where it is not known
+  std::string branch;  // "same" solution as the reference's, "equal" in potential, "another"; "": not known
+  // Of a run, from the reference's end; of a single step, from the minimum that the solver came to, refined
+  // as far as the reference. Like this, solvers that come to another minimum are judged fairly.
   double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: none
-  double energy_gap = 0;                                         // J
+  double energy_gap = 0;                                         // J, over the reference's
   std::vector<std::pair<std::string, double>> probe_errors;
   int intersections = 0;
-  bool solved() const { return converged && branch != "another"; }
+  bool single_step = false;
+  bool solved() const { return converged && (single_step || branch != "another"); }
 };
 
 struct ReferenceRow {

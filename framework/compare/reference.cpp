@@ -11,6 +11,7 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Of the size of what moves: minimisers that are further apart than this are two.
 constexpr double one_and_the_same = 1e-6;
+constexpr double one_potential = 1e-9;         // relative
 constexpr double one_and_the_same_run = 1e-3;  // small differences grow from step to step
 
 Value settings(const char* filter, const char* linear, double tolerance) {
@@ -27,6 +28,12 @@ template <class Act>
 void for_each_movable(const World& world, const Act& act) {
   for (int v = 0; v < static_cast<int>(world.rest.size()) / 3; ++v)
     if (world.script.ever_free(v)) act(v);
+}
+
+// Whether x, of the same single step, is no lower and no higher than the trial's own solution.
+bool equal_potential(Trial& trial, const VecX& x) {
+  const double here = trial.potential_at(x), there = trial.potential_at(trial.result().x);
+  return std::abs(here - there) <= one_potential * std::abs(there);
 }
 
 double most_apart(const CompareCase& what) {
@@ -68,17 +75,21 @@ Reference make_reference(const CompareCase& what, double step_size, double toler
   if (!second->result().converged) return reference;
   const Trial& first = *reference.trial;
   reference.disagreement = largest_distance(first.world(), first.result().x, second->result().x);
-  reference.other_branch = reference.disagreement > most_apart(what);
+  const bool equal = what.single() && equal_potential(*reference.trial, second->result().x);
+  reference.other_branch = reference.disagreement > most_apart(what) && !equal;
   return reference;
 }
 
-bool same_branch(const CompareCase& what, const Reference& reference, double step_size, const VecX& x) {
-  const Trial& first = *reference.trial;
-  if (!what.single()) return largest_distance(first.world(), first.result().x, x) <= most_apart(what);
+Branch branch_of(const CompareCase& what, const Reference& reference, double step_size, const VecX& x) {
+  Trial& first = *reference.trial;
+  const VecX& exact = first.result().x;
+  const auto near = [&](const VecX& y) { return largest_distance(first.world(), exact, y) <= most_apart(what); };
+  if (!what.single()) return {near(x) ? Branch::Kind::same : Branch::Kind::another, exact};
   Trial refined(what, {settings("clamp", "lagged_cholesky", reference.tolerance), reference.tolerance, step_size});
-  refined.run(&x);
-  return refined.result().complete &&
-         largest_distance(first.world(), first.result().x, refined.result().x) <= most_apart(what);
+  if (!refined.run(&x).complete) return {Branch::Kind::another, exact};
+  const VecX& own = refined.result().x;
+  if (near(own)) return {Branch::Kind::same, exact};
+  return {equal_potential(first, own) ? Branch::Kind::equal : Branch::Kind::another, own};
 }
 
 }  // namespace tack

@@ -22,8 +22,19 @@ struct Reference {
 // Tries the tolerance, then ten times more, and so on up to the largest, since round-off may be in the way.
 Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest);
 
-// Whether a single step's minimiser, refined as far as the reference, becomes the reference's.
-bool same_branch(const CompareCase& what, const Reference& reference, double step_size, const VecX& x);
+// The solution that x belongs to.
+struct Branch {
+  enum class Kind {
+    same,     // the reference's
+    equal,    // another point of the same potential: what moves freely in a quasi-static step
+    another,  // another minimum
+  };
+  Kind kind = Kind::same;
+  VecX x;  // it, as accurate as the reference (3n)
+};
+// Of a single step: what x becomes when it is refined as far as the reference. Of a run, only its
+// distance from the reference's end tells.
+Branch branch_of(const CompareCase& what, const Reference& reference, double step_size, const VecX& x);
 
 // Of the vertices that move [m].
 double largest_distance(const World& world, const VecX& a, const VecX& b);

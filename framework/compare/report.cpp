@@ -48,7 +48,8 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
 }
 
 std::string pareto(const Comparison& c) {
-  std::string out = "\n## Fastest at each level of error\n\nRMS error of the positions; a level that a looser one's winner "
+  std::string out = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; of a single step, against the "
+                    "minimum that the solver came to, refined. A level that a looser one's winner "
                     "meets as well is left out.\n\n| problem | error at most [m] | solver | tolerance [m/s] | h [s] | time [s] | spread [s] "
                     "| iterations | error [m] |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   std::string last_problem;
@@ -74,14 +75,17 @@ std::string pareto(const Comparison& c) {
 std::string failures(const Comparison& c) {
   std::string rows;
   for (const CompareRow& r : c.rows) {
-    if (r.solved() && r.intersections == 0) continue;
+    if (r.converged && r.branch != "another" && r.intersections == 0) continue;
     std::string what = r.converged ? "" : r.status;
-    if (r.branch == "another") what = fmt::format("ended elsewhere, {:.1e} m from the reference", r.error_max);
+    if (r.branch == "another")
+      what = r.single_step ? fmt::format("another minimum, {:.3g} J {} the reference's", std::abs(r.energy_gap),
+                                         r.energy_gap < 0 ? "below" : "above")
+                           : fmt::format("ended {:.1e} m from the reference", r.error_max);
     if (r.intersections > 0) what += fmt::format(" {} intersections", r.intersections);
     rows += fmt::format("| {} | {} | {:.0e} | {:g} | {} |\n", cell(r.problem), cell(r.solver), r.tolerance, r.time_step,
                         cell(what));
   }
-  if (rows.empty()) return "\nEverything converged, to the reference's solution.\n";
+  if (rows.empty()) return "\nEverything converged, to the solution of the reference.\n";
   return "\n## What failed or went elsewhere\n\n| problem | solver | tolerance [m/s] | h [s] | what |\n"
          "| --- | --- | --- | --- | --- |\n" + rows;
 }

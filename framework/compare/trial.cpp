@@ -60,17 +60,18 @@ void complete(CompareCase& c) {
   c.quasi_static = !scene.config.time.integrator->predict(world->start, c.step_size).inertia;
 }
 
-int whole_steps(double time, double h) {
-  const double steps = std::round(time / h);
-  if (steps < 1 || std::abs(steps * h - time) > 1e-6 * h)
-    throw InputError(fmt::format("a time step of {} s does not divide the {} s that are compared; choose another one "
-                                 "in time_steps", h, time));
-  return static_cast<int>(steps);
-}
-
 }  // namespace
 
 LoadedScene CompareCase::load() const { return problem ? scene_of(*problem, path) : load_scene(path, overrides); }
+
+int CompareCase::steps_of(double h) const {
+  if (single()) return 1;
+  const double time = steps * step_size, count = std::round(time / h);
+  if (count < 1 || std::abs(count * h - time) > 1e-6 * h)
+    throw InputError(fmt::format("{}: a time step of {} s does not divide the {:.6g} s that are compared; choose another "
+                                 "one in time_steps, or other steps", name, h, time));
+  return static_cast<int>(count);
+}
 
 CompareCase experiment_case(const std::string& path, const std::vector<std::string>& overrides, int steps) {
   CompareCase c;
@@ -145,7 +146,7 @@ void Trial::solve_step(const VecX* guess) {
 }
 
 void Trial::solve_run() {
-  const int steps = whole_steps(case_.steps * case_.step_size, h_);
+  const int steps = case_.steps_of(h_);
   StepReport report;
   result_.status = "converged";
   try {

@@ -26,6 +26,8 @@ struct CompareCase {
   bool quasi_static = false;
 
   bool single() const { return problem.has_value(); }
+  // Up to the same time; throws InputError if h does not divide it.
+  int steps_of(double h) const;
   LoadedScene load() const;
 };
 

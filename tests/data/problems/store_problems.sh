@@ -23,7 +23,7 @@ store large_step hardest=1 experiments/stack/two_blocks.yaml --set "${blocks[@]}
 store contrast hardest=1 experiments/stack/two_blocks.yaml --set "${blocks[@]}" 'objects.upper.energies.0.young=1 GPa'
 store compression hardest=1 experiments/squash/block.yaml --set 'objects.block.shape.cells=[4, 4, 4]' time.step=50ms
 store folding step=32 experiments/squash/block.yaml --set 'objects.block.shape.cells=[4, 4, 4]' time.step=50ms
-store sliding step=400 experiments/slope/slide.yaml --set 'objects.block.shape.cells=[5, 1, 3]' time.duration=0.82
+store sliding hardest=1 experiments/slope/slide.yaml --set "objects.block.shape.cells=[5, 1, 3]" time.duration=0.5
 store sticky_sliding hardest=1 experiments/shear/both.yaml --set 'objects.upper.shape.cells=[5, 1, 5]'
 store sticky_wall hardest=1 experiments/wall_cube/stuck.yaml --set 'objects.cube.shape.cells=[3, 3, 3]' 'objects.wall.shape.cells=[1, 9, 3]'
 store twist hardest=1 experiments/twist/mat.yaml --set 'objects.mat.shape.cells=[11, 1, 11]'
