@@ -1,6 +1,7 @@
 // tack compare from the command line.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
@@ -75,6 +76,19 @@ TEST_CASE("tack compare solves stored steps, and the errors of one solver fall w
   const std::string csv = place.text("results/two/compare.csv");
   CHECK(contains(csv, "tiny.step2,only,0.1,0.01,"));
   CHECK(contains(place.text("results/two/compare.md"), "| tiny.step2 | 1e-"));
+}
+
+TEST_CASE("without gnuplot, tables are written and the message says what is missing") {
+  const Place place;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nowhere", 1);
+  const ProgramResult result = place.compare({"--set", "repeat=1", "time_steps=[]", "tolerances=[1e-3]"});
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "work_precision: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox)"));
+  CHECK(lines(place.text("results/two/compare.csv")) == 3);
+  CHECK_FALSE(place.text("results/two/compare.md").empty());
+  CHECK_FALSE(place.text("results/two/plots/work_precision.gp").empty());
 }
 
 TEST_CASE("mistakes in a comparison are told with their place, and nothing is written") {

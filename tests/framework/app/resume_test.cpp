@@ -76,7 +76,7 @@ TEST_CASE("what cannot be resumed is told, and nothing is written") {
   CHECK(file_text(folder.path() / "results/tiny/probes.csv") == before);
 }
 
-TEST_CASE("--dump-problem stores the steps that it names, and the hardest") {
+TEST_CASE("steps that --dump-problem names are stored, and the hardest") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());
   const ProgramResult result =
