@@ -45,7 +45,8 @@ std::string data_block(const Plot& plot, size_t i) {
 std::string script_of(const Plot& plot, const std::string& name) {
   std::string out;
   for (size_t i = 0; i < plot.curves.size(); ++i) out += data_block(plot, i);
-  out += fmt::format("set title {} noenhanced\nset xlabel {}\nset ylabel {}\nset key outside right noenhanced\nset grid\n",
+  out += fmt::format("set title {} noenhanced\nset xlabel {}\nset ylabel {}\n"
+                     "set key outside right noenhanced\nset grid\n",
                      quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
   for (const auto& [is_log, axis] : {std::pair(plot.log_x, 'x'), std::pair(plot.log_y, 'y')})
     if (is_log) out += fmt::format("set logscale {0}\nset format {0} '10^{{%T}}'\n", axis);
@@ -85,7 +86,8 @@ int run_gnuplot(const fs::path& folder, const std::string& script, const fs::pat
 
 std::string draw(const Plot& plot, const fs::path& folder, const std::string& name) {
   const auto& curves = plot.curves;
-  if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return drawable(plot, c); })) return fmt::format("{}: nothing to draw", name);
+  if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return drawable(plot, c); }))
+    return fmt::format("{}: nothing to draw", name);
   const std::string script = name + ".gp";
   replace_file(folder / script, script_of(plot, name));
   const fs::path messages = fs::absolute(folder / (name + ".gnuplot.txt"));
@@ -95,7 +97,8 @@ std::string draw(const Plot& plot, const fs::path& folder, const std::string& na
     return "";
   }
   if (code < 0 || code == 127)
-    return fmt::format("{}: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox) and run `gnuplot {}` in {}",
+    return fmt::format("{}: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox) and run "
+                       "`gnuplot {}` in {}",
                        name, script, folder.string());
   return fmt::format("{}: gnuplot failed; see {}", name, messages.string());
 }

@@ -48,10 +48,10 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
 }
 
 std::string pareto(const Comparison& c) {
-  std::string out = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; of a single step, against the "
-                    "minimum that the solver came to, refined. A level that a looser one's winner "
-                    "meets as well is left out.\n\n| problem | error at most [m] | solver | tolerance [m/s] | h [s] | time [s] | spread [s] "
-                    "| iterations | error [m] |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string out = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; "
+                    "of a single step, against the minimum that the solver came to, refined. A level that a looser one's winner "
+                    "meets as well is left out.\n\n| problem | error at most [m] | solver | tolerance [m/s] | h [s] "
+                    "| time [s] | spread [s] | iterations | error [m] |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   std::string last_problem;
   for (const ReferenceRow& of : c.references) {
     if (of.problem == last_problem) continue;
