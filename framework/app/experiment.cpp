@@ -9,8 +9,11 @@
 #include <iostream>
 
 #include "framework/app/commands.hpp"
+#include "framework/app/problem_dump.hpp"
 #include "framework/app/version.hpp"
+#include "framework/config/bind.hpp"
 #include "framework/config/describe.hpp"
+#include "framework/output/checkpoints.hpp"
 #include "framework/output/progress.hpp"
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
@@ -49,16 +52,24 @@ std::filesystem::path root_of(const ExperimentOptions& options, const SceneConfi
   return options.output;
 }
 
+RunFolder folder_of(const ExperimentOptions& options, const SceneConfig& scene) {
+  const std::filesystem::path root = root_of(options, scene);
+  return options.resume ? RunFolder::open(root) : RunFolder::create(root);
+}
+
 // A run under way: what the loop needs and what remains of it.
 class Run {
  public:
   Run(const ExperimentOptions& options, int threads)
-      : options_(options), scene_(load_scene(options.scene.file, options.scene.overrides)),
+      : options_(options), dump_(options.dump_problems), scene_(load_scene(options.scene.file, options.scene.overrides)),
         world_(build_world(scene_.config, scene_.root, clock_)),
         columns_(prepare_probes(scene_, *world_)),
-        folder_(RunFolder::create(root_of(options, scene_.config))),
-        log_(folder_.log()), progress_(std::cout, &log_, progress_options(options)) {
-    write_resolved(folder_, scene_.config);
+        folder_(folder_of(options, scene_.config)), checkpoint_(checkpoint()),
+        log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc),
+        progress_(std::cout, &log_, progress_options(options)) {
+    if (checkpoint_) set_totals(summary_, checkpoint_->totals);
+    else write_resolved(folder_, scene_.config);
+    phases_before_ = summary_.phases;
     summary_.name = scene_.config.name;
     summary_.version = TACK_VERSION;
     summary_.commit = TACK_COMMIT;
@@ -74,7 +85,9 @@ class Run {
                                   world_->bodies.size(), world_->rest.size() / 3, summary_.dofs,
                                   summary_.threads));
     warn_of_weak_wells(*world_, progress_);
-    Recorder recorder(scene_, *world_, folder_, columns_, clock_);
+    std::optional<double> resumed_at;
+    if (checkpoint_) resumed_at = checkpoint_->state.time;
+    Recorder recorder(scene_, *world_, folder_, columns_, clock_, resumed_at);
     try {
       simulate(recorder);
     } catch (const SimulationError& error) {
@@ -86,21 +99,47 @@ class Run {
   }
 
  private:
+  std::optional<StateFile> checkpoint() {
+    if (!options_.resume) return std::nullopt;
+    StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(scene_.config)));
+    check_size(file, world_->rest.size() / 3, folder_.checkpoints().string());
+    return file;
+  }
+
+  // Goes on from a state as a program would that was started there: with a solver and candidates of
+  // their own.
+  void start_from(State state) {
+    world_->start = std::move(state);
+    world_->forget();
+    scene_.config.solver = bind_component<Minimizer>(to_value(scene_.config.solver.get()));
+    stepper_.emplace(*world_, scene_.config, clock_,
+                     [this](const std::string& line) { progress_.warning(line); });
+  }
+
   void simulate(Recorder& recorder) {
-    TimeStepper stepper(*world_, scene_.config, clock_,
-                        [this](const std::string& line) { progress_.warning(line); });
-    recorder.start(stepper.state());
-    progress_.begin(0, scene_.config.time.duration);
-    while (!stepper.finished() && (options_.steps == 0 || summary_.steps < options_.steps)) {
-      const StepReport report = stepper.advance();
-      if (stepper.interrupted()) {
+    if (checkpoint_) {
+      progress_.message(fmt::format("resumed at step {}, t = {:.6g} s", checkpoint_->state.step,
+                                    checkpoint_->state.time));
+      start_from(checkpoint_->state);
+    } else {
+      start_from(world_->start);
+      recorder.start(stepper_->state());
+    }
+    next_checkpoint_ = next_checkpoint_after(stepper_->state().time);
+    progress_.begin(stepper_->state().time, scene_.config.time.duration);
+    while (!stepper_->finished() && (options_.steps == 0 || summary_.steps < options_.steps)) {
+      prepare_dump();
+      const StepReport report = stepper_->advance();
+      if (stepper_->interrupted()) {
         summary_.status = RunStatus::interrupted;
         return;
       }
-      recorder.step(stepper.state(), report);
+      dump_.after(report.solve.iterations);
+      recorder.step(stepper_->state(), report);
       summary_.add(report);
       tell_linear_solver();
       progress_.step(report);
+      write_checkpoint();
     }
   }
 
@@ -112,6 +151,62 @@ class Run {
     progress_.detail("linear solver: " + solver);
   }
 
+  void prepare_dump() {
+    if (!dump_.wants(stepper_->state().step + 1)) return;
+    start_from(stepper_->state());
+    dump_.before(world_->start, stepper_->next_step_size(),
+                 [this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
+  }
+
+  void finish_dump() {
+    dump_.finish([this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
+    for (const int step : dump_.missed())
+      progress_.warning(fmt::format("step {} was not reached: its problem is not stored", step));
+  }
+
+  StateFile state_file(StateFile::Kind kind, const State& state) {
+    StateFile file = state_file_of(kind, scene_.config);
+    file.program = TACK_VERSION;
+    file.commit = TACK_COMMIT;
+    file.state = state;
+    return file;
+  }
+
+  void store_problem(const State& state, double h, int iterations) {
+    const PhaseScope scope(clock_, Phase::io);
+    StateFile file = state_file(StateFile::Kind::problem, state);
+    file.step_size = h;
+    std::filesystem::create_directories(folder_.problems());
+    const std::string name = RunFolder::default_root(scene_.config.name).filename();
+    const auto path = folder_.problems() / fmt::format("{}.step{}.problem", name, state.step + 1);
+    write_state_file(path, file);
+    const std::string effort = iterations < 0 ? "" : fmt::format(" ({} iterations)", iterations);
+    progress_.message(fmt::format("step {}{} stored as {}", state.step + 1, effort, path.string()));
+  }
+
+  double next_checkpoint_after(double time) const {
+    const auto interval = scene_.config.output.checkpoint_interval;
+    if (!interval) return std::numeric_limits<double>::infinity();
+    return next_checkpoint(*interval, time, scene_.config.time.step);
+  }
+
+  void write_checkpoint() {
+    const State& state = stepper_->state();
+    if (state.time < next_checkpoint_ - 1e-9 * scene_.config.time.step) return;
+    next_checkpoint_ = next_checkpoint_after(state.time);
+    const PhaseScope scope(clock_, Phase::io);
+    StateFile file = state_file(StateFile::Kind::checkpoint, state);
+    add_up_phases();
+    file.totals = totals_of(summary_);
+    write_state_file(checkpoint_path(folder_, state.step), file);
+    start_from(state);
+  }
+
+  void add_up_phases() {
+    const PhaseClock::Seconds& seconds = clock_.seconds();
+    for (int i = 0; i < phase_count; ++i) summary_.phases[i] = phases_before_[i] + seconds[i];
+  }
+
   int finish(Recorder& recorder) {
     const bool complete = summary_.status == RunStatus::done && options_.steps == 0;
     if (complete) {
@@ -120,7 +215,8 @@ class Run {
         if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
       }
     }
-    summary_.phases = clock_.seconds();
+    finish_dump();
+    add_up_phases();
     for (const double s : summary_.phases) summary_.wall_seconds += s;
     write_summary(folder_.summary(), summary_);
     progress_.finish();
@@ -139,14 +235,19 @@ class Run {
   }
 
   const ExperimentOptions& options_;
+  ProblemDump dump_;
   PhaseClock clock_;
   LoadedScene scene_;
   std::unique_ptr<World> world_;
   std::vector<std::string> columns_;
   RunFolder folder_;
+  std::optional<StateFile> checkpoint_;  // that the run goes on from
   std::ofstream log_;
   Progress progress_;
   RunSummary summary_;
+  PhaseClock::Seconds phases_before_{};  // of the run that is resumed
+  std::optional<TimeStepper> stepper_;
+  double next_checkpoint_ = 0;  // s
 };
 
 }  // namespace

@@ -14,6 +14,8 @@ struct ExperimentOptions {
   int steps = 0;    // 0: to the end
   int threads = 0;  // 0: all cores
   bool quiet = false, verbose = false;
+  bool resume = false;                     // from the newest checkpoint of the results folder
+  std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
 };
 
 // Returns the exit code. Throws InputError before anything is written.

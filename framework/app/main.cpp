@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   app.footer("`./tack test` runs the tests.");
   int exit_code = tack::exit_done;
   tack::add_run_command(app, exit_code);
+  tack::add_compare_command(app, exit_code);
   tack::add_check_command(app, exit_code);
   tack::add_list_command(app, exit_code);
   tack::add_mesh_command(app, exit_code);

@@ -20,6 +20,10 @@ void add_run_command(CLI::App& app, int& exit_code) {
   run->add_option("-o,--output", options->output, "results folder (default: results/NAME)");
   run->add_option("--steps", options->steps, "stop after this many steps")->check(CLI::PositiveNumber);
   run->add_option("--threads", options->threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
+  run->add_flag("--resume", options->resume, "go on from the newest checkpoint of the results folder");
+  run->add_option("--dump-problem", options->dump_problems,
+                  "store a step to minimise it again: step=K, or hardest=N for those with most iterations (repeatable)")
+      ->take_all()->allow_extra_args(false);
   run->add_flag("-q,--quiet", options->quiet, "print errors only");
   run->add_flag("-v,--verbose", options->verbose, "print a line for every step");
   run->callback([options, &exit_code] {

@@ -1,6 +1,7 @@
 #include "framework/assembly/block_pattern.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 
 #include "framework/assembly/parallel.hpp"
@@ -46,6 +47,13 @@ bool BlockPattern::cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix&
   return true;
 }
 
+// Unique among all patterns: a solver that is handed the matrix of another one, as when a motion lets go
+// of its vertices, must not take it for the one that it analysed.
+static std::uint64_t next_version() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 void BlockPattern::rebuild(BlockMatrix& matrix) {
   const auto keys = merged(static_keys_, extra_keys_);
   matrix.column_start.assign(columns_ + 1, 0);
@@ -56,7 +64,7 @@ void BlockPattern::rebuild(BlockMatrix& matrix) {
   }
   for (int c = 0; c < columns_; ++c) matrix.column_start[c + 1] += matrix.column_start[c];
   matrix.values.assign(9 * keys.size(), 0.0);
-  ++matrix.version;
+  matrix.version = next_version();
 
   static_positions_.resize(static_keys_.size());
   size_t position = 0;

@@ -15,6 +15,9 @@ std::string list_kinds();
 std::string list_kind(const std::string& kind);
 std::string list_component(const std::string& kind, const std::string& name);
 
+// Markdown: the parameters of `root` as a table.
+std::string parameter_table(const Fields& root);
+
 // Markdown: the parameters of `root` (the scene), then every registered kind and component.
 std::string reference_page(const Fields& root, const std::string& title);
 

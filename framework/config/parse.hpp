@@ -17,6 +17,9 @@ Value parse_file(const std::string& path);
 // `name` stands for the file: in messages, and as what includes and relative paths are relative to.
 Value parse_string(const std::string& text, const std::string& name);
 
+// Lays `over` over `base`, as an including file over the one it includes.
+void merge(Value& base, Value over);
+
 // Applies `--set a.b=c`: the value, parsed as YAML, replaces the one at the dotted path. A segment
 // indexes a list by number or by the `name` of its entries (`objects.plate.shape.size`); keys that
 // do not exist are created (binding checks them); a component written as a bare name becomes a map.

@@ -41,7 +41,9 @@ void write_rows(const Fields& fields, const std::string& prefix, std::string& ou
   }
 }
 
-std::string table(const Fields& fields) {
+}  // namespace
+
+std::string parameter_table(const Fields& fields) {
   if (fields.all().empty()) return "No parameters.\n";
   std::string out =
       "| key | value | default | range | meaning |\n| --- | --- | --- | --- | --- |\n";
@@ -49,12 +51,14 @@ std::string table(const Fields& fields) {
   return out;
 }
 
+namespace {
+
 void write_kind(const Kind& kind, std::string& out) {
   out += fmt::format("\n## {}\n\n{}\n", kind.name(), kind.doc());
   for (const auto& [name, entry] : kind.entries()) {
     out += fmt::format("\n### {} `{}`\n\n{}\n", kind.name(), name, entry.doc);
     if (!entry.source.empty()) out += fmt::format("Source: {}.\n", entry.source);
-    out += fmt::format("Code: `{}`.\n\n{}", entry.file, table(kind.prototype(name)));
+    out += fmt::format("Code: `{}`.\n\n{}", entry.file, parameter_table(kind.prototype(name)));
   }
 }
 
@@ -67,7 +71,7 @@ std::string reference_page(const Fields& root, const std::string& title) {
       "unit shown.\n`include: FILE` or a list of files merges other files under this one. A "
       "component "
       "is chosen by `type`; its\nbare name is short for a map with only `type`.\n\n{}",
-      title, table(root));
+      title, parameter_table(root));
   for (const Kind* kind : registered_kinds()) write_kind(*kind, out);
   return out;
 }

@@ -28,6 +28,11 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPair
     for (int b = a; b < pairs_.objects(); ++b)
       edge_range_ = std::max(edge_range_, pairs_.edge(a, b).range);
   skin_ = skin_of(surface_, range_);
+  forget();
+}
+
+void ContactSystem::forget() {
+  contacts_ = {};
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
   narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_);
 }

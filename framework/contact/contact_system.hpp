@@ -17,6 +17,8 @@ class ContactSystem {
   // Which vertices are free at present (non-zero): no force is computed between primitives without
   // one. Empty: every candidate has one.
   void set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
+  // Forgets what the steps so far have left: as if built anew.
+  void forget();
   // Starts a time step at x: areas are taken there and held.
   void begin_step(const VecX& x);
   // Makes x the current configuration: finds its active stencils.

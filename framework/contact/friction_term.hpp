@@ -22,6 +22,7 @@ class FrictionTerm : public Term {
   // Both must outlive the term.
   FrictionTerm(const ContactSystem& system, const ContactTerm& normal);
 
+  void forget() { contacts_ = {}; }  // as if built anew
   // Starts a step of size h at x, where the contact system must be.
   void begin_step(const VecX& x, double h);
   // Takes magnitudes and tangents at x, where the contact system must be, for the rest of the step.

@@ -54,9 +54,21 @@ std::vector<std::string> prepare_probes(const LoadedScene& scene, const World& w
 }
 
 Recorder::Recorder(const LoadedScene& scene, const World& world, const RunFolder& folder,
-                   const std::vector<std::string>& columns, PhaseClock& clock)
-    : scene_(scene.config), world_(world), folder_(folder), clock_(clock), steps_(folder.steps()),
-      probes_(folder.probes(), columns), pvd_(folder.pvd()), geometry_(frame_geometry(world)) {}
+                   const std::vector<std::string>& columns, PhaseClock& clock,
+                   std::optional<double> resumed_at)
+    : scene_(scene.config), world_(world), folder_(folder), clock_(clock),
+      steps_(resumed_at ? StepsCsv::continued(folder.steps(), *resumed_at) : StepsCsv(folder.steps())),
+      probes_(resumed_at ? ProbesCsv::continued(folder.probes(), columns, *resumed_at)
+                         : ProbesCsv(folder.probes(), columns)),
+      pvd_(resumed_at ? PvdFile::continued(folder.pvd(), *resumed_at) : PvdFile(folder.pvd())),
+      geometry_(frame_geometry(world)) {
+  if (resumed_at) schedule_frame(*resumed_at);
+}
+
+void Recorder::schedule_frame(double time) {
+  while (next_frame_ <= time + 1e-9 * scene_.time.step && scene_.output.frame_interval > 0)
+    next_frame_ += scene_.output.frame_interval;
+}
 
 void Recorder::start(const State& state) {
   const PhaseScope scope(clock_, Phase::io);
@@ -104,8 +116,7 @@ void Recorder::write_frame(const State& state) {
   const auto file = RunFolder::frame(pvd_.frames());
   write_vtu(folder_.root() / file, geometry_, state.x, state.time, point_fields(state));
   pvd_.add(state.time, file);
-  while (next_frame_ <= state.time + 1e-9 * scene_.time.step && scene_.output.frame_interval > 0)
-    next_frame_ += scene_.output.frame_interval;
+  schedule_frame(state.time);
 }
 
 }  // namespace tack

@@ -17,9 +17,11 @@ std::vector<std::string> prepare_probes(const LoadedScene& scene, const World& w
 
 class Recorder {
  public:
-  // `columns`: of the probes, as prepare_probes returned them.
+  // `columns`: of the probes, as prepare_probes returned them. `resumed_at`: continues what a run
+  // wrote up to that time [s]; start() is not called then.
   Recorder(const LoadedScene& scene, const World& world, const RunFolder& folder,
-           const std::vector<std::string>& columns, PhaseClock& clock);
+           const std::vector<std::string>& columns, PhaseClock& clock,
+           std::optional<double> resumed_at = std::nullopt);
 
   void start(const State& state);  // the state before the first step
   // Samples probes and writes frames that are due; `report.phases` lacks the time that this takes.
@@ -29,6 +31,7 @@ class Recorder {
  private:
   void sample(const State& state);
   void write_frame(const State& state);
+  void schedule_frame(double time);  // the next one after `time` [s]
   std::vector<PointField> point_fields(const State& state) const;
 
   const SceneConfig& scene_;

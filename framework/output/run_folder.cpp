@@ -62,12 +62,13 @@ std::optional<fs::path> make_way(const fs::path& root) {
 
 }  // namespace
 
-RunFolder RunFolder::create(const fs::path& root) {
+RunFolder RunFolder::create(const fs::path& root, Content content) {
   try {
     RunFolder made(real_path(root));
     made.moved_aside_ = make_way(made.root_);
     fs::create_directories(made.root_);
     replace_file(made.root_ / marker, "This folder holds the results of a run of tack.\n");
+    if (content == Content::anything) return made;
     fs::create_directory(made.frames());
     fs::create_directory(made.checkpoints());
     return made;

@@ -12,10 +12,11 @@ namespace tack {
 
 class RunFolder {
  public:
-  // Makes the folder with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
+  enum class Content { run, anything };
+  // Makes the folder, of a run with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
   // a run, a file of that name, and the working directory itself or one around it. root() is
   // absolute and without links.
-  static RunFolder create(const std::filesystem::path& root);
+  static RunFolder create(const std::filesystem::path& root, Content content = Content::run);
 
   // The folder of an earlier run, to go on with it or to read it.
   static RunFolder open(const std::filesystem::path& root);
@@ -32,6 +33,7 @@ class RunFolder {
   std::filesystem::path log() const { return root_ / "log.txt"; }
   std::filesystem::path frames() const { return root_ / "frames"; }
   std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
+  std::filesystem::path problems() const { return root_ / "problems"; }  // made when it is needed
 
   // frames/frame_000012.vtu, relative to root().
   static std::filesystem::path frame(int number);

@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,10 @@ struct RunSummary {
   // which also cover what happens between steps.
   void add(const StepReport& report);
 };
+
+// What adds up over the steps of a run, its phases included, and back.
+std::map<std::string, double> totals_of(const RunSummary& summary);
+void set_totals(RunSummary& summary, const std::map<std::string, double>& totals);
 
 // Throws InputError when the file cannot be written.
 void write_summary(const std::filesystem::path& path, const RunSummary& summary);

@@ -73,6 +73,7 @@ struct ContactConfig {
 struct OutputConfig {
   double frame_interval = 0;  // s; 0: every step
   bool frames = true;
+  std::optional<double> checkpoint_interval;  // s
   std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force",
                                            "friction_force"};
   void fields(Fields& f);

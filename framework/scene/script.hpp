@@ -24,6 +24,7 @@ class Script {
   // Throws InputError if another motion holds one of the vertices at the same time.
   void add(Hold hold);
   const std::vector<Hold>& holds() const { return holds_; }
+  int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
   // Which of the holds act at time t [s], and which vertices those leave free.
   std::vector<char> active(double t) const;

@@ -11,6 +11,7 @@ class ShapeSource : public Component {
   static constexpr const char* kind_name = "shape";
   static constexpr const char* kind_doc = "The mesh of an object: a built-in shape or a file.";
   virtual Mesh make() const = 0;  // throws InputError
+  virtual bool reads_files() const { return false; }  // so that the parameters alone do not make the mesh
 };
 
 }  // namespace tack

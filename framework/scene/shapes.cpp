@@ -91,6 +91,7 @@ class FileShape : public ShapeSource {
     f.path("path", path_, "obj, msh, ply, stl, off, vtk or vtu; relative to the scene file").required();
   }
   Mesh make() const override { return read_mesh(path_); }
+  bool reads_files() const override { return true; }
 
  private:
   std::string path_;

@@ -33,6 +33,10 @@ struct World {
   std::vector<AdhesionSummary> adhesion;
   State start;
 
+  // Forgets what the steps so far have left, so that the next one gives the same bits as one of a world
+  // that was built anew: of the state that it starts from and of nothing else.
+  void forget();
+
   int body_index(const std::string& name) const;  // -1 if there is none
   SelectionContext selection_context(int body) const { return {bodies[body], rest}; }
 };

@@ -7,23 +7,28 @@ namespace tack {
 bool HeldVertices::change(const State& state, double middle) {
   std::vector<char> active = script_.active(middle);
   if (known_ && active == active_) return false;
+  std::vector<char> free_before(script_.vertex_count(), 0);  // before the first step, nothing has a past
+  if (known_) free_before = free_;
+  else if (state.step > 0) free_before = script_.free(state.held);
   known_ = true;
   active_ = std::move(active);
   free_ = script_.free(active_);
   held_.clear();
-  for (int v = 0; v < static_cast<int>(free_.size()); ++v)
+  released_.clear();
+  for (int v = 0; v < static_cast<int>(free_.size()); ++v) {
     if (!free_[v]) held_.push_back(v);
-  committed_.resize(active_.size(), 0);
+    if (free_[v] && !free_before[v]) released_.push_back(v);
+  }
   anchor_ = state.anchor.size() > 0 ? state.anchor : state.x;
   for (size_t i = 0; i < active_.size(); ++i)
-    if (active_[i] && !committed_[i])
+    if (active_[i] && !(i < state.held.size() && state.held[i]))
       for (const int v : script_.holds()[i].vertices) vertex(anchor_, v) = vertex(state.x, v);
   return true;
 }
 
 void HeldVertices::commit(State& state) {
-  if (active_ == committed_ && state.anchor.size() > 0) return;
-  committed_ = active_;
+  if (active_ == state.held && state.anchor.size() > 0) return;
+  state.held = active_;
   state.anchor = anchor_;
 }
 

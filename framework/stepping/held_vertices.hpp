@@ -15,12 +15,13 @@ class HeldVertices {
   HeldVertices(const Script& script, const VecX& rest) : script_(script), rest_(rest) {}
 
   // Makes the holds at time `middle`, that of the step, the present ones; false if they are already.
-  // Vertices that were not held by them before are held where they are in the state.
+  // Vertices that were not held in the step before are held where they are in the state.
   bool change(const State& state, double middle);
   void commit(State& state);
 
   const std::vector<char>& free() const { return free_; }      // per vertex
   const std::vector<int>& vertices() const { return held_; }  // ascending
+  const std::vector<int>& released() const { return released_; }  // by the last change: free, and not before it
   // Whether some of the held vertices may be elsewhere at another time.
   bool may_move() const;
   // Writes where they are at time t into their rows of x.
@@ -30,9 +31,9 @@ class HeldVertices {
   const Script& script_;
   const VecX& rest_;
   bool known_ = false;
-  std::vector<char> active_, committed_;  // per hold of the script
+  std::vector<char> active_;  // per hold of the script
   std::vector<char> free_;
-  std::vector<int> held_;
+  std::vector<int> held_, released_;
   VecX anchor_;  // 3n [m]
 };
 

@@ -1,5 +1,8 @@
-// The state of a simulation between steps.
+// The state of a simulation between steps: all that the next step depends on. What solvers keep from
+// step to step for speed (factors, candidates) is no part of it, and of influence on the last bits.
 #pragma once
+
+#include <vector>
 
 #include "geometry/types.hpp"
 
@@ -11,10 +14,14 @@ struct State {
   VecX x, v, a;     // 3n: positions [m], velocities [m/s], accelerations [m/s^2]
 
   VecX anchor;          // 3n: where vertices were when they were last seized [m]; empty before the first step
+  std::vector<char> held;  // per hold of the script: whether it acted in the step before
 
   // The step before, for two-step integrators; valid while the step size stays the same.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
+
+  int whole_steps = 0;  // steps of the scene's size behind us; a step in halves is one of them
+  double h_next = 0;    // size tried next [s]; 0: the scene's
 };
 
 }  // namespace tack

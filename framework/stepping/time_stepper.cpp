@@ -22,28 +22,26 @@ constexpr double most_of_it = 0.9;
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.rest), h_(scene.time.step) {
+      held_(world.script, world.rest) {
+  if (state_.h_next == 0) state_.h_next = scene.time.step;
   const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
     auto filter = Registry<StepFilter>::make(name);
     if (filter->attach(context)) filters_.push_back(std::move(filter));
   }
   direction_ = VecX::Zero(state_.x.size());
-  hold(h_);
+  hold(state_.h_next);
 }
 
 // Makes those the unknowns that are free in the step from now to now + h.
 void TimeStepper::hold(double h) {
   if (!held_.change(state_, state_.time + h / 2)) return;
-  std::vector<int> released;
-  for (int v = 0; v < static_cast<int>(held_.free().size()); ++v)
-    if (held_.free()[v] && (!potential_ || world_.dofs.block(v) < 0)) released.push_back(v);
   world_.dofs = DofMap(held_.free());
   walk_.reset();
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
                      [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); });
   if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.free() : std::vector<char>());
-  set_accelerations(state_.time, released);
+  set_accelerations(state_.time, held_.released());
 }
 
 // M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
@@ -152,7 +150,21 @@ ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
   return walk_->run(state_.x, places, prediction);
 }
 
-TimeStepper::Attempt TimeStepper::solve(double h) {
+double TimeStepper::next_step_size() const {
+  // The last part ends exactly where the whole step would.
+  const double whole = scene_.time.step, left = (state_.whole_steps + 1) * whole - state_.time;
+  if (state_.h_next <= left * (1 - 1e-9)) return state_.h_next;
+  return state_.h_next >= whole ? whole : left;
+}
+
+double TimeStepper::potential_at(const VecX& x) {
+  VecX q;
+  world_.dofs.gather(x, q);
+  potential_->move_to(q);
+  return potential_->value() / potential_->scale();
+}
+
+Attempt TimeStepper::solve(double h, const VecX* guess) {
   hold(h);
   const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
   inertia_ = prediction.inertia;
@@ -167,7 +179,9 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
   potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
   Attempt attempt{{}, places};
   VecX q;
-  if (places == state_.x) {
+  if (guess) {
+    world_.dofs.gather(*guess, q);
+  } else if (places == state_.x) {
     q = first_guess(h);
   } else {
     const ScriptWalk::Result start = follow_script(h, places, prediction);
@@ -180,7 +194,7 @@ TimeStepper::Attempt TimeStepper::solve(double h) {
   const MinimizerProblem problem{
       *potential_, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); },
       [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_,
-      stopping() == Stopping::velocity};
+      stopping() == Stopping::velocity, observer_};
   minimize_lagged(problem, q, attempt);
   return attempt;
 }
@@ -272,10 +286,8 @@ StepReport TimeStepper::advance() {
   found_ = {};
   int halvings = 0;
   for (;; ++halvings) {
-    // The last part ends exactly where the whole step would.
-    const double end = (slots_done_ + 1) * whole;
-    const double left = end - state_.time;
-    const double h = h_ > left * (1 - 1e-9) ? (h_ >= whole ? whole : left) : h_;
+    const double end = (state_.whole_steps + 1) * whole;
+    const double h = next_step_size();
     const Attempt attempt = solve(h);
     if (attempt.result.status == MinimizerStatus::interrupted) {
       interrupted_ = true;
@@ -285,8 +297,8 @@ StepReport TimeStepper::advance() {
     if (wrong.empty()) {
       commit(attempt.x, h);
       if (state_.time >= end - 1e-9 * whole) {
-        ++slots_done_;
-        h_ = whole;
+        ++state_.whole_steps;
+        state_.h_next = whole;
       }
       StepReport r = report(attempt, h, halvings);
       if (!attempt.lag_converged)
@@ -305,9 +317,9 @@ StepReport TimeStepper::advance() {
           "step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, wrong,
           attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations"
                                   : "leave room for what the script pushes"));
-    h_ = h / 2;
+    state_.h_next = h / 2;
     warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s", state_.step + 1,
-                      state_.time, wrong, h_));
+                      state_.time, wrong, state_.h_next));
   }
 }
 

@@ -20,9 +20,19 @@
 
 namespace tack {
 
+// The result of one solve, before it is verified and kept.
+struct Attempt {
+  MinimizerResult result;  // counts over all lag iterations
+  VecX x;                  // 3n [m]
+  std::string failure = "";  // why the scripted vertices could not be moved
+  int lag_iterations = 0;
+  double friction_residual = 0;
+  bool lag_converged = true;
+};
+
 class TimeStepper {
  public:
-  // `warn` gets a line for each failed solve.
+  // Goes on from world.start. `warn` gets a line for each failed solve.
   TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
               std::function<void(const std::string&)> warn);
 
@@ -31,25 +41,25 @@ class TimeStepper {
   bool finished() const;
   bool interrupted() const { return interrupted_; }
   const State& state() const { return state_; }
+  double next_step_size() const;  // that advance() tries first [s]
+
+  // The parts of advance(), for those who study single steps. The minimisation of the step from now to
+  // now + h; `guess`: its start (3n), feasible and with the scripted vertices at their places.
+  Attempt solve(double h, const VecX* guess = nullptr);
+  std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
+  void commit(const VecX& x, double h);
+  // The incremental potential of the latest solve over beta h^2, at x (3n) [J].
+  double potential_at(const VecX& x);
+  // Is told of every iteration of the minimisers (but not of those that walk scripted vertices).
+  void observe(MinimizerProblem::Observer observer) { observer_ = std::move(observer); }
 
  private:
-  struct Attempt {
-    MinimizerResult result;  // counts over all lag iterations
-    VecX x;
-    std::string failure = "";  // why the scripted vertices could not be moved
-    int lag_iterations = 0;
-    double friction_residual = 0;
-    bool lag_converged = true;
-  };
-  Attempt solve(double h);
   void minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt);
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
   ScriptWalk::Result follow_script(double h, const VecX& places,
                                    const TimeIntegrator::Prediction& prediction);
-  std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
-  void commit(const VecX& x, double h);
   void apply_loads(double t);
   double largest_step(const VecX& x, const VecX& p);
   double feasible_step(const VecX& q, const VecX& p);
@@ -68,8 +78,7 @@ class TimeStepper {
   std::vector<std::unique_ptr<StepFilter>> filters_;
   VecX direction_;  // scratch, 3n
   bool inertia_ = true;
-  int slots_done_ = 0;  // whole steps of the scene's size behind us
-  double h_ = 0;        // size tried next
+  MinimizerProblem::Observer observer_;
   struct Found {
     int intersections = 0, inverted_tets = 0;
   } found_;  // by the exact check, in the solves of the present step

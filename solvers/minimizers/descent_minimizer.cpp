@@ -1,5 +1,6 @@
 #include "solvers/minimizers/descent_minimizer.hpp"
 
+#include <chrono>
 #include <cmath>
 
 #include "framework/config/field.hpp"
@@ -22,6 +23,12 @@ MinimizerResult DescentMinimizer::minimize(const MinimizerProblem& problem, VecX
   objective.move_to(q);
   judge_.begin();
   begin(problem, result);
+  const auto started = std::chrono::steady_clock::now();
+  const auto tell = [&] {
+    if (!problem.observer) return;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
+    problem.observer(result.iterations, result.residual, objective.value(), seconds.count());
+  };
   VecX p;
   while (result.iterations < max_iterations_) {
     if (interrupt_requested) return end(MinimizerStatus::interrupted);
@@ -36,6 +43,7 @@ MinimizerResult DescentMinimizer::minimize(const MinimizerProblem& problem, VecX
     if (newton_like()) result.residual = problem.stopping_norm(p, objective.gradient());
     const bool last = newton_like() && result.residual <= 1;
     const MinimizerStatus moved = advance(problem, p, q, result);
+    tell();
     // Below the tolerance the point is accepted as it is, whether or not the last step helped.
     if (last) return end(MinimizerStatus::converged);
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;

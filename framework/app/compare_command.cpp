@@ -1,0 +1,66 @@
+// tack compare: speed against error of several solvers on the same problems.
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "framework/app/commands.hpp"
+#include "framework/app/scene_options.hpp"
+#include "framework/app/version.hpp"
+#include "framework/compare/compare_csv.hpp"
+#include "framework/compare/plots.hpp"
+#include "framework/compare/report.hpp"
+#include "framework/output/replace_file.hpp"
+#include "framework/output/run_folder.hpp"
+
+namespace tack {
+namespace {
+
+struct Options {
+  SceneOptions file;
+  std::string output;
+  int threads = 0;
+  bool quiet = false;
+};
+
+void run_comparison(const Options& options) {
+  const auto started = std::chrono::steady_clock::now();
+  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+  const CompareConfig config = load_comparison(options.file.file, options.file.overrides);
+  const std::vector<CompareCase> cases = cases_of(config);
+  const RunFolder folder = RunFolder::create(
+      options.output.empty() ? RunFolder::default_root(config.name) : std::filesystem::path(options.output),
+      RunFolder::Content::anything);
+  if (folder.moved_aside() && !options.quiet) fmt::print("earlier results moved to {}\n", folder.moved_aside()->string());
+  const Comparison result = compare(config, cases, [&](const std::string& line) {
+    if (!options.quiet) fmt::print("{}\n", line);
+    std::fflush(stdout);
+  });
+  write_compare_csv(folder.root() / "compare.csv", result.rows);
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
+  replace_file(folder.root() / "compare.md",
+               compare_report(config, result, {TACK_VERSION, TACK_COMMIT, machine_name(), threads, wall.count()}));
+  for (const std::string& failure : draw_plots(result, folder.root())) fmt::print("{}\n", failure);
+  if (!options.quiet) fmt::print("results in {}\n", folder.root().string());
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("compare", "Measure speed against error of several solvers");
+  add_scene_options(*command, options->file);
+  command->add_option("-o,--output", options->output, "results folder (default: results/NAME)");
+  command->add_option("--threads", options->threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
+  command->add_flag("-q,--quiet", options->quiet, "print errors only");
+  command->callback([options, &exit_code] {
+    settle(options->file);
+    run_comparison(*options);
+    exit_code = exit_done;
+  });
+}
+
+}  // namespace tack

@@ -1,0 +1,60 @@
+#include "framework/compare/compare_config.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+
+namespace tack {
+
+void SolverEntry::fields(Fields& f) {
+  f.text("name", name, "what tables and plots call it").required();
+  f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it").required();
+}
+
+void CompareConfig::fields(Fields& f) {
+  f.text("name", name, "what the results folder is called").required();
+  f.text("about", about, "what the comparison is to show");
+  f.path("base", base, "an experiment, solved from its start");
+  f.texts("set", set, "overrides of the base, as `time.step=1 ms`");
+  f.texts("problems", problems, "files of `tack run --dump-problem`, a step each; relative to this file");
+  f.list("solvers", solvers, "what is compared").required().nonempty();
+  f.numbers("tolerances", tolerances, units::velocity, "each solver's `tolerance`, one after the other")
+      .required().nonempty().positive();
+  f.numbers("time_steps", time_steps, units::time,
+            "time steps to solve with; the scene's own unless given. A run's end stays where it is").positive();
+  f.integer("steps", steps, "steps of the base, in its own time step; 0: to its end").at_least(0);
+  f.integer("repeat", repeat, "how often everything is measured; medians count").at_least(1);
+  f.number("reference_tolerance", reference_tolerance, units::velocity, "of the solutions that errors are measured against")
+      .positive();
+  f.optional_number("reference_time_step", reference_time_step, units::time,
+                    "of the reference, so that errors hold those of time stepping; unless given, each time "
+                    "step has a reference of its own and errors are the solver's alone").positive();
+  f.check("base", [this]() -> std::string {
+    return base.empty() && problems.empty() ? "give an experiment (base) or stored steps (problems)" : "";
+  });
+  f.check("solvers", [this]() -> std::string {
+    std::set<std::string> names;
+    for (const SolverEntry& s : solvers)
+      if (!names.insert(s.name).second) return fmt::format("two solvers are named '{}'; names must differ", s.name);
+    return "";
+  });
+  f.check("reference_time_step", [this]() -> std::string {
+    return reference_time_step && !problems.empty() ? "is for a base: a single step's end would lie elsewhere" : "";
+  });
+}
+
+CompareConfig load_comparison(const std::string& path, const std::vector<std::string>& overrides) {
+  Value root = parse_file(path);
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  CompareConfig config;
+  bind(root, config, "the comparison");
+  if (const Value* problems = root.find("problems"))
+    for (size_t i = 0; i < problems->items.size(); ++i)
+      config.problems[i] = resolve_path(problems->items[i].mark, config.problems[i]);
+  return config;
+}
+
+}  // namespace tack

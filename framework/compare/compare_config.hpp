@@ -1,0 +1,37 @@
+// The file of `tack compare`, typed: what is solved, by which solvers, how accurately.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/config/field.hpp"
+
+namespace tack {
+
+struct SolverEntry {
+  std::string name;
+  Value solver;  // as written: laid over the scene's own solver block
+  void fields(Fields& f);
+};
+
+struct CompareConfig {
+  std::string name;
+  std::string about;
+  std::string base;                   // absolute path of an experiment; empty: none
+  std::vector<std::string> set;       // "a.b=c", for the base
+  std::vector<std::string> problems;  // absolute paths once loaded
+  std::vector<SolverEntry> solvers;
+  std::vector<double> tolerances;     // m/s
+  std::vector<double> time_steps;     // s; empty: that of the scene
+  int steps = 0;                      // of the base; 0: to its end
+  int repeat = 3;
+  double reference_tolerance = 1e-10;           // m/s
+  std::optional<double> reference_time_step;    // s
+  void fields(Fields& f);
+};
+
+// Throws InputError with file, line and remedy.
+CompareConfig load_comparison(const std::string& path, const std::vector<std::string>& overrides);
+
+}  // namespace tack

@@ -1,0 +1,95 @@
+#include "framework/compare/reference.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "framework/config/parse.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+// Of the size of what moves: minimisers that are further apart than this are two.
+constexpr double one_and_the_same = 1e-6;
+constexpr double one_potential = 1e-9;         // relative
+constexpr double one_and_the_same_run = 1e-3;  // small differences grow from step to step
+
+Value settings(const char* filter, const char* linear, double tolerance) {
+  Value solver = parse_string("stopping: velocity\nmax_iterations: 5000\n", "(reference)");
+  // With `type`, whatever the scene's solver is gives way to it.
+  solver.set("type", Value::scalar("projected_newton"));
+  solver.set("filter", Value::scalar(filter));
+  solver.set("linear", Value::scalar(linear));
+  solver.set("force_tolerance", Value::number(tolerance));  // of quasi-static steps
+  return solver;
+}
+
+template <class Act>
+void for_each_movable(const World& world, const Act& act) {
+  for (int v = 0; v < static_cast<int>(world.rest.size()) / 3; ++v)
+    if (world.script.ever_free(v)) act(v);
+}
+
+// Whether x, of the same single step, is no lower and no higher than the trial's own solution.
+bool equal_potential(Trial& trial, const VecX& x) {
+  const double here = trial.potential_at(x), there = trial.potential_at(trial.result().x);
+  return std::abs(here - there) <= one_potential * std::abs(there);
+}
+
+double most_apart(const CompareCase& what) {
+  return what.size * (what.single() ? one_and_the_same : one_and_the_same_run);
+}
+
+}  // namespace
+
+double largest_distance(const World& world, const VecX& a, const VecX& b) {
+  double largest = 0;
+  for_each_movable(world, [&](int v) { largest = std::max(largest, (vertex(a, v) - vertex(b, v)).norm()); });
+  return largest;
+}
+
+double rms_distance(const World& world, const VecX& a, const VecX& b) {
+  double sum = 0;
+  int count = 0;
+  for_each_movable(world, [&](int v) { sum += (vertex(a, v) - vertex(b, v)).squaredNorm(), ++count; });
+  return std::sqrt(sum / std::max(count, 1));
+}
+
+Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest) {
+  Reference reference;
+  const auto solve = [&](const char* filter, const char* linear, double to) {
+    auto trial = std::make_unique<Trial>(what, TrialSettings{settings(filter, linear, to), to, step_size});
+    reference.status = trial->run().status;
+    return trial;
+  };
+  for (double to = tolerance; to <= largest * (1 + 1e-9) && !reference.found(); to *= 10) {
+    auto trial = solve("clamp", "lagged_cholesky", to);
+    if (!trial->result().converged) trial = solve("clamp", "cholmod", to);
+    if (!trial->result().converged) continue;
+    reference.trial = std::move(trial);
+    reference.tolerance = to;
+  }
+  if (!reference.found()) return reference;
+  reference.disagreement = nan;
+  const auto second = solve("absolute", "cholmod", reference.tolerance);
+  if (!second->result().converged) return reference;
+  const Trial& first = *reference.trial;
+  reference.disagreement = largest_distance(first.world(), first.result().x, second->result().x);
+  const bool equal = what.single() && equal_potential(*reference.trial, second->result().x);
+  reference.other_branch = reference.disagreement > most_apart(what) && !equal;
+  return reference;
+}
+
+Branch branch_of(const CompareCase& what, const Reference& reference, double step_size, const VecX& x) {
+  Trial& first = *reference.trial;
+  const VecX& exact = first.result().x;
+  const auto near = [&](const VecX& y) { return largest_distance(first.world(), exact, y) <= most_apart(what); };
+  if (!what.single()) return {near(x) ? Branch::Kind::same : Branch::Kind::another, exact};
+  Trial refined(what, {settings("clamp", "lagged_cholesky", reference.tolerance), reference.tolerance, step_size});
+  if (!refined.run(&x).complete) return {Branch::Kind::another, exact};
+  const VecX& own = refined.result().x;
+  if (near(own)) return {Branch::Kind::same, exact};
+  return {equal_potential(first, own) ? Branch::Kind::equal : Branch::Kind::another, own};
+}
+
+}  // namespace tack

@@ -1,0 +1,183 @@
+#include "framework/compare/trial.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/output/recorder.hpp"
+#include "framework/scene/energies.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "geometry/exact/orientation.hpp"
+
+namespace tack {
+namespace {
+
+// Wall time and the time of all threads of this process.
+class Stopwatch {
+ public:
+  explicit Stopwatch(TrialResult& result) : result_(result) {}
+  ~Stopwatch() {
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_;
+    result_.wall_seconds = wall.count();
+    result_.cpu_seconds = cpu_now() - cpu_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  static double cpu_now() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+  }
+  TrialResult& result_;
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  double cpu_ = cpu_now();
+};
+
+double extent_of_movable(const World& world) {
+  Eigen::AlignedBox3d box;
+  for (const Body& body : world.bodies)
+    for (int v = body.first_vertex; body.movable && v < body.first_vertex + body.vertex_count; ++v)
+      box.extend(Vec3(vertex(world.rest, v)));
+  return box.diagonal().norm();
+}
+
+// Builds the case once, which also tells what is wrong with it before anything is measured.
+void complete(CompareCase& c) {
+  const LoadedScene scene = c.load();
+  PhaseClock clock;
+  const auto world = build_world(scene.config, scene.root, clock);
+  prepare_probes(scene, *world);
+  if (c.problem) check_size(*c.problem, world->rest.size() / 3, c.path);
+  c.size = extent_of_movable(*world);
+  c.quasi_static = !scene.config.time.integrator->predict(world->start, c.step_size).inertia;
+}
+
+}  // namespace
+
+LoadedScene CompareCase::load() const { return problem ? scene_of(*problem, path) : load_scene(path, overrides); }
+
+int CompareCase::steps_of(double h) const {
+  if (single()) return 1;
+  const double time = steps * step_size, count = std::round(time / h);
+  if (count < 1 || std::abs(count * h - time) > 1e-6 * h)
+    throw InputError(fmt::format("{}: a time step of {} s does not divide the {:.6g} s that are compared; choose another "
+                                 "one in time_steps, or other steps", name, h, time));
+  return static_cast<int>(count);
+}
+
+CompareCase experiment_case(const std::string& path, const std::vector<std::string>& overrides, int steps) {
+  CompareCase c;
+  c.path = path;
+  c.overrides = overrides;
+  const LoadedScene scene = c.load();
+  c.name = scene.config.name;
+  c.step_size = scene.config.time.step;
+  const double all = scene.config.time.duration / c.step_size;
+  c.steps = steps > 0 ? steps : std::max(1, static_cast<int>(std::ceil(all - 1e-9)));
+  complete(c);
+  return c;
+}
+
+CompareCase problem_case(const std::string& path) {
+  CompareCase c;
+  c.path = path;
+  c.name = std::filesystem::path(path).stem().string();
+  c.problem = read_state_file(path, StateFile::Kind::problem);
+  c.step_size = c.problem->step_size;
+  complete(c);
+  return c;
+}
+
+Trial::Trial(const CompareCase& what, const TrialSettings& settings)
+    : case_(what), h_(settings.step_size), scene_(what.load()) {
+  SceneConfig& config = scene_.config;
+  Value solver = to_value(config.solver.get());
+  merge(solver, settings.solver);
+  if (solver.is_scalar()) {  // a bare name
+    const Value type = solver;
+    solver = Value::map();
+    solver.set("type", type);
+  }
+  solver.set("tolerance", Value::number(settings.tolerance));
+  config.solver = bind_component<Minimizer>(solver);
+  config.time.step = h_;
+  config.time.max_halvings = 0;  // a solve that fails is to be seen, not mended
+  world_ = build_world(config, scene_.root, clock_);
+  columns_ = prepare_probes(scene_, *world_);
+  if (case_.problem) world_->start = case_.problem->state;
+  stepper_.emplace(*world_, config, clock_, [](const std::string&) {});
+}
+
+const TrialResult& Trial::run(const VecX* guess) {
+  if (recording_)
+    stepper_->observe([this](int number, double residual, double value, double seconds) {
+      if (number == 1) present_.clear();
+      present_.push_back({number, residual, value, seconds});
+      if (present_.size() > longest_.size()) longest_ = present_;
+    });
+  if (case_.single()) solve_step(guess);
+  else solve_run();
+  if (result_.complete) look_at_end();
+  return result_;
+}
+
+void Trial::solve_step(const VecX* guess) {
+  std::optional<Attempt> attempt;
+  {
+    const Stopwatch watch(result_);
+    attempt = stepper_->solve(h_, guess);
+  }
+  const MinimizerResult& solve = attempt->result;
+  result_.iterations = solve.iterations;
+  result_.evaluations = solve.line_search_evaluations;
+  result_.linear_solves = solve.linear_solves;
+  result_.converged = attempt->failure.empty() && solve.status == MinimizerStatus::converged;
+  result_.status = attempt->failure.empty() ? std::string(to_string(solve.status)) : attempt->failure;
+  result_.complete = attempt->failure.empty() && attempt->x.allFinite();
+  if (result_.complete) stepper_->commit(attempt->x, h_);
+}
+
+void Trial::solve_run() {
+  const int steps = case_.steps_of(h_);
+  StepReport report;
+  result_.status = "converged";
+  try {
+    const Stopwatch watch(result_);
+    for (int i = 0; i < steps; ++i) {
+      report = stepper_->advance();
+      if (stepper_->interrupted()) throw SimulationError("interrupted");
+      result_.iterations += report.solve.iterations;
+      result_.evaluations += report.solve.line_search_evaluations;
+      result_.linear_solves += report.solve.linear_solves;
+    }
+    result_.converged = result_.complete = true;
+  } catch (const SimulationError& error) {
+    result_.status = error.what();
+    return;
+  }
+  for (const auto& [term, energy] : report.energies)
+    if (is_stored(term)) result_.energy += energy;
+}
+
+void Trial::look_at_end() {
+  result_.x = stepper_->state().x;
+  result_.intersections = first_inverted_tet(world_->tets, result_.x) >= 0 ? 1 : 0;
+  if (world_->contact) {
+    const ContactSystem& contact = *world_->contact;
+    result_.intersections +=
+        static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.filter(), 100).size());
+    world_->contact->move_to(result_.x);
+  }
+  for (const auto& probe : scene_.config.probes)
+    for (const double value : probe->sample(*world_, stepper_->state())) result_.probes.push_back(value);
+}
+
+}  // namespace tack

@@ -1,0 +1,94 @@
+// One solver on one case: in a world of its own, so that nothing of another trial (factors, candidates)
+// helps it. Loading is not timed; the minimisation of a single step, or the steps of a run with their
+// verification, are.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/output/state_file.hpp"
+#include "framework/stepping/time_stepper.hpp"
+
+namespace tack {
+
+// What is solved: an experiment from its start, or the step of a problem's file.
+struct CompareCase {
+  std::string name;
+  std::string path;
+  std::vector<std::string> overrides;  // of an experiment
+  std::optional<StateFile> problem;
+  double step_size = 0;  // its own [s]
+  int steps = 1;         // of that size
+  double size = 0;       // diagonal of all that moves [m]
+  bool quasi_static = false;
+
+  bool single() const { return problem.has_value(); }
+  // Up to the same time; throws InputError if h does not divide it.
+  int steps_of(double h) const;
+  LoadedScene load() const;
+};
+
+CompareCase experiment_case(const std::string& path, const std::vector<std::string>& overrides, int steps);
+CompareCase problem_case(const std::string& path);
+
+struct TrialSettings {
+  Value solver;           // laid over the scene's
+  double tolerance = 0;   // m/s
+  double step_size = 0;   // s
+};
+
+struct TrialResult {
+  std::string status;  // "converged", or what went wrong
+  bool converged = false;
+  bool complete = false;  // the end was reached, so that x is that of the end
+  double wall_seconds = 0, cpu_seconds = 0;
+  long iterations = 0, evaluations = 0, linear_solves = 0;
+  int intersections = 0;  // and inverted tets, in the last state
+  VecX x;                 // 3n [m]
+  double energy = 0;      // of a run's end [J]
+  std::vector<double> probes;
+};
+
+struct Iteration {
+  int number;
+  double residual;  // in tolerances
+  double value;     // of the objective
+  double seconds;
+};
+
+class Trial {
+ public:
+  // Throws InputError for settings that do not fit the case.
+  Trial(const CompareCase& what, const TrialSettings& settings);
+  // `guess`: where a single step's minimisation starts (3n), feasible.
+  const TrialResult& run(const VecX* guess = nullptr);
+  const TrialResult& result() const { return result_; }
+  std::vector<std::string> probe_columns() const { return columns_; }
+  // Keeps the iterations of the step that takes most; costs time, so not for what is measured.
+  void record() { recording_ = true; }
+  const std::vector<Iteration>& history() const { return longest_; }
+  // Of the single step that was solved, over beta h^2 [J].
+  double potential_at(const VecX& x) { return stepper_->potential_at(x); }
+  const World& world() const { return *world_; }
+
+ private:
+  void solve_step(const VecX* guess);
+  void solve_run();
+  void look_at_end();
+
+  const CompareCase& case_;
+  double h_;
+  PhaseClock clock_;
+  LoadedScene scene_;
+  std::unique_ptr<World> world_;
+  std::vector<std::string> columns_;
+  std::optional<TimeStepper> stepper_;
+  bool recording_ = false;
+  std::vector<Iteration> present_, longest_;
+  TrialResult result_;
+};
+
+}  // namespace tack

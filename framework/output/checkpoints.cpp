@@ -1,0 +1,54 @@
+#include "framework/output/checkpoints.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "line 12: 'a: 1' there, 'a: 2' here"; for texts that differ.
+std::string first_difference(const std::string& there, const std::string& here) {
+  std::istringstream a(there), b(here);
+  std::string line_a, line_b;
+  for (int line = 1;; ++line) {
+    const bool more_a = static_cast<bool>(std::getline(a, line_a));
+    const bool more_b = static_cast<bool>(std::getline(b, line_b));
+    if (line_a != line_b || more_a != more_b || !more_a)
+      return fmt::format("line {}: '{}' there, '{}' here", line, more_a ? line_a : "", more_b ? line_b : "");
+  }
+}
+
+}  // namespace
+
+fs::path checkpoint_path(const RunFolder& folder, int step) {
+  return folder.checkpoints() / fmt::format("step_{:08}.checkpoint", step);
+}
+
+StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene) {
+  fs::path newest;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder.checkpoints(), none))
+    if (entry.path().extension() == ".checkpoint") newest = std::max(newest, entry.path());
+  if (newest.empty())
+    throw InputError(fmt::format("{}: there is no checkpoint to resume from; run with output.checkpoint_interval, "
+                                 "or start anew without --resume", folder.checkpoints().string()));
+  StateFile file = read_state_file(newest, StateFile::Kind::checkpoint);
+  if (file.scene != scene)
+    throw InputError(fmt::format("{}: is of another scene ({}); resume with the scene of that run ({}), or start "
+                                 "anew without --resume", newest.string(), first_difference(file.scene, scene),
+                                 folder.scene().string()));
+  return file;
+}
+
+double next_checkpoint(double interval, double time, double step) {
+  double next = interval;
+  while (next <= time + 1e-9 * step) next += interval;
+  return next;
+}
+
+}  // namespace tack

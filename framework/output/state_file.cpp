@@ -1,0 +1,166 @@
+#include "framework/output/state_file.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/describe.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/output/replace_file.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr const char* format = "tack state";
+constexpr int version = 1;
+
+const char* name_of(StateFile::Kind kind) {
+  return kind == StateFile::Kind::problem ? "problem" : "checkpoint";
+}
+
+// An object's mesh that was read from a file when the state was stored.
+class StoredMesh : public ShapeSource {
+ public:
+  explicit StoredMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
+  Mesh make() const override { return mesh_; }
+
+ private:
+  Mesh mesh_;
+};
+
+Json to_json(const VecX& x) { return std::vector<double>(x.data(), x.data() + x.size()); }
+
+VecX vector_of(const Json& json) {
+  const auto numbers = json.get<std::vector<double>>();
+  return Eigen::Map<const VecX>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
+}
+
+Json to_json(const Mesh& mesh) {
+  Json vertices = Json::array();
+  for (const Vec3& v : mesh.vertices) vertices.push_back({v.x(), v.y(), v.z()});
+  return {{"vertices", vertices}, {"tets", mesh.tets},     {"triangles", mesh.triangles},
+          {"edges", mesh.edges},  {"points", mesh.points}, {"tags", mesh.tags}};
+}
+
+Mesh mesh_of(const Json& json) {
+  Mesh mesh;
+  for (const Json& v : json.at("vertices")) mesh.vertices.emplace_back(v.at(0), v.at(1), v.at(2));
+  json.at("tets").get_to(mesh.tets);
+  json.at("triangles").get_to(mesh.triangles);
+  json.at("edges").get_to(mesh.edges);
+  json.at("points").get_to(mesh.points);
+  json.at("tags").get_to(mesh.tags);
+  return mesh;
+}
+
+Json to_json(const State& s) {
+  return {{"time", s.time},         {"step", s.step},     {"whole_steps", s.whole_steps},
+          {"h_before", s.h_before}, {"h_next", s.h_next}, {"held", s.held},
+          {"x", to_json(s.x)},      {"v", to_json(s.v)},  {"a", to_json(s.a)},
+          {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)}};
+}
+
+State state_of(const Json& json) {
+  State s;
+  json.at("time").get_to(s.time);
+  json.at("step").get_to(s.step);
+  json.at("whole_steps").get_to(s.whole_steps);
+  json.at("h_before").get_to(s.h_before);
+  json.at("h_next").get_to(s.h_next);
+  json.at("held").get_to(s.held);
+  s.x = vector_of(json.at("x"));
+  s.v = vector_of(json.at("v"));
+  s.a = vector_of(json.at("a"));
+  s.anchor = vector_of(json.at("anchor"));
+  s.x_before = vector_of(json.at("x_before"));
+  s.v_before = vector_of(json.at("v_before"));
+  return s;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+  throw InputError(fmt::format("{}: {}", path.string(), why));
+}
+
+Json content_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path)) refuse(path, "cannot read this file; check the path");
+  Json json = Json::from_cbor(in, true, false);
+  const bool ours = json.is_object() && json.value("format", Json()) == format;
+  if (!ours) refuse(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
+                          "write it anew");
+  if (json.value("version", Json()) != version)
+    refuse(path, fmt::format("has version {} of the format, and this program reads version {}; write it anew",
+                             json.value("version", Json()).dump(), version));
+  return json;
+}
+
+}  // namespace
+
+StateFile state_file_of(StateFile::Kind kind, SceneConfig& scene) {
+  StateFile file;
+  file.kind = kind;
+  file.scene = to_yaml(fields_of(scene));
+  if (kind == StateFile::Kind::checkpoint) return file;  // resumed with the scene's own files
+  for (const ObjectConfig& object : scene.objects)
+    if (object.shape->reads_files()) file.meshes[object.name] = object.shape->make();
+  return file;
+}
+
+void write_state_file(const std::filesystem::path& path, const StateFile& file) {
+  Json meshes = Json::object();
+  for (const auto& [object, mesh] : file.meshes) meshes[object] = to_json(mesh);
+  const Json json = {{"format", format},       {"version", version},         {"kind", name_of(file.kind)},
+                     {"program", file.program}, {"commit", file.commit},     {"scene", file.scene},
+                     {"meshes", meshes},        {"state", to_json(file.state)}, {"step_size", file.step_size},
+                     {"totals", file.totals}};
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
+  replace_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind) {
+  const Json json = content_of(path);
+  StateFile file;
+  file.kind = kind;
+  try {
+    if (const std::string found = json.at("kind"); found != name_of(kind))
+      refuse(path, fmt::format("is a {}, and a {} is needed", found, name_of(kind)));
+    json.at("program").get_to(file.program);
+    json.at("commit").get_to(file.commit);
+    json.at("scene").get_to(file.scene);
+    for (const auto& [object, mesh] : json.at("meshes").items()) file.meshes[object] = mesh_of(mesh);
+    file.state = state_of(json.at("state"));
+    json.at("step_size").get_to(file.step_size);
+    json.at("totals").get_to(file.totals);
+  } catch (const Json::exception& error) {
+    refuse(path, fmt::format("is damaged ({}); write it anew", error.what()));
+  }
+  return file;
+}
+
+LoadedScene scene_of(const StateFile& file, const std::string& name) {
+  LoadedScene scene;
+  scene.root = parse_string(file.scene, name);
+  bind(scene.root, scene.config, "the scene");
+  for (ObjectConfig& object : scene.config.objects)
+    if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
+      object.shape = std::make_unique<StoredMesh>(mesh->second);
+  return scene;
+}
+
+void check_size(const StateFile& file, Eigen::Index vertices, const std::string& name) {
+  const State& s = file.state;
+  for (const VecX* field : {&s.x, &s.v, &s.a})
+    if (field->size() != 3 * vertices)
+      refuse(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
+                               field->size(), vertices));
+  for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before})
+    if (field->size() != 0 && field->size() != 3 * vertices)
+      refuse(name, "its state does not fit its scene; write it anew");
+}
+
+}  // namespace tack

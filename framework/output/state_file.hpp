@@ -1,0 +1,48 @@
+// The state between two steps with all that is needed to go on from it: one file in CBOR (RFC 8949).
+// A problem is the step that follows, to be minimised again; a checkpoint, a run to be resumed. The
+// numbers are exact, so from such a file the same program takes the same step, bit for bit.
+//
+// A map: format "tack state", version, kind ("problem", "checkpoint"), program, commit, scene (resolved,
+// as YAML), meshes {object: {vertices, tets, triangles, edges, points, tags}} of the objects whose meshes
+// were read from files (not in checkpoints), state {time, step, whole_steps, h_before, h_next, held, x, v,
+// a, anchor, x_before, v_before}, step_size of a problem [s], totals {name: number} of a checkpoint's run
+// so far. All in SI.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "framework/scene/load_scene.hpp"
+#include "framework/stepping/state.hpp"
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+struct StateFile {
+  enum class Kind { problem, checkpoint };
+  Kind kind = Kind::problem;
+  std::string program, commit;         // what wrote it
+  std::string scene;                   // YAML
+  std::map<std::string, Mesh> meshes;  // by object
+  State state;
+  double step_size = 0;  // of a problem [s]
+  std::map<std::string, double> totals;
+};
+
+// The scene's part of a file. Reads the mesh files of a problem once more.
+StateFile state_file_of(StateFile::Kind kind, SceneConfig& scene);
+
+void write_state_file(const std::filesystem::path& path, const StateFile& file);
+
+// Throws InputError naming the file and what is wrong: not there, not such a file, another version or
+// kind, cut short.
+StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind);
+
+// The scene of a file, with its meshes; `name` stands for the file in messages.
+LoadedScene scene_of(const StateFile& file, const std::string& name);
+
+// Throws InputError unless the state is one of a scene with so many vertices.
+void check_size(const StateFile& file, Eigen::Index vertices, const std::string& name);
+
+}  // namespace tack

@@ -1,0 +1,41 @@
+// What a run has counted so far, as named numbers: for checkpoints.
+#include <fmt/format.h>
+
+#include "framework/output/summary.hpp"
+
+namespace tack {
+namespace {
+
+// Calls act(name, number) for everything that adds up over the steps of a run.
+template <class Summary, class Act>
+void for_each_total(Summary& s, const Act& act) {
+  act("steps", s.steps);
+  act("converged_steps", s.converged_steps);
+  act("failed_solves", s.failed_solves);
+  act("unconverged_lags", s.unconverged_lags);
+  act("newton_iterations", s.newton_iterations);
+  act("linear_solves", s.linear_solves);
+  act("line_search_evaluations", s.line_search_evaluations);
+  act("broad_phase_builds", s.broad_phase_builds);
+  act("max_contacts", s.max_contacts);
+  act("min_distance", s.min_distance);
+  act("intersections", s.intersections);
+  act("inverted_tets", s.inverted_tets);
+  for (int i = 0; i < phase_count; ++i) act(fmt::format("seconds_{}", phase_names[i]), s.phases[i]);
+}
+
+}  // namespace
+
+std::map<std::string, double> totals_of(const RunSummary& summary) {
+  std::map<std::string, double> totals;
+  for_each_total(summary, [&](const std::string& name, auto number) { totals[name] = static_cast<double>(number); });
+  return totals;
+}
+
+void set_totals(RunSummary& summary, const std::map<std::string, double>& totals) {
+  for_each_total(summary, [&]<class Number>(const std::string& name, Number& number) {
+    if (const auto found = totals.find(name); found != totals.end()) number = static_cast<Number>(found->second);
+  });
+}
+
+}  // namespace tack

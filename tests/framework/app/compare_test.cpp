@@ -1,0 +1,113 @@
+// tack compare from the command line.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string comparison = R"(name: two
+about: a test
+base: scene.yaml
+steps: 3
+repeat: 2
+tolerances: [1 mm/s, 0.01 mm/s]
+time_steps: [10 ms, 5 ms]
+solvers:
+  - {name: clamp, solver: {filter: clamp}}
+  - {name: weak, solver: {type: projected_newton, max_iterations: 1}}
+)";
+
+struct Place {
+  Place() {
+    write_file(folder.path() / "scene.yaml",
+               tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:"));
+    write_file(folder.path() / "compare.yaml", comparison);
+  }
+  ProgramResult compare(Arguments options = {}) const {
+    options.insert(options.begin(), {"compare", "compare.yaml"});
+    return run_tack(folder.path(), options);
+  }
+  std::string text(const std::string& name) const { return file_text(folder.path() / name); }
+  TemporaryFolder folder;
+};
+
+int lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
+
+}  // namespace
+
+TEST_CASE("tack compare writes a row for every combination, also for those that fail") {
+  const Place place;
+  const ProgramResult result = place.compare();
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const std::string csv = place.text("results/two/compare.csv");
+  CHECK(lines(csv) == 1 + 2 * 2 * 2);
+  CHECK(contains(csv, "energy_gap,intersections,error_height,error_stickiness_x,"));
+  CHECK(contains(csv, "tiny,clamp,0.001,0.01,"));
+  CHECK(contains(csv, "tiny,weak,1e-05,0.005,"));
+  CHECK(contains(csv, "iteration limit reached"));
+  const std::string report = place.text("results/two/compare.md");
+  CHECK(contains(report, "2 repetitions"));
+  CHECK(contains(report, "| tiny | weak | 1e-05 |"));
+  CHECK(contains(report, "## Fastest at each level of error"));
+  CHECK(fs::is_regular_file(place.folder.path() / "results/two/plots/work_precision.gp"));
+  if (!contains(result.out, "no pictures")) {
+    CHECK(contains(place.text("results/two/plots/work_precision.svg"), "<svg"));
+    CHECK(contains(place.text("results/two/plots/convergence.png"), "PNG"));
+  }
+  REQUIRE(place.compare({"-q"}).exit_code == 0);  // the first results are kept
+  CHECK(place.text("results/two.1/compare.csv") == csv);
+}
+
+TEST_CASE("tack compare solves stored steps, and the errors of one solver fall with its tolerance") {
+  const Place place;
+  REQUIRE(run_tack(place.folder.path(), {"run", "scene.yaml", "-q", "--steps", "3", "--dump-problem", "step=2"}).exit_code == 0);
+  const ProgramResult result = place.compare(
+      {"--set", "base=\"\"", "problems=[results/tiny/problems/tiny.step2.problem]", "time_steps=[]",
+       "tolerances=[0.1, 1e-7]", "solvers=[{name: only, solver: projected_newton}]"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const std::string csv = place.text("results/two/compare.csv");
+  CHECK(contains(csv, "tiny.step2,only,0.1,0.01,"));
+  CHECK(contains(place.text("results/two/compare.md"), "| tiny.step2 | 1e-"));
+}
+
+TEST_CASE("without gnuplot, tables are written and the message says what is missing") {
+  const Place place;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nowhere", 1);
+  const ProgramResult result = place.compare({"--set", "repeat=1", "time_steps=[]", "tolerances=[1e-3]"});
+  ::setenv("PATH", path.c_str(), 1);
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "work_precision: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox)"));
+  CHECK(lines(place.text("results/two/compare.csv")) == 3);
+  CHECK_FALSE(place.text("results/two/compare.md").empty());
+  CHECK_FALSE(place.text("results/two/plots/work_precision.gp").empty());
+}
+
+TEST_CASE("mistakes in a comparison are told with their place, and nothing is written") {
+  const Place place;
+  const auto error_of = [&](const std::string& part, const std::string& wrong) {
+    std::string text = comparison;
+    text.replace(text.find(part), part.size(), wrong);
+    write_file(place.folder.path() / "compare.yaml", text);
+    const ProgramResult result = place.compare();
+    CHECK(result.exit_code == 2);
+    CHECK_FALSE(fs::exists(place.folder.path() / "results"));
+    return result.err;
+  };
+  CHECK(contains(error_of("repeat:", "repaet:"), "compare.yaml:5:1: unknown key 'repaet' in the comparison; did you mean 'repeat'?"));
+  CHECK(contains(error_of("filter: clamp", "filtre: clamp"), "compare.yaml:9:28: unknown key 'filtre' in minimizer"));
+  CHECK(contains(error_of("projected_newton", "newton"), "unknown minimizer 'newton'"));
+  CHECK(contains(error_of("name: weak", "name: clamp"), "two solvers are named 'clamp'"));
+  CHECK(contains(error_of("base: scene.yaml", "base: nowhere.yaml"), "nowhere.yaml"));
+  CHECK(contains(error_of("base: scene.yaml\n", ""), "give an experiment (base) or stored steps (problems)"));
+  CHECK(contains(error_of("base: scene.yaml", "problems: [scene.yaml]"), "is not a whole file of `tack run --dump-problem`"));
+  CHECK(contains(error_of("5 ms", "7 ms"), "tiny: a time step of 0.007 s does not divide the 0.03 s"));
+}

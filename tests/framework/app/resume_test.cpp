@@ -1,0 +1,94 @@
+// tack run --resume and --dump-problem, as their users call them.
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "framework/output/csv.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Friction, and a part of the block held for half of the run: all that a state must carry.
+std::string scene_text() {
+  std::string scene = tiny_scene_with("energies:", "velocity: [0.3, -0.2, 0.1]\n    motion: [{type: translate, velocity: "
+                                      "[0.3, 0, 0], until: 0.055 s, select: {type: face, direction: [-1, 0, 0]}}]\n    energies:");
+  scene.replace(scene.find("duration: 0.05 s"), 16, "duration: 0.1 s");
+  return scene + "output: {checkpoint_interval: 0.03 s, frame_interval: 0.02 s}\n";
+}
+
+const Arguments friction = {"--set", "contact.friction={mu: 0.3}", "expect=[]"};
+
+ProgramResult run(const fs::path& folder, Arguments options) {
+  options.insert(options.begin(), {"run", "scene.yaml"});
+  options.insert(options.end(), friction.begin(), friction.end());
+  return run_tack(folder, options);
+}
+
+}  // namespace
+
+TEST_CASE("a run that is interrupted and resumed has the bits of one that is not") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  REQUIRE(run(folder.path(), {"-o", "whole"}).exit_code == 0);
+  REQUIRE(run(folder.path(), {"-o", "parts", "--steps", "5"}).exit_code == 0);  // past the checkpoint of step 3
+  const ProgramResult resumed = run(folder.path(), {"-o", "parts", "--resume"});
+  INFO(resumed.out << resumed.err);
+  REQUIRE(resumed.exit_code == 0);
+  CHECK(contains(resumed.out, "resumed at step 3, t = 0.03 s"));
+
+  const fs::path whole = folder.path() / "whole", parts = folder.path() / "parts";
+  CHECK(file_text(parts / "probes.csv") == file_text(whole / "probes.csv"));
+  CHECK(file_text(parts / "run.pvd") == file_text(whole / "run.pvd"));
+  for (int i = 0; i <= 5; ++i) {
+    const fs::path frame = "frames/frame_00000" + std::to_string(i) + ".vtu";
+    CHECK(file_text(parts / frame) == file_text(whole / frame));
+    CHECK_FALSE(file_text(parts / frame).empty());
+  }
+  CsvTable a = read_csv(whole / "steps.csv"), b = read_csv(parts / "steps.csv");
+  REQUIRE(a.rows.size() == 10);
+  REQUIRE(b.rows.size() == 10);
+  const size_t counted = *a.column("wall_seconds");  // what follows are times
+  for (size_t i = 0; i < 10; ++i)
+    for (size_t c = 0; c < counted; ++c) CHECK(a.rows[i][c] == b.rows[i][c]);
+  const auto summary = nlohmann::json::parse(file_text(parts / "summary.json"));
+  CHECK(summary["steps"] == 10);
+  CHECK(summary["totals"]["newton_iterations"] ==
+        nlohmann::json::parse(file_text(whole / "summary.json"))["totals"]["newton_iterations"]);
+}
+
+TEST_CASE("what cannot be resumed is told, and nothing is written") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  const auto error_of = [&](const Arguments& options) {
+    const ProgramResult result = run(folder.path(), options);
+    CHECK(result.exit_code == 2);
+    return result.err;
+  };
+  CHECK(contains(error_of({"--resume"}), "is not the results folder of a run"));
+  REQUIRE(run(folder.path(), {"--steps", "2"}).exit_code == 0);
+  CHECK(contains(error_of({"--resume"}), "there is no checkpoint to resume from; run with output.checkpoint_interval"));
+  REQUIRE(run(folder.path(), {"--steps", "3"}).exit_code == 0);
+  const std::string before = file_text(folder.path() / "results/tiny/probes.csv");
+  CHECK(contains(error_of({"--resume", "--set", "gravity=[0, -1, 0]"}), "is of another scene (line "));
+  CHECK(file_text(folder.path() / "results/tiny/probes.csv") == before);
+}
+
+TEST_CASE("steps that --dump-problem names are stored, and the hardest") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  const ProgramResult result =
+      run(folder.path(), {"--dump-problem", "step=4", "--dump-problem", "hardest=2", "--dump-problem", "step=99"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  CHECK(fs::is_regular_file(folder.path() / "results/tiny/problems/tiny.step4.problem"));
+  CHECK(contains(result.out, "step 99 was not reached"));
+  const auto entries = fs::directory_iterator(folder.path() / "results/tiny/problems");
+  const auto count = std::distance(begin(entries), end(entries));
+  CHECK((count == 2 || count == 3));  // step 4 may be one of the hardest
+  const ProgramResult wrong = run(folder.path(), {"--dump-problem", "last"});
+  CHECK(wrong.exit_code == 2);
+  CHECK(contains(wrong.err, "--dump-problem last: expects step=K, counted from 1, or hardest=N"));
+}

@@ -1,0 +1,148 @@
+// Files of a state: exact, refused with a reason if they are not whole, and a step from them has the bits of
+// the run.
+#include "framework/output/state_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "framework/config/bind.hpp"
+#include "framework/stepping/time_stepper.hpp"
+#include "geometry/errors.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A sticky block that slides, is let go of by a motion in the middle of the run, and meets friction.
+const std::string scene_text = R"(
+time: {step: 0.01 s, duration: 0.2 s, integrator: bdf2}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}
+    place: {translate: [0, 0.1006, 0]}
+    velocity: [0.5, 0, 0.1]
+    energies: [{type: neo_hookean, young: 0.2 MPa, poisson: 0.3, density: 1000}]
+    motion:
+      - {type: translate, velocity: [0.5, 0, 0], until: 0.04 s, select: {type: face, direction: [-1, 0, 0]}}
+contact:
+  distance: 1 mm
+  friction: {mu: 0.3}
+  lagging: {iterations: 3, until: 1e-4}
+  pairs: [{between: [block, floor], adhesion: {type: fang, critical_strain: 0.001}}]
+)";
+
+struct Stepped {
+  explicit Stepped(const std::string& yaml) : scene(yaml) { start(scene.world->start); }
+  Stepped(LoadedScene loaded, const State& state) : scene(scene_text), replayed(std::move(loaded)) {
+    world = build_world(replayed->config, replayed->root, scene.clock);
+    world->start = state;
+    stepper.emplace(*world, replayed->config, scene.clock, [](const std::string&) {});
+  }
+  void start(State state) {
+    scene.world->start = std::move(state);
+    scene.world->forget();
+    scene.config.solver = bind_component<Minimizer>(to_value(scene.config.solver.get()));
+    stepper.emplace(*scene.world, scene.config, scene.clock, [](const std::string&) {});
+  }
+  TestScene scene;
+  std::optional<LoadedScene> replayed;
+  std::unique_ptr<World> world;
+  std::optional<TimeStepper> stepper;
+};
+
+void check_same(const State& a, const State& b) {
+  CHECK(a.time == b.time);
+  CHECK(a.step == b.step);
+  CHECK(a.whole_steps == b.whole_steps);
+  CHECK(a.held == b.held);
+  CHECK(a.h_next == b.h_next);
+  CHECK(a.h_before == b.h_before);
+  CHECK((a.x == b.x && a.v == b.v && a.a == b.a));
+  CHECK((a.anchor == b.anchor && a.x_before == b.x_before && a.v_before == b.v_before));
+}
+
+}  // namespace
+
+TEST_CASE("a step from a problem's file has the bits of the run", "[state_file]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.problem";
+  Stepped run(scene_text);
+  for (int step = 0; step < 8; ++step) {  // the motion lets go at step 4
+    INFO("step " << step);
+    run.start(run.stepper->state());
+    StateFile file = state_file_of(StateFile::Kind::problem, run.scene.config);
+    file.state = run.stepper->state();
+    write_state_file(path, file);
+    const StateFile read = read_state_file(path, StateFile::Kind::problem);
+    check_same(read.state, file.state);
+    Stepped again(scene_of(read, path), read.state);
+    run.stepper->advance();
+    again.stepper->advance();
+    check_same(again.stepper->state(), run.stepper->state());
+  }
+}
+
+TEST_CASE("a problem carries the meshes that its scene reads from files", "[state_file]") {
+  const TemporaryFolder folder;
+  const fs::path mesh = folder.path() / "tets.msh", path = folder.path() / "a.problem";
+  fs::copy_file(TACK_TEST_DATA "/meshes/two_tets_41_ascii.msh", mesh);
+  TestScene scene("objects:\n  - {name: obstacle, shape: {type: file, path: " + mesh.string() +
+                  "}, motion: [fixed]}\n"
+                  "  - {name: block, shape: {type: box, size: [1, 1, 1]}, energies: [{type: neo_hookean, young: 1e5}]}");
+  StateFile file = state_file_of(StateFile::Kind::problem, scene.config);
+  file.state = scene.world->start;
+  write_state_file(path, file);
+  fs::remove(mesh);
+  const StateFile read = read_state_file(path, StateFile::Kind::problem);
+  const LoadedScene loaded = scene_of(read, path);
+  const auto world = build_world(loaded.config, loaded.root, scene.clock);
+  CHECK(world->rest == scene.world->rest);
+  CHECK(world->bodies[0].tets == scene.world->bodies[0].tets);
+  CHECK(world->bodies[0].tags == scene.world->bodies[0].tags);
+  check_size(read, world->rest.size() / 3, path);
+  CHECK_THROWS_WITH(check_size(read, 3, "a"), Catch::Contains("a: its state has"));
+}
+
+TEST_CASE("what is no such file is refused with the reason", "[state_file]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.problem";
+  const auto error_of = [&](StateFile::Kind kind) -> std::string {
+    try {
+      read_state_file(path, kind);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(contains(error_of(StateFile::Kind::problem), "a.problem: cannot read this file"));
+  write_file(path, "name: a scene\n");
+  CHECK(contains(error_of(StateFile::Kind::problem), "is not a whole file of `tack run --dump-problem`"));
+
+  TestScene scene(scene_text);
+  StateFile file = state_file_of(StateFile::Kind::checkpoint, scene.config);
+  file.state = scene.world->start;
+  write_state_file(path, file);
+  CHECK(error_of(StateFile::Kind::checkpoint) == "");
+  CHECK(contains(error_of(StateFile::Kind::problem), "is a checkpoint, and a problem is needed"));
+  const std::string whole = file_text(path);
+  write_file(path, whole.substr(0, whole.size() / 2));
+  CHECK(contains(error_of(StateFile::Kind::checkpoint), "is not a whole file"));
+
+  auto json = nlohmann::json::from_cbor(whole);
+  const auto write = [&] {
+    const auto bytes = nlohmann::json::to_cbor(json);
+    write_file(path, {bytes.begin(), bytes.end()});
+  };
+  json["version"] = 99;
+  write();
+  CHECK(contains(error_of(StateFile::Kind::checkpoint), "has version 99 of the format, and this program reads version 1"));
+  json["version"] = 1;
+  json["state"].erase("x");
+  write();
+  CHECK(contains(error_of(StateFile::Kind::checkpoint), "is damaged"));
+}
