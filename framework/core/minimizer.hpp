@@ -58,6 +58,8 @@ enum class Stopping {
   acceleration,  // |M^-1 gradient|_inf below a tolerance [m/s^2]
 };
 
+class Term;
+
 class Minimizer : public Component {
  public:
   static constexpr const char* kind_name = "minimizer";
@@ -68,6 +70,9 @@ class Minimizer : public Component {
   double velocity_tolerance() const { return tolerance_; }                   // m/s
   double force_tolerance() const { return force_tolerance_; }                // relative
   double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
+
+  // Throws InputError for a potential of these terms that it cannot minimise. Asked when a scene is loaded.
+  virtual void admit(const std::vector<const Term*>& /*terms*/, int /*unknowns*/) const {}
 
   // q: in, the feasible start; out, the last feasible iterate.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;

@@ -1,0 +1,216 @@
+// Ceres' trust-region methods on the least-squares view of the potential. Ceres only proposes: in each
+// round it runs a few iterations on the model of residual_model.hpp, and the way to where it arrives is
+// the search direction p of our own loop, bounded by the step filters and searched on the true
+// potential. Along it the potential falls, at least if Ceres took but one iteration: after a direction
+// that fails, rounds get shorter.
+#include <ceres/cost_function.h>
+#include <ceres/evaluation_callback.h>
+#include <ceres/iteration_callback.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "framework/config/field.hpp"
+#include "framework/core/term.hpp"
+#include "solvers/minimizers/ceres_common.hpp"
+#include "solvers/minimizers/descent_minimizer.hpp"
+#include "solvers/minimizers/residual_model.hpp"
+
+namespace tack {
+namespace {
+
+// The residuals of one stencil, which the model has evaluated already.
+class StencilCost : public ceres::CostFunction {
+ public:
+  StencilCost(const ResidualModel& model, const ResidualModel::Stencil& stencil, const bool& finite)
+      : model_(model), stencil_(stencil), finite_(finite) {
+    set_num_residuals(stencil.residuals);
+    for (int i = 0; i < stencil.arity; ++i)
+      if (free(i)) mutable_parameter_block_sizes()->push_back(3);
+  }
+
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    if (!finite_) return false;
+    std::copy_n(model_.residuals(stencil_), stencil_.residuals, residuals);
+    if (!jacobians) return true;
+    for (int i = 0, k = 0; i < stencil_.arity; ++i) {
+      if (!free(i)) continue;
+      if (double* out = jacobians[k++])
+        for (int row = 0; row < stencil_.residuals; ++row)
+          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.arity * row + i), 3, out + 3 * row);
+    }
+    return true;
+  }
+
+ private:
+  bool free(int i) const { return model_.dofs().block(stencil_.vertices[i]) >= 0; }
+
+  const ResidualModel& model_;
+  const ResidualModel::Stencil& stencil_;
+  const bool& finite_;
+};
+
+// sqrt(M) (x - target) of one vertex.
+class InertiaCost : public ceres::CostFunction {
+ public:
+  InertiaCost(const ResidualModel& model, int block) : root_(model.root_mass(block)), target_(model.target(block)) {
+    set_num_residuals(3);
+    mutable_parameter_block_sizes()->push_back(3);
+  }
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    for (int c = 0; c < 3; ++c) residuals[c] = root_ * (x[0][c] - target_(c));
+    if (jacobians && jacobians[0])
+      for (int k = 0; k < 9; ++k) jacobians[0][k] = k % 4 == 0 ? root_ : 0;
+    return true;
+  }
+
+ private:
+  double root_;  // kg^1/2
+  Vec3 target_;  // m
+};
+
+// Evaluates the model once where Ceres asks for every residual.
+class EvaluateModel : public ceres::EvaluationCallback {
+ public:
+  EvaluateModel(ResidualModel& model, PhaseClock& clock) : model_(model), clock_(clock) {}
+  void PrepareForEvaluation(bool with_jacobian, bool) override {
+    const PhaseScope scope(clock_, Phase::assembly);
+    finite = model_.evaluate(with_jacobian);
+  }
+  bool finite = true;
+
+ private:
+  ResidualModel& model_;
+  PhaseClock& clock_;
+};
+
+// Ends Ceres after so many steps that it took.
+class StopAfter : public ceres::IterationCallback {
+ public:
+  explicit StopAfter(int steps) : left_(steps) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
+    radius = s.trust_region_radius;
+    if (s.iteration > 0 && s.step_is_successful && --left_ == 0) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    return ceres::SOLVER_CONTINUE;
+  }
+  double radius = 0;
+
+ private:
+  int left_;
+};
+
+}  // namespace
+
+class CeresTrustRegion : public DescentMinimizer {
+ public:
+  enum class Strategy { levenberg_marquardt, dogleg, subspace_dogleg };
+
+  void fields(Fields& f) override {
+    DescentMinimizer::fields(f);
+    f.choice("strategy", strategy_,
+             {{"levenberg_marquardt", Strategy::levenberg_marquardt, "damped Gauss-Newton steps"},
+              {"dogleg", Strategy::dogleg, "Powell's path from the steepest descent to the Gauss-Newton step"},
+              {"subspace_dogleg", Strategy::subspace_dogleg, "the best step of the plane that both span"}},
+             "how a step is fitted into the trust region");
+    f.integer("inner_iterations", inner_iterations_, "steps of Ceres between two looks at contacts and potential")
+        .at_least(1);
+  }
+
+  void admit(const std::vector<const Term*>& terms, int) const override { residual_views(terms, std::string(type())); }
+
+ protected:
+  void begin(const MinimizerProblem&, MinimizerResult&) override {
+    radius_ = first_radius;
+    inner_ = inner_iterations_;
+  }
+
+  MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    ResidualModel model(problem.objective);
+    const VecX start = model.x();
+    propose(model, problem.clock, result);
+    VecX way = model.x() - start;
+    model.dofs().gather(way, p);
+    // No step improved the model: it can only be solved better than it is in round-off. The judge looks again
+    // from where a Newton-like step would not help either.
+    return p.allFinite() ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
+  }
+
+  void stepped(const MinimizerProblem&, const Step& step) override {
+    if (step.length < 0.5) radius_ *= std::max(step.length, 0.1);
+    inner_ = std::min(2 * inner_, inner_iterations_);
+  }
+
+  bool restart(const MinimizerProblem&) override {
+    if (inner_ == 1) return false;
+    inner_ /= 2;
+    return true;
+  }
+
+ private:
+  static constexpr double first_radius = 1e4;                            // Ceres' own
+  static constexpr double smallest_radius = 1e-6, largest_radius = 1e12;  // a new round starts within these
+  static constexpr int failures = 30;  // steps that do not improve the model, per round
+
+  // Moves the model's free vertices.
+  void propose(ResidualModel& model, PhaseClock& clock, MinimizerResult& result) {
+    const PhaseScope scope(clock, Phase::solve);
+    EvaluateModel evaluate(model, clock);
+    ceres::Problem::Options options;
+    options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    options.disable_all_safety_checks = true;
+    options.evaluation_callback = &evaluate;
+    std::deque<StencilCost> stencils;  // which neither copies nor moves
+    std::deque<InertiaCost> inertia;
+    ceres::Problem problem(options);
+    const auto position = [&](int v) { return model.x().data() + 3 * static_cast<size_t>(v); };
+    for (int b = 0; b < model.dofs().block_count(); ++b)
+      problem.AddResidualBlock(&inertia.emplace_back(model, b), nullptr, position(model.dofs().vertex_of_block(b)));
+    for (const ResidualModel::Stencil& s : model.stencils()) {
+      std::vector<double*> blocks;
+      for (int i = 0; i < s.arity; ++i)
+        if (model.dofs().block(s.vertices[i]) >= 0) blocks.push_back(position(s.vertices[i]));
+      if (!blocks.empty())
+        problem.AddResidualBlock(&stencils.emplace_back(model, s, evaluate.finite), nullptr, blocks);
+    }
+    StopAfter stop(inner_);
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver_options(stop), &problem, &summary);
+    radius_ = std::clamp(stop.radius, smallest_radius, largest_radius);
+    result.linear_solves += std::max(summary.num_linear_solves, 0);
+    result.line_search_evaluations += std::max(summary.num_residual_evaluations, 0);
+  }
+
+  ceres::Solver::Options solver_options(StopAfter& stop) const {
+    ceres::Solver::Options o;
+    o.minimizer_type = ceres::TRUST_REGION;
+    o.trust_region_strategy_type =
+        strategy_ == Strategy::levenberg_marquardt ? ceres::LEVENBERG_MARQUARDT : ceres::DOGLEG;
+    o.dogleg_type = strategy_ == Strategy::subspace_dogleg ? ceres::SUBSPACE_DOGLEG : ceres::TRADITIONAL_DOGLEG;
+    o.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    o.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;
+    o.initial_trust_region_radius = radius_;
+    o.max_trust_region_radius = 1e16;
+    o.max_num_iterations = inner_ + failures;
+    o.max_num_consecutive_invalid_steps = failures;
+    o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // convergence is not for Ceres to say
+    o.num_threads = 1;  // its sums over threads differ from run to run
+    o.callbacks.push_back(&stop);
+    silence(o);
+    return o;
+  }
+
+  Strategy strategy_ = Strategy::levenberg_marquardt;
+  int inner_iterations_ = 2;
+  int inner_ = 2;           // of the next round
+  double radius_ = first_radius;
+};
+
+TACK_REGISTER(Minimizer, CeresTrustRegion, "ceres_trust_region",
+              "Trust-region least squares of Ceres Solver. Cannot take terms that are no sums of squares (solids "
+              "with a negative Poisson's ratio); repulsion of negative multiplicity (concave corners) is linearised "
+              "in each round.",
+              "Agarwal, Mierle and others, Ceres Solver 2.1");
+
+}  // namespace tack
