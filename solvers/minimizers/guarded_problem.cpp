@@ -8,6 +8,7 @@
 namespace tack {
 namespace {
 
+constexpr int patience = 50;              // trials in a row that are blocked, or where the last accepted point is
 constexpr int trials_per_iteration = 20;  // on average, before the budget of iterations counts as used up
 
 VecX diagonal_of(const BlockMatrix& matrix) {
@@ -58,7 +59,7 @@ bool GuardedProblem::begin_round() {
   // Much further than anything extends, a trial is a method's mistake, and a search along it slow.
   longest_ = std::max(extent(q_), 1e3 * scale_.lpNorm<Eigen::Infinity>());
   iterations_before_ = result_.iterations;
-  blocked_ = tried_ = 0;
+  blocked_ = tried_ = idle_ = 0;
   trial_usable_ = false;
   return true;
 }
@@ -77,25 +78,24 @@ double GuardedProblem::relative_value(const VecX& q, double value, const VecX& g
 GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, double* gradient) {
   trial_usable_ = false;
   reach_ = 0;
-  ++tried_;
   ++result_.line_search_evaluations;
   if (interrupt_requested) stop(MinimizerStatus::interrupted);
   if (--trials_left_ < 0 && !over()) stop(MinimizerStatus::iteration_limit);
   trial_ = unscaled(z);
   if (!trial_.allFinite()) return Trial::not_finite;
+  const bool moved = trial_ != q_;
+  tried_ += moved;
   VecX p = trial_ - q_;
   const double longest = p.lpNorm<Eigen::Infinity>();
   const double part = longest > longest_ ? longest_ / longest : 1;
-  if (longest > 0) {
-    p *= part;
-    reach_ = part * problem_.feasible_step(q_, p);
-  } else {
-    reach_ = 1;
-  }
+  p *= part;
+  reach_ = moved ? part * problem_.feasible_step(q_, p) : 1;
   if (reach_ < 1) {
     ++blocked_;
+    ++idle_;
     return Trial::blocked;
   }
+  idle_ = moved ? 0 : idle_ + 1;
   const PhaseScope scope(problem_.clock, Phase::line_search);
   Objective& objective = problem_.objective;
   objective.move_to(trial_);
@@ -126,6 +126,7 @@ void GuardedProblem::evaluate_wall(const double* z, double& f, double* gradient)
 }
 
 bool GuardedProblem::accept(const double* z) {
+  if (over()) return false;
   if (!trial_usable_ || unscaled(z) != trial_) {
     double f = 0;
     if (evaluate(z, f, nullptr) != Trial::usable) return false;
@@ -149,6 +150,8 @@ void GuardedProblem::look() {
   if (judge_.converged(problem_, result_)) return stop(MinimizerStatus::converged);
   if (result_.iterations >= max_iterations_) stop(MinimizerStatus::iteration_limit);
 }
+
+bool GuardedProblem::gets_nowhere() const { return idle_ >= patience; }
 
 MinimizerStatus GuardedProblem::reason() const {
   return tried_ > 0 && blocked_ == tried_ ? MinimizerStatus::blocked : MinimizerStatus::line_search_failed;

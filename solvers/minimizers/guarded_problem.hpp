@@ -47,7 +47,9 @@ class GuardedProblem {
   void fail(std::exception_ptr failure) { failure_ = failure; }
   void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
 
-  // Whether the last round brought no accepted point, though tried; the status that fits.
+  // So many trials in a row led nowhere that the method had better start anew.
+  bool gets_nowhere() const;
+  // Whether the last round brought no accepted point; the status that fits.
   bool fruitless() const { return result_.iterations == iterations_before_; }
   MinimizerStatus reason() const;
 
@@ -74,7 +76,7 @@ class GuardedProblem {
   bool trial_usable_ = false;
 
   int trials_left_ = 0;
-  int iterations_before_ = 0, blocked_ = 0, tried_ = 0;  // of the round
+  int iterations_before_ = 0, tried_ = 0, blocked_ = 0, idle_ = 0;  // in the round; the last, in a row
   std::optional<MinimizerStatus> status_;
   std::exception_ptr failure_;
 };

@@ -34,7 +34,7 @@ double guarded_value(unsigned, const double* z, double* gradient, void* data) no
   } catch (...) {
     guarded.fail(std::current_exception());
   }
-  if (guarded.over()) nlopt_force_stop(opt);
+  if (guarded.over() || guarded.gets_nowhere()) nlopt_force_stop(opt);
   return f;
 }
 
