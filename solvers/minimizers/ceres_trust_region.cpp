@@ -2,7 +2,8 @@
 // round it runs a few iterations on the model of residual_model.hpp, and the way to where it arrives is
 // the search direction p of our own loop, bounded by the step filters and searched on the true
 // potential. Along it the potential falls, at least if Ceres took but one iteration: after a direction
-// that fails, rounds get shorter.
+// that fails, rounds get shorter. Where Ceres finds no decrease, its first trial is the direction: near
+// the minimum the decrease drowns in the rounding error of a sum of squares sooner than in ours.
 #include <ceres/cost_function.h>
 #include <ceres/evaluation_callback.h>
 #include <ceres/iteration_callback.h>
@@ -71,19 +72,22 @@ class InertiaCost : public ceres::CostFunction {
   Vec3 target_;  // m
 };
 
-// Evaluates the model once where Ceres asks for every residual.
+// Evaluates the model once where Ceres asks for every residual; remembers the first trial.
 class EvaluateModel : public ceres::EvaluationCallback {
  public:
   EvaluateModel(ResidualModel& model, PhaseClock& clock) : model_(model), clock_(clock) {}
   void PrepareForEvaluation(bool with_jacobian, bool) override {
     const PhaseScope scope(clock_, Phase::assembly);
     finite = model_.evaluate(with_jacobian);
+    if (first_trial.size() == 0 && model_.x() != start_) first_trial = model_.x();
   }
   bool finite = true;
+  VecX first_trial;  // 3n; empty before it
 
  private:
   ResidualModel& model_;
   PhaseClock& clock_;
+  const VecX start_ = model_.x();
 };
 
 // Ends Ceres after so many steps that it took.
@@ -92,8 +96,8 @@ class StopAfter : public ceres::IterationCallback {
   explicit StopAfter(int steps) : left_(steps) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
     radius = s.trust_region_radius;
-    if (s.iteration > 0 && s.step_is_successful && --left_ == 0) return ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-    return ceres::SOLVER_CONTINUE;
+    if (s.iteration == 0 || !s.step_is_successful) return ceres::SOLVER_CONTINUE;
+    return --left_ == 0 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
   }
   double radius = 0;
 
@@ -130,10 +134,7 @@ class CeresTrustRegion : public DescentMinimizer {
     ResidualModel model(problem.objective);
     const VecX start = model.x();
     propose(model, problem.clock, result);
-    VecX way = model.x() - start;
-    model.dofs().gather(way, p);
-    // No step improved the model: it can only be solved better than it is in round-off. The judge looks again
-    // from where a Newton-like step would not help either.
+    model.dofs().gather(model.x() - start, p);
     return p.allFinite() ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
   }
 
@@ -151,7 +152,8 @@ class CeresTrustRegion : public DescentMinimizer {
  private:
   static constexpr double first_radius = 1e4;                            // Ceres' own
   static constexpr double smallest_radius = 1e-6, largest_radius = 1e12;  // a new round starts within these
-  static constexpr int failures = 30;  // steps that do not improve the model, per round
+  static constexpr int failures = 5;  // steps that do not improve the model, per round
+  static constexpr double cost_noise = 1e-11;  // relative rounding error of a sum of squares
 
   // Moves the model's free vertices.
   void propose(ResidualModel& model, PhaseClock& clock, MinimizerResult& result) {
@@ -177,7 +179,11 @@ class CeresTrustRegion : public DescentMinimizer {
     StopAfter stop(inner_);
     ceres::Solver::Summary summary;
     ceres::Solve(solver_options(stop), &problem, &summary);
-    radius_ = std::clamp(stop.radius, smallest_radius, largest_radius);
+    if (summary.initial_cost - summary.final_cost > cost_noise * summary.initial_cost) {
+      radius_ = std::clamp(stop.radius, smallest_radius, largest_radius);
+    } else if (evaluate.first_trial.size() > 0) {
+      model.x() = evaluate.first_trial;
+    }
     result.linear_solves += std::max(summary.num_linear_solves, 0);
     result.line_search_evaluations += std::max(summary.num_residual_evaluations, 0);
   }

@@ -7,7 +7,7 @@ namespace tack {
 namespace {
 
 // Without inertia: the pull, as a part of the model's diagonal. Weak enough to leave Gauss-Newton steps
-// as they are, strong enough that the target stays within 10^6 steps.
+// as they are, strong enough that the target stays within a million of them.
 constexpr double weak_pull = 1e-6;
 
 }  // namespace
