@@ -50,7 +50,9 @@ struct NeoHookean {
     const double root = std::sqrt(lame.mu * q);
     return {root * e, lame.mu * (s + 1) / (s * root)};
   }
-  RootSample volume_root(double j) const { return {std::sqrt(lame.lambda) * std::log(j), std::sqrt(lame.lambda) / j}; }
+  RootSample volume_root(double j) const {
+    return {std::sqrt(lame.lambda) * std::log(j), std::sqrt(lame.lambda) / j};
+  }
 };
 
 using NeoHookeanSolid = IsotropicSolid<NeoHookean>;

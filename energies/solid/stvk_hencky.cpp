@@ -30,7 +30,9 @@ struct StvkHencky {
   RootSample stretch_root(double s) const {
     return {std::sqrt(2 * lame.mu) * std::log(s), std::sqrt(2 * lame.mu) / s};
   }
-  RootSample volume_root(double j) const { return {std::sqrt(lame.lambda) * std::log(j), std::sqrt(lame.lambda) / j}; }
+  RootSample volume_root(double j) const {
+    return {std::sqrt(lame.lambda) * std::log(j), std::sqrt(lame.lambda) / j};
+  }
 };
 
 using StvkHenckySolid = IsotropicSolid<StvkHencky>;

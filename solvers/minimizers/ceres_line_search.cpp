@@ -75,24 +75,13 @@ class CeresLineSearch : public Minimizer {
 
   void admit(const std::vector<const Term*>&, int unknowns) const override {
     if (direction_ == Direction::bfgs && unknowns > most_dense)
-      throw InputError(fmt::format("ceres_line_search: bfgs keeps a dense matrix, and {} unknowns are more than {}; "
-                                   "use direction: lbfgs", unknowns, most_dense));
+      throw InputError(fmt::format("ceres_line_search: bfgs keeps a dense matrix, and {} unknowns are more than "
+                                   "{}; use direction: lbfgs", unknowns, most_dense));
   }
 
   MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) override {
-    MinimizerResult result;
-    GuardedProblem guarded(problem, judge_, max_iterations_, q, result);
-    for (int fruitless = 0; guarded.begin_round();) {
-      {
-        const PhaseScope scope(problem.clock, Phase::solve);
-        round(guarded);
-      }
-      guarded.rethrow();
-      fruitless = guarded.fruitless() ? fruitless + 1 : 0;
-      if (fruitless == 2 && !guarded.over()) guarded.stop(guarded.reason());
-    }
-    result.status = guarded.status();
-    return result;
+    return minimize_in_rounds(problem, judge_, max_iterations_, q,
+                              [this](GuardedProblem& guarded) { round(guarded); });
   }
 
  private:
@@ -118,7 +107,8 @@ class CeresLineSearch : public Minimizer {
     o.max_lbfgs_rank = memory_;
     o.use_approximate_eigenvalue_bfgs_scaling = true;
     o.max_num_iterations = max_iterations_;
-    o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // convergence is not for Ceres to say
+    // Convergence is not for Ceres to say.
+    o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;
     o.update_state_every_iteration = true;
     o.callbacks.push_back(&accept);
     silence(o);

@@ -4,9 +4,6 @@
 // potential. Along it the potential falls, at least if Ceres took but one iteration: after a direction
 // that fails, rounds get shorter. Where Ceres finds no decrease, its first trial is the direction: near
 // the minimum the decrease drowns in the rounding error of a sum of squares sooner than in ours.
-#include <ceres/cost_function.h>
-#include <ceres/evaluation_callback.h>
-#include <ceres/iteration_callback.h>
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
@@ -15,97 +12,12 @@
 
 #include "framework/config/field.hpp"
 #include "framework/core/term.hpp"
+#include "solvers/linear/dense_kernels.hpp"
 #include "solvers/minimizers/ceres_common.hpp"
+#include "solvers/minimizers/ceres_residuals.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
-#include "solvers/minimizers/residual_model.hpp"
 
 namespace tack {
-namespace {
-
-// The residuals of one stencil, which the model has evaluated already.
-class StencilCost : public ceres::CostFunction {
- public:
-  StencilCost(const ResidualModel& model, const ResidualModel::Stencil& stencil, const bool& finite)
-      : model_(model), stencil_(stencil), finite_(finite) {
-    set_num_residuals(stencil.residuals);
-    for (int i = 0; i < stencil.arity; ++i)
-      if (free(i)) mutable_parameter_block_sizes()->push_back(3);
-  }
-
-  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
-    if (!finite_) return false;
-    std::copy_n(model_.residuals(stencil_), stencil_.residuals, residuals);
-    if (!jacobians) return true;
-    for (int i = 0, k = 0; i < stencil_.arity; ++i) {
-      if (!free(i)) continue;
-      if (double* out = jacobians[k++])
-        for (int row = 0; row < stencil_.residuals; ++row)
-          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.arity * row + i), 3, out + 3 * row);
-    }
-    return true;
-  }
-
- private:
-  bool free(int i) const { return model_.dofs().block(stencil_.vertices[i]) >= 0; }
-
-  const ResidualModel& model_;
-  const ResidualModel::Stencil& stencil_;
-  const bool& finite_;
-};
-
-// sqrt(M) (x - target) of one vertex.
-class InertiaCost : public ceres::CostFunction {
- public:
-  InertiaCost(const ResidualModel& model, int block) : root_(model.root_mass(block)), target_(model.target(block)) {
-    set_num_residuals(3);
-    mutable_parameter_block_sizes()->push_back(3);
-  }
-  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
-    for (int c = 0; c < 3; ++c) residuals[c] = root_ * (x[0][c] - target_(c));
-    if (jacobians && jacobians[0])
-      for (int k = 0; k < 9; ++k) jacobians[0][k] = k % 4 == 0 ? root_ : 0;
-    return true;
-  }
-
- private:
-  double root_;  // kg^1/2
-  Vec3 target_;  // m
-};
-
-// Evaluates the model once where Ceres asks for every residual; remembers the first trial.
-class EvaluateModel : public ceres::EvaluationCallback {
- public:
-  EvaluateModel(ResidualModel& model, PhaseClock& clock) : model_(model), clock_(clock) {}
-  void PrepareForEvaluation(bool with_jacobian, bool) override {
-    const PhaseScope scope(clock_, Phase::assembly);
-    finite = model_.evaluate(with_jacobian);
-    if (first_trial.size() == 0 && model_.x() != start_) first_trial = model_.x();
-  }
-  bool finite = true;
-  VecX first_trial;  // 3n; empty before it
-
- private:
-  ResidualModel& model_;
-  PhaseClock& clock_;
-  const VecX start_ = model_.x();
-};
-
-// Ends Ceres after so many steps that it took.
-class StopAfter : public ceres::IterationCallback {
- public:
-  explicit StopAfter(int steps) : left_(steps) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
-    radius = s.trust_region_radius;
-    if (s.iteration == 0 || !s.step_is_successful) return ceres::SOLVER_CONTINUE;
-    return --left_ == 0 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
-  }
-  double radius = 0;
-
- private:
-  int left_;
-};
-
-}  // namespace
 
 class CeresTrustRegion : public DescentMinimizer {
  public:
@@ -122,7 +34,9 @@ class CeresTrustRegion : public DescentMinimizer {
         .at_least(1);
   }
 
-  void admit(const std::vector<const Term*>& terms, int) const override { residual_views(terms, std::string(type())); }
+  void admit(const std::vector<const Term*>& terms, int) const override {
+    residual_views(terms, std::string(type()));
+  }
 
  protected:
   void begin(const MinimizerProblem&, MinimizerResult&) override {
@@ -158,6 +72,7 @@ class CeresTrustRegion : public DescentMinimizer {
   // Moves the model's free vertices.
   void propose(ResidualModel& model, PhaseClock& clock, MinimizerResult& result) {
     const PhaseScope scope(clock, Phase::solve);
+    blas::set_threads(1);  // for the same bits with any number of threads, like num_threads below
     EvaluateModel evaluate(model, clock);
     ceres::Problem::Options options;
     options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
@@ -168,7 +83,8 @@ class CeresTrustRegion : public DescentMinimizer {
     ceres::Problem problem(options);
     const auto position = [&](int v) { return model.x().data() + 3 * static_cast<size_t>(v); };
     for (int b = 0; b < model.dofs().block_count(); ++b)
-      problem.AddResidualBlock(&inertia.emplace_back(model, b), nullptr, position(model.dofs().vertex_of_block(b)));
+      problem.AddResidualBlock(&inertia.emplace_back(model, b), nullptr,
+                               position(model.dofs().vertex_of_block(b)));
     for (const ResidualModel::Stencil& s : model.stencils()) {
       std::vector<double*> blocks;
       for (int i = 0; i < s.arity; ++i)
@@ -200,8 +116,9 @@ class CeresTrustRegion : public DescentMinimizer {
     o.max_trust_region_radius = 1e16;
     o.max_num_iterations = inner_ + failures;
     o.max_num_consecutive_invalid_steps = failures;
-    o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;  // convergence is not for Ceres to say
-    o.num_threads = 1;  // its sums over threads differ from run to run
+    // Convergence is not for Ceres to say.
+    o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;
+    o.num_threads = 1;
     o.callbacks.push_back(&stop);
     silence(o);
     return o;
@@ -214,9 +131,8 @@ class CeresTrustRegion : public DescentMinimizer {
 };
 
 TACK_REGISTER(Minimizer, CeresTrustRegion, "ceres_trust_region",
-              "Trust-region least squares of Ceres Solver. Cannot take terms that are no sums of squares (solids "
-              "with a negative Poisson's ratio); repulsion of negative multiplicity (concave corners) is linearised "
-              "in each round.",
+              "Trust-region least squares of Ceres Solver. Refuses terms that are no sums of squares (solids with "
+              "a negative Poisson's ratio); what contact subtracts in hollows is linearised in each round.",
               "Agarwal, Mierle and others, Ceres Solver 2.1");
 
 }  // namespace tack

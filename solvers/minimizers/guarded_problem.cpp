@@ -157,4 +157,21 @@ MinimizerStatus GuardedProblem::reason() const {
   return tried_ > 0 && blocked_ == tried_ ? MinimizerStatus::blocked : MinimizerStatus::line_search_failed;
 }
 
+MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
+                                   VecX& q, const std::function<void(GuardedProblem&)>& round) {
+  MinimizerResult result;
+  GuardedProblem guarded(problem, judge, max_iterations, q, result);
+  for (int fruitless = 0; guarded.begin_round();) {
+    {
+      const PhaseScope scope(problem.clock, Phase::solve);
+      round(guarded);
+    }
+    guarded.rethrow();
+    fruitless = guarded.fruitless() ? fruitless + 1 : 0;
+    if (fruitless == 2 && !guarded.over()) guarded.stop(guarded.reason());
+  }
+  result.status = guarded.status();
+  return result;
+}
+
 }  // namespace tack

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <exception>
+#include <functional>
 #include <optional>
 
 #include "framework/core/minimizer.hpp"
@@ -80,5 +81,10 @@ class GuardedProblem {
   std::optional<MinimizerStatus> status_;
   std::exception_ptr failure_;
 };
+
+// Calls round(guarded), in which a foreign method runs from z = 0 until it ends by itself or is told to,
+// until nothing is left to do, or two rounds in a row bring nothing.
+MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
+                                   VecX& q, const std::function<void(GuardedProblem&)>& round);
 
 }  // namespace tack

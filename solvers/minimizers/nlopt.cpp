@@ -49,7 +49,7 @@ class Nlopt : public Minimizer {
               {"tnewton", NLOPT_LD_TNEWTON, "truncated Newton"},
               {"tnewton_restart", NLOPT_LD_TNEWTON_RESTART, "restarted with the steepest descent"},
               {"tnewton_precond", NLOPT_LD_TNEWTON_PRECOND, "preconditioned by limited-memory BFGS"},
-              {"tnewton_precond_restart", NLOPT_LD_TNEWTON_PRECOND_RESTART, "both"},
+              {"tnewton_precond_restart", NLOPT_LD_TNEWTON_PRECOND_RESTART, "preconditioned and restarted"},
               {"var1", NLOPT_LD_VAR1, "shifted limited-memory variable metric, rank 1"},
               {"var2", NLOPT_LD_VAR2, "shifted limited-memory variable metric, rank 2"},
               {"mma", NLOPT_LD_MMA, "moving asymptotes; first order"},
@@ -61,32 +61,22 @@ class Nlopt : public Minimizer {
 
   void admit(const std::vector<const Term*>&, int unknowns) const override {
     if (algorithm_ == NLOPT_LD_SLSQP && unknowns > most_dense)
-      throw InputError(fmt::format("nlopt: slsqp takes time in proportion to the cube of the unknowns, and {} are more "
-                                   "than {}; use algorithm: lbfgs", unknowns, most_dense));
+      throw InputError(fmt::format("nlopt: slsqp takes time in proportion to the cube of the unknowns, and {} are "
+                                   "more than {}; use algorithm: lbfgs", unknowns, most_dense));
   }
 
   MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) override {
-    MinimizerResult result;
-    GuardedProblem guarded(problem, judge_, max_iterations_, q, result);
-    for (int fruitless = 0; guarded.begin_round();) {
-      {
-        const PhaseScope scope(problem.clock, Phase::solve);
-        round(guarded);
-      }
-      guarded.rethrow();
-      fruitless = guarded.fruitless() ? fruitless + 1 : 0;
-      if (fruitless == 2 && !guarded.over()) guarded.stop(guarded.reason());
-    }
-    result.status = guarded.status();
-    return result;
+    return minimize_in_rounds(problem, judge_, max_iterations_, q,
+                              [this](GuardedProblem& guarded) { round(guarded); });
   }
 
  private:
-  static constexpr int most_dense = 600;       // unknowns: a second per iteration and more
-  static constexpr int longest_round = 1000;   // evaluations, after which scales are taken anew
+  static constexpr int most_dense = 600;      // unknowns: half a second per iteration
+  static constexpr int longest_round = 1000;  // evaluations, after which scales are taken anew
 
   void round(GuardedProblem& guarded) const {
-    const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> opt(nlopt_create(algorithm_, guarded.size()), nlopt_destroy);
+    const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> opt(nlopt_create(algorithm_, guarded.size()),
+                                                                nlopt_destroy);
     if (!opt) throw std::bad_alloc();
     Callback callback{guarded, opt.get()};
     nlopt_set_min_objective(opt.get(), guarded_value, &callback);
@@ -103,8 +93,9 @@ class Nlopt : public Minimizer {
 };
 
 TACK_REGISTER(Minimizer, Nlopt, "nlopt",
-              "Gradient methods of NLopt, preconditioned by the Hessian's diagonal: hundreds of cheap iterations where "
-              "contact is stiff; slsqp up to 600 unknowns; mma and ccsaq are slow near the minimum.",
+              "Gradient methods of NLopt, preconditioned by the Hessian's diagonal: hundreds of cheap iterations "
+              "where contact is stiff. slsqp takes at most 600 unknowns; mma and ccsaq, of first order, seldom "
+              "reach a tight tolerance.",
               "Johnson, The NLopt nonlinear-optimization package 2.7");
 
 }  // namespace tack

@@ -5,6 +5,7 @@
 #include "framework/core/interrupt.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/component_variants.hpp"
+#include "tests/support/simulation.hpp"
 #include "tests/support/step_problem.hpp"
 
 using namespace tack;
@@ -138,6 +139,46 @@ TEST_CASE("minimizers: Ctrl-C ends them where they are", "[minimizer]") {
     CHECK(result.status == MinimizerStatus::interrupted);
     CHECK(problem.q == start);
   });
+}
+
+TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
+  // A bar without inertia that bends under gravity and is pulled: all linear forces are rest.
+  const auto positions = [](const std::string& type) {
+    Simulation s("time: {step: 1, duration: 1, integrator: quasi_static}\ngravity: [0, -1, 0]\n"
+                 "solver: {type: " + type + ", force_tolerance: 1e-8, max_iterations: 5000}\n"
+                 "objects: [{name: bar, shape: {type: box, size: [0.5, 0.1, 0.1], cells: [5, 2, 2]},\n"
+                 "  energies: [{type: neo_hookean, young: 1e5, poisson: 0.3}],\n"
+                 "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}],\n"
+                 "  loads: [{type: traction, value: [2e4, 0, 0], select: {type: face, direction: [1, 0, 0]}}]}]\n");
+    CHECK(s.step().converged);
+    CHECK(s.warnings.empty());
+    return s.state().x;
+  };
+  const VecX expected = positions("projected_newton");
+  for (const std::string& type : Registry<Minimizer>::kind().names()) {
+    INFO(type);
+    CHECK(rms(positions(type), expected) <= 1e-7);
+  }
+}
+
+TEST_CASE("minimizers: a scripted plate that pushes", "[minimizer]") {
+  // The plate would go through the block: it walks, with a pull that gradient methods find hard.
+  const auto positions = [](const std::string& type) {
+    Simulation s("time: {step: 1, duration: 2, integrator: quasi_static}\n"
+                 "solver: {type: " + type + ", force_tolerance: 1e-8}\n"
+                 "objects:\n"
+                 "  - {name: plate, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, 0.101, 0]},\n"
+                 "     motion: [{type: translate, displacement: [0, -0.04, 0], duration: 2 s}]}\n"
+                 "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]},\n"
+                 "     energies: [{type: neo_hookean, young: 1e5}],\n"
+                 "     motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n"
+                 "contact: {distance: 2 mm, friction: {mu: 0.3}}\n");
+    CHECK(s.step().converged);
+    CHECK(s.step().converged);
+    CHECK(s.warnings.empty());
+    return s.state().x;
+  };
+  CHECK(rms(positions("ceres_trust_region"), positions("projected_newton")) <= 1e-6);
 }
 
 TEST_CASE("minimizers: those that need dense matrices refuse many unknowns", "[minimizer]") {
