@@ -123,7 +123,7 @@ class CeresLineSearch : public Minimizer {
 
 TACK_REGISTER(Minimizer, CeresLineSearch, "ceres_line_search",
               "Line-search methods of Ceres Solver, preconditioned by the Hessian's diagonal: hundreds of cheap "
-              "iterations where contact is stiff; bfgs up to 5000 unknowns.",
+              "iterations where contact is stiff, too many where a script pushes; bfgs takes at most 5000 unknowns.",
               "Agarwal, Mierle and others, Ceres Solver 2.1");
 
 }  // namespace tack

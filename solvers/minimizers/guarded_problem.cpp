@@ -79,7 +79,7 @@ GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, doubl
   trial_usable_ = false;
   reach_ = 0;
   ++result_.line_search_evaluations;
-  if (interrupt_requested) stop(MinimizerStatus::interrupted);
+  if (interrupt_requested && !over()) stop(MinimizerStatus::interrupted);
   if (--trials_left_ < 0 && !over()) stop(MinimizerStatus::iteration_limit);
   trial_ = unscaled(z);
   if (!trial_.allFinite()) return Trial::not_finite;

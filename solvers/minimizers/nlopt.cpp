@@ -94,8 +94,8 @@ class Nlopt : public Minimizer {
 
 TACK_REGISTER(Minimizer, Nlopt, "nlopt",
               "Gradient methods of NLopt, preconditioned by the Hessian's diagonal: hundreds of cheap iterations "
-              "where contact is stiff. slsqp takes at most 600 unknowns; mma and ccsaq, of first order, seldom "
-              "reach a tight tolerance.",
+              "where contact is stiff, too many where a script pushes. slsqp takes at most 600 unknowns; mma and "
+              "ccsaq, of first order, seldom reach a tight tolerance.",
               "Johnson, The NLopt nonlinear-optimization package 2.7");
 
 }  // namespace tack
