@@ -116,7 +116,7 @@ class CeresLineSearch : public Minimizer {
   }
 
   Direction direction_ = Direction::lbfgs;
-  Conjugate conjugate_ = Conjugate::polak_ribiere;
+  Conjugate conjugate_ = Conjugate::hestenes_stiefel;  // the fewest iterations of the three
   int memory_ = 20;
   ConvergenceJudge judge_;
 };
