@@ -15,6 +15,14 @@ find_library(TACK_GMSH gmsh REQUIRED)
 find_library(TACK_UDUNITS udunits2 REQUIRED)
 find_library(TACK_MUPARSER muparser REQUIRED)
 
+# By their files: the packages' own configurations would add include folders to every target.
+find_path(CERES_INCLUDE ceres/ceres.h REQUIRED)
+find_library(CERES_LIBRARY ceres REQUIRED)
+find_library(GLOG_LIBRARY glog REQUIRED)
+find_path(NLOPT_INCLUDE nlopt.h REQUIRED)
+find_library(NLOPT_LIBRARY nlopt REQUIRED)
+set(TACK_FOREIGN ${CERES_LIBRARY} ${GLOG_LIBRARY} ${NLOPT_LIBRARY})
+
 # Debian ships no CMake config for SuiteSparse 5.12.
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)

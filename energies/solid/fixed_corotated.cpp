@@ -30,6 +30,9 @@ struct FixedCorotated {
     }
     return d;
   }
+
+  RootSample stretch_root(double s) const { return {std::sqrt(2 * lame.mu) * (s - 1), std::sqrt(2 * lame.mu)}; }
+  RootSample volume_root(double j) const { return {std::sqrt(lame.lambda) * (j - 1), std::sqrt(lame.lambda)}; }
 };
 
 using FixedCorotatedSolid = IsotropicSolid<FixedCorotated>;

@@ -35,6 +35,24 @@ struct NeoHookean {
     for (int i = 0; i < 3; ++i) d.hessian(i, i) += lame.mu - pressure * inverse(i) * inverse(i);
     return d;
   }
+
+  // psi = 1/2 sum g(s_i)^2 + lambda/2 (ln J)^2, g^2 = mu (s^2 - 1 - 2 ln s) = mu (s - 1)^2 q(s).
+  RootSample stretch_root(double s) const {
+    const double e = s - 1;
+    double q;
+    if (std::abs(e) < 0.05) {  // 1 + 2 sum_(k >= 2) (-e)^(k-2) / k
+      q = 0;
+      for (int k = 14; k >= 2; --k) q = 2.0 / k - e * q;
+      q += 1;
+    } else {
+      q = (e * (s + 1) - 2 * std::log(s)) / (e * e);
+    }
+    const double root = std::sqrt(lame.mu * q);
+    return {root * e, lame.mu * (s + 1) / (s * root)};
+  }
+  RootSample volume_root(double j) const {
+    return {std::sqrt(lame.lambda) * std::log(j), std::sqrt(lame.lambda) / j};
+  }
 };
 
 using NeoHookeanSolid = IsotropicSolid<NeoHookean>;

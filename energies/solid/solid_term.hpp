@@ -2,21 +2,25 @@
 // A material has
 //   double energy(const Mat3& f) const;                           psi [J/m^3]
 //   PrincipalDerivatives derivatives(const Vec3& stretches) const;
+//   RootSample stretch_root(double s) const, volume_root(double j) const;   see solid_residuals.hpp
 // The Hessian is filtered in the principal frame, in closed form but for one 3x3 matrix.
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 
 #include "energies/solid/principal.hpp"
+#include "energies/solid/solid_residuals.hpp"
 #include "energies/solid/svd3_batch.hpp"
 #include "energies/solid/tet_geometry.hpp"
 #include "framework/assembly/parallel.hpp"
+#include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
 template <class Material>
-class SolidTerm : public Term {
+class SolidTerm : public Term, public ResidualView {
  public:
   SolidTerm(std::string name, const Material& material, const Body& body, const VecX& rest)
       : Term(std::move(name)), material_(material), tets_(body.tets), rest_(tet_rest_data(body, rest)) {}
@@ -40,6 +44,24 @@ class SolidTerm : public Term {
       for (int t = first; t < last; t += lanes)
         elements(t, std::min(t + lanes, last), x, filter, gradient, hessian);
     });
+  }
+
+  // A negative lambda is no sum of squares.
+  const ResidualView* residual_view() const override { return material_.lame.lambda >= 0 ? this : nullptr; }
+
+  std::vector<ResidualBatch> residual_batches() const override {
+    return {{4, tet_residual_count, count(), tets_.empty() ? nullptr : tets_.front().data()}};
+  }
+
+  bool residuals(const VecX& x, double* r, double* jacobian) const override {
+    std::atomic<bool> finite = true;
+    for_each(count(), [&](int t) {
+      const size_t at = static_cast<size_t>(t) * tet_residual_count;
+      if (!tet_residuals(material_, rest_[t], deformation_gradient(rest_[t], tets_[t], x), r + at,
+                         jacobian ? jacobian + 12 * at : nullptr))
+        finite = false;
+    });
+    return finite;
   }
 
  private:

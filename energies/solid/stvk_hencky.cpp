@@ -26,6 +26,13 @@ struct StvkHencky {
     for (int i = 0; i < 3; ++i) d.hessian(i, i) += (2 * lame.mu - tau(i)) * inverse(i) * inverse(i);
     return d;
   }
+
+  RootSample stretch_root(double s) const {
+    return {std::sqrt(2 * lame.mu) * std::log(s), std::sqrt(2 * lame.mu) / s};
+  }
+  RootSample volume_root(double j) const {
+    return {std::sqrt(lame.lambda) * std::log(j), std::sqrt(lame.lambda) / j};
+  }
 };
 
 using StvkHenckySolid = IsotropicSolid<StvkHencky>;

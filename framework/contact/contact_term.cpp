@@ -95,7 +95,7 @@ std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
 ContactTerm::ContactTerm(const ContactSystem& system, PhaseClock& clock)
     : Term("contact"), system_(system), clock_(clock),
       barrier_laws_(parts_of(system.pairs().laws(), false)),
-      adhesion_laws_(parts_of(system.pairs().laws(), true)) {}
+      adhesion_laws_(parts_of(system.pairs().laws(), true)), residuals_(system) {}
 
 const std::vector<PairLaw>& ContactTerm::laws(LawPart part) const {
   if (part == LawPart::barrier) return barrier_laws_;

@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "framework/contact/contact_residuals.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/term.hpp"
 
@@ -27,6 +28,7 @@ class ContactTerm : public Term {
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, SpdFilter filter, double* gradient,
                    double* hessian) const override;
+  const ResidualView* residual_view() const override { return &residuals_; }
 
   double part_value(const VecX& x, LawPart part) const;
   // The force of a part of the laws on every vertex (3n) [N]; with a pair, of its stencils only.
@@ -40,6 +42,7 @@ class ContactTerm : public Term {
   const ContactSystem& system_;
   PhaseClock& clock_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;
+  ContactResiduals residuals_;
   mutable std::array<std::vector<int>, 4> batch_vertices_;
 };
 

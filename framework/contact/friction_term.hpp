@@ -14,10 +14,11 @@
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/lagged_contacts.hpp"
 #include "framework/contact/slip.hpp"
+#include "framework/core/residual_view.hpp"
 
 namespace tack {
 
-class FrictionTerm : public Term {
+class FrictionTerm : public Term, public ResidualView {
  public:
   // Both must outlive the term.
   FrictionTerm(const ContactSystem& system, const ContactTerm& normal);
@@ -36,6 +37,11 @@ class FrictionTerm : public Term {
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, SpdFilter filter, double* gradient,
                    double* hessian) const override;
+
+  // Least squares (friction_residuals.cpp).
+  const ResidualView* residual_view() const override { return this; }
+  std::vector<ResidualBatch> residual_batches() const override;
+  bool residuals(const VecX& x, double* r, double* jacobian) const override;
 
   double part_value(const VecX& x, TangentialPart part) const;
   // The force of a part on every vertex (3n) [N]; with a pair, of its contacts only.

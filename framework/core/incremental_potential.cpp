@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "framework/assembly/parallel.hpp"
+#include "framework/core/residual_view.hpp"
 
 namespace tack {
 namespace {
@@ -98,6 +99,10 @@ const BlockMatrix& IncrementalPotential::partly_clamped_hessian(const std::vecto
 
 const BlockMatrix& IncrementalPotential::contactless_hessian() {
   return assemble({SpdFilter::clamp, nullptr, true});
+}
+
+LeastSquares IncrementalPotential::least_squares() const {
+  return {residual_views(terms_, "the solver"), dofs_, x_, block_mass_, scale_};
 }
 
 }  // namespace tack

@@ -2,11 +2,12 @@
 // the start of the step, so that large constant parts do not drown the decrease of the energy.
 #pragma once
 
+#include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
-class LinearTerm : public Term {
+class LinearTerm : public Term, public ResidualView {
  public:
   using Term::Term;
 
@@ -22,6 +23,11 @@ class LinearTerm : public Term {
   void add_linear_gradient(VecX& gradient) const override {
     if (force_.size() > 0) gradient -= force_;
   }
+
+  // All of it is rest.
+  const ResidualView* residual_view() const override { return this; }
+  std::vector<ResidualBatch> residual_batches() const override { return {}; }
+  bool residuals(const VecX&, double*, double*) const override { return true; }
 
  private:
   VecX force_;      // N, 3n; empty: no force yet

@@ -63,6 +63,8 @@ enum class Stopping {
   acceleration,  // |M^-1 gradient|_inf below a tolerance [m/s^2]
 };
 
+class Term;
+
 class Minimizer : public Component {
  public:
   static constexpr const char* kind_name = "minimizer";
@@ -76,6 +78,8 @@ class Minimizer : public Component {
 
   // What solves linear systems and why, once it is known; "" for methods without.
   virtual std::string linear_solver() const { return {}; }
+  // Throws InputError for a potential of these terms that it cannot minimise. Asked when a scene is loaded.
+  virtual void admit(const std::vector<const Term*>& /*terms*/, int /*unknowns*/) const {}
 
   // q: in, the feasible start; out, the last feasible iterate.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;

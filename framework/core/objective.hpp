@@ -11,6 +11,8 @@
 
 namespace tack {
 
+struct LeastSquares;
+
 class Objective {
  public:
   virtual ~Objective() = default;
@@ -29,6 +31,8 @@ class Objective {
   }
   // Clamped, of what does not change with the point's contacts: inertia and elasticity.
   virtual const BlockMatrix& contactless_hessian() { return hessian(SpdFilter::clamp); }
+  // At the present point (residual_view.hpp). Throws InputError if the objective is no sum of squares.
+  virtual LeastSquares least_squares() const;
   virtual int value_count() const = 0;  // evaluations of value() so far
 };
 

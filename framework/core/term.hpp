@@ -14,6 +14,8 @@
 
 namespace tack {
 
+class ResidualView;
+
 constexpr int hessian_blocks(int arity) { return arity * (arity + 1) / 2; }
 
 // Stencils of one kind: stencil s touches the vertices[arity * s + (0..arity-1)].
@@ -42,6 +44,9 @@ class Term {
 
   // Adds a gradient that is not worth slots: linear potentials.
   virtual void add_linear_gradient(VecX& /*gradient*/) const {}
+
+  // The term as least squares (residual_view.hpp); null if it has no such form.
+  virtual const ResidualView* residual_view() const { return nullptr; }
 
  private:
   std::string name_;

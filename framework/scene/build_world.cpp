@@ -123,6 +123,15 @@ void check_start(const Value& root, const World& world) {
                                place_of(root, "objects", static_cast<size_t>(std::max(a, b))), list));
 }
 
+void check_solver(const SceneConfig& scene, const Value& root, const World& world) {
+  try {
+    scene.solver->admit(world.terms, world.dofs.size());
+  } catch (const InputError& error) {
+    const Value* solver = root.find("solver");
+    throw InputError((solver ? solver->mark.text() + ": " : "") + error.what());
+  }
+}
+
 }  // namespace
 
 void World::forget() {
@@ -173,6 +182,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   }
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->friction) world->terms.push_back(world->friction.get());
+  check_solver(scene, root, *world);
   return world;
 }
 

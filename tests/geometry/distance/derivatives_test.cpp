@@ -19,8 +19,9 @@ void check(const Value& value, const Gradient& gradient, const Derivatives& deri
            const Stencil& x, double h, double tolerance) {
   const auto d = derivatives(x);
   const auto g = gradient(x);
-  CHECK(g.value == d.value);
-  CHECK(g.gradient == d.gradient);
+  // The same formulas; where they are inlined, products and sums may be contracted differently.
+  CHECK(g.value == Approx(d.value).epsilon(1e-9));
+  CHECK((g.gradient - d.gradient).norm() <= 1e-9 * d.gradient.norm());
   CHECK(value(x) == Approx(d.value).epsilon(1e-12).margin(1e-28));
   const auto slope = numerical_gradient<V>(value, x, h);
   CHECK((slope - d.gradient).norm() <= tolerance * (d.gradient.norm() + h));

@@ -1,0 +1,30 @@
+// Contact as least squares. A stencil of energy w m phi(d) = constant + w (m (phi + W) + (1 - m) W),
+// W the depth of the law's well, has the residuals
+//     points:  sqrt(w) rho(d)
+//     edges:   sqrt(w m) rho(d),  sqrt(2 w W (1 - m))
+// with rho of law_root.hpp; 1 - m = (1 - c/eps)^2 is a square itself. Stencils of negative weight
+// (inclusion-exclusion) have zero residuals: they are rest.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "framework/contact/contact_system.hpp"
+#include "framework/contact/law_root.hpp"
+#include "framework/core/residual_view.hpp"
+
+namespace tack {
+
+class ContactResiduals : public ResidualView {
+ public:
+  explicit ContactResiduals(const ContactSystem& system);
+  std::vector<ResidualBatch> residual_batches() const override;
+  bool residuals(const VecX& x, double* r, double* jacobian) const override;
+
+ private:
+  const ContactSystem& system_;
+  std::vector<LawRoot> roots_;  // per law of the pair table
+  mutable std::array<std::vector<int>, 4> batch_vertices_;
+};
+
+}  // namespace tack

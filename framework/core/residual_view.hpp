@@ -1,0 +1,51 @@
+// A term as least squares: P(x) = constant + 1/2 |r(x)|^2 + rest(x), for methods of Gauss-Newton type.
+// The rest is what has no residual: linear potentials, and stencils of negative weight, whose energy
+// has no lower bound. Its force is the difference between the gradient of the term and J^T r, and a
+// method that uses the view holds that difference at a point.
+//
+// Like Term, a view computes all its stencils in one call. They are those of the term's present
+// stencils (of the configuration to which the contact system was last moved), and stay the same however
+// x is varied.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/core/dof_map.hpp"
+
+namespace tack {
+
+// Stencils of one kind: stencil s has `residuals` residuals of the vertices[arity * s + (0..arity-1)].
+struct ResidualBatch {
+  int arity = 0;
+  int residuals = 0;
+  int count = 0;
+  const int* vertices = nullptr;
+};
+
+class ResidualView {
+ public:
+  virtual ~ResidualView() = default;
+  virtual std::vector<ResidualBatch> residual_batches() const = 0;
+  // Writes the residuals [J^1/2] of all stencils, batch by batch, and unless `jacobian` is null, for
+  // each stencil a row-major matrix [J^1/2 / m] of residuals x (3 arity). False where the energy is
+  // not finite; what was written is void then.
+  virtual bool residuals(const VecX& x, double* r, double* jacobian) const = 0;
+};
+
+class Term;
+
+// An incremental potential at its present point, as
+//     E(q) = 1/2 |q - prediction|_M^2 + scale * sum over views of (1/2 |r|^2 + rest).
+struct LeastSquares {
+  std::vector<const ResidualView*> views;
+  const DofMap& dofs;
+  const VecX& x;           // 3n: the present configuration
+  const VecX& block_mass;  // per free block [kg]; zero without inertia
+  double scale;            // s^2, or 1
+};
+
+// The view of each term. Throws InputError naming the first term that has none; `who` needs it.
+std::vector<const ResidualView*> residual_views(const std::vector<const Term*>& terms, const std::string& who);
+
+}  // namespace tack

@@ -1,0 +1,100 @@
+// The residual model as Ceres sees it: a cost function per stencil and per free vertex, over parameter
+// blocks that are the free vertices of the model's configuration.
+#pragma once
+
+#include <ceres/cost_function.h>
+#include <ceres/evaluation_callback.h>
+#include <ceres/iteration_callback.h>
+
+#include <algorithm>
+
+#include "framework/core/phase_clock.hpp"
+#include "solvers/minimizers/residual_model.hpp"
+
+namespace tack {
+
+// The residuals of one stencil, which the model has evaluated already.
+class StencilCost : public ceres::CostFunction {
+ public:
+  StencilCost(const ResidualModel& model, const ResidualModel::Stencil& stencil, const bool& finite)
+      : model_(model), stencil_(stencil), finite_(finite) {
+    set_num_residuals(stencil.residuals);
+    for (int i = 0; i < stencil.arity; ++i)
+      if (free(i)) mutable_parameter_block_sizes()->push_back(3);
+  }
+
+  bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
+    if (!finite_) return false;
+    std::copy_n(model_.residuals(stencil_), stencil_.residuals, residuals);
+    if (!jacobians) return true;
+    for (int i = 0, k = 0; i < stencil_.arity; ++i) {
+      if (!free(i)) continue;
+      if (double* out = jacobians[k++])
+        for (int row = 0; row < stencil_.residuals; ++row)
+          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.arity * row + i), 3, out + 3 * row);
+    }
+    return true;
+  }
+
+ private:
+  bool free(int i) const { return model_.dofs().block(stencil_.vertices[i]) >= 0; }
+
+  const ResidualModel& model_;
+  const ResidualModel::Stencil& stencil_;
+  const bool& finite_;
+};
+
+// sqrt(M) (x - target) of one vertex.
+class InertiaCost : public ceres::CostFunction {
+ public:
+  InertiaCost(const ResidualModel& model, int block)
+      : root_(model.root_mass(block)), target_(model.target(block)) {
+    set_num_residuals(3);
+    mutable_parameter_block_sizes()->push_back(3);
+  }
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    for (int c = 0; c < 3; ++c) residuals[c] = root_ * (x[0][c] - target_(c));
+    if (jacobians && jacobians[0])
+      for (int k = 0; k < 9; ++k) jacobians[0][k] = k % 4 == 0 ? root_ : 0;
+    return true;
+  }
+
+ private:
+  double root_;  // kg^1/2
+  Vec3 target_;  // m
+};
+
+// Evaluates the model once where Ceres asks for every residual; remembers the first trial.
+class EvaluateModel : public ceres::EvaluationCallback {
+ public:
+  EvaluateModel(ResidualModel& model, PhaseClock& clock) : model_(model), clock_(clock) {}
+  void PrepareForEvaluation(bool with_jacobian, bool) override {
+    const PhaseScope scope(clock_, Phase::assembly);
+    finite = model_.evaluate(with_jacobian);
+    if (first_trial.size() == 0 && model_.x() != start_) first_trial = model_.x();
+  }
+  bool finite = true;
+  VecX first_trial;  // 3n; empty before it
+
+ private:
+  ResidualModel& model_;
+  PhaseClock& clock_;
+  const VecX start_ = model_.x();
+};
+
+// Ends Ceres after so many steps that it took.
+class StopAfter : public ceres::IterationCallback {
+ public:
+  explicit StopAfter(int steps) : left_(steps) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& s) override {
+    radius = s.trust_region_radius;
+    if (s.iteration == 0 || !s.step_is_successful) return ceres::SOLVER_CONTINUE;
+    return --left_ == 0 ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+  double radius = 0;
+
+ private:
+  int left_;
+};
+
+}  // namespace tack

@@ -1,0 +1,138 @@
+// Ceres' trust-region methods on the least-squares view of the potential. Ceres only proposes: in each
+// round it runs a few iterations on the model of residual_model.hpp, and the way to where it arrives is
+// the search direction p of our own loop, bounded by the step filters and searched on the true
+// potential. Along it the potential falls, at least if Ceres took but one iteration: after a direction
+// that fails, rounds get shorter. Where Ceres finds no decrease, its first trial is the direction: near
+// the minimum the decrease drowns in the rounding error of a sum of squares sooner than in ours.
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "framework/config/field.hpp"
+#include "framework/core/term.hpp"
+#include "solvers/linear/dense_kernels.hpp"
+#include "solvers/minimizers/ceres_common.hpp"
+#include "solvers/minimizers/ceres_residuals.hpp"
+#include "solvers/minimizers/descent_minimizer.hpp"
+
+namespace tack {
+
+class CeresTrustRegion : public DescentMinimizer {
+ public:
+  enum class Strategy { levenberg_marquardt, dogleg, subspace_dogleg };
+
+  void fields(Fields& f) override {
+    DescentMinimizer::fields(f);
+    f.choice("strategy", strategy_,
+             {{"levenberg_marquardt", Strategy::levenberg_marquardt, "damped Gauss-Newton steps"},
+              {"dogleg", Strategy::dogleg, "Powell's path from the steepest descent to the Gauss-Newton step"},
+              {"subspace_dogleg", Strategy::subspace_dogleg, "the best step of the plane that both span"}},
+             "how a step is fitted into the trust region");
+    f.integer("inner_iterations", inner_iterations_, "steps of Ceres between two looks at contacts and potential")
+        .at_least(1);
+  }
+
+  void admit(const std::vector<const Term*>& terms, int) const override {
+    residual_views(terms, std::string(type()));
+  }
+
+ protected:
+  void begin(const MinimizerProblem&, MinimizerResult&) override {
+    radius_ = first_radius;
+    inner_ = inner_iterations_;
+  }
+
+  MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    ResidualModel model(problem.objective);
+    const VecX start = model.x();
+    propose(model, problem.clock, result);
+    model.dofs().gather(model.x() - start, p);
+    return p.allFinite() ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
+  }
+
+  void stepped(const MinimizerProblem&, const Step& step) override {
+    if (step.length < 0.5) radius_ *= std::max(step.length, 0.1);
+    inner_ = std::min(2 * inner_, inner_iterations_);
+  }
+
+  bool restart(const MinimizerProblem&) override {
+    if (inner_ == 1) return false;
+    inner_ /= 2;
+    return true;
+  }
+
+ private:
+  static constexpr double first_radius = 1e4;                            // Ceres' own
+  static constexpr double smallest_radius = 1e-6, largest_radius = 1e12;  // a new round starts within these
+  static constexpr int failures = 5;  // steps that do not improve the model, per round
+  static constexpr double cost_noise = 1e-11;  // relative rounding error of a sum of squares
+
+  // Moves the model's free vertices.
+  void propose(ResidualModel& model, PhaseClock& clock, MinimizerResult& result) {
+    const PhaseScope scope(clock, Phase::solve);
+    blas::set_threads(1);  // for the same bits with any number of threads, like num_threads below
+    EvaluateModel evaluate(model, clock);
+    ceres::Problem::Options options;
+    options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    options.disable_all_safety_checks = true;
+    options.evaluation_callback = &evaluate;
+    std::deque<StencilCost> stencils;  // which neither copies nor moves
+    std::deque<InertiaCost> inertia;
+    ceres::Problem problem(options);
+    const auto position = [&](int v) { return model.x().data() + 3 * static_cast<size_t>(v); };
+    for (int b = 0; b < model.dofs().block_count(); ++b)
+      problem.AddResidualBlock(&inertia.emplace_back(model, b), nullptr,
+                               position(model.dofs().vertex_of_block(b)));
+    for (const ResidualModel::Stencil& s : model.stencils()) {
+      std::vector<double*> blocks;
+      for (int i = 0; i < s.arity; ++i)
+        if (model.dofs().block(s.vertices[i]) >= 0) blocks.push_back(position(s.vertices[i]));
+      if (!blocks.empty())
+        problem.AddResidualBlock(&stencils.emplace_back(model, s, evaluate.finite), nullptr, blocks);
+    }
+    StopAfter stop(inner_);
+    ceres::Solver::Summary summary;
+    ceres::Solve(solver_options(stop), &problem, &summary);
+    if (summary.initial_cost - summary.final_cost > cost_noise * summary.initial_cost) {
+      radius_ = std::clamp(stop.radius, smallest_radius, largest_radius);
+    } else if (evaluate.first_trial.size() > 0) {
+      model.x() = evaluate.first_trial;
+    }
+    result.linear_solves += std::max(summary.num_linear_solves, 0);
+    result.line_search_evaluations += std::max(summary.num_residual_evaluations, 0);
+  }
+
+  ceres::Solver::Options solver_options(StopAfter& stop) const {
+    ceres::Solver::Options o;
+    o.minimizer_type = ceres::TRUST_REGION;
+    o.trust_region_strategy_type =
+        strategy_ == Strategy::levenberg_marquardt ? ceres::LEVENBERG_MARQUARDT : ceres::DOGLEG;
+    o.dogleg_type = strategy_ == Strategy::subspace_dogleg ? ceres::SUBSPACE_DOGLEG : ceres::TRADITIONAL_DOGLEG;
+    o.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+    o.sparse_linear_algebra_library_type = ceres::SUITE_SPARSE;
+    o.initial_trust_region_radius = radius_;
+    o.max_trust_region_radius = 1e16;
+    o.max_num_iterations = inner_ + failures;
+    o.max_num_consecutive_invalid_steps = failures;
+    // Convergence is not for Ceres to say.
+    o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;
+    o.num_threads = 1;
+    o.callbacks.push_back(&stop);
+    silence(o);
+    return o;
+  }
+
+  Strategy strategy_ = Strategy::levenberg_marquardt;
+  int inner_iterations_ = 2;
+  int inner_ = 2;           // of the next round
+  double radius_ = first_radius;
+};
+
+TACK_REGISTER(Minimizer, CeresTrustRegion, "ceres_trust_region",
+              "Trust-region least squares of Ceres Solver. Refuses terms that are no sums of squares (solids with "
+              "a negative Poisson's ratio); what contact subtracts in hollows is linearised in each round.",
+              "Agarwal, Mierle and others, Ceres Solver 2.1");
+
+}  // namespace tack

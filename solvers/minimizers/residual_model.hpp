@@ -1,0 +1,49 @@
+// A least-squares model of an incremental potential around one point q0:
+//     1/2 |sqrt(M) (q - target)|^2 + 1/2 scale |r(q)|^2,
+// with the residuals of all terms over the stencils that are active at q0. The rest of the potential
+// (residual_view.hpp) acts with its force at q0: it is folded into the target, so that the model's
+// gradient at q0 is the potential's. Where there is no inertia, a weak pull towards q0 takes its place.
+#pragma once
+
+#include "framework/core/objective.hpp"
+#include "framework/core/residual_view.hpp"
+
+namespace tack {
+
+class ResidualModel {
+ public:
+  // The objective is at q0, and stays there for as long as the model is used.
+  explicit ResidualModel(Objective& objective);
+  ResidualModel(const ResidualModel&) = delete;
+  ResidualModel& operator=(const ResidualModel&) = delete;
+
+  struct Stencil {
+    const int* vertices;
+    int arity, residuals;
+    size_t first;           // of its residuals
+    size_t first_jacobian;  // of its entries: residuals x (3 arity), row-major
+  };
+  const std::vector<Stencil>& stencils() const { return stencils_; }
+  const DofMap& dofs() const { return squares_.dofs; }
+  double root_mass(int block) const { return root_mass_(block); }
+  Vec3 target(int block) const { return target_.segment<3>(3 * block); }
+
+  // The configuration (3n) to evaluate; methods that own the unknowns write to its free vertices.
+  VecX& x() { return x_; }
+  // Residuals and, if wanted, Jacobians at x(). False where a residual is not finite.
+  bool evaluate(bool with_jacobian);
+  const double* residuals(const Stencil& s) const { return r_.data() + s.first; }
+  const double* jacobian(const Stencil& s) const { return jacobian_.data() + s.first_jacobian; }
+
+ private:
+  void lay_out();
+  void fold(const VecX& gradient);
+
+  LeastSquares squares_;
+  std::vector<Stencil> stencils_;
+  std::vector<std::pair<size_t, size_t>> view_start_;  // per view: its first residual and entry
+  VecX x_, root_mass_, target_;  // m; kg^1/2; m
+  std::vector<double> r_, jacobian_;
+};
+
+}  // namespace tack

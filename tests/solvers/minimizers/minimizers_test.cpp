@@ -1,0 +1,194 @@
+// Every registered minimiser, with every option: the same minimum, never through anything, within its
+// budget, and with an honest status.
+#include <catch2/catch.hpp>
+
+#include "framework/core/interrupt.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "tests/support/component_variants.hpp"
+#include "tests/support/simulation.hpp"
+#include "tests/support/step_problem.hpp"
+
+using namespace tack;
+
+namespace {
+
+// A sticky block that falls on a floor, askew: adhesion, friction, elasticity and inertia.
+const std::string landing = R"(
+time: {step: 0.01, duration: 0.01}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}
+    place: {axis: [0.2, 0, 1], angle: 0.004, translate: [0, 0.1013, 0]}
+    velocity: [0.3, -0.2, 0]
+    energies: [{type: neo_hookean, young: 1e5, poisson: 0.3, density: 1000}]
+contact:
+  distance: 2 mm
+  friction: {mu: 0.5, eps_v: 1 cm/s}
+  pairs: [{between: [block, floor], adhesion: {type: fang, critical_strain: 0.01}}]
+)";
+
+// A block that is shot at a plate a hundredth as thick as the way it would go in the step.
+const std::string shot = R"(
+time: {step: 0.01, duration: 0.01}
+objects:
+  - {name: plate, shape: {type: box, size: [1, 0.004, 1]}, place: {translate: [0, -0.002, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [0.1, 0.1, 0.1]}
+    place: {axis: [0.3, 0.1, 1], angle: 0.3, translate: [0, 0.12, 0]}
+    velocity: [3, -40, 1]
+    energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 1000}]
+contact: {distance: 1 mm}
+)";
+
+// Each type with each of its own options; a choice that another one makes void is tried once.
+std::vector<Variant> minimizers() {
+  std::vector<Variant> chosen;
+  for (const Variant& v : variants<Minimizer>()) {
+    const auto has = [&](const std::string& part) { return v.yaml.find(part) != std::string::npos; };
+    if (!has("stopping: velocity")) continue;
+    if (has("conjugate:") && !has("fletcher_reeves") && !has("direction: nonlinear")) continue;
+    chosen.push_back(v);
+  }
+  return chosen;
+}
+
+std::unique_ptr<Minimizer> with(const Variant& v, const std::string& more) {
+  return component<Minimizer>(v.yaml.substr(0, v.yaml.size() - 1) + ", " + more + "}");
+}
+
+template <class Check>
+void for_each_minimizer(const Check& check) {
+  const auto all = minimizers();
+  REQUIRE(all.size() >= 1);
+  for (const Variant& v : all) {
+    INFO(v.yaml);
+    check(v);
+  }
+}
+
+double rms(const VecX& a, const VecX& b) { return (a - b).norm() / std::sqrt(a.size() / 3.0); }
+
+}  // namespace
+
+TEST_CASE("minimizers: all find the same minimum", "[minimizer]") {
+  StepProblem reference(landing);
+  REQUIRE(reference.minimize(*component<Minimizer>("{type: projected_newton, tolerance: 1e-8}")).status ==
+          MinimizerStatus::converged);
+  const double lowest = (reference.potential.move_to(reference.q), reference.potential.value());
+  for_each_minimizer([&](const Variant& v) {
+    StepProblem problem(landing);
+    const MinimizerResult result = problem.minimize(*with(v, "tolerance: 1e-5, max_iterations: 20000"));
+    INFO(to_string(result.status) << ", " << result.iterations << " iterations, "
+                                  << result.line_search_evaluations << " evaluations, residual " << result.residual);
+    CHECK(result.status == MinimizerStatus::converged);
+    CHECK(result.residual <= 1);
+    CHECK(result.iterations > 0);
+    CHECK(result.linear_solves > 0);
+    CHECK(rms(problem.q, reference.q) <= 1e-6);  // of a scene of one metre
+    problem.potential.move_to(problem.q);
+    CHECK(problem.potential.value() == Approx(lowest).epsilon(1e-7));
+  });
+}
+
+TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
+  for_each_minimizer([&](const Variant& v) {
+    StepProblem problem(shot);
+    const MinimizerResult result = problem.minimize(*with(v, "tolerance: 0.01, max_iterations: 1000"));
+    INFO(to_string(result.status) << ", " << result.iterations << " iterations, residual " << result.residual);
+    CHECK(problem.path.size() > 1);
+    const auto& surface = problem.world->contact->surface();
+    for (size_t i = 0; i < problem.path.size(); ++i) {
+      // The plate is wider than the block's way: between two points on its upper side there is no crossing.
+      for (int y = 1; y < problem.q.size(); y += 3) REQUIRE(problem.path[i](y) > 0);
+      REQUIRE(find_intersections(surface.mesh, problem.configuration(problem.path[i]),
+                                 problem.world->contact->filter(), 1).empty());
+      if (i > 0 && i % 7 == 0) {
+        for (const double t : {0.2, 0.4, 0.6, 0.8}) {
+          const VecX between = (1 - t) * problem.path[i - 1] + t * problem.path[i];
+          REQUIRE(find_intersections(surface.mesh, problem.configuration(between), problem.world->contact->filter(),
+                                     1).empty());
+        }
+      }
+    }
+    CHECK((result.status == MinimizerStatus::converged || result.status == MinimizerStatus::iteration_limit));
+  });
+}
+
+TEST_CASE("minimizers: budgets hold", "[minimizer]") {
+  for_each_minimizer([&](const Variant& v) {
+    StepProblem problem(landing);
+    const int counted = problem.potential.value_count();
+    const MinimizerResult result = problem.minimize(*with(v, "tolerance: 1e-9, max_iterations: 2"));
+    CHECK(result.status == MinimizerStatus::iteration_limit);
+    CHECK(result.iterations <= 2);
+    CHECK(result.line_search_evaluations <= 130);
+    CHECK(problem.potential.value_count() - counted <= 130);
+    CHECK(problem.q.allFinite());
+  });
+}
+
+TEST_CASE("minimizers: Ctrl-C ends them where they are", "[minimizer]") {
+  for_each_minimizer([&](const Variant& v) {
+    StepProblem problem(landing);
+    const VecX start = problem.q;
+    interrupt_requested = true;
+    const MinimizerResult result = problem.minimize(*with(v, "tolerance: 1e-9"));
+    interrupt_requested = false;
+    CHECK(result.status == MinimizerStatus::interrupted);
+    CHECK(problem.q == start);
+  });
+}
+
+TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
+  // A bar without inertia that bends under gravity and is pulled: all linear forces are rest.
+  const auto positions = [](const std::string& type) {
+    Simulation s("time: {step: 1, duration: 1, integrator: quasi_static}\ngravity: [0, -1, 0]\n"
+                 "solver: {type: " + type + ", force_tolerance: 1e-8, max_iterations: 5000}\n"
+                 "objects: [{name: bar, shape: {type: box, size: [0.5, 0.1, 0.1], cells: [5, 2, 2]},\n"
+                 "  energies: [{type: neo_hookean, young: 1e5, poisson: 0.3}],\n"
+                 "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}],\n"
+                 "  loads: [{type: traction, value: [2e4, 0, 0], select: {type: face, direction: [1, 0, 0]}}]}]\n");
+    CHECK(s.step().converged);
+    CHECK(s.warnings.empty());
+    return s.state().x;
+  };
+  const VecX expected = positions("projected_newton");
+  for (const std::string& type : Registry<Minimizer>::kind().names()) {
+    INFO(type);
+    CHECK(rms(positions(type), expected) <= 1e-7);
+  }
+}
+
+TEST_CASE("minimizers: a scripted plate that pushes", "[minimizer]") {
+  // The plate would go through the block: it walks, with a pull that gradient methods find hard.
+  const auto positions = [](const std::string& type) {
+    Simulation s("time: {step: 1, duration: 2, integrator: quasi_static}\n"
+                 "solver: {type: " + type + ", force_tolerance: 1e-8}\n"
+                 "objects:\n"
+                 "  - {name: plate, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, 0.101, 0]},\n"
+                 "     motion: [{type: translate, displacement: [0, -0.04, 0], duration: 2 s}]}\n"
+                 "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]},\n"
+                 "     energies: [{type: neo_hookean, young: 1e5}],\n"
+                 "     motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n"
+                 "contact: {distance: 2 mm, friction: {mu: 0.3}}\n");
+    CHECK(s.step().converged);
+    CHECK(s.step().converged);
+    CHECK(s.warnings.empty());
+    return s.state().x;
+  };
+  CHECK(rms(positions("ceres_trust_region"), positions("projected_newton")) <= 1e-6);
+}
+
+TEST_CASE("minimizers: those that need dense matrices refuse many unknowns", "[minimizer]") {
+  const auto admit = [](const std::string& yaml, int unknowns) {
+    component<Minimizer>(yaml)->admit({}, unknowns);
+  };
+  CHECK_NOTHROW(admit("{type: nlopt, algorithm: slsqp}", 300));
+  CHECK_THROWS_WITH(admit("{type: nlopt, algorithm: slsqp}", 3000), Catch::Contains("slsqp") && Catch::Contains("3000"));
+  CHECK_NOTHROW(admit("{type: nlopt, algorithm: lbfgs}", 300000));
+  CHECK_NOTHROW(admit("{type: ceres_line_search, direction: bfgs}", 3000));
+  CHECK_THROWS_WITH(admit("{type: ceres_line_search, direction: bfgs}", 30000), Catch::Contains("lbfgs"));
+  CHECK_NOTHROW(admit("{type: ceres_line_search}", 300000));
+}
