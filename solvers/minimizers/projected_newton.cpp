@@ -128,7 +128,7 @@ class ProjectedNewton : public DescentMinimizer {
 };
 
 TACK_REGISTER(Minimizer, ProjectedNewton, "projected_newton",
-              "Newton's method with per-stencil positive definite Hessians and a direct solver.",
+              "Newton's method with Hessians that are made positive definite, stencil by stencil.",
               "Li et al. 2020, Incremental Potential Contact; Fang et al., section 5");
 
 }  // namespace tack
