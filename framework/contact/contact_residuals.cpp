@@ -16,15 +16,6 @@ inline constexpr int residual_count = std::is_same_v<Kind, EdgeEdgeKind> ? 2 : 1
 template <class Kind>
 using Rows = Eigen::Matrix<double, residual_count<Kind>, 3 * Kind::arity, Eigen::RowMajor>;
 
-// Calls body(Kind, stencils, thresholds or null) for each kind, in batch order.
-template <class Body>
-void for_each_kind(const ContactSet& set, const Body& body) {
-  body(PointPointKind{}, set.point_point, nullptr);
-  body(PointEdgeKind{}, set.point_edge, nullptr);
-  body(PointTriangleKind{}, set.point_triangle, nullptr);
-  body(EdgeEdgeKind{}, set.edge_edge, set.mollifier_threshold.data());
-}
-
 // eps_x: the mollifier's threshold, for edge-edge stencils only. False where the energy is not finite.
 template <class Kind>
 bool stencil_residuals(const VecX& x, const ContactStencil<Kind::arity>& stencil, const PairLaw& law,

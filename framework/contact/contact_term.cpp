@@ -9,15 +9,6 @@
 namespace tack {
 namespace {
 
-// Calls body(Kind, stencils, thresholds or null) for each kind, in batch order.
-template <class Body>
-void for_each_kind(const ContactSet& set, const Body& body) {
-  body(PointPointKind{}, set.point_point, nullptr);
-  body(PointEdgeKind{}, set.point_edge, nullptr);
-  body(PointTriangleKind{}, set.point_triangle, nullptr);
-  body(EdgeEdgeKind{}, set.edge_edge, set.mollifier_threshold.data());
-}
-
 // Stencils first..last of one chunk, with gaps and law samples. Laws are called once per run of
 // stencils with the same law.
 template <class Kind>

@@ -2,6 +2,7 @@
 // number of leading vertices that belong to the first of the two primitives.
 #pragma once
 
+#include "framework/contact/contact_set.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/reduced_kernels.hpp"
 
@@ -51,5 +52,14 @@ struct EdgeEdgeKind {
     return reduce_edge_edge<Kernels>(c[0], c[1], c[2], c[3], edge_edge_type(c[0], c[1], c[2], c[3]));
   }
 };
+
+// Calls body(Kind, stencils, thresholds or null) for each kind, in batch order.
+template <class Body>
+void for_each_kind(const ContactSet& set, const Body& body) {
+  body(PointPointKind{}, set.point_point, nullptr);
+  body(PointEdgeKind{}, set.point_edge, nullptr);
+  body(PointTriangleKind{}, set.point_triangle, nullptr);
+  body(EdgeEdgeKind{}, set.edge_edge, set.mollifier_threshold.data());
+}
 
 }  // namespace tack

@@ -1,6 +1,7 @@
 // Probes of forces: contact and adhesion between objects, and the reaction of what is held.
 #include "framework/assembly/term_gradient.hpp"
 #include "framework/output/probe.hpp"
+#include "framework/probes/pair_force.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/errors.hpp"
@@ -9,12 +10,10 @@ namespace tack {
 namespace {
 
 // The force that the second object exerts on the first, or all objects on one.
-class ContactForce : public VectorProbe {
+class ContactForce : public PairForce<LawPart> {
  public:
   void fields(Fields& f) override {
-    VectorProbe::fields(f);
-    f.text("on", on_, "the object that the force acts on").required();
-    f.text("from", from_, "the object that exerts it; without it, all others together");
+    PairForce::fields(f);
     f.choice("part", part_,
              {{"all", LawPart::all, "barrier and adhesion"},
               {"barrier", LawPart::barrier, "repulsion only"},
@@ -23,27 +22,14 @@ class ContactForce : public VectorProbe {
   }
 
   void prepare(const World& world) override {
-    if (!world.contact)
-      throw InputError("probe '" + name_ + "': the scene has no contact section");
-    a_ = object_index(world, on_, name_);
-    b_ = from_.empty() ? -1 : object_index(world, from_, name_);
+    require_contact(world, name_);
+    PairForce::prepare(world);
   }
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    if (b_ >= 0) return world.contact_term->force_between(state.x, part_, {a_, b_});
-    const VecX forces = world.contact_term->forces(state.x, part_);
-    Vec3 sum = Vec3::Zero();
-    const Body& body = world.bodies[a_];
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-      sum += vertex(forces, v);
-    return sum;
+    return force(*world.contact_term, world, state.x);
   }
-
- private:
-  std::string on_, from_;
-  LawPart part_ = LawPart::all;
-  int a_ = -1, b_ = -1;
 };
 
 // The force that makes held vertices stand still or move as their script says: against everything that

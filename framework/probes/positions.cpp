@@ -1,4 +1,6 @@
 // Probes of positions and velocities.
+#include <tuple>
+
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/scene/world.hpp"
@@ -74,15 +76,11 @@ class Gap : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.texts("between", between_, "two object names").required();
-    f.check("between", [this]() -> std::string {
-      return between_.size() == 2 ? "" : "expects two object names";
-    });
+    between_.fields(f);
   }
   void prepare(const World& world) override {
-    if (!world.contact) throw InputError("probe '" + name_ + "': the scene has no contact section");
-    a_ = object_index(world, between_[0], name_);
-    b_ = object_index(world, between_[1], name_);
+    require_contact(world, name_);
+    std::tie(a_, b_) = between_.prepare(world, name_);
   }
   std::vector<double> sample(const World& world, const State& state) override {
     const CollisionMesh& mesh = world.contact->surface().mesh;
@@ -90,7 +88,7 @@ class Gap : public Probe {
   }
 
  private:
-  std::vector<std::string> between_;
+  ObjectNames between_;
   int a_ = -1, b_ = -1;
 };
 

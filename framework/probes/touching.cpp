@@ -1,16 +1,15 @@
 // Probes of how surfaces touch: how fast they slide, and what holds on to what.
+#include <algorithm>
+#include <tuple>
+
 #include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/scene/world.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
-
-void require_contact(const World& world, const std::string& probe) {
-  if (!world.contact) throw InputError("probe '" + probe + "': the scene has no contact section");
-}
 
 // Mean of |u| / h, u the slip of the last step, over the points of a pair that are within reach of its laws,
 // weighted with their areas. Guards would count area again: they are left out. 0 if nothing touches.
@@ -18,15 +17,11 @@ class SlidingSpeed : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.texts("between", between_, "two object names").required();
-    f.check("between", [this]() -> std::string {
-      return between_.size() == 2 ? "" : "expects two object names";
-    });
+    between_.fields(f);
   }
   void prepare(const World& world) override {
     require_contact(world, name_);
-    a_ = object_index(world, between_[0], name_);
-    b_ = object_index(world, between_[1], name_);
+    std::tie(a_, b_) = between_.prepare(world, name_);
     const PairTable& pairs = world.contact->pairs();
     wanted_.assign(pairs.laws().size(), 0);
     for (const PairRole* role : {&pairs.point(a_, b_), &pairs.point(b_, a_)})
@@ -57,7 +52,7 @@ class SlidingSpeed : public Probe {
   }
 
  private:
-  std::vector<std::string> between_;
+  ObjectNames between_;
   int a_ = -1, b_ = -1;
   std::vector<char> wanted_;  // per law
 };
@@ -79,19 +74,14 @@ class AttachedObjects : public Probe {
   std::vector<double> sample(const World& world, const State&) override {
     std::vector<char> held(world.bodies.size(), 0);
     const auto& object = world.contact->surface().mesh.vertex_object;
-    const auto mark = [&](const auto& stencils, size_t second) {
+    for_each_kind(world.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
       for (const auto& s : stencils) {
         if (!adhesive_[s.law]) continue;
-        const int a = object[s.vertices[0]], b = object[s.vertices[second]];
+        const int a = object[s.vertices[0]], b = object[s.vertices[kind.first_vertices]];
         if (a == index_ && b != index_) held[b] = 1;
         if (b == index_ && a != index_) held[a] = 1;
       }
-    };
-    const ContactSet& set = world.contact->contacts();
-    mark(set.point_point, 1);
-    mark(set.point_edge, 1);
-    mark(set.point_triangle, 1);
-    mark(set.edge_edge, 2);
+    });
     return {static_cast<double>(std::count(held.begin(), held.end(), 1))};
   }
 

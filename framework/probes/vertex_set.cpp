@@ -17,6 +17,10 @@ int object_index(const World& world, const std::string& name, const std::string&
                                suggestion(name, names, "objects")));
 }
 
+void require_contact(const World& world, const std::string& probe) {
+  if (!world.contact) throw InputError("probe '" + probe + "': the scene has no contact section");
+}
+
 void VertexSet::prepare(const World& world, const std::string& probe) {
   const int index = object_index(world, object_, probe);
   vertices_ = select(*select_, world.selection_context(index));

@@ -1,8 +1,9 @@
-// The vertices of an object that a probe looks at.
+// What a probe looks at: objects, and the vertices of one.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/config/field.hpp"
@@ -14,6 +15,24 @@ struct World;
 
 // The index of an object by name; throws InputError with the nearest name.
 int object_index(const World& world, const std::string& name, const std::string& probe);
+
+// Throws InputError if the scene has no contact.
+void require_contact(const World& world, const std::string& probe);
+
+// `between`: the names of two objects.
+class ObjectNames {
+ public:
+  void fields(Fields& f) {
+    f.texts("between", names_, "two object names").required();
+    f.check("between", [this]() -> std::string { return names_.size() == 2 ? "" : "expects two object names"; });
+  }
+  std::pair<int, int> prepare(const World& world, const std::string& probe) const {
+    return {object_index(world, names_[0], probe), object_index(world, names_[1], probe)};
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
 
 class VertexSet {
  public:

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "solvers/minimizers/shifted_factor.hpp"
+
 namespace tack {
 namespace {
 
@@ -16,10 +18,7 @@ void ConvergenceJudge::begin() { begun_ = false; }
 
 bool ConvergenceJudge::newton_direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
   const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
-  ++result.linear_solves;
-  if (!linear_->factorize(hessian, problem.clock)) return false;
-  linear_->solve(-problem.objective.gradient(), p, problem.clock);
-  return p.allFinite();
+  return newton_solve(*linear_, hessian, problem.objective.gradient(), p, problem.clock, result);
 }
 
 double ConvergenceJudge::verdict(const MinimizerProblem& problem, MinimizerResult& result) {

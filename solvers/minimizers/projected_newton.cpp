@@ -69,10 +69,8 @@ class ProjectedNewton : public DescentMinimizer {
 
   // p <- -H^-1 g. False if H shows a negative curvature, or p does not descend.
   bool solve(const BlockMatrix& hessian, const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
-    ++result.linear_solves;
-    if (!linear_->factorize(hessian, problem.clock)) return false;
-    linear_->solve(-problem.objective.gradient(), p, problem.clock);
-    return p.allFinite() && p.dot(problem.objective.gradient()) < 0;
+    const VecX& gradient = problem.objective.gradient();
+    return newton_solve(*linear_, hessian, gradient, p, problem.clock, result) && p.dot(gradient) < 0;
   }
 
   // On demand: after a few failures in one minimisation, all further systems are filtered at once.

@@ -4,6 +4,7 @@
 
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/three_boxes.hpp"
 #include "tests/support/tet_body.hpp"
 
 using namespace tack;
@@ -12,16 +13,9 @@ namespace {
 
 // Three small boxes around each other, askew, with every law on.
 const std::string cluster = [] {
-  const std::string material = "energies: [{type: neo_hookean, young: 1e5}]";
-  const std::string shape = "shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}";
   const std::string laws = "adhesion: {type: fang, young: 1e3, critical_strain: 0.5},\n"
                            "     friction: {mu: 0.4, eps_v: 2e-3}, tangential_adhesion: {mu: 0.8, eps_a: 1e-3}}";
-  return "objects:\n"
-         "  - {name: a, " + shape + ", " + material + "}\n"
-         "  - {name: b, " + shape + ", place: {axis: [0.3, 1, 0.2], angle: 0.012, translate: [0.013, 0.112, 0.017]}, " +
-         material + "}\n"
-         "  - {name: c, " + shape + ", place: {axis: [1, 0.4, 0.7], angle: 1.1, translate: [0.158, 0.04, 0.02]}, " +
-         material + "}\n"
+  return three_boxes() +
          "contact:\n  distance: 0.025\n  guard: 1\n  friction: {mu: 0.7}\n"
          "  barrier: {type: clamped_log, stiffness: 1e3}\n"
          "  pairs:\n   - {between: [a, b], " + laws + "\n   - {between: [b, c], integrate: both, " + laws + "\n";

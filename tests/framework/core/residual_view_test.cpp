@@ -10,6 +10,7 @@
 #include "tests/support/dense_term.hpp"
 #include "tests/support/polynomial_term.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/three_boxes.hpp"
 #include "tests/support/tet_body.hpp"
 
 using namespace tack;
@@ -76,15 +77,8 @@ void check_squares(const Term& term, const VecX& x, const VecX& y) {
 
 // Three small boxes around each other, askew; between two of them all edges are nearly parallel.
 std::string cluster(const std::string& weights, int cells) {
-  const std::string material = "energies: [{type: neo_hookean, young: 1e5}]";
-  const std::string shape = fmt::format("shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [{0}, {0}, {0}]}}", cells);
   const std::string sliding = ", friction: {mu: 0.4, eps_v: 2e-3}, tangential_adhesion: {mu: 0.8, eps_a: 1e-3}}";
-  return "objects:\n"
-         "  - {name: a, " + shape + ", " + material + "}\n"
-         "  - {name: b, " + shape + ", place: {axis: [0.3, 1, 0.2], angle: 0.012, translate: [0.013, 0.112, 0.017]}, " +
-         material + "}\n"
-         "  - {name: c, " + shape + ", place: {axis: [1, 0.4, 0.7], angle: 1.1, translate: [0.158, 0.04, 0.02]}, " +
-         material + "}\n"
+  return three_boxes(cells) +
          "contact:\n  distance: 0.025\n  guard: 1\n  weights: " + weights + "\n" +
          "  barrier: {type: clamped_log, stiffness: 1e3}\n"
          "  pairs:\n"

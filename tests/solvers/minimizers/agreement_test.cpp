@@ -5,6 +5,7 @@
 #include "solvers/line_search/line_search.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/simulation.hpp"
+#include "tests/support/rms_difference.hpp"
 
 using namespace tack;
 
@@ -47,10 +48,6 @@ Outcome outcome(const std::string& solver) {
 const std::map<std::string, std::string> tight = {
     {"tolerance", "1e-8"}, {"force_tolerance", "1e-8"}, {"acceleration_tolerance", "1e-4"}, {"max_iterations", "20000"}};
 
-double difference(const VecX& a, const VecX& b) {
-  return (a - b).norm() / std::sqrt(static_cast<double>(a.size()) / 3);
-}
-
 }  // namespace
 
 TEST_CASE("minimizers agree", "[minimizer]") {
@@ -58,7 +55,7 @@ TEST_CASE("minimizers agree", "[minimizer]") {
   for (const Variant& v : variants<Minimizer>({tight})) {
     INFO(v.yaml);
     const Outcome other = outcome(v.yaml);
-    CHECK(difference(other.x, reference.x) < 1e-7);  // 1e-6 of the cube
+    CHECK(rms_difference(other.x, reference.x) < 1e-7);  // 1e-6 of the cube
     UNSCOPED_INFO(v.type << " took " << other.iterations << " iterations");
   }
 }
@@ -70,6 +67,6 @@ TEST_CASE("line searches lead to the same minimum", "[minimizer][line_search]") 
       INFO(type << " with " << search);
       const Outcome other =
           outcome(std::string("{type: ") + type + ", tolerance: 1e-8, line_search: " + search + "}");
-      CHECK(difference(other.x, reference.x) < 1e-7);
+      CHECK(rms_difference(other.x, reference.x) < 1e-7);
     }
 }

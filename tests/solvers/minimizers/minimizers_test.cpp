@@ -7,6 +7,7 @@
 #include "tests/support/component_variants.hpp"
 #include "tests/support/simulation.hpp"
 #include "tests/support/step_problem.hpp"
+#include "tests/support/rms_difference.hpp"
 
 using namespace tack;
 
@@ -68,8 +69,6 @@ void for_each_minimizer(const Check& check) {
   }
 }
 
-double rms(const VecX& a, const VecX& b) { return (a - b).norm() / std::sqrt(a.size() / 3.0); }
-
 }  // namespace
 
 TEST_CASE("minimizers: all find the same minimum", "[minimizer]") {
@@ -86,7 +85,7 @@ TEST_CASE("minimizers: all find the same minimum", "[minimizer]") {
     CHECK(result.residual <= 1);
     CHECK(result.iterations > 0);
     CHECK(result.linear_solves > 0);
-    CHECK(rms(problem.q, reference.q) <= 1e-6);  // of a scene of one metre
+    CHECK(rms_difference(problem.q, reference.q) <= 1e-6);  // of a scene of one metre
     problem.potential.move_to(problem.q);
     CHECK(problem.potential.value() == Approx(lowest).epsilon(1e-7));
   });
@@ -157,7 +156,7 @@ TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
   const VecX expected = positions("projected_newton");
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
-    CHECK(rms(positions(type), expected) <= 1e-7);
+    CHECK(rms_difference(positions(type), expected) <= 1e-7);
   }
 }
 
@@ -178,7 +177,7 @@ TEST_CASE("minimizers: a scripted plate that pushes", "[minimizer]") {
     CHECK(s.warnings.empty());
     return s.state().x;
   };
-  CHECK(rms(positions("ceres_trust_region"), positions("projected_newton")) <= 1e-6);
+  CHECK(rms_difference(positions("ceres_trust_region"), positions("projected_newton")) <= 1e-6);
 }
 
 TEST_CASE("minimizers: those that need dense matrices refuse many unknowns", "[minimizer]") {

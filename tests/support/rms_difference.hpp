@@ -1,0 +1,14 @@
+// How far two configurations (3n) are apart.
+#pragma once
+
+#include <cmath>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+inline double rms_difference(const VecX& a, const VecX& b) {
+  return (a - b).norm() / std::sqrt(static_cast<double>(a.size()) / 3);
+}
+
+}  // namespace tack
