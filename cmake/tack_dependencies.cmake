@@ -31,4 +31,4 @@ find_library(OPENBLAS_LIBRARY openblas REQUIRED)
 add_library(TACK::cholmod INTERFACE IMPORTED)
 target_include_directories(TACK::cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
 target_link_libraries(TACK::cholmod INTERFACE ${CHOLMOD_LIBRARY} ${METIS_LIBRARY} ${OPENBLAS_LIBRARY}
-                      OpenMP::OpenMP_CXX)
+                      ${OpenMP_CXX_LIBRARIES})

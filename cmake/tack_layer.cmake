@@ -3,8 +3,10 @@
 add_library(tack_options INTERFACE)
 target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
-                       $<$<CONFIG:Release>:-O3> $<$<BOOL:${TACK_NATIVE}>:-march=native>
+                       $<$<BOOL:${TACK_NATIVE}>:-march=native>
                        -fno-math-errno
+                       # a tenth of the compiler's time went into collecting its garbage
+                       --param=ggc-min-heapsize=600000
                        # false alarms of GCC 12 inside its own intrinsics and Eigen
                        -Wno-maybe-uninitialized -Wno-uninitialized -Wno-restrict
                        -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds)
@@ -14,32 +16,54 @@ if(TACK_SANITIZE)
   target_link_options(tack_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What nearly every file includes, parsed once per target.
+# What nearly every file includes, parsed once for all layers.
 set(TACK_PRECOMPILED <Eigen/Core> <Eigen/LU> <fmt/format.h> <tbb/parallel_for.h> <algorithm> <array> <cmath>
     <functional> <map> <memory> <optional> <string> <vector>)
+file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
+add_library(tack_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+target_precompile_headers(tack_precompiled PRIVATE ${TACK_PRECOMPILED})
+target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)
 
-# Parsing, describing and writing are not worth the optimiser's time.
-set(TACK_COLD_FOLDERS framework/config framework/scene framework/output framework/probes framework/app
-    geometry/io geometry/mesh geometry/shapes)
-function(tack_cool SOURCES)
-  foreach(FOLDER ${TACK_COLD_FOLDERS})
-    set(COLD ${SOURCES})
-    list(FILTER COLD INCLUDE REGEX "/${FOLDER}/")
-    set_source_files_properties(${COLD} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+# Parsing, describing and writing are not worth the optimiser's time, nor the compiler's: the files of such
+# a folder are compiled together, as what they instantiate is mostly the same.
+option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
+set(TACK_COLD_FOLDERS framework/config framework/scene framework/output framework/probes framework/compare
+    framework/app geometry/io geometry/mesh geometry/shapes)
+function(tack_cool TARGET)
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+  get_target_property(SOURCES ${TARGET} SOURCES)
+  foreach(SOURCE ${SOURCES})
+    cmake_path(GET SOURCE PARENT_PATH FOLDER)
+    cmake_path(RELATIVE_PATH FOLDER BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+    string(REPLACE "/" "_" FOLDER ${FOLDER})
+    set_source_files_properties(${SOURCE} PROPERTIES UNITY_GROUP ${FOLDER})
   endforeach()
 endfunction()
 
+# tack_layer(NAME [EXCLUDE FOLDER] [LINKS ...] [PRIVATE_LINKS ...]): the sources below NAME/.
 function(tack_layer NAME)
   cmake_parse_arguments(L "" "" "EXCLUDE;LINKS;PRIVATE_LINKS" ${ARGN})
-  file(GLOB_RECURSE SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${NAME}/*.cpp)
+  file(GLOB_RECURSE HOT CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${NAME}/*.cpp)
   foreach(FOLDER ${L_EXCLUDE})
-    list(FILTER SOURCES EXCLUDE REGEX "/${NAME}/${FOLDER}/")
+    list(FILTER HOT EXCLUDE REGEX "/${NAME}/${FOLDER}/")
   endforeach()
-  tack_cool("${SOURCES}")
-  add_library(tack_${NAME} OBJECT ${SOURCES})
-  target_precompile_headers(tack_${NAME} PRIVATE ${TACK_PRECOMPILED})
-  target_link_libraries(tack_${NAME} PUBLIC tack_options ${L_LINKS} PRIVATE ${L_PRIVATE_LINKS})
-  set_property(GLOBAL APPEND PROPERTY TACK_LAYERS tack_${NAME})
+  set(COLD ${HOT})
+  list(JOIN TACK_COLD_FOLDERS "/|/" FOLDERS)
+  list(FILTER HOT EXCLUDE REGEX "/${FOLDERS}/")
+  list(FILTER COLD INCLUDE REGEX "/${FOLDERS}/")
+  add_library(tack_${NAME} OBJECT ${HOT})
+  set(TARGETS tack_${NAME})
+  if(COLD)
+    add_library(tack_${NAME}_cold OBJECT ${COLD})
+    tack_cool(tack_${NAME}_cold)
+    list(APPEND TARGETS tack_${NAME}_cold)
+  endif()
+  foreach(TARGET ${TARGETS})
+    target_precompile_headers(${TARGET} REUSE_FROM tack_precompiled)
+    target_link_libraries(${TARGET} PUBLIC tack_options ${L_LINKS} PRIVATE ${L_PRIVATE_LINKS})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY TACK_LAYERS ${TARGETS})
   set_property(GLOBAL APPEND PROPERTY TACK_LINKS ${L_PRIVATE_LINKS})
 endfunction()
 
@@ -51,14 +75,14 @@ function(tack_link_all TARGET)
     target_sources(${TARGET} PRIVATE $<TARGET_OBJECTS:${LAYER}>)
   endforeach()
   target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt
-                        nlohmann_json::nlohmann_json CLI11::CLI11 Threads::Threads ${LINKS})
+                        CLI11::CLI11 Threads::Threads ${LINKS})
 endfunction()
 
 function(tack_app)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
-  tack_cool("${SOURCES}")
   add_executable(tack_cli ${SOURCES})
-  target_precompile_headers(tack_cli PRIVATE ${TACK_PRECOMPILED} <CLI/CLI.hpp>)
+  tack_cool(tack_cli)
+  target_precompile_headers(tack_cli REUSE_FROM tack_precompiled)
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack RUNTIME_OUTPUT_DIRECTORY
                         ${CMAKE_BINARY_DIR}/bin)
   # The commit goes into every summary.json; it is read again at each build.

@@ -5,11 +5,10 @@
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
-#include "framework/scene/derivative_check.hpp"
-#include "framework/app/scene_options.hpp"
 #include "framework/output/recorder.hpp"
+#include "framework/scene/build_world.hpp"
+#include "framework/scene/derivative_check.hpp"
 #include "framework/scene/load_scene.hpp"
-#include "framework/scene/world.hpp"
 
 namespace tack {
 namespace {
@@ -39,21 +38,15 @@ bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
 
 }  // namespace
 
-void add_check_command(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<SceneOptions>();
-  CLI::App* check = app.add_subcommand("check", "Validate an experiment without running it");
-  add_scene_options(*check, *options);
-  check->callback([options, &exit_code] {
-    settle(*options);
-    const LoadedScene scene = load_scene(options->file, options->overrides);
-    PhaseClock clock;
-    const auto world = build_world(scene.config, scene.root, clock);
-    prepare_probes(scene, *world);
-    print_contents(*world);
-    const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
-    if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options->file);
-    exit_code = right ? exit_done : exit_expectation_failed;
-  });
+int check_command(const SceneOptions& options) {
+  const LoadedScene scene = load_scene(options.file, options.overrides);
+  PhaseClock clock;
+  const auto world = build_world(scene.config, scene.root, clock);
+  prepare_probes(scene, *world);
+  print_contents(*world);
+  const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
+  if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
+  return right ? exit_done : exit_expectation_failed;
 }
 
 }  // namespace tack

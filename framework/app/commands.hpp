@@ -1,19 +1,54 @@
-// The subcommands of the program, one file each. Each adds itself to the command line and, when
-// chosen, sets the exit code: 0 done, 1 an expectation failed, 2 bad input, 3 the simulation failed,
-// 130 interrupted.
+// The subcommands of the program, one file each; main.cpp reads their options from the command line.
+// Each returns the exit code, or throws InputError or SimulationError.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 namespace tack {
 
-void add_run_command(CLI::App& app, int& exit_code);
-void add_compare_command(CLI::App& app, int& exit_code);
-void add_check_command(CLI::App& app, int& exit_code);
-void add_list_command(CLI::App& app, int& exit_code);
-void add_mesh_command(CLI::App& app, int& exit_code);
-
 inline constexpr int exit_done = 0, exit_expectation_failed = 1, exit_bad_input = 2,
                      exit_simulation_failed = 3, exit_interrupted = 130;
+
+// The experiment file and its overrides, as every command takes that reads a scene.
+struct SceneOptions {
+  std::string file;
+  std::vector<std::string> overrides;  // "a.b=c"
+};
+
+struct RunOptions {
+  SceneOptions scene;
+  std::string output;                      // empty: results/<name>
+  int steps = 0;                           // 0: to the end
+  int threads = 0;                         // 0: all cores
+  bool quiet = false, verbose = false;
+  bool resume = false;                     // from the newest checkpoint of the results folder
+  std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
+};
+// Simulates an experiment. Throws InputError before anything is written.
+int run_command(const RunOptions& options);
+
+struct CompareOptions {
+  SceneOptions file;
+  std::string output;  // empty: results/<name>
+  int threads = 0;     // 0: all cores
+  bool quiet = false;
+};
+// Speed against error of several solvers on the same problems.
+int compare_command(const CompareOptions& options);
+
+// Validates an experiment without running it: keys, meshes, pairs, the start, and the derivatives of the
+// whole incremental potential at the start.
+int check_command(const SceneOptions& options);
+
+struct ListOptions {
+  std::string kind, name;                         // empty: all
+  std::string reference, schema, compare_schema;  // files to write instead
+};
+// What can be named in a scene file; also writes the reference page and the JSON schemas.
+int list_command(const ListOptions& options);
+
+// What a mesh file holds.
+int mesh_info_command(const std::string& path);
 
 }  // namespace tack

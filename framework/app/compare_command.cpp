@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
-#include "framework/app/scene_options.hpp"
 #include "framework/app/version.hpp"
 #include "framework/compare/compare_csv.hpp"
 #include "framework/compare/plots.hpp"
@@ -16,16 +15,8 @@
 #include "framework/output/run_folder.hpp"
 
 namespace tack {
-namespace {
 
-struct Options {
-  SceneOptions file;
-  std::string output;
-  int threads = 0;
-  bool quiet = false;
-};
-
-void run_comparison(const Options& options) {
+int compare_command(const CompareOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
@@ -45,22 +36,7 @@ void run_comparison(const Options& options) {
                compare_report(config, result, {TACK_VERSION, TACK_COMMIT, machine_name(), threads, wall.count()}));
   for (const std::string& failure : draw_plots(result, folder.root())) fmt::print("{}\n", failure);
   if (!options.quiet) fmt::print("results in {}\n", folder.root().string());
-}
-
-}  // namespace
-
-void add_compare_command(CLI::App& app, int& exit_code) {
-  auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("compare", "Measure speed against error of several solvers");
-  add_scene_options(*command, options->file);
-  command->add_option("-o,--output", options->output, "results folder (default: results/NAME)");
-  command->add_option("--threads", options->threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
-  command->add_flag("-q,--quiet", options->quiet, "print errors only");
-  command->callback([options, &exit_code] {
-    settle(options->file);
-    run_comparison(*options);
-    exit_code = exit_done;
-  });
+  return exit_done;
 }
 
 }  // namespace tack

@@ -1,27 +1,135 @@
+// The command line: options, help and exit codes. CLI11 is known here only.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
 #include "framework/app/version.hpp"
 #include "geometry/errors.hpp"
 
+namespace tack {
+namespace {
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+  command.add_option("file", options.file, "the experiment (YAML); required");
+  command.add_option("--set", options.overrides, "override keys: a.b=c (one or more; repeatable)")
+      ->take_all()->allow_extra_args(true);
+}
+
+// --set takes several values and so also a file that stands behind them: what has no '=' is the file.
+void settle(SceneOptions& options) {
+  if (!options.file.empty()) return;
+  std::vector<std::string>& values = options.overrides;
+  const auto file = std::find_if(values.begin(), values.end(), [](const std::string& value) {
+    return value.find('=') == std::string::npos;
+  });
+  if (file == values.end()) throw CLI::RequiredError("file");
+  options.file = *file;
+  values.erase(file);
+}
+
+// Every command adds itself and, when chosen, sets the exit code.
+class CommandLine {
+ public:
+  CommandLine() {
+    app_.name("tack");
+    app_.set_version_flag("--version", TACK_VERSION);
+    app_.require_subcommand(1);
+    app_.footer("`./tack test` runs the tests.");
+    add_run();
+    add_compare();
+    add_check();
+    add_list();
+    add_mesh();
+  }
+
+  int execute(int argc, char** argv) {
+    try {
+      app_.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app_.exit(error) == 0 ? exit_done : exit_bad_input;
+    }
+    return exit_code_;
+  }
+
+ private:
+  void add_run() {
+    CLI::App* run = app_.add_subcommand("run", "Simulate an experiment");
+    add_scene_options(*run, run_.scene);
+    add_output(*run, run_.output, run_.threads);
+    run->add_option("--steps", run_.steps, "stop after this many steps")->check(CLI::PositiveNumber);
+    run->add_flag("--resume", run_.resume, "go on from the newest checkpoint of the results folder");
+    run->add_option("--dump-problem", run_.dump_problems,
+                    "store a step to minimise it again: step=K, or hardest=N for those with most iterations (repeatable)")
+        ->take_all()->allow_extra_args(false);
+    run->add_flag("-q,--quiet", run_.quiet, "print errors only");
+    run->add_flag("-v,--verbose", run_.verbose, "print a line for every step");
+    run->callback([this] {
+      settle(run_.scene);
+      exit_code_ = run_command(run_);
+    });
+  }
+
+  void add_compare() {
+    CLI::App* compare = app_.add_subcommand("compare", "Measure speed against error of several solvers");
+    add_scene_options(*compare, compare_.file);
+    add_output(*compare, compare_.output, compare_.threads);
+    compare->add_flag("-q,--quiet", compare_.quiet, "print errors only");
+    compare->callback([this] {
+      settle(compare_.file);
+      exit_code_ = compare_command(compare_);
+    });
+  }
+
+  void add_check() {
+    CLI::App* check = app_.add_subcommand("check", "Validate an experiment without running it");
+    add_scene_options(*check, check_);
+    check->callback([this] {
+      settle(check_);
+      exit_code_ = check_command(check_);
+    });
+  }
+
+  void add_list() {
+    CLI::App* list = app_.add_subcommand("list", "List what a scene file may name");
+    list->add_option("kind", list_.kind, "energy, adhesion, minimizer, ...");
+    list->add_option("name", list_.name, "a component, for its parameters");
+    list->add_option("--reference", list_.reference, "write the reference page (Markdown) to a file");
+    list->add_option("--schema", list_.schema, "write the JSON schema for editors to a file");
+    list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`");
+    list->callback([this] { exit_code_ = list_command(list_); });
+  }
+
+  void add_mesh() {
+    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files");
+    mesh->require_subcommand(1);
+    CLI::App* info = mesh->add_subcommand("info", "Print what a mesh file holds");
+    info->add_option("file", mesh_file_, "obj, msh, ply, stl, off, vtk or vtu")->required();
+    info->callback([this] { exit_code_ = mesh_info_command(mesh_file_); });
+  }
+
+  static void add_output(CLI::App& command, std::string& output, int& threads) {
+    command.add_option("-o,--output", output, "results folder (default: results/NAME)");
+    command.add_option("--threads", threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
+  }
+
+  CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
+  RunOptions run_;
+  CompareOptions compare_;
+  SceneOptions check_;
+  ListOptions list_;
+  std::string mesh_file_;
+  int exit_code_ = exit_done;
+};
+
+}  // namespace
+}  // namespace tack
+
 int main(int argc, char** argv) {
-  CLI::App app{"tack: adhesive contact of deformable solids by incremental potentials"};
-  app.name("tack");
-  app.set_version_flag("--version", TACK_VERSION);
-  app.require_subcommand(1);
-  app.footer("`./tack test` runs the tests.");
-  int exit_code = tack::exit_done;
-  tack::add_run_command(app, exit_code);
-  tack::add_compare_command(app, exit_code);
-  tack::add_check_command(app, exit_code);
-  tack::add_list_command(app, exit_code);
-  tack::add_mesh_command(app, exit_code);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? tack::exit_done : tack::exit_bad_input;
+    return tack::CommandLine().execute(argc, argv);
   } catch (const tack::InputError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
@@ -32,5 +140,4 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "internal error: {}\n", error.what());
     return tack::exit_simulation_failed;
   }
-  return exit_code;
 }

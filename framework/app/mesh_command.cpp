@@ -9,9 +9,8 @@
 #include "geometry/mesh/surface.hpp"
 
 namespace tack {
-namespace {
 
-void print_info(const std::string& path) {
+int mesh_info_command(const std::string& path) {
   const Mesh mesh = read_mesh(path);
   const Surface surface = extract_surface(mesh);
   const auto box = bounding_box(mesh);
@@ -25,20 +24,7 @@ void print_info(const std::string& path) {
   if (!mesh.tets.empty())
     fmt::print("  volume {} m^3, inverted tets {}\n", total_volume(mesh), inverted_tets(mesh).size());
   for (const auto& [name, vertices] : mesh.tags) fmt::print("  group '{}': {} vertices\n", name, vertices.size());
-}
-
-}  // namespace
-
-void add_mesh_command(CLI::App& app, int& exit_code) {
-  auto path = std::make_shared<std::string>();
-  CLI::App* mesh = app.add_subcommand("mesh", "Look at mesh files");
-  mesh->require_subcommand(1);
-  CLI::App* info = mesh->add_subcommand("info", "Print what a mesh file holds");
-  info->add_option("file", *path, "obj, msh, ply, stl, off, vtk or vtu")->required();
-  info->callback([path, &exit_code] {
-    print_info(*path);
-    exit_code = exit_done;
-  });
+  return exit_done;
 }
 
 }  // namespace tack

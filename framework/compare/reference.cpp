@@ -8,7 +8,6 @@
 namespace tack {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Of the size of what moves: minimisers that are further apart than this are two.
 constexpr double one_and_the_same = 1e-6;
 constexpr double one_potential = 1e-9;         // relative
@@ -70,7 +69,7 @@ Reference make_reference(const CompareCase& what, double step_size, double toler
     reference.tolerance = to;
   }
   if (!reference.found()) return reference;
-  reference.disagreement = nan;
+  reference.disagreement = std::numeric_limits<double>::quiet_NaN();
   const auto second = solve("absolute", "cholmod", reference.tolerance);
   if (!second->result().converged) return reference;
   const Trial& first = *reference.trial;

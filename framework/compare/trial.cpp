@@ -9,7 +9,9 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/output/recorder.hpp"
+#include "framework/scene/build_world.hpp"
 #include "framework/scene/energies.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"

@@ -2,7 +2,6 @@
 // for editors, and the echo of a resolved scene.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "framework/config/field.hpp"
@@ -21,9 +20,8 @@ std::string parameter_table(const Fields& root);
 // Markdown: the parameters of `root` (the scene), then every registered kind and component.
 std::string reference_page(const Fields& root, const std::string& title);
 
-// JSON schema, draft 7, of files that bind to `root`. Include <nlohmann/json.hpp> to use the
-// result.
-nlohmann::json json_schema(const Fields& root, const std::string& title);
+// JSON schema, draft 7, of files that bind to `root`.
+std::string json_schema(const Fields& root, const std::string& title);
 
 // Every value, defaults included, in SI with its unit as comment. Binding this text again gives the
 // same values bit for bit.

@@ -177,7 +177,7 @@ class Schema {
 
 }  // namespace
 
-json json_schema(const Fields& root, const std::string& title) {
+std::string json_schema(const Fields& root, const std::string& title) {
   Schema builder;
   json schema = builder.object(root);
   schema["$schema"] = "http://json-schema.org/draft-07/schema#";
@@ -192,7 +192,7 @@ json json_schema(const Fields& root, const std::string& title) {
     schema.erase("required");
   }
   schema["definitions"] = builder.take_definitions();
-  return schema;
+  return schema.dump(1);
 }
 
 }  // namespace tack

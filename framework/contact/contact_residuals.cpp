@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "framework/assembly/parallel.hpp"
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/stencil_distance.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 
 namespace tack {
@@ -20,7 +20,7 @@ using Rows = Eigen::Matrix<double, residual_count<Kind>, 3 * Kind::arity, Eigen:
 template <class Kind>
 bool stencil_residuals(const VecX& x, const ContactStencil<Kind::arity>& stencil, const PairLaw& law,
                        const LawRoot& root, double eps_x, double* r, double* jacobian) {
-  const auto s = Kind::template distance<GradientKernels>(x, stencil.vertices);
+  const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil.vertices);
   const double gap = std::sqrt(s.value), weight = std::sqrt(stencil.weight);
   const LawSample phi = law.at(gap);
   if (!(gap > 0) || !std::isfinite(phi.value)) return false;

@@ -7,6 +7,7 @@
 
 #include "framework/contact/pair_table.hpp"
 #include "geometry/broad_phase/candidates.hpp"
+#include "geometry/mesh/collision_mesh.hpp"
 
 namespace tack {
 

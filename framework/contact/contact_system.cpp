@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "framework/contact/narrow_phase.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
+
 namespace tack {
 namespace {
 
@@ -30,6 +33,14 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPair
   skin_ = skin_of(surface_, range_);
   forget();
 }
+
+ContactSystem::~ContactSystem() = default;
+
+void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
+
+const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
+
+int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 
 void ContactSystem::forget() {
   contacts_ = {};

@@ -4,19 +4,23 @@
 
 #include <memory>
 
-#include "framework/contact/narrow_phase.hpp"
+#include "framework/contact/contact_set.hpp"
 #include "framework/core/phase_clock.hpp"
-#include "geometry/broad_phase/broad_phase.hpp"
+#include "geometry/broad_phase/object_pair_filter.hpp"
 
 namespace tack {
+
+class BroadPhase;
+class NarrowPhase;
 
 class ContactSystem {
  public:
   ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter, PhaseClock& clock);
+  ~ContactSystem();
 
   // Which vertices are free at present (non-zero): no force is computed between primitives without
   // one. Empty: every candidate has one.
-  void set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
+  void set_free(std::vector<char> free);
   // Forgets what the steps so far have left: as if built anew.
   void forget();
   // Starts a time step at x: areas are taken there and held.
@@ -27,11 +31,11 @@ class ContactSystem {
   void cover(const VecX& x, const VecX& p);
 
   const ContactSet& contacts() const { return contacts_; }
-  const Candidates& candidates() const { return broad_phase_->candidates(); }
+  const Candidates& candidates() const;
   const ContactSurface& surface() const { return surface_; }
   const PairTable& pairs() const { return pairs_; }
   const ObjectPairFilter& filter() const { return filter_; }
-  int broad_phase_builds() const { return broad_phase_->builds(); }
+  int broad_phase_builds() const;
   double range() const { return range_; }
   double smallest_distance(const VecX& x) const;
 

@@ -19,7 +19,7 @@ struct ChunkSamples {
 
   void gaps(const VecX& x, const ContactStencils<Kind::arity>& stencils, int first, int last) {
     for (int i = first; i < last; ++i)
-      gap[i - first] = std::sqrt(Kind::template distance<ValueKernels>(x, stencils[i].vertices));
+      gap[i - first] = std::sqrt(stencil_distance<ValueKernels>(Kind{}, x, stencils[i].vertices));
   }
   template <class Call>
   static void runs(const ContactStencils<Kind::arity>& stencils, int first, int last, const Call& call) {

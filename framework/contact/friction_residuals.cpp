@@ -5,6 +5,7 @@
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/slip.hpp"
 
 namespace tack {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/lagged_contacts.hpp"
-#include "framework/contact/slip.hpp"
+#include "framework/contact/tangential_law.hpp"
 #include "framework/core/residual_view.hpp"
 
 namespace tack {

@@ -9,8 +9,6 @@
 
 namespace tack {
 
-enum class TangentialPart { all, friction, adhesion };
-
 template <int K>
 struct Slip {
   Slip(const LaggedContact<K>& contact, const VecX& x, const VecX& start) : c(contact) {

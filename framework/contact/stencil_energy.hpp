@@ -5,7 +5,7 @@
 
 #include "framework/contact/contact_set.hpp"
 #include "framework/contact/normal_law.hpp"
-#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/stencil_distance.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 
 namespace tack {
@@ -19,7 +19,7 @@ struct StencilEnergy {
 
   static Vector gradient(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
                          double gap, double eps_x) {
-    const auto s = Kind::template distance<GradientKernels>(x, stencil.vertices);
+    const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil.vertices);
     const Vector phi = l.slope / (2 * gap) * s.gradient;
     if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
       const auto c = detail::corners<4>(x, stencil.vertices);
@@ -32,7 +32,7 @@ struct StencilEnergy {
 
   static void derivatives(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
                           double gap, double eps_x, Vector& gradient, Matrix& hessian) {
-    const auto s = Kind::template distance<DerivativeKernels>(x, stencil.vertices);
+    const auto s = stencil_distance<DerivativeKernels>(Kind{}, x, stencil.vertices);
     const double slope = l.slope / (2 * gap);
     const double curvature = (l.curvature - l.slope / gap) / (4 * s.value);
     gradient = slope * s.gradient;

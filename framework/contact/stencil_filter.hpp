@@ -63,7 +63,7 @@ template <class Kind>
 void filter_stencil(const VecX& x, const std::array<int, Kind::arity>& v, double eps_x,
                     typename StencilEnergy<Kind>::Matrix& hessian, SpdFilter filter) {
   if constexpr (std::is_same_v<Kind, PointTriangleKind>) {
-    filter_plane_like(Kind::template distance<GradientKernels>(x, v), hessian, filter);
+    filter_plane_like(stencil_distance<GradientKernels>(Kind{}, x, v), hessian, filter);
   } else if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
     const auto c = detail::corners<4>(x, v);
     const bool inside = edge_edge_type(c[0], c[1], c[2], c[3]) == EdgeEdgeType::EA_EB;

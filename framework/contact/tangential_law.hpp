@@ -8,6 +8,8 @@
 
 namespace tack {
 
+enum class TangentialPart { all, friction, adhesion };
+
 // What two objects exert on each other along their surfaces.
 struct TangentialLaw {
   double mu = 0;             // coefficient of friction

@@ -1,5 +1,7 @@
 #include "framework/output/recorder.hpp"
 
+#include "framework/contact/friction_term.hpp"
+#include "framework/scene/build_world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -46,17 +46,17 @@ fs::path real_path(const fs::path& root) {
   return real.has_filename() ? real : real.parent_path();
 }
 
-[[noreturn]] void refuse(const fs::path& root, std::string_view why) {
+[[noreturn]] void refuse_folder(const fs::path& root, std::string_view why) {
   throw InputError(
       fmt::format("{}: {}; choose another results folder with -o", root.string(), why));
 }
 
 std::optional<fs::path> make_way(const fs::path& root) {
-  if (holds_working_directory(root)) refuse(root, "is the working directory or holds it");
+  if (holds_working_directory(root)) refuse_folder(root, "is the working directory or holds it");
   if (!fs::exists(root)) return std::nullopt;
-  if (!fs::is_directory(root)) refuse(root, "is a file");
+  if (!fs::is_directory(root)) refuse_folder(root, "is a file");
   if (is_run(root)) return move_aside(root);
-  if (!fs::is_empty(root)) refuse(root, "holds something other than a run of tack");
+  if (!fs::is_empty(root)) refuse_folder(root, "holds something other than a run of tack");
   return std::nullopt;
 }
 
@@ -73,7 +73,7 @@ RunFolder RunFolder::create(const fs::path& root, Content content) {
     fs::create_directory(made.checkpoints());
     return made;
   } catch (const fs::filesystem_error& e) {
-    refuse(root, fmt::format("cannot be made ({})", e.code().message()));
+    refuse_folder(root, fmt::format("cannot be made ({})", e.code().message()));
   }
 }
 

@@ -82,19 +82,19 @@ State state_of(const Json& json) {
   return s;
 }
 
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& why) {
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
 Json content_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) refuse(path, "cannot read this file; check the path");
+  if (!in || std::filesystem::is_directory(path)) refuse_file(path, "cannot read this file; check the path");
   Json json = Json::from_cbor(in, true, false);
   const bool ours = json.is_object() && json.value("format", Json()) == format;
-  if (!ours) refuse(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
+  if (!ours) refuse_file(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
                           "write it anew");
   if (json.value("version", Json()) != version)
-    refuse(path, fmt::format("has version {} of the format, and this program reads version {}; write it anew",
+    refuse_file(path, fmt::format("has version {} of the format, and this program reads version {}; write it anew",
                              json.value("version", Json()).dump(), version));
   return json;
 }
@@ -128,7 +128,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
   file.kind = kind;
   try {
     if (const std::string found = json.at("kind"); found != name_of(kind))
-      refuse(path, fmt::format("is a {}, and a {} is needed", found, name_of(kind)));
+      refuse_file(path, fmt::format("is a {}, and a {} is needed", found, name_of(kind)));
     json.at("program").get_to(file.program);
     json.at("commit").get_to(file.commit);
     json.at("scene").get_to(file.scene);
@@ -137,7 +137,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     json.at("step_size").get_to(file.step_size);
     json.at("totals").get_to(file.totals);
   } catch (const Json::exception& error) {
-    refuse(path, fmt::format("is damaged ({}); write it anew", error.what()));
+    refuse_file(path, fmt::format("is damaged ({}); write it anew", error.what()));
   }
   return file;
 }
@@ -156,11 +156,11 @@ void check_size(const StateFile& file, Eigen::Index vertices, const std::string&
   const State& s = file.state;
   for (const VecX* field : {&s.x, &s.v, &s.a})
     if (field->size() != 3 * vertices)
-      refuse(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
+      refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
                                field->size(), vertices));
   for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before})
     if (field->size() != 0 && field->size() != 3 * vertices)
-      refuse(name, "its state does not fit its scene; write it anew");
+      refuse_file(name, "its state does not fit its scene; write it anew");
 }
 
 }  // namespace tack

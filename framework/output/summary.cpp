@@ -9,18 +9,18 @@
 namespace tack {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(); }
+OrderedJson finite(double number) { return std::isfinite(number) ? OrderedJson(number) : OrderedJson(); }
 
-Json phases_json(const PhaseClock::Seconds& phases) {
-  Json json = Json::object();
+OrderedJson phases_json(const PhaseClock::Seconds& phases) {
+  OrderedJson json = OrderedJson::object();
   for (int i = 0; i < phase_count; ++i) json[std::string(phase_names[i])] = finite(phases[i]);
   return json;
 }
 
-Json adhesion_json(const std::vector<AdhesionSummary>& pairs) {
-  Json list = Json::array();
+OrderedJson adhesion_json(const std::vector<AdhesionSummary>& pairs) {
+  OrderedJson list = OrderedJson::array();
   for (const AdhesionSummary& a : pairs) {
     list.push_back({{"between", a.between},
                     {"work_of_adhesion", finite(a.work_of_adhesion)},
@@ -31,8 +31,8 @@ Json adhesion_json(const std::vector<AdhesionSummary>& pairs) {
   return list;
 }
 
-Json expect_json(const std::vector<ExpectationResult>& results) {
-  Json list = Json::array();
+OrderedJson expect_json(const std::vector<ExpectationResult>& results) {
+  OrderedJson list = OrderedJson::array();
   for (const ExpectationResult& r : results) {
     list.push_back({{"name", r.name},
                     {"value", finite(r.value)},
@@ -46,14 +46,14 @@ Json expect_json(const std::vector<ExpectationResult>& results) {
   return list;
 }
 
-Json totals_json(const RunSummary& s) {
+OrderedJson totals_json(const RunSummary& s) {
   return {{"newton_iterations", s.newton_iterations},
           {"linear_solves", s.linear_solves},
           {"line_search_evaluations", s.line_search_evaluations},
           {"broad_phase_builds", s.broad_phase_builds}};
 }
 
-Json to_json(const RunSummary& s) {
+OrderedJson to_json(const RunSummary& s) {
   return {{"name", s.name},
           {"version", s.version},
           {"commit", s.commit},
@@ -110,7 +110,7 @@ void RunSummary::add(const StepReport& report) {
 
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
   // A scene name or a path in an error text need not be UTF-8, and must not cost the summary.
-  constexpr auto lenient = Json::error_handler_t::replace;
+  constexpr auto lenient = OrderedJson::error_handler_t::replace;
   replace_file(path, to_json(summary).dump(2, ' ', false, lenient) + "\n");
 }
 

@@ -1,5 +1,6 @@
 // Probes of forces: contact and adhesion between objects, and the reaction of what is held.
 #include "framework/assembly/term_gradient.hpp"
+#include "framework/contact/contact_term.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/pair_force.hpp"
 #include "framework/probes/vertex_set.hpp"

@@ -1,4 +1,5 @@
 // Probe of the forces along touching surfaces.
+#include "framework/contact/friction_term.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/pair_force.hpp"
 #include "framework/scene/world.hpp"

@@ -1,6 +1,7 @@
 // Probes of positions and velocities.
 #include <tuple>
 
+#include "framework/contact/contact_system.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/scene/world.hpp"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "framework/contact/contact_term.hpp"
 #include "framework/contact/lagged_contacts.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"

@@ -1,9 +1,11 @@
+#include "framework/scene/build_world.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "framework/scene/world.hpp"
+#include "framework/contact/friction_term.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -133,17 +135,6 @@ void check_solver(const SceneConfig& scene, const Value& root, const World& worl
 }
 
 }  // namespace
-
-void World::forget() {
-  if (contact) contact->forget();
-  if (friction) friction->forget();
-}
-
-int World::body_index(const std::string& name) const {
-  for (size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].name == name) return static_cast<int>(i);
-  return -1;
-}
 
 std::string place_of(const Value& root, const std::string& list, size_t i) {
   const Value* values = root.find(list);

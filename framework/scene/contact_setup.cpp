@@ -4,7 +4,8 @@
 #include <map>
 
 #include "framework/config/nearest.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/scene/build_world.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "framework/contact/friction_term.hpp"
 #include "framework/core/incremental_potential.hpp"
 
 namespace tack {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/phase_clock.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "framework/contact/friction_term.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {

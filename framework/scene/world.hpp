@@ -6,16 +6,22 @@
 #include <vector>
 
 #include "framework/contact/adhesion_summary.hpp"
-#include "framework/contact/friction_term.hpp"
 #include "framework/core/dof_map.hpp"
 #include "framework/core/linear_term.hpp"
-#include "framework/scene/scene_config.hpp"
+#include "framework/scene/body.hpp"
 #include "framework/scene/script.hpp"
 #include "framework/stepping/state.hpp"
 
 namespace tack {
 
+class ContactSystem;
+class ContactTerm;
+class FrictionTerm;
+
 struct World {
+  World();
+  ~World();
+
   std::vector<Body> bodies;
   VecX rest;              // 3n [m]
   VecX mass;              // n [kg]
@@ -40,15 +46,5 @@ struct World {
   int body_index(const std::string& name) const;  // -1 if there is none
   SelectionContext selection_context(int body) const { return {bodies[body], rest}; }
 };
-
-// Builds the world; `root` is the parsed scene, for places in messages. Throws InputError for
-// anything that does not fit together, also for a start that intersects.
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock);
-
-// The pairs of objects and their laws (contact_setup.cpp).
-void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);
-
-// "scene.yaml:12:3: " of entry i of a list at the top of the scene, for messages.
-std::string place_of(const Value& root, const std::string& list, size_t i);
 
 }  // namespace tack

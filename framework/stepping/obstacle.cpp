@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "framework/contact/contact_system.hpp"
+
 namespace tack {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "framework/config/bind.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "framework/scene/scene_config.hpp"
 #include "framework/stepping/obstacle.hpp"
 
 namespace tack {

@@ -14,7 +14,9 @@
 #include <string>
 
 #include "framework/core/incremental_potential.hpp"
+#include "framework/core/minimizer.hpp"
 #include "framework/scene/world.hpp"
+#include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
 

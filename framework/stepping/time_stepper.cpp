@@ -5,8 +5,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "framework/contact/friction_term.hpp"
 #include "framework/core/interrupt.hpp"
 #include "framework/scene/energies.hpp"
+#include "framework/scene/scene_config.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"

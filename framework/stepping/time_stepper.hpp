@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "framework/core/incremental_potential.hpp"
+#include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/script_walk.hpp"
 #include "framework/stepping/step_report.hpp"
+#include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
 
@@ -29,6 +31,8 @@ struct Attempt {
   double friction_residual = 0;
   bool lag_converged = true;
 };
+
+struct SceneConfig;
 
 class TimeStepper {
  public:

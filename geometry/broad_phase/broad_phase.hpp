@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "geometry/broad_phase/candidates.hpp"
+#include "geometry/broad_phase/candidate_finder.hpp"
 
 namespace tack {
 

@@ -46,20 +46,16 @@ inline double edge_edge_distance(const Vec3& ea0, const Vec3& ea1, const Vec3& e
   return edge_edge_distance(ea0, ea1, eb0, eb1, edge_edge_type(ea0, ea1, eb0, eb1));
 }
 
-inline StencilGradient<12> edge_edge_gradient(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,
-                                              const Vec3& eb1, EdgeEdgeType type) {
-  return reduce_edge_edge<GradientKernels>(ea0, ea1, eb0, eb1, type);
-}
+StencilGradient<12> edge_edge_gradient(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,
+                                       const Vec3& eb1, EdgeEdgeType type);
 inline StencilGradient<12> edge_edge_gradient(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,
                                               const Vec3& eb1) {
   return edge_edge_gradient(ea0, ea1, eb0, eb1, edge_edge_type(ea0, ea1, eb0, eb1));
 }
 
-inline StencilDerivatives<12> edge_edge_derivatives(const Vec3& ea0, const Vec3& ea1,
-                                                    const Vec3& eb0, const Vec3& eb1,
-                                                    EdgeEdgeType type) {
-  return reduce_edge_edge<DerivativeKernels>(ea0, ea1, eb0, eb1, type);
-}
+StencilDerivatives<12> edge_edge_derivatives(const Vec3& ea0, const Vec3& ea1,
+                                             const Vec3& eb0, const Vec3& eb1,
+                                             EdgeEdgeType type);
 inline StencilDerivatives<12> edge_edge_derivatives(const Vec3& ea0, const Vec3& ea1,
                                                     const Vec3& eb0, const Vec3& eb1) {
   return edge_edge_derivatives(ea0, ea1, eb0, eb1, edge_edge_type(ea0, ea1, eb0, eb1));

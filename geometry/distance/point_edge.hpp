@@ -22,18 +22,14 @@ inline double point_edge_distance(const Vec3& p, const Vec3& e0, const Vec3& e1)
   return point_edge_closest(p, e0, e1).s;
 }
 
-inline StencilGradient<9> point_edge_gradient(const Vec3& p, const Vec3& e0, const Vec3& e1,
-                                              PointEdgeType type) {
-  return reduce_point_edge<GradientKernels>(p, e0, e1, type);
-}
+StencilGradient<9> point_edge_gradient(const Vec3& p, const Vec3& e0, const Vec3& e1,
+                                       PointEdgeType type);
 inline StencilGradient<9> point_edge_gradient(const Vec3& p, const Vec3& e0, const Vec3& e1) {
   return point_edge_gradient(p, e0, e1, point_edge_type(p, e0, e1));
 }
 
-inline StencilDerivatives<9> point_edge_derivatives(const Vec3& p, const Vec3& e0, const Vec3& e1,
-                                                    PointEdgeType type) {
-  return reduce_point_edge<DerivativeKernels>(p, e0, e1, type);
-}
+StencilDerivatives<9> point_edge_derivatives(const Vec3& p, const Vec3& e0, const Vec3& e1,
+                                             PointEdgeType type);
 inline StencilDerivatives<9> point_edge_derivatives(const Vec3& p, const Vec3& e0, const Vec3& e1) {
   return point_edge_derivatives(p, e0, e1, point_edge_type(p, e0, e1));
 }

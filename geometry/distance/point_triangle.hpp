@@ -41,20 +41,16 @@ inline double point_triangle_distance(const Vec3& p, const Vec3& t0, const Vec3&
   return point_triangle_distance(p, t0, t1, t2, point_triangle_type(p, t0, t1, t2));
 }
 
-inline StencilGradient<12> point_triangle_gradient(const Vec3& p, const Vec3& t0, const Vec3& t1,
-                                                   const Vec3& t2, PointTriangleType type) {
-  return reduce_point_triangle<GradientKernels>(p, t0, t1, t2, type);
-}
+StencilGradient<12> point_triangle_gradient(const Vec3& p, const Vec3& t0, const Vec3& t1,
+                                            const Vec3& t2, PointTriangleType type);
 inline StencilGradient<12> point_triangle_gradient(const Vec3& p, const Vec3& t0, const Vec3& t1,
                                                    const Vec3& t2) {
   return point_triangle_gradient(p, t0, t1, t2, point_triangle_type(p, t0, t1, t2));
 }
 
-inline StencilDerivatives<12> point_triangle_derivatives(const Vec3& p, const Vec3& t0,
-                                                         const Vec3& t1, const Vec3& t2,
-                                                         PointTriangleType type) {
-  return reduce_point_triangle<DerivativeKernels>(p, t0, t1, t2, type);
-}
+StencilDerivatives<12> point_triangle_derivatives(const Vec3& p, const Vec3& t0,
+                                                  const Vec3& t1, const Vec3& t2,
+                                                  PointTriangleType type);
 inline StencilDerivatives<12> point_triangle_derivatives(const Vec3& p, const Vec3& t0,
                                                          const Vec3& t1, const Vec3& t2) {
   return point_triangle_derivatives(p, t0, t1, t2, point_triangle_type(p, t0, t1, t2));

@@ -1,5 +1,6 @@
 // Candidate search on the two sheets: a first build, a rebuild in refitted trees, and the check that
 // lets a list of candidates be used again.
+#include "framework/contact/contact_system.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
 #include "tests/bench/registered.hpp"

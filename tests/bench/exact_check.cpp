@@ -1,4 +1,5 @@
 // The independent check of an accepted state: exact intersections and exact orientations.
+#include "framework/contact/contact_system.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
 #include "tests/bench/registered.hpp"

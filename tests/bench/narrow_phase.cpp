@@ -1,4 +1,5 @@
 // Active stencils of the two sheets from given candidates.
+#include "framework/contact/contact_system.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
 

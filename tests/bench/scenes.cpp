@@ -6,6 +6,10 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/scene/build_world.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 namespace tack::bench {
@@ -68,7 +72,7 @@ std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
 
 std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides) {
   auto scene = std::make_unique<Scene>();
-  overrides.push_back("output.frames=false");
+  overrides.emplace_back("output.frames=false");
   scene->loaded = load_scene(TACK_SOURCE_DIR "/experiments/" + file, overrides);
   scene->world = build_world(scene->loaded.config, scene->loaded.root, scene->clock);
   return scene;

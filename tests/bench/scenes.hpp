@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "framework/core/incremental_potential.hpp"
+#include "framework/scene/build_world.hpp"
 #include "framework/scene/load_scene.hpp"
-#include "framework/scene/world.hpp"
 
 namespace tack::bench {
 

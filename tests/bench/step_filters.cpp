@@ -1,5 +1,6 @@
 // The largest feasible step: CCD of the two sheets for a large and a small random motion, inversion of
 // the tets of the two blocks. Candidates are found before the clock starts.
+#include "framework/contact/contact_system.hpp"
 #include "framework/core/step_filter.hpp"
 
 #include "tests/bench/registered.hpp"

@@ -2,11 +2,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "framework/contact/normal_law.hpp"
 #include "tests/support/component_variants.hpp"
+#include "tests/support/json.hpp"
 
 using namespace tack;
 
@@ -15,7 +14,7 @@ namespace {
 using Row = std::array<double, 4>;  // argument, value, first and second derivative
 
 const nlohmann::json& tables() {
-  static const nlohmann::json data = nlohmann::json::parse(std::ifstream(TACK_TEST_DATA "/scalars.json"));
+  static const nlohmann::json data = read_json(TACK_TEST_DATA "/scalars.json");
   return data;
 }
 

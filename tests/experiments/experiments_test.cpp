@@ -1,9 +1,9 @@
 // Every shipped experiment runs to its end, shows what its file says, and leaves nothing
 // intersecting, inverted or touching.
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "framework/output/csv.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 
 namespace tack {
@@ -23,7 +23,7 @@ Outcome run(const std::string& experiment, const Arguments& more = {}) {
   Outcome o{run_tack(folder.path(), arguments), {}, {}};
   INFO(o.result.out << o.result.err);
   REQUIRE(std::filesystem::exists(folder.path() / "out/summary.json"));
-  o.summary = nlohmann::json::parse(file_text(folder.path() / "out/summary.json"));
+  o.summary = read_json(folder.path() / "out/summary.json");
   o.steps = read_csv(folder.path() / "out/steps.csv");
   return o;
 }

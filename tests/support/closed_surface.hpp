@@ -1,38 +1,17 @@
 // Checks of closed triangle surfaces.
 #pragma once
 
-#include <map>
-
 #include "geometry/mesh/surface.hpp"
 
 namespace tack {
 
 // Every edge has exactly two triangles, which run along it in opposite directions.
-inline bool is_closed_manifold(const std::vector<Triangle>& triangles) {
-  std::map<Edge, int> directed;
-  for (const Triangle& t : triangles) {
-    for (int i = 0; i < 3; ++i) ++directed[{t[i], t[(i + 1) % 3]}];
-  }
-  for (const auto& [edge, count] : directed) {
-    const auto back = directed.find({edge[1], edge[0]});
-    if (count != 1 || back == directed.end() || back->second != 1) return false;
-  }
-  return !triangles.empty();
-}
+bool is_closed_manifold(const std::vector<Triangle>& triangles);
 
 // V - E + F: 2 for a sphere.
-inline int euler_characteristic(const Surface& surface) {
-  return static_cast<int>(surface.vertices.size()) - static_cast<int>(surface.edges.size()) +
-         static_cast<int>(surface.triangles.size());
-}
+int euler_characteristic(const Surface& surface);
 
 // By the divergence theorem; positive when the normals point outward.
-inline double enclosed_volume(const Mesh& mesh, const std::vector<Triangle>& triangles) {
-  double volume = 0;
-  for (const auto& [a, b, c] : triangles) {
-    volume += mesh.vertices[a].cross(mesh.vertices[b]).dot(mesh.vertices[c]) / 6;
-  }
-  return volume;
-}
+double enclosed_volume(const Mesh& mesh, const std::vector<Triangle>& triangles);
 
 }  // namespace tack

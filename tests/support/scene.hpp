@@ -3,17 +3,13 @@
 
 #include <string>
 
-#include "framework/config/bind.hpp"
-#include "framework/config/parse.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/scene/build_world.hpp"
 
 namespace tack {
 
 struct TestScene {
-  explicit TestScene(const std::string& yaml) : root(parse_string("name: test\n" + yaml, "test.yaml")) {
-    bind(root, config, "the scene");
-    world = build_world(config, root, clock);
-  }
+  explicit TestScene(const std::string& yaml);  // without `name`
+  ~TestScene();
   TestScene(const TestScene&) = delete;
   TestScene& operator=(const TestScene&) = delete;
 

@@ -1,7 +1,7 @@
 // The same scene gives the same bits: run after run, and for any number of threads.
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
 
@@ -17,7 +17,7 @@ std::string run_with_threads(const fs::path& folder, const std::string& scene, c
       run_tack(folder, {"run", scene, "-q", "--threads", threads, "-o", name});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
-  const auto summary = nlohmann::json::parse(file_text(folder / name / "summary.json"));
+  const auto summary = read_json(folder / name / "summary.json");
   CHECK(std::to_string(summary["threads"].get<int>()) == threads);
   std::string all = file_text(folder / name / "probes.csv");
   REQUIRE_FALSE(all.empty());

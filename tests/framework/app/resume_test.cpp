@@ -1,8 +1,8 @@
 // tack run --resume and --dump-problem, as their users call them.
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "framework/output/csv.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
 
@@ -53,10 +53,10 @@ TEST_CASE("a run that is interrupted and resumed has the bits of one that is not
   const size_t counted = *a.column("wall_seconds");  // what follows are times
   for (size_t i = 0; i < 10; ++i)
     for (size_t c = 0; c < counted; ++c) CHECK(a.rows[i][c] == b.rows[i][c]);
-  const auto summary = nlohmann::json::parse(file_text(parts / "summary.json"));
+  const auto summary = read_json(parts / "summary.json");
   CHECK(summary["steps"] == 10);
   CHECK(summary["totals"]["newton_iterations"] ==
-        nlohmann::json::parse(file_text(whole / "summary.json"))["totals"]["newton_iterations"]);
+        read_json(whole / "summary.json")["totals"]["newton_iterations"]);
 }
 
 TEST_CASE("what cannot be resumed is told, and nothing is written") {

@@ -1,8 +1,8 @@
 // tack run from the command line: exit codes, options, and what remains of a run.
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include "framework/output/csv.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
 
@@ -19,7 +19,7 @@ struct Place {
   }
   fs::path path(const std::string& name) const { return folder.path() / name; }
   nlohmann::json summary(const std::string& results = "results/tiny") const {
-    return nlohmann::json::parse(file_text(path(results) / "summary.json"));
+    return read_json(path(results) / "summary.json");
   }
   CsvTable table(const std::string& name) const { return read_csv(path(name)); }
 

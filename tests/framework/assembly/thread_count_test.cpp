@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
+#include "framework/contact/contact_term.hpp"
 #include "framework/core/incremental_potential.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/scene.hpp"

@@ -3,6 +3,7 @@
 #include "framework/config/describe.hpp"
 #include "tests/framework/config/schema_check.hpp"
 #include "tests/framework/config/toy.hpp"
+#include "tests/support/json.hpp"
 
 using namespace tack;
 using nlohmann::json;
@@ -10,12 +11,12 @@ using nlohmann::json;
 namespace {
 
 const json& toy_schema() {
-  static const json schema = json_schema(prototype<toy::Scene>(), "toy");
+  static const json schema = parse_json(json_schema(prototype<toy::Scene>(), "toy"));
   return schema;
 }
 
 bool accepts(const std::string& document) {
-  return toy::SchemaCheck(toy_schema()).accepts(json::parse(document));
+  return toy::SchemaCheck(toy_schema()).accepts(parse_json(document));
 }
 
 }  // namespace
@@ -97,9 +98,9 @@ TEST_CASE("the echo of a scene fits the schema's defaults") {
 }
 
 TEST_CASE("required keys may come from an included file") {
-  const json schema = json_schema(prototype<toy::Object>(), "object");
+  const json schema = parse_json(json_schema(prototype<toy::Object>(), "object"));
   const toy::SchemaCheck check(schema);
-  CHECK(check.accepts(json::parse(R"({"name": "a"})")));
-  CHECK(check.accepts(json::parse(R"({"include": "a.yaml"})")));
-  CHECK_FALSE(check.accepts(json::parse("{}")));
+  CHECK(check.accepts(parse_json(R"({"name": "a"})")));
+  CHECK(check.accepts(parse_json(R"({"include": "a.yaml"})")));
+  CHECK_FALSE(check.accepts(parse_json("{}")));
 }

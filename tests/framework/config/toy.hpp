@@ -22,24 +22,14 @@ struct Spring : Energy {
   double rest = 0.25;    // m
   double range = 1;      // m
   double value() const override { return 0.5 * stiffness * rest * rest; }
-  void fields(Fields& f) override {
-    f.number("stiffness", stiffness, units::stiffness, "force per elongation").positive();
-    f.number("rest", rest, units::length, "length without force").nonnegative();
-    f.number("range", range, units::length, "largest length").positive();
-    f.check("rest", [this]() -> std::string {
-      return rest < range ? "" : "must be smaller than range; raise range or lower it";
-    });
-  }
+  void fields(Fields& f) override;
 };
 
 struct Solid : Energy {
   double young = 0;    // Pa
   double density = 0;  // kg/m^3
   double value() const override { return young; }
-  void fields(Fields& f) override {
-    f.number("young", young, units::pressure, "Young's modulus").required().positive();
-    f.number("density", density, units::density, "mass per volume").positive().required();
-  }
+  void fields(Fields& f) override;
 };
 
 struct Nothing : Energy {
@@ -61,19 +51,13 @@ enum class Form { plain, squared };
 struct Time {
   double step = 0.01;  // s
   int steps = 10;
-  void fields(Fields& f) {
-    f.number("step", step, units::time, "time step").positive();
-    f.integer("steps", steps, "number of steps").at_least(1);
-  }
+  void fields(Fields& f);
 };
 
 struct Object {
   std::string name;
   Vec3 size = Vec3(1, 2, 3);  // m
-  void fields(Fields& f) {
-    f.text("name", name, "how others refer to it").required();
-    f.vector("size", size, units::length, "edge lengths").positive();
-  }
+  void fields(Fields& f);
 };
 
 struct Scene {
@@ -102,54 +86,14 @@ struct Scene {
   Schedule pull;
   Value later;
 
-  void fields(Fields& f) {
-    f.number("density", density, units::density, "mass per volume").positive();
-    f.optional_number("young", young, units::pressure, "stiffness").positive();
-    f.integer("count", count, "how many").range(0, 10);
-    f.optional_integer("seed", seed, "start of the random numbers");
-    f.flag("verbose", verbose, "whether to say more");
-    f.text("title", title, "what to call it");
-    f.path("mesh", mesh, "a file");
-    f.vector("gravity", gravity, units::acceleration, "acceleration of free fall");
-    f.vector("extent", extent, units::length, "width and height");
-    f.vector("cells", cells, "cells along each axis").at_least(1);
-    f.vector("grid", grid, "cells of the grid");
-    f.optional_vector("target", target, units::length, "where to go");
-    f.numbers("angles", angles, units::angle, "some angles").nonempty();
-    f.texts("tags", tags, "some words");
-    f.choice("form", form,
-             {{"plain", Form::plain, "in the gap"}, {"squared", Form::squared, "in its square"}},
-             "argument of the law");
-    f.object("time", time, "when");
-    f.optional_object("ramp", ramp, "when else");
-    f.list("objects", objects, "what");
-    f.map("clocks", clocks, "named times");
-    f.component("energy", energy, "the energy");
-    f.component("spring", spring, "an energy with a default");
-    f.component_list("energies", energies, "more energies");
-    f.schedule("pull", pull, units::length, "displacement over time");
-    f.raw("later", later, "kept as it is");
-  }
+  void fields(Fields& f);
 };
 
-inline Scene bound(const std::string& yaml) {
-  Scene scene;
-  bind(parse_string(yaml, "s.yaml"), scene, "scene");
-  return scene;
-}
+Scene bound(const std::string& yaml);
 
 // The message of the InputError that `action` throws; "" without one.
-inline std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
-}
+std::string message_of(const std::function<void()>& action);
 
-inline std::string bind_error(const std::string& yaml) {
-  return message_of([&] { bound(yaml); });
-}
+std::string bind_error(const std::string& yaml);
 
 }  // namespace tack::toy

@@ -4,6 +4,9 @@
 
 #include <Eigen/Geometry>
 
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/contact/contact_term.hpp"
 #include "tests/support/scene.hpp"
 
 using namespace tack;

@@ -1,5 +1,6 @@
 // Every term that has a least-squares view: its squares are its energy, and its Jacobian is that of its
 // residuals.
+#include "framework/contact/friction_term.hpp"
 #include "framework/core/residual_view.hpp"
 
 #include <catch2/catch.hpp>

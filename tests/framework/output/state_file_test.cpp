@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/config/bind.hpp"
+#include "framework/scene/build_world.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"

@@ -2,9 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "geometry/errors.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/silence.hpp"
 
 using namespace tack;
@@ -36,7 +36,7 @@ RunSummary filled() {
 nlohmann::json written(const RunSummary& summary) {
   const TemporaryFolder folder;
   write_summary(folder.path() / "summary.json", summary);
-  return nlohmann::json::parse(std::ifstream(folder.path() / "summary.json"));
+  return read_json(folder.path() / "summary.json");
 }
 
 StepReport report(bool converged, int contacts, double distance) {

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include "framework/contact/friction_term.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "framework/contact/contact_term.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/simulation.hpp"

@@ -9,14 +9,13 @@
 //   Hessian: the same against the exact norm; entry by entry against the independent
 //     double-precision result, which itself loses eps / sin^2, 4e-15 + eps / sin^2 of the norm.
 #include <catch2/catch.hpp>
-#include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
+#include "tests/support/json.hpp"
 
 using namespace tack;
 using nlohmann::json;
@@ -27,7 +26,7 @@ constexpr double kTight = 4e-15;
 constexpr double kEps = 2.3e-16;
 
 const json& reference(const std::string& kind) {
-  static const json file = json::parse(std::ifstream(TACK_TEST_DATA "/distances.json"));
+  static const json file = read_json(TACK_TEST_DATA "/distances.json");
   return file.at("distances").at(kind);
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "framework/contact/contact_system.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/scene.hpp"

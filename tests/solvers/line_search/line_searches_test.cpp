@@ -15,7 +15,7 @@ LineSearchResult search(const std::string& type, Line& line, double from, double
   line.move_to(q);
   const double slope = line.gradient()(0) * p;
   const LineSearchResult found = Registry<LineSearch>::make(type)->search(line, q, direction, slope, t_max);
-  if (found.found) CHECK(line.x == Approx(from + found.step * p));
+  if (found.found) CHECK(line.x == Approx(from + found.step * p).margin(1e-14 * std::abs(from)));
   CHECK(found.evaluations >= 1);
   CHECK(found.evaluations <= 60);
   return found;

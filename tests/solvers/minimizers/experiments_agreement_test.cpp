@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/minimizer.hpp"
+#include "framework/scene/build_world.hpp"
 #include "framework/scene/load_scene.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/rms_difference.hpp"

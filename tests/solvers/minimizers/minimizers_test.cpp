@@ -2,6 +2,7 @@
 // budget, and with an honest status.
 #include <catch2/catch.hpp>
 
+#include "framework/contact/contact_system.hpp"
 #include "framework/core/interrupt.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/component_variants.hpp"

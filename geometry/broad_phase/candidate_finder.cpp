@@ -1,4 +1,4 @@
-#include "geometry/broad_phase/candidates.hpp"
+#include "geometry/broad_phase/candidate_finder.hpp"
 
 #include <algorithm>
 #include <numeric>

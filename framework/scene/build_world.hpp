@@ -1,0 +1,23 @@
+// From the typed scene file to a world.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "framework/core/phase_clock.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+
+// Builds the world; `root` is the parsed scene, for places in messages. Throws InputError for
+// anything that does not fit together, also for a start that intersects.
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock);
+
+// The pairs of objects and their laws (contact_setup.cpp).
+void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);
+
+// "scene.yaml:12:3: " of entry i of a list at the top of the scene, for messages.
+std::string place_of(const Value& root, const std::string& list, size_t i);
+
+}  // namespace tack

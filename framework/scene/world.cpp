@@ -1,0 +1,21 @@
+#include "framework/scene/world.hpp"
+
+#include "framework/contact/friction_term.hpp"
+
+namespace tack {
+
+World::World() = default;
+World::~World() = default;
+
+void World::forget() {
+  if (contact) contact->forget();
+  if (friction) friction->forget();
+}
+
+int World::body_index(const std::string& name) const {
+  for (size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace tack

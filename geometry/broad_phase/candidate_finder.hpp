@@ -1,0 +1,28 @@
+// The broad phase's search for candidates.
+#pragma once
+
+#include "geometry/broad_phase/candidates.hpp"
+#include "geometry/broad_phase/object_pair_filter.hpp"
+#include "geometry/broad_phase/primitives.hpp"
+#include "geometry/mesh/collision_mesh.hpp"
+
+namespace tack {
+
+// Keeps one tree per kind of primitive between searches.
+class CandidateFinder {
+ public:
+  CandidateFinder(const CollisionMesh& mesh, ObjectPairFilter filter);
+
+  // All pairs whose boxes overlap: a primitive's box is the union of its vertices' boxes (by global
+  // id; finite and not empty for surface vertices), inflated [m].
+  void find(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
+            Candidates& candidates);
+
+ private:
+  ObjectPairFilter filter_;
+  Primitives<1> points_, codim_points_;
+  Primitives<2> edges_, codim_edges_;
+  Primitives<3> triangles_;
+};
+
+}  // namespace tack

@@ -1,0 +1,60 @@
+#include "tests/support/step_problem.hpp"
+
+#include "framework/contact/friction_term.hpp"
+
+namespace tack {
+
+StepProblem::StepProblem(const std::string& yaml)
+    : TestScene(yaml),
+      potential(world->terms, world->dofs, world->mass, clock,
+                [this](const VecX& x) { if (world->contact) world->contact->move_to(x); }) {
+  const State& start = world->start;
+  const double h = config.time.step;
+  for (const std::string& name : Registry<StepFilter>::kind().names()) {
+    auto filter = Registry<StepFilter>::make(name);
+    if (filter->attach({world->contact.get(), world->tets, clock})) filters.push_back(std::move(filter));
+  }
+  if (world->contact) world->contact->begin_step(start.x);
+  if (world->friction) {
+    world->contact->move_to(start.x);
+    world->friction->begin_step(start.x, h);
+  }
+  VecX weight(start.x.size());
+  for (int v = 0; v < start.x.size() / 3; ++v) vertex(weight, v) = world->mass(v) * world->gravity;
+  world->gravity_term.set(weight, start.x);
+  prediction = config.time.integrator->predict(start, h);
+  potential.begin_step(start.x, prediction.x, prediction.scale, prediction.inertia);
+  world->dofs.gather(start.x, q);
+}
+
+StepProblem::~StepProblem() = default;
+
+VecX StepProblem::configuration(const VecX& unknowns) const {
+  VecX x = world->start.x;
+  world->dofs.scatter(unknowns, x);
+  return x;
+}
+
+double StepProblem::feasible_step(const VecX& from, const VecX& p) {
+  if (path.empty() || path.back() != from) path.push_back(from);
+  VecX way = VecX::Zero(world->start.x.size());
+  world->dofs.scatter(p, way);
+  double t = 1;
+  for (const auto& filter : filters) t = filter->largest_step(configuration(from), way, t);
+  return t;
+}
+
+MinimizerResult StepProblem::minimize(Minimizer& minimizer) {
+  const MinimizerProblem problem{
+      potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); },
+      [&](const VecX& p, const VecX&) {
+        return p.lpNorm<Eigen::Infinity>() / config.time.step / minimizer.velocity_tolerance();
+      },
+      clock, true};
+  path.clear();
+  const MinimizerResult result = minimizer.minimize(problem, q);
+  path.push_back(q);
+  return result;
+}
+
+}  // namespace tack
