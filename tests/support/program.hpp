@@ -27,7 +27,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void interrupt();      // as Ctrl-C does
-  ProgramResult wait();  // kills it after a minute
+  ProgramResult wait();  // kills it after a minute, with sanitizers after twenty
 
  private:
   TemporaryFolder printed_;
