@@ -22,7 +22,7 @@ endif()
 # What nearly every file includes, parsed once for all layers.
 set(TACK_PRECOMPILED <Eigen/Core> <Eigen/LU> <fmt/format.h> <tbb/parallel_for.h> <algorithm> <array> <cmath>
     <functional> <map> <memory> <optional> <string> <vector>)
-file(WRITE ${CMAKE_BINARY_DIR}/precompiled.cpp "")
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
 add_library(tack_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
 target_precompile_headers(tack_precompiled PRIVATE ${TACK_PRECOMPILED})
 target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)

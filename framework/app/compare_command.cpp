@@ -1,12 +1,11 @@
 // tack compare: speed against error of several solvers on the same problems.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 
 #include <chrono>
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
+#include "framework/app/thread_limit.hpp"
 #include "framework/app/version.hpp"
 #include "framework/compare/compare_csv.hpp"
 #include "framework/compare/plots.hpp"
@@ -18,13 +17,11 @@ namespace tack {
 
 int compare_command(const CompareOptions& options) {
   const auto started = std::chrono::steady_clock::now();
-  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+  const ThreadLimit threads(options.threads);
   const CompareConfig config = load_comparison(options.file.file, options.file.overrides);
   const std::vector<CompareCase> cases = cases_of(config);
-  const RunFolder folder = RunFolder::create(
-      options.output.empty() ? RunFolder::default_root(config.name) : std::filesystem::path(options.output),
-      RunFolder::Content::anything);
+  const RunFolder folder =
+      RunFolder::create(RunFolder::chosen_root(options.output, config.name), RunFolder::Content::anything);
   if (folder.moved_aside() && !options.quiet) fmt::print("earlier results moved to {}\n", folder.moved_aside()->string());
   const Comparison result = compare(config, cases, [&](const std::string& line) {
     if (!options.quiet) fmt::print("{}\n", line);
@@ -33,7 +30,7 @@ int compare_command(const CompareOptions& options) {
   write_compare_csv(folder.root() / "compare.csv", result.rows);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
   replace_file(folder.root() / "compare.md",
-               compare_report(config, result, {TACK_VERSION, TACK_COMMIT, machine_name(), threads, wall.count()}));
+               compare_report(config, result, {TACK_VERSION, TACK_COMMIT, machine_name(), threads.count(), wall.count()}));
   for (const std::string& failure : draw_plots(result, folder.root())) fmt::print("{}\n", failure);
   if (!options.quiet) fmt::print("results in {}\n", folder.root().string());
   return exit_done;

@@ -1,7 +1,5 @@
 // tack run: an experiment from file to results.
 #include <fmt/format.h>
-#include <tbb/global_control.h>
-#include <tbb/info.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -10,6 +8,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/problem_dump.hpp"
+#include "framework/app/thread_limit.hpp"
 #include "framework/app/version.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/config/describe.hpp"
@@ -51,13 +50,8 @@ ProgressOptions progress_options(const RunOptions& options) {
   return p;
 }
 
-std::filesystem::path root_of(const RunOptions& options, const SceneConfig& scene) {
-  if (options.output.empty()) return RunFolder::default_root(scene.name);
-  return options.output;
-}
-
 RunFolder folder_of(const RunOptions& options, const SceneConfig& scene) {
-  const std::filesystem::path root = root_of(options, scene);
+  const std::filesystem::path root = RunFolder::chosen_root(options.output, scene.name);
   return options.resume ? RunFolder::open(root) : RunFolder::create(root);
 }
 
@@ -259,10 +253,8 @@ class Run {
 int run_command(const RunOptions& options) {
   std::signal(SIGINT, request_interrupt);
   std::signal(SIGTERM, request_interrupt);
-  const int threads = options.threads > 0 ? options.threads : tbb::info::default_concurrency();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<size_t>(threads));
-  return Run(options, threads).execute();
+  const ThreadLimit threads(options.threads);
+  return Run(options, threads.count()).execute();
 }
 
 }  // namespace tack

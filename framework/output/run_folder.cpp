@@ -96,6 +96,10 @@ fs::path RunFolder::default_root(std::string_view scene_name) {
   return fs::path("results") / name;
 }
 
+fs::path RunFolder::chosen_root(const std::string& output, std::string_view scene_name) {
+  return output.empty() ? default_root(scene_name) : fs::path(output);
+}
+
 fs::path RunFolder::frame(int number) {
   return fs::path("frames") / fmt::format("frame_{:06}.vtu", number);
 }

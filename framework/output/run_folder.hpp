@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace tack {
@@ -23,6 +24,8 @@ class RunFolder {
 
   // results/<scene name>, with characters that trouble shells and file systems replaced by '_'.
   static std::filesystem::path default_root(std::string_view scene_name);
+  // `output` if it is given (not empty), else the default.
+  static std::filesystem::path chosen_root(const std::string& output, std::string_view scene_name);
 
   const std::filesystem::path& root() const { return root_; }
   std::filesystem::path scene() const { return root_ / "scene.yaml"; }
