@@ -25,6 +25,8 @@ void clamp_slots(int arity, double* slots) {
     case 2: return clamp_slots<2>(slots);
     case 3: return clamp_slots<3>(slots);
     case 4: return clamp_slots<4>(slots);
+    case 5: return clamp_slots<5>(slots);
+    case 6: return clamp_slots<6>(slots);
   }
   throw std::logic_error("no stencil filter of this arity");
 }

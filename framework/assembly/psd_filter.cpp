@@ -98,5 +98,7 @@ template void project_psd<9>(Mat9&, SpdFilter);
 template void project_stencil_psd<2>(Eigen::Matrix<double, 6, 6>&, SpdFilter);
 template void project_stencil_psd<3>(Mat9&, SpdFilter);
 template void project_stencil_psd<4>(Mat12&, SpdFilter);
+template void project_stencil_psd<5>(Eigen::Matrix<double, 15, 15>&, SpdFilter);
+template void project_stencil_psd<6>(Eigen::Matrix<double, 18, 18>&, SpdFilter);
 
 }  // namespace tack

@@ -12,7 +12,7 @@ namespace tack {
 template <int N>
 void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter);
 
-// Arity 2, 3 or 4, translation invariant: 3K x 3K.
+// Arity 2 to 6, translation invariant: 3K x 3K.
 template <int K>
 void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter filter);
 

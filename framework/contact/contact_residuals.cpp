@@ -18,9 +18,9 @@ using Rows = Eigen::Matrix<double, residual_count<Kind>, 3 * Kind::arity, Eigen:
 
 // eps_x: the mollifier's threshold, for edge-edge stencils only. False where the energy is not finite.
 template <class Kind>
-bool stencil_residuals(const VecX& x, const ContactStencil<Kind::arity>& stencil, const PairLaw& law,
+bool stencil_residuals(const VecX& x, const StencilOf<Kind>& stencil, const PairLaw& law,
                        const LawRoot& root, double eps_x, double* r, double* jacobian) {
-  const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil.vertices);
+  const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil);
   const double gap = std::sqrt(s.value), weight = std::sqrt(stencil.weight);
   const LawSample phi = law.at(gap);
   if (!(gap > 0) || !std::isfinite(phi.value)) return false;

@@ -11,6 +11,7 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/law_root.hpp"
+#include "framework/contact/stencil_kinds.hpp"
 #include "framework/core/residual_view.hpp"
 
 namespace tack {
@@ -24,7 +25,7 @@ class ContactResiduals : public ResidualView {
  private:
   const ContactSystem& system_;
   std::vector<LawRoot> roots_;  // per law of the pair table
-  mutable std::array<std::vector<int>, 4> batch_vertices_;
+  mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };
 
 }  // namespace tack

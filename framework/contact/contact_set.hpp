@@ -1,5 +1,6 @@
 // The active contact stencils of one configuration, as homogeneous arrays by kind. Point stencils
-// are already reduced to features: (p, v), (p, e0, e1), (p, t0, t1, t2), with unclamped distances.
+// are already reduced to features: (p, v), (p, e0, e1), (p, t0, t1, t2), with unclamped distances. The point
+// of a sample is a fixed one inside a triangle (coverage.hpp).
 #pragma once
 
 #include <array>
@@ -21,15 +22,32 @@ struct ContactStencil {
 template <int K>
 using ContactStencils = std::vector<ContactStencil<K>>;  // sorted by law
 
+// Of a point inside a triangle: the vertices of that triangle lead.
+template <int K>
+struct SampleStencil {
+  std::array<int, K> vertices;  // global; the first three those of the point's triangle
+  int law;                      // of the pair table
+  double weight;                // area x multiplicity [m^2]; may be negative
+  Vec3 inside;                  // the point's barycentric coordinates
+  int sample;                   // whose stencil this is
+};
+
+template <int K>
+using SampleStencils = std::vector<SampleStencil<K>>;  // sorted by law
+
 struct ContactSet {
   ContactStencils<2> point_point;
   ContactStencils<3> point_edge;
   ContactStencils<4> point_triangle;
   ContactStencils<4> edge_edge;
+  SampleStencils<4> sample_point;
+  SampleStencils<5> sample_edge;
+  SampleStencils<6> sample_triangle;
   std::vector<double> mollifier_threshold;  // eps_x of each edge-edge stencil [m^4]
 
   std::size_t size() const {
-    return point_point.size() + point_edge.size() + point_triangle.size() + edge_edge.size();
+    return point_point.size() + point_edge.size() + point_triangle.size() + edge_edge.size() + sample_point.size() +
+           sample_edge.size() + sample_triangle.size();
   }
 };
 

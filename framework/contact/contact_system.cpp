@@ -45,12 +45,16 @@ int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 void ContactSystem::forget() {
   contacts_ = {};
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
-  narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_);
+  narrow_phase_ = std::make_unique<NarrowPhase>(
+      surface_, pairs_, [this](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
+        broad_phase_->triangles_near(t, inside, out);
+      });
 }
 
 void ContactSystem::begin_step(const VecX& x) {
-  cover(x, VecX());
+  const bool renewed = renew_candidates(x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
+  if (renewed) narrow_phase_->take(candidates());
   narrow_phase_->begin_step(candidates(), x);
 }
 
@@ -60,10 +64,15 @@ void ContactSystem::move_to(const VecX& x) {
   narrow_phase_->find(candidates(), x, contacts_);
 }
 
-void ContactSystem::cover(const VecX& x, const VecX& p) {
+bool ContactSystem::renew_candidates(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  if (broad_phase_->update(x, p, range_, edge_range_, skin_))
-    narrow_phase_->set_candidates(candidates(), x);
+  return broad_phase_->update(x, p, range_, edge_range_, skin_);
+}
+
+void ContactSystem::cover(const VecX& x, const VecX& p) {
+  if (!renew_candidates(x, p)) return;
+  const PhaseScope scope(clock_, Phase::narrow_phase);
+  narrow_phase_->set_candidates(candidates(), x);
 }
 
 double ContactSystem::smallest_distance(const VecX& x) const {

@@ -23,7 +23,7 @@ class ContactSystem {
   void set_free(std::vector<char> free);
   // Forgets what the steps so far have left: as if built anew.
   void forget();
-  // Starts a time step at x: areas are taken there and held.
+  // Starts a time step at x: areas, orientations and integration sides are taken there and held.
   void begin_step(const VecX& x);
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x);
@@ -40,6 +40,8 @@ class ContactSystem {
   double smallest_distance(const VecX& x) const;
 
  private:
+  bool renew_candidates(const VecX& x, const VecX& p);
+
   ContactSurface surface_;
   PairTable pairs_;
   ObjectPairFilter filter_;

@@ -17,12 +17,12 @@ struct ChunkSamples {
   std::array<LawSample, chunk_size> sample;
   std::array<double, chunk_size> value;
 
-  void gaps(const VecX& x, const ContactStencils<Kind::arity>& stencils, int first, int last) {
+  void gaps(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last) {
     for (int i = first; i < last; ++i)
-      gap[i - first] = std::sqrt(stencil_distance<ValueKernels>(Kind{}, x, stencils[i].vertices));
+      gap[i - first] = std::sqrt(stencil_distance<ValueKernels>(Kind{}, x, stencils[i]));
   }
   template <class Call>
-  static void runs(const ContactStencils<Kind::arity>& stencils, int first, int last, const Call& call) {
+  static void runs(const StencilsOf<Kind>& stencils, int first, int last, const Call& call) {
     for (int i = first; i < last;) {
       int end = i + 1;
       while (end < last && stencils[end].law == stencils[i].law) ++end;
@@ -38,7 +38,7 @@ double mollifier_of(const VecX& x, const std::array<int, 4>& v, double eps_x) {
 
 template <class Kind>
 double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
-                  const ContactStencils<Kind::arity>& stencils, const double* thresholds) {
+                  const StencilsOf<Kind>& stencils, const double* thresholds) {
   return sum_chunks(static_cast<int>(stencils.size()), [&](int first, int last) {
     ChunkSamples<Kind> chunk;
     chunk.gaps(x, stencils, first, last);
@@ -59,7 +59,7 @@ double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
 // Body gets (stencil index, gap, sample) for every stencil of a kind, in parallel.
 template <class Kind, class Body>
 void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
-                     const ContactStencils<Kind::arity>& stencils, const Body& body) {
+                     const StencilsOf<Kind>& stencils, const Body& body) {
   for_each_chunk(static_cast<int>(stencils.size()), [&](int, int first, int last) {
     ChunkSamples<Kind> chunk;
     chunk.gaps(x, stencils, first, last);

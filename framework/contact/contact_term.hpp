@@ -9,6 +9,7 @@
 
 #include "framework/contact/contact_residuals.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/contact/stencil_kinds.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
@@ -43,7 +44,7 @@ class ContactTerm : public Term {
   PhaseClock& clock_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;
   ContactResiduals residuals_;
-  mutable std::array<std::vector<int>, 4> batch_vertices_;
+  mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };
 
 }  // namespace tack

@@ -51,6 +51,8 @@ bool FrictionTerm::residuals(const VecX& x, double* r, double* jacobian) const {
   write(contacts_.twos);
   write(contacts_.threes);
   write(contacts_.fours);
+  write(contacts_.fives);
+  write(contacts_.sixes);
   return true;
 }
 

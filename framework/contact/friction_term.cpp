@@ -14,6 +14,8 @@ void for_each_arity(const LaggedContacts& contacts, const Body& body) {
   body(contacts.twos);
   body(contacts.threes);
   body(contacts.fours);
+  body(contacts.fives);
+  body(contacts.sixes);
 }
 
 template <int K>

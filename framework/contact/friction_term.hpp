@@ -63,7 +63,7 @@ class FrictionTerm : public Term, public ResidualView {
   VecX start_;                // x^n
   double h_ = 0;              // s
   LaggedContacts contacts_;
-  mutable std::array<std::vector<int>, 3> batch_vertices_;
+  mutable std::array<std::vector<int>, 5> batch_vertices_;
 };
 
 }  // namespace tack

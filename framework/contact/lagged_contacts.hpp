@@ -36,7 +36,9 @@ struct LaggedContact {
 struct LaggedContacts {
   std::vector<LaggedContact<2>> twos;    // point-point
   std::vector<LaggedContact<3>> threes;  // point-edge
-  std::vector<LaggedContact<4>> fours;   // point-triangle, then edge-edge
+  std::vector<LaggedContact<4>> fours;   // point-triangle and sample-point, then edge-edge
+  std::vector<LaggedContact<5>> fives;   // sample-edge
+  std::vector<LaggedContact<6>> sixes;   // sample-triangle
 };
 
 struct LagRequest {

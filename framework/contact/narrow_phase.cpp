@@ -1,58 +1,15 @@
 #include "framework/contact/narrow_phase.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <iterator>
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/contact/point_features.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
 
 namespace tack {
 namespace {
-
-// Particle candidates in both directions, (point, other), sorted.
-std::vector<std::array<int, 2>> particle_pairs(const Candidates& candidates) {
-  auto pairs = candidates.point_point;
-  for (const auto& [a, b] : candidates.point_point) pairs.push_back({b, a});
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
-}
-
-template <class ObjectOf>
-void add_runs(const std::vector<std::array<int, 2>>& pairs, const ObjectOf& object_of,
-              int PointGroup::* begin, int PointGroup::* end, std::vector<PointGroup>& groups) {
-  for (int i = 0; i < static_cast<int>(pairs.size());) {
-    PointGroup group{pairs[i][0], object_of(pairs[i][1])};
-    group.*begin = i;
-    while (i < static_cast<int>(pairs.size()) && pairs[i][0] == group.point &&
-           object_of(pairs[i][1]) == group.object)
-      ++i;
-    group.*end = i;
-    groups.push_back(group);
-  }
-}
-
-// Unites the groups of the same point and object.
-std::vector<PointGroup> united(std::vector<PointGroup> groups) {
-  const auto key = [](const PointGroup& g) { return std::array{g.point, g.object}; };
-  std::stable_sort(groups.begin(), groups.end(),
-                   [&](const PointGroup& a, const PointGroup& b) { return key(a) < key(b); });
-  size_t kept = 0;
-  for (const PointGroup& g : groups) {
-    if (kept > 0 && key(groups[kept - 1]) == key(g)) {
-      PointGroup& u = groups[kept - 1];
-      if (g.edge_end > g.edge_begin) u.edge_begin = g.edge_begin, u.edge_end = g.edge_end;
-      if (g.other_end > g.other_begin) u.other_begin = g.other_begin, u.other_end = g.other_end;
-    } else {
-      groups[kept++] = g;
-    }
-  }
-  groups.resize(kept);
-  return groups;
-}
 
 template <size_t K>
 bool none_free(const std::vector<char>& free, const std::array<int, K>& vertices) {
@@ -62,6 +19,9 @@ bool none_free(const std::vector<char>& free, const std::array<int, K>& vertices
 
 // What one chunk finds; chunks are joined in order.
 struct Found {
+  SampleStencils<4> sample_point;
+  SampleStencils<5> sample_edge;
+  SampleStencils<6> sample_triangle;
   ContactStencils<2> point_point;
   ContactStencils<3> point_edge;
   ContactStencils<4> point_triangle;
@@ -71,28 +31,29 @@ struct Found {
 class PointSearch {
  public:
   PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-              const std::vector<std::array<int, 2>>& particles, const std::vector<char>& free,
-              const VecX& x, Found& found)
-      : surface_(surface), pairs_(pairs), candidates_(candidates), particles_(particles), free_(free),
+              const PointGroups& groups, const PointPieces& pieces, const std::vector<char>& free, const VecX& x,
+              Found& found)
+      : surface_(surface), pairs_(pairs), candidates_(candidates), groups_(groups), pieces_(pieces), free_(free),
         x_(x), found_(found) {}
 
-  void search(const PointGroup& g) {
-    const PairRole& role = pairs_.point(surface_.mesh.vertex_object[g.point], g.object);
-    if (role.law < 0) return;
+  void search(const PointPiece& piece) {
     triangles_.clear();
     edges_.clear();
     others_.clear();
-    for (int i = g.triangle_begin; i < g.triangle_end; ++i)
-      triangles_.push_back(surface_.mesh.triangles[candidates_.point_triangle[i][1]]);
-    for (int i = g.edge_begin; i < g.edge_end; ++i)
-      edges_.push_back(surface_.mesh.edges[candidates_.point_edge[i][1]]);
-    for (int i = g.other_begin; i < g.other_end; ++i) others_.push_back(particles_[i][1]);
-    for (const PointFeature& f : features_.reduce(x_, g.point, triangles_, edges_, others_, role.range,
+    for (int i = piece.triangle_begin; i < piece.triangle_end; ++i)
+      triangles_.push_back(surface_.mesh.triangles[pieces_.triangles[i]]);
+    if (piece.group >= 0) add_codim(groups_.groups[piece.group]);
+    for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, edges_, others_, piece.range,
                                                   pairs_.plain_sums))
-      add(g.point, f, role.law, g.area * f.multiplicity);
+      add(piece.point, f, piece.law, piece.area * f.multiplicity);
   }
 
  private:
+  void add_codim(const PointGroup& g) {
+    for (int i = g.edge_begin; i < g.edge_end; ++i)
+      edges_.push_back(surface_.mesh.edges[candidates_.point_edge[i][1]]);
+    for (int i = g.other_begin; i < g.other_end; ++i) others_.push_back(groups_.particles[i][1]);
+  }
   void add(int p, const PointFeature& f, int law, double weight) {
     const auto& v = f.vertices;
     switch (f.count()) {
@@ -109,7 +70,8 @@ class PointSearch {
   const ContactSurface& surface_;
   const PairTable& pairs_;
   const Candidates& candidates_;
-  const std::vector<std::array<int, 2>>& particles_;
+  const PointGroups& groups_;
+  const PointPieces& pieces_;
   const std::vector<char>& free_;
   const VecX& x_;
   Found& found_;
@@ -119,15 +81,60 @@ class PointSearch {
   std::vector<int> others_;
 };
 
-void search_edges(const ContactSurface& surface, const PairTable& pairs,
-                  const Candidates& candidates, const std::vector<char>& free, const VecX& x, int first,
+// One that looks for the stencils of samples.
+class SampleSearch {
+ public:
+  SampleSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<ContactSample>& samples,
+               const SamplePieces& pieces, const std::vector<char>& free, const VecX& x, Found& found)
+      : mesh_(surface.mesh), pairs_(pairs), samples_(samples), pieces_(pieces), free_(free), x_(x), found_(found) {}
+
+  void search(int i) {
+    const ContactSample& sample = samples_[i];
+    const Triangle& own = mesh_.triangles[sample.triangle];
+    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object);
+    triangles_.clear();
+    for (int k = pieces_.begin[i]; k < pieces_.begin[i + 1]; ++k)
+      triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
+    Vec3 p = Vec3::Zero();
+    for (int k = 0; k < 3; ++k) p += sample.inside[k] * vertex(x_, own[k]);
+    for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
+      const auto [a, b, c] = own;
+      const auto& v = f.vertices;
+      const double weight = role.share * sample.area * f.multiplicity;
+      switch (f.count()) {
+        case 1: keep(found_.sample_point, {{a, b, c, v[0]}, role.law, weight, sample.inside, i}); break;
+        case 2: keep(found_.sample_edge, {{a, b, c, v[0], v[1]}, role.law, weight, sample.inside, i}); break;
+        default: keep(found_.sample_triangle, {{a, b, c, v[0], v[1], v[2]}, role.law, weight, sample.inside, i});
+      }
+    }
+  }
+
+ private:
+  template <int K>
+  void keep(SampleStencils<K>& stencils, const std::type_identity_t<SampleStencil<K>>& stencil) {
+    if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
+  }
+
+  const CollisionMesh& mesh_;
+  const PairTable& pairs_;
+  const std::vector<ContactSample>& samples_;
+  const SamplePieces& pieces_;
+  const std::vector<char>& free_;
+  const VecX& x_;
+  Found& found_;
+  PointFeatures features_;
+  std::vector<Triangle> triangles_;
+};
+
+// edge_pairs: into candidates.edge_edge.
+void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
+                  const std::vector<int>& edge_pairs, const std::vector<char>& free, const VecX& x, int first,
                   int last, Found& found) {
   const CollisionMesh& mesh = surface.mesh;
   for (int i = first; i < last; ++i) {
-    const auto [ia, ib] = candidates.edge_edge[i];
+    const auto [ia, ib] = candidates.edge_edge[edge_pairs[i]];
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
-    if (role.law < 0) continue;
     const Vec3 a0 = vertex(x, a[0]), a1 = vertex(x, a[1]), b0 = vertex(x, b[0]), b1 = vertex(x, b[1]);
     const Vec3 gap = (a0.cwiseMin(a1) - b0.cwiseMax(b1)).cwiseMax(b0.cwiseMin(b1) - a0.cwiseMax(a1));
     if (gap.maxCoeff() >= role.range) continue;  // their boxes are too far apart already
@@ -138,9 +145,8 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs,
   }
 }
 
-template <int K>
-void join(const std::vector<Found>& chunks, ContactStencils<K> Found::* member,
-          ContactStencils<K>& all) {
+template <class Stencils>
+void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& all) {
   all.clear();
   for (const Found& chunk : chunks)
     all.insert(all.end(), (chunk.*member).begin(), (chunk.*member).end());
@@ -150,86 +156,106 @@ void join(const std::vector<Found>& chunks, ContactStencils<K> Found::* member,
 
 }  // namespace
 
-NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs)
-    : surface_(surface), pairs_(pairs),
-      facing_(surface.mesh, surface.closed, surface.vertex_area, surface.rest) {}
+NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, NearTriangles near)
+    : surface_(surface), pairs_(pairs), held_(surface), sides_(pairs), coverage_(surface, pairs, held_),
+      near_(std::move(near)) {}
 
-void NarrowPhase::make_groups(const Candidates& candidates) {
-  const CollisionMesh& mesh = surface_.mesh;
-  particles_ = particle_pairs(candidates);
-  groups_.clear();
-  add_runs(candidates.point_triangle, [&](int t) { return mesh.vertex_object[mesh.triangles[t][0]]; },
-           &PointGroup::triangle_begin, &PointGroup::triangle_end, groups_);
-  if (candidates.point_edge.empty() && particles_.empty()) return;
-  add_runs(candidates.point_edge, [&](int e) { return mesh.vertex_object[mesh.edges[e][0]]; },
-           &PointGroup::edge_begin, &PointGroup::edge_end, groups_);
-  add_runs(particles_, [&](int v) { return mesh.vertex_object[v]; }, &PointGroup::other_begin,
-           &PointGroup::other_end, groups_);
-  groups_ = united(std::move(groups_));
+bool NarrowPhase::may_integrate(const PointGroup& group) const {
+  const PairRole& role = pairs_.point(surface_.mesh.vertex_object[group.point], group.object);
+  return role.law >= 0 && role.facing;
 }
 
-// The area that the point turns to the nearest of its candidates.
-double NarrowPhase::area_of(const PointGroup& g, const Candidates& candidates, const VecX& x) const {
-  const CollisionMesh& mesh = surface_.mesh;
-  const PairRole& role = pairs_.point(mesh.vertex_object[g.point], g.object);
-  if (role.law < 0 || !role.facing) return role.share * facing_.whole(g.point);
-  const Vec3 p = vertex(x, g.point);
-  Vec3 shortest = Vec3::Zero();
-  double nearest = std::numeric_limits<double>::infinity();
-  const auto consider = [&](const Vec3& separation) {
-    if (!(separation.squaredNorm() < nearest)) return;
-    nearest = separation.squaredNorm();
-    shortest = separation;
-  };
-  for (int i = g.triangle_begin; i < g.triangle_end; ++i) {
-    const Triangle& t = mesh.triangles[candidates.point_triangle[i][1]];
-    consider(point_triangle_separation(p, vertex(x, t[0]), vertex(x, t[1]), vertex(x, t[2])));
-  }
-  for (int i = g.edge_begin; i < g.edge_end; ++i) {
-    const Edge& e = mesh.edges[candidates.point_edge[i][1]];
-    const double u = point_edge_closest(p, vertex(x, e[0]), vertex(x, e[1])).parameter;
-    consider(p - (1 - u) * vertex(x, e[0]) - u * vertex(x, e[1]));
-  }
-  for (int i = g.other_begin; i < g.other_end; ++i) consider(p - vertex(x, particles_[i][1]));
-  return role.share * facing_(x, g.point, shortest);
-}
-
-// Areas of groups known in this step stay; those of new groups are taken at x.
-void NarrowPhase::take_areas(const Candidates& candidates, const VecX& x) {
-  const auto by_key = [](const PointGroup& a, const PointGroup& b) { return a.key() < b.key(); };
-  for_each(static_cast<int>(groups_.size()), [&](int i) {
-    PointGroup& g = groups_[i];
-    const auto known = std::lower_bound(known_.begin(), known_.end(), g, by_key);
-    const bool found = known != known_.end() && known->key() == g.key();
-    g.area = found ? known->area : area_of(g, candidates, x);
+// Takes the views of the groups that have none in this step yet.
+void NarrowPhase::look(const Candidates& candidates) {
+  const auto by_key = [](const auto& a, const auto& b) { return a.key() < b.key(); };
+  std::vector<PointGroup> wanted, unseen;
+  std::copy_if(groups_.groups.begin(), groups_.groups.end(), std::back_inserter(wanted),
+               [&](const PointGroup& g) { return may_integrate(g); });
+  std::set_difference(wanted.begin(), wanted.end(), views_.begin(), views_.end(), std::back_inserter(unseen), by_key);
+  std::vector<GroupView> seen(unseen.size());
+  for_each_chunk(static_cast<int>(unseen.size()), [&](int, int first, int last) {
+    FacingViewer viewer(surface_.mesh, held_);
+    for (int i = first; i < last; ++i) {
+      const PointGroup& g = unseen[i];
+      seen[i] = {g.point, g.object, viewer.look(viewer.vertex_view(g.point), g.triangle_end - g.triangle_begin,
+                                                [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })};
+    }
   });
-  std::vector<PointGroup> all;
-  std::set_union(known_.begin(), known_.end(), groups_.begin(), groups_.end(), std::back_inserter(all),
-                 by_key);
-  known_ = std::move(all);
+  std::vector<GroupView> all;
+  std::merge(views_.begin(), views_.end(), seen.begin(), seen.end(), std::back_inserter(all), by_key);
+  views_ = std::move(all);
+}
+
+// Edges of one object that are close at rest are neighbours: they are watched, but do not press.
+void NarrowPhase::choose_edges(const Candidates& candidates) {
+  const CollisionMesh& mesh = surface_.mesh;
+  const auto presses = [&](const std::array<int, 2>& pair) {
+    const Edge &a = mesh.edges[pair[0]], &b = mesh.edges[pair[1]];
+    const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
+    const PairRole& role = pairs_.edge(object, other);
+    if (role.law < 0) return false;
+    if (object != other || pairs_.plain_sums) return true;
+    const VecX& rest = surface_.rest;
+    return edge_edge_distance(vertex(rest, a[0]), vertex(rest, a[1]), vertex(rest, b[0]), vertex(rest, b[1])) >=
+           role.range * role.range;
+  };
+  const int n = static_cast<int>(candidates.edge_edge.size());
+  std::vector<char> wanted(n);
+  for_each(n, [&](int i) { wanted[i] = presses(candidates.edge_edge[i]); });
+  edge_pairs_.clear();
+  for (int i = 0; i < n; ++i)
+    if (wanted[i]) edge_pairs_.push_back(i);
+}
+
+void NarrowPhase::take(const Candidates& candidates) {
+  groups_.make(candidates, surface_.mesh);
+  choose_edges(candidates);
 }
 
 void NarrowPhase::set_candidates(const Candidates& candidates, const VecX& x) {
-  make_groups(candidates);
-  take_areas(candidates, x);
+  take(candidates);
+  if (!held_.held()) {
+    begin_step(candidates, x);
+    return;
+  }
+  look(candidates);
+  make_lists(candidates);
 }
 
 void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
-  known_.clear();
-  take_areas(candidates, x);
+  held_.hold(x);
+  views_.clear();
+  look(candidates);
+  coverage_.capture(views_, sides_);
+  if (coverage_.wanted()) coverage_.weigh(sides_, near_, views_);
+  make_lists(candidates);
+}
+
+void NarrowPhase::make_lists(const Candidates& candidates) {
+  pieces_ = make_pieces({surface_, pairs_, held_, sides_, candidates, groups_, views_});
+  sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, near_);
 }
 
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const {
-  const int points = static_cast<int>(groups_.size());
-  const int edges = static_cast<int>(candidates.edge_edge.size());
+  const int points = static_cast<int>(pieces_.pieces.size());
+  const int edges = static_cast<int>(edge_pairs_.size());
   std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
-    PointSearch search(surface_, pairs_, candidates, particles_, free_, x, found_points[c]);
-    for (int g = first; g < last; ++g) search.search(groups_[g]);
+    PointSearch search(surface_, pairs_, candidates, groups_, pieces_, free_, x, found_points[c]);
+    for (int i = first; i < last; ++i) search.search(pieces_.pieces[i]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
-    search_edges(surface_, pairs_, candidates, free_, x, first, last, found_edges[c]);
+    search_edges(surface_, pairs_, candidates, edge_pairs_, free_, x, first, last, found_edges[c]);
   });
+  const int samples = static_cast<int>(coverage_.samples().size());
+  std::vector<Found> found_samples(chunk_count(samples));
+  for_each_chunk(samples, [&](int c, int first, int last) {
+    SampleSearch search(surface_, pairs_, coverage_.samples(), sample_pieces_, free_, x, found_samples[c]);
+    for (int i = first; i < last; ++i) search.search(i);
+  });
+  join(found_samples, &Found::sample_point, contacts.sample_point);
+  join(found_samples, &Found::sample_edge, contacts.sample_edge);
+  join(found_samples, &Found::sample_triangle, contacts.sample_triangle);
   join(found_points, &Found::point_point, contacts.point_point);
   join(found_points, &Found::point_edge, contacts.point_edge);
   join(found_points, &Found::point_triangle, contacts.point_triangle);

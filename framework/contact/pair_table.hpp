@@ -2,8 +2,7 @@
 //
 // Energy per area needs an integral over the interface that does not depend on the meshes:
 //  * Each pair of objects has an integration side: the vertices of its surface are the quadrature
-//    points, weighted with their surface area (the finer mesh, unless the scene says otherwise;
-//    both sides, half each, within one object).
+//    points, weighted with their surface area (both sides, half each, within one object).
 //  * A point sees the other surface through inclusion-exclusion (point_features.hpp), so that the
 //    number of triangles around the closest point does not matter.
 // These *pressure* stencils carry the whole law, barrier + adhesion. Edge-edge pairs and the points of
@@ -21,10 +20,15 @@ namespace tack {
 
 // How the points of one object interact with the surface of another (or the edges of both).
 struct PairRole {
-  int law = -1;       // index into the laws; -1: no interaction
-  double share = 0;   // factor on the area of the point (or edge pair)
-  double range = 0;   // of the law [m]
-  bool facing = false;  // of the point's area, only what faces the other surface counts
+  int law = -1;         // index into the laws; -1: no interaction
+  double share = 0;     // factor on the area of the point (or edge pair)
+  double range = 0;     // of the law [m]
+  bool facing = false;  // pressure: of the point's area what faces the other surface, of that what faces the point
+  int guard_law = -1;   // of what carries no pressure here; -1: none
+  double guard_range = 0;    // m
+  bool automatic = false;    // pressure only while this side is the one that captures more (capture.hpp)
+  bool preferred = false;    // the side that is taken where both capture as much
+  bool covered = false;      // only where the other surface lies opposite: stated tractions end at its rim
 };
 
 class PairTable {

@@ -98,7 +98,7 @@ void PointFeatures::merge() {
   features_.resize(kept);
 }
 
-const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, int point,
+const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3& p,
                                                        std::span<const Triangle> triangles,
                                                        std::span<const Edge> edges,
                                                        std::span<const int> vertices, double range,
@@ -106,7 +106,6 @@ const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, int point,
   features_.clear();
   edge_uses_.clear();
   vertex_uses_.clear();
-  const Vec3 p = vertex(x, point);
   const double range_squared = range * range;
   int close_triangles = 0;
   for (const Triangle& t : triangles) {

@@ -30,7 +30,7 @@ class PointFeatures {
   // The surface near p [m]: triangles, edges of no triangle, vertices of no edge (all indices
   // global). Keeps what is closer than range. With plain sums, triangles and such edges and vertices
   // simply add up.
-  const std::vector<PointFeature>& reduce(const VecX& x, int point, std::span<const Triangle> triangles,
+  const std::vector<PointFeature>& reduce(const VecX& x, const Vec3& p, std::span<const Triangle> triangles,
                                           std::span<const Edge> edges, std::span<const int> vertices,
                                           double range, bool plain_sums);
 

@@ -1,6 +1,7 @@
 // The squared distance of each kind of stencil under one name; with derivatives if the kernels have them.
 #pragma once
 
+#include "framework/contact/sample_chain.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/reduced_kernels.hpp"
@@ -14,30 +15,50 @@ std::array<Vec3, K> corners(const VecX& x, const std::array<int, K>& v) {
   for (int i = 0; i < K; ++i) c[i] = vertex(x, v[i]);
   return c;
 }
+
+// The point of a sample, then its feature.
+template <int K>
+std::array<Vec3, K - 2> corners(const VecX& x, const SampleStencil<K>& s) {
+  std::array<Vec3, K - 2> c;
+  c[0] = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) c[0] += s.inside[i] * vertex(x, s.vertices[i]);
+  for (int i = 3; i < K; ++i) c[i - 2] = vertex(x, s.vertices[i]);
+  return c;
+}
+template <int K>
+std::array<Vec3, K> corners(const VecX& x, const ContactStencil<K>& s) {
+  return corners<K>(x, s.vertices);
+}
 }  // namespace detail
 
 template <class Kernels>
-auto stencil_distance(PointPointKind, const VecX& x, const std::array<int, 2>& v) {
-  const auto c = detail::corners<2>(x, v);
+auto distance_between(PointPointKind, const std::array<Vec3, 2>& c) {
   return Kernels::point_point(c[0], c[1]);
 }
 
 template <class Kernels>
-auto stencil_distance(PointEdgeKind, const VecX& x, const std::array<int, 3>& v) {
-  const auto c = detail::corners<3>(x, v);
+auto distance_between(PointEdgeKind, const std::array<Vec3, 3>& c) {
   return Kernels::point_line(c[0], c[1], c[2]);
 }
 
 template <class Kernels>
-auto stencil_distance(PointTriangleKind, const VecX& x, const std::array<int, 4>& v) {
-  const auto c = detail::corners<4>(x, v);
+auto distance_between(PointTriangleKind, const std::array<Vec3, 4>& c) {
   return Kernels::point_plane(c[0], c[1], c[2], c[3]);
 }
 
 template <class Kernels>
-auto stencil_distance(EdgeEdgeKind, const VecX& x, const std::array<int, 4>& v) {
-  const auto c = detail::corners<4>(x, v);
+auto distance_between(EdgeEdgeKind, const std::array<Vec3, 4>& c) {
   return reduce_edge_edge<Kernels>(c[0], c[1], c[2], c[3], edge_edge_type(c[0], c[1], c[2], c[3]));
+}
+
+template <class Kernels, class Kind>
+auto stencil_distance(Kind, const VecX& x, const StencilOf<Kind>& s) {
+  const auto c = detail::corners(x, s);
+  if constexpr (is_sample<Kind>) {
+    return chain_to_triangle(distance_between<Kernels>(typename Kind::PointKind{}, c), s.inside);
+  } else {
+    return distance_between<Kernels>(Kind{}, c);
+  }
 }
 
 }  // namespace tack

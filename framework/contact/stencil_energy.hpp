@@ -17,9 +17,9 @@ struct StencilEnergy {
   using Vector = Eigen::Matrix<double, n, 1>;
   using Matrix = Eigen::Matrix<double, n, n>;
 
-  static Vector gradient(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
+  static Vector gradient(const VecX& x, const StencilOf<Kind>& stencil, const LawSample& l,
                          double gap, double eps_x) {
-    const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil.vertices);
+    const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil);
     const Vector phi = l.slope / (2 * gap) * s.gradient;
     if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
       const auto c = detail::corners<4>(x, stencil.vertices);
@@ -30,9 +30,9 @@ struct StencilEnergy {
     }
   }
 
-  static void derivatives(const VecX& x, const ContactStencil<Kind::arity>& stencil, const LawSample& l,
+  static void derivatives(const VecX& x, const StencilOf<Kind>& stencil, const LawSample& l,
                           double gap, double eps_x, Vector& gradient, Matrix& hessian) {
-    const auto s = stencil_distance<DerivativeKernels>(Kind{}, x, stencil.vertices);
+    const auto s = stencil_distance<DerivativeKernels>(Kind{}, x, stencil);
     const double slope = l.slope / (2 * gap);
     const double curvature = (l.curvature - l.slope / gap) / (4 * s.value);
     gradient = slope * s.gradient;

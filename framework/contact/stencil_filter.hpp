@@ -58,14 +58,13 @@ inline void filter_plane_like(const StencilGradient<12>& s, Mat12& hessian, SpdF
   project_in_basis(distance_basis(columns.transpose() * n, n), hessian, filter);
 }
 
-// eps_x of an edge-edge stencil, else unused.
+// c: the stencil's points (corners(x, stencil)); eps_x of an edge-edge stencil, else unused.
 template <class Kind>
-void filter_stencil(const VecX& x, const std::array<int, Kind::arity>& v, double eps_x,
+void filter_stencil(const std::array<Vec3, Kind::arity>& c, double eps_x,
                     typename StencilEnergy<Kind>::Matrix& hessian, SpdFilter filter) {
   if constexpr (std::is_same_v<Kind, PointTriangleKind>) {
-    filter_plane_like(stencil_distance<GradientKernels>(Kind{}, x, v), hessian, filter);
+    filter_plane_like(distance_between<GradientKernels>(Kind{}, c), hessian, filter);
   } else if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-    const auto c = detail::corners<4>(x, v);
     const bool inside = edge_edge_type(c[0], c[1], c[2], c[3]) == EdgeEdgeType::EA_EB;
     const bool mollified = edge_edge_cross_squared(c[0], c[1], c[2], c[3]) < eps_x;
     if (inside && !mollified) {
@@ -78,15 +77,29 @@ void filter_stencil(const VecX& x, const std::array<int, Kind::arity>& v, double
   }
 }
 
+// A sample's Hessian is filtered as that of its point.
 template <class Kind>
-void filter_slots(const VecX& x, const ContactStencils<Kind::arity>& stencils, const double* thresholds,
+void filter_hessian(const VecX& x, const StencilOf<Kind>& s, double eps_x,
+                    typename StencilEnergy<Kind>::Matrix& hessian, SpdFilter filter) {
+  const auto c = detail::corners(x, s);
+  if constexpr (is_sample<Kind>) {
+    auto of_point = chain_to_point<3 * Kind::arity>(hessian, s.inside);
+    filter_stencil<typename Kind::PointKind>(c, eps_x, of_point, filter);
+    hessian = chain_to_triangle<3 * Kind::arity - 6>(of_point, s.inside);
+  } else {
+    filter_stencil<Kind>(c, eps_x, hessian, filter);
+  }
+}
+
+template <class Kind>
+void filter_slots(const VecX& x, const StencilsOf<Kind>& stencils, const double* thresholds,
                   SpdFilter filter, double* hessian) {
   constexpr int slots = 9 * hessian_blocks(Kind::arity);
   for_each(static_cast<int>(stencils.size()), [&](int i) {
     typename StencilEnergy<Kind>::Matrix h;
     double* at = hessian + slots * static_cast<size_t>(i);
     load_blocks<Kind::arity>(at, h);
-    filter_stencil<Kind>(x, stencils[i].vertices, thresholds ? thresholds[i] : 0, h, filter);
+    filter_hessian<Kind>(x, stencils[i], thresholds ? thresholds[i] : 0, h, filter);
     store_blocks<Kind::arity>(h, at);
   }, 16);
 }

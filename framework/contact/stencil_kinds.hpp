@@ -1,4 +1,4 @@
-// The four kinds of contact stencils: their vertices, and how many of them lead that belong to the first of
+// The kinds of contact stencils: their vertices, and how many of them lead that belong to the first of
 // the two primitives. Distances: stencil_distance.hpp.
 #pragma once
 
@@ -22,6 +22,24 @@ struct EdgeEdgeKind {
   static constexpr int arity = 4, first_vertices = 2;
 };
 
+// The point is one inside a triangle.
+template <class Point>
+struct SampleKind {
+  using PointKind = Point;
+  static constexpr int arity = Point::arity + 2, first_vertices = 3;
+};
+
+template <class Kind>
+inline constexpr bool is_sample = false;
+template <class Point>
+inline constexpr bool is_sample<SampleKind<Point>> = true;
+
+template <class Kind>
+using StencilOf = std::conditional_t<is_sample<Kind>, SampleStencil<Kind::arity>, ContactStencil<Kind::arity>>;
+template <class Kind>
+using StencilsOf = std::vector<StencilOf<Kind>>;
+inline constexpr int stencil_kind_count = 7;
+
 // Calls body(Kind, stencils, thresholds or null) for each kind, in batch order.
 template <class Body>
 void for_each_kind(const ContactSet& set, const Body& body) {
@@ -29,6 +47,9 @@ void for_each_kind(const ContactSet& set, const Body& body) {
   body(PointEdgeKind{}, set.point_edge, nullptr);
   body(PointTriangleKind{}, set.point_triangle, nullptr);
   body(EdgeEdgeKind{}, set.edge_edge, set.mollifier_threshold.data());
+  body(SampleKind<PointPointKind>{}, set.sample_point, nullptr);
+  body(SampleKind<PointEdgeKind>{}, set.sample_edge, nullptr);
+  body(SampleKind<PointTriangleKind>{}, set.sample_triangle, nullptr);
 }
 
 }  // namespace tack

@@ -49,6 +49,8 @@ class SlidingSpeed : public Probe {
     add(contacts.twos);
     add(contacts.threes);
     add(contacts.fours);
+    add(contacts.fives);
+    add(contacts.sixes);
     return {area > 0 ? sum / area : 0};
   }
 

@@ -111,9 +111,9 @@ class PairBuilder {
       const int a = named(i, pair.between[0]), b = named(i, pair.between[1]);
       if (!configs_.emplace(std::minmax(a, b), static_cast<int>(i)).second)
         throw pair_error(i, fmt::format("the pair '{}', '{}' is given twice", pair.between[0], pair.between[1]));
-      if (pair.integrate != "finer" && pair.integrate != "both" && pair.integrate != pair.between[0] &&
+      if (pair.integrate != "automatic" && pair.integrate != "finer" && pair.integrate != "both" && pair.integrate != pair.between[0] &&
           pair.integrate != pair.between[1])
-        throw pair_error(i, fmt::format("integrate: '{}' is neither finer, both, nor one of the pair; "
+        throw pair_error(i, fmt::format("integrate: '{}' is neither automatic, finer, both, nor one of the pair; "
                                         "name '{}' or '{}'", pair.integrate, pair.between[0], pair.between[1]));
     }
   }
@@ -198,21 +198,31 @@ class PairBuilder {
 
   void set_roles(int a, int b, int config, const std::vector<SurfaceSize>& sizes) {
     const LawIds ids = laws_of(a, b, config);
-    const PairRole whole{ids.pressure, 1, table_.laws()[ids.pressure].range(), !table_.plain_sums};
-    const PairRole half{ids.pressure, 0.5, whole.range, true};
-    const PairRole guard{ids.guard, 1, table_.laws()[ids.guard].range(), false};
+    const double range = table_.laws()[ids.pressure].range(), guard_range = table_.laws()[ids.guard].range();
+    const PairRole guard{ids.guard, 1, guard_range, false};
     // An edge pair's area is half the mean of its two edges' (they count the surface twice).
-    table_.set_edge(a, b, {ids.guard, 0.25, guard.range, false});
-    const std::string& side = config >= 0 ? contact_.pairs[config].integrate : std::string("finer");
+    table_.set_edge(a, b, {ids.guard, 0.25, guard_range, false});
     if (table_.plain_sums) {
-      table_.point(a, b) = table_.point(b, a) = whole;
-    } else if (a == b || side == "both") {
-      table_.point(a, b) = table_.point(b, a) = half;
+      table_.point(a, b) = table_.point(b, a) = {ids.pressure, 1, range, false};
+      return;
+    }
+    PairRole pressure{ids.pressure, 1, range, true, ids.guard, guard_range};
+    pressure.covered = a != b && config >= 0 && contact_.pairs[config].adhesion;
+    const std::string& side = config >= 0 ? contact_.pairs[config].integrate : PairConfig().integrate;
+    const bool first_finer = sizes[a].per_vertex() <= sizes[b].per_vertex();
+    if (a == b || side == "both") {
+      pressure.share = 0.5;
+      table_.point(a, b) = table_.point(b, a) = pressure;
+    } else if (side == "automatic") {
+      pressure.automatic = true;
+      for (const bool first : {true, false}) {
+        pressure.preferred = first == first_finer;
+        (first ? table_.point(a, b) : table_.point(b, a)) = pressure;
+      }
     } else {
-      const bool first_finer = sizes[a].per_vertex() <= sizes[b].per_vertex();
       const bool first = side == "finer" ? first_finer : side == world_.bodies[a].name;
-      table_.point(a, b) = first ? whole : guard;
-      table_.point(b, a) = first ? guard : whole;
+      table_.point(a, b) = first ? pressure : guard;
+      table_.point(b, a) = first ? guard : pressure;
     }
   }
 

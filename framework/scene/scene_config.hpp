@@ -54,7 +54,7 @@ struct PairConfig {
   std::unique_ptr<AdhesionLaw> adhesion;
   std::optional<FrictionConfig> friction;
   std::optional<TangentialAdhesionConfig> tangential_adhesion;
-  std::string integrate = "finer";
+  std::string integrate = "automatic";
   void fields(Fields& f);
 };
 

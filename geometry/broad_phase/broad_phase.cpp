@@ -75,6 +75,22 @@ bool BroadPhase::covers(const VecX& x) const {
   return all_of(mesh_.vertices, [&](int v) { return safe_boxes_[v].contains(vertex(x, v)); });
 }
 
+void BroadPhase::triangles_near(const Triangle& triangle, const Vec3* inside, std::vector<int>& out) const {
+  Aabb box;
+  if (inside) box.lo = box.hi = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Aabb& corner = safe_boxes_[triangle[i]];
+    if (inside) {
+      box.lo += (*inside)[i] * corner.lo;
+      box.hi += (*inside)[i] * corner.hi;
+    } else {
+      box.include(corner);
+    }
+  }
+  box.inflate(0.5 * range_ + 4.0 * std::numeric_limits<double>::epsilon() * (box.hi.cwiseAbs().maxCoeff() + range_));
+  finder_.triangles_in(box, out);
+}
+
 void BroadPhase::check(const VecX& x, const VecX& p, double range, double skin) const {
   const auto size = 3 * static_cast<Eigen::Index>(mesh_.vertex_object.size());
   if (x.size() != size || (p.size() != 0 && p.size() != size))

@@ -35,6 +35,10 @@ class BroadPhase {
   bool covers(const VecX& x) const;
 
   const Candidates& candidates() const { return candidates_; }
+  // Appends the triangles that may come within range of a point inside the triangle of these vertices (global),
+  // given by its barycentric coordinates, or of any of its points, while vertices stay in their safe boxes;
+  // ascending.
+  void triangles_near(const Triangle& triangle, const Vec3* inside, std::vector<int>& out) const;
   // The number of full candidate builds so far.
   int builds() const { return builds_; }
 

@@ -1,6 +1,7 @@
 #include "geometry/broad_phase/candidate_finder.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -56,6 +57,16 @@ void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflati
                 candidates.point_edge);
   overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, filter_},
                 candidates.point_point);
+}
+
+void CandidateFinder::triangles_in(const Aabb& box, std::vector<int>& out) const {
+  if (triangles_.tree.size() == 0) return;
+  const size_t before = out.size();
+  detail::visit_groups(triangles_.tree, box, false, [&](int group) {
+    for (unsigned lanes = triangles_.tree.boxes(0, group).overlap_mask(box); lanes != 0; lanes &= lanes - 1)
+      out.push_back(triangles_.ids[triangles_.tree.primitives(group)[std::countr_zero(lanes)]]);
+  });
+  std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());
 }
 
 }  // namespace tack

@@ -18,6 +18,9 @@ class CandidateFinder {
   void find(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
             Candidates& candidates);
 
+  // Appends the triangles whose boxes overlap this one, by the boxes of the last search; ascending.
+  void triangles_in(const Aabb& box, std::vector<int>& out) const;
+
  private:
   ObjectPairFilter filter_;
   Primitives<1> points_, codim_points_;

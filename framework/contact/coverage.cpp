@@ -1,0 +1,141 @@
+#include "framework/contact/coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/assembly/parallel.hpp"
+#include "framework/contact/triangle_division.hpp"
+#include "geometry/broad_phase/aabb.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double least_facing = 0.1;  // of a triangle's area, towards what it faces
+
+// By key; -1: none.
+int find_view(const std::vector<GroupView>& views, int point, int object) {
+  const std::array key{point, object};
+  const auto at = std::lower_bound(views.begin(), views.end(), key,
+                                   [](const GroupView& v, const std::array<int, 2>& k) { return v.key() < k; });
+  return at != views.end() && at->key() == key ? static_cast<int>(at - views.begin()) : -1;
+}
+
+}  // namespace
+
+// What a chunk of triangles adds: shares of area for the corners' views, and samples.
+struct Coverage::Found {
+  struct Share {
+    Corner corner;
+    double area;  // m^2
+  };
+  std::vector<Share> shares;
+  std::vector<ContactSample> samples;
+};
+
+Coverage::Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held)
+    : surface_(surface), pairs_(pairs), held_(held), first_triangle_(pairs.objects() + 1, 0) {
+  for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[surface.mesh.vertex_object[t[0]] + 1];
+  for (int a = 0; a < pairs.objects(); ++a) first_triangle_[a + 1] += first_triangle_[a];
+  for (int a = 0; a < pairs.objects(); ++a)
+    for (int b = 0; b < pairs.objects(); ++b) wanted_ = wanted_ || pairs.point(a, b).covered;
+}
+
+std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& views, int triangle, int object) const {
+  std::array<Corner, 3> found;
+  const Vec3& normal = held_.normal(triangle);
+  for (int i = 0; i < 3; ++i) {
+    const int v = surface_.mesh.triangles[triangle][i];
+    found[i] = {find_view(views, v, object), -1};
+    if (found[i].view < 0) continue;
+    const FacingView& view = views[found[i].view].view;
+    double most = least_facing;
+    for (int k = 0; k < view.count; ++k) {
+      const double cosine = -normal.dot(view.pieces[k].normal);
+      const double facing = held_.topology().two_sided(v) ? std::abs(cosine) : cosine;
+      if (facing > most) most = facing, found[i].piece = k;
+    }
+  }
+  return found;
+}
+
+bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const {
+  const double slack = rim_slack * std::sqrt(held_.area(triangle));
+  return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
+    return c.view >= 0 && c.piece >= 0 && views[c.view].view.pieces[c.piece].beyond <= slack;
+  });
+}
+
+void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& sides) const {
+  sides.clear();
+  const CollisionMesh& mesh = surface_.mesh;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    const int object = mesh.vertex_object[mesh.triangles[t][0]];
+    const int lead = mesh.triangles[t][0];
+    const auto first = std::lower_bound(views.begin(), views.end(), lead,
+                                        [](const GroupView& v, int point) { return v.point < point; });
+    for (auto view = first; view != views.end() && view->point == lead; ++view) {
+      const PairRole& role = pairs_.point(object, view->object);
+      if (!role.automatic) continue;
+      const auto at = corners(views, t, view->object);
+      if (!covered(views, t, at)) continue;
+      const SeenPiece& piece = view->view.pieces[at[0].piece];
+      if (piece.distance >= role.range) continue;
+      IntegrationSides::Capture& capture = sides.capture(object, view->object);
+      capture.area += held_.area(t) * std::abs(held_.normal(t).dot(piece.normal));
+      ++capture.triangles;
+    }
+  }
+  sides.choose();
+}
+
+void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::vector<GroupView>& views,
+                          std::vector<Found>& found) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  const double reach = 2 * pairs_.point(a, b).range;
+  Aabb box;
+  for (int t = first_triangle_[b]; t < first_triangle_[b + 1]; ++t)
+    for (const int v : mesh.triangles[t]) box.include(Vec3(vertex(held_.x(), v)));
+  box.inflate(reach);
+  const int begin = first_triangle_[a], n = first_triangle_[a + 1] - begin;
+  found.resize(chunk_count(n));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    TriangleDivision division(mesh, held_);
+    std::vector<int> close;
+    for (int t = begin + first; t < begin + last; ++t) {
+      Aabb own;
+      for (const int v : mesh.triangles[t]) own.include(Vec3(vertex(held_.x(), v)));
+      if (!own.overlaps(box)) continue;
+      const auto at = corners(views, t, b);
+      if (covered(views, t, at)) {
+        for (int i = 0; i < 3; ++i) {
+          const SeenPiece& piece = views[at[i].view].view.pieces[at[i].piece];
+          found[c].shares.push_back({at[i], held_.facing(mesh.triangles[t][i], t, piece.normal)});
+        }
+        continue;
+      }
+      close.clear();
+      near(mesh.triangles[t], nullptr, close);
+      std::erase_if(close, [&](int other) { return mesh.vertex_object[mesh.triangles[other][0]] != b; });
+      if (!close.empty()) division.divide(t, b, reach, close, found[c].samples);
+    }
+  });
+}
+
+void Coverage::weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views) {
+  samples_.clear();
+  const auto weighs = [&](int a, int b) { return pairs_.point(a, b).covered && sides.integrates(a, b); };
+  std::vector<std::vector<Found>> all;
+  for (int a = 0; a < pairs_.objects(); ++a)
+    for (int b = 0; b < pairs_.objects(); ++b)
+      if (weighs(a, b)) weigh_pair(a, b, near, views, all.emplace_back());
+  for (GroupView& group : views)
+    if (weighs(surface_.mesh.vertex_object[group.point], group.object))
+      for (SeenPiece& piece : group.view.pieces) piece.area = 0;
+  for (const std::vector<Found>& pair : all)
+    for (const Found& found : pair) {
+      for (const auto& [corner, area] : found.shares) views[corner.view].view.pieces[corner.piece].area += area;
+      samples_.insert(samples_.end(), found.samples.begin(), found.samples.end());
+    }
+}
+
+}  // namespace tack

@@ -1,0 +1,59 @@
+// Which part of a surface lies opposite another one, at the start of a step.
+// A triangle is covered by an object if each of its corners sees a piece of it that the triangle faces, and does
+// not lie beyond that piece's rim: a crease or the boundary of a sheet. Covered triangles give their area to
+// their corners. Where the rim runs across a triangle, or it is so large that only its inside is opposite, it is
+// divided, and what is covered of it is represented by points inside (samples). So the area that adheres is the
+// overlap, whatever the meshes, and what only comes near a rim from beside does not count.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "framework/contact/point_pieces.hpp"
+
+namespace tack {
+
+// A quadrature point inside a triangle.
+struct ContactSample {
+  int triangle;
+  Vec3 inside;   // its barycentric coordinates
+  int object;    // opposite
+  Vec3 normal;   // unit, of what is opposite, towards the point
+  double area;   // towards that [m^2]
+};
+
+// Appends the triangles that may come within the largest range of a point inside a triangle (global vertices),
+// or of any, without coordinates, before candidates are searched anew.
+using NearTriangles = std::function<void(const Triangle&, const Vec3* inside, std::vector<int>&)>;
+
+class Coverage {
+ public:
+  Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held);
+
+  // The area and points that each side has in covered triangles, for the pairs that choose by it.
+  void capture(const std::vector<GroupView>& views, IntegrationSides& sides) const;
+  // Sets the areas of the views of pairs that want it to what is covered, and makes their samples.
+  void weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views);
+
+  const std::vector<ContactSample>& samples() const { return samples_; }
+  bool wanted() const { return wanted_; }  // whether any pair wants weights
+
+ private:
+  struct Corner {
+    int view, piece;  // that the triangle faces most
+  };
+  struct Found;
+  std::array<Corner, 3> corners(const std::vector<GroupView>& views, int triangle, int object) const;
+  bool covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const;
+  void weigh_pair(int a, int b, const NearTriangles& near, const std::vector<GroupView>& views,
+                  std::vector<Found>& found) const;
+
+  const ContactSurface& surface_;
+  const PairTable& pairs_;
+  const HeldSurface& held_;
+  std::vector<int> first_triangle_;  // of each object, and the end
+  bool wanted_ = false;
+  std::vector<ContactSample> samples_;
+};
+
+}  // namespace tack

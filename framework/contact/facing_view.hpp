@@ -1,0 +1,80 @@
+// What a point of a surface sees of another surface, or of its own: the triangles that face it, and that it
+// faces, as pieces of about one direction. A point in a corner sees two or three; one of a thin body does not
+// see its own far side, nor through it.
+//
+// A triangle faces a point that is in front of it, by its outward normal (a sheet turns the side to it on which
+// the point is). On the point's own object it has to be well in front: neighbours on a slightly hollow surface
+// are no other side. All is judged by the surfaces as the step found them (held_surface.hpp).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "framework/contact/held_surface.hpp"
+
+namespace tack {
+
+// One piece, led by its nearest triangle.
+struct SeenPiece {
+  Vec3 normal;      // unit, of that triangle, towards the point
+  double area;      // of the point, towards it [m^2]
+  double distance;  // m
+  double beyond;    // how far the point lies beyond a crease or the boundary of the surface [m]; 0: above it
+};
+
+struct FacingView {
+  static constexpr int most = 3;
+  int count = 0;
+  std::array<SeenPiece, most> pieces;
+
+  // Of a triangle with this normal towards the point: the first piece that it belongs to; -1: none.
+  int piece_of(const Vec3& normal) const;
+};
+
+// The point that looks.
+struct Viewpoint {
+  Vec3 position;
+  int object;    // that it is on
+  double whole;  // area that it stands for [m^2]
+  int vertex;    // global; -1: a point inside `triangle`
+  int triangle;
+};
+
+class FacingViewer {
+ public:
+  FacingViewer(const CollisionMesh& mesh, const HeldSurface& held) : mesh_(mesh), held_(held) {}
+
+  Viewpoint vertex_view(int vertex_index) const;
+  // One of position x inside a triangle, which stands for the given area.
+  Viewpoint inner_view(int triangle, const Vec3& x, double area) const;
+
+  // triangle(i), i in [0, n): those that may be near, of one object.
+  template <class TriangleAt>
+  FacingView look(const Viewpoint& from, int n, const TriangleAt& triangle) {
+    seen_.clear();
+    for (int i = 0; i < n; ++i) consider(from, triangle(i));
+    return pieces();
+  }
+  // The piece of the view that a triangle belongs to; -1: none.
+  int piece_of(const Viewpoint& from, const FacingView& view, int triangle) const;
+
+ private:
+  struct Seen {
+    int triangle;
+    Vec3 normal;
+    double area, squared, beyond;
+  };
+  // Its normal towards the point; false if it does not face it.
+  bool turn(const Viewpoint& from, int triangle, Vec3& normal, double& height) const;
+  double area_towards(const Viewpoint& from, const Vec3& normal) const;
+  bool well_in_front(const Viewpoint& from, int triangle, double height, double squared) const;
+  void consider(const Viewpoint& from, int triangle);
+  FacingView pieces();
+
+  const CollisionMesh& mesh_;
+  const HeldSurface& held_;
+  std::vector<Seen> seen_;
+};
+
+}  // namespace tack

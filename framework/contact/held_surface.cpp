@@ -1,0 +1,42 @@
+#include "framework/contact/held_surface.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "framework/assembly/parallel.hpp"
+
+namespace tack {
+
+void HeldSurface::hold(const VecX& x) {
+  x_ = x;
+  normals_.resize(mesh_.triangles.size());
+  areas_.resize(mesh_.triangles.size());
+  for_each(static_cast<int>(mesh_.triangles.size()), [&](int t) {
+    const Triangle& v = mesh_.triangles[t];
+    const Vec3 a = vertex(x, v[0]);
+    const Vec3 n = Vec3(vertex(x, v[1]) - a).cross(vertex(x, v[2]) - a);
+    const double twice = n.norm();
+    areas_[t] = twice / 2;
+    normals_[t] = twice > 0 ? Vec3(n / twice) : Vec3::Zero();
+  });
+}
+
+double HeldSurface::whole(int vertex_index) const {
+  double area = 0;
+  for (const int t : topology_.triangles_at(vertex_index)) area += areas_[t] / 3;
+  return area;
+}
+
+double HeldSurface::facing(int vertex_index, int triangle, const Vec3& n) const {
+  const double cosine = -normals_[triangle].dot(n);
+  return areas_[triangle] / 3 * (topology_.two_sided(vertex_index) ? std::abs(cosine) : std::max(0.0, cosine));
+}
+
+double HeldSurface::facing(int vertex_index, const Vec3& n) const {
+  double area = 0;
+  for (const int t : topology_.triangles_at(vertex_index)) area += facing(vertex_index, t, n);
+  return area;
+}
+
+}  // namespace tack

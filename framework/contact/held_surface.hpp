@@ -1,0 +1,42 @@
+// The surfaces as a time step finds them, held for that step, so that its potential is one function: where
+// the vertices are, and the unit normals and areas of the triangles. What is said of orientation does not
+// change while bodies only translate, so nothing is gained or lost on a closed way.
+//
+// The area that a vertex stands for towards a surface of unit normal n is a third of the present area of each
+// of its triangles, projected onto that surface,
+//     w = sum_T A_T/3 max(0, -n_T . n),
+// with |n_T . n| on sheets, which have two sides. So the side walls of a plate, or its back, do not count when
+// its face meets another face, and a stated traction is one per area as it is now, not as it was at rest:
+// that area is the same for both sides.
+#pragma once
+
+#include "framework/contact/surface_topology.hpp"
+
+namespace tack {
+
+class HeldSurface {
+ public:
+  // The mesh must outlive this.
+  explicit HeldSurface(const ContactSurface& surface) : mesh_(surface.mesh), topology_(surface) {}
+
+  void hold(const VecX& x);
+  bool held() const { return x_.size() > 0; }
+
+  const VecX& x() const { return x_; }  // 3n [m]
+  const Vec3& normal(int triangle) const { return normals_[triangle]; }  // zero without area
+  double area(int triangle) const { return areas_[triangle]; }           // m^2
+  const SurfaceTopology& topology() const { return topology_; }
+
+  double whole(int vertex_index) const;                           // a third of the area around it [m^2]
+  double facing(int vertex_index, const Vec3& n) const;           // w above [m^2]
+  double facing(int vertex_index, int triangle, const Vec3& n) const;  // what one of its triangles adds
+
+ private:
+  const CollisionMesh& mesh_;
+  SurfaceTopology topology_;
+  VecX x_;
+  std::vector<Vec3> normals_;
+  std::vector<double> areas_;
+};
+
+}  // namespace tack

@@ -1,0 +1,140 @@
+#include "framework/contact/point_pieces.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "framework/assembly/parallel.hpp"
+#include "geometry/distance/point_triangle.hpp"
+
+namespace tack {
+namespace {
+
+// Makes the pieces of one chunk of groups.
+class PieceMaker {
+ public:
+  explicit PieceMaker(const PieceRequest& r) : r_(r), mesh_(r.surface.mesh), viewer_(mesh_, r.held) {}
+
+  void add(int g) {
+    const PointGroup& group = r_.groups.groups[g];
+    const PairRole& role = r_.pairs.point(mesh_.vertex_object[group.point], group.object);
+    if (role.law < 0) return;
+    if (r_.pairs.plain_sums) {
+      add_all(g, {role.law, role.range, role.share * r_.held.whole(group.point)}, false);
+    } else if (r_.sides.integrates(mesh_.vertex_object[group.point], group.object)) {
+      add_pressure(g, role);
+    } else if (role.facing) {
+      add_guard(g, role.guard_law, role.guard_range);
+    } else {
+      add_guard(g, role.law, role.range);
+    }
+  }
+  PointPieces take() { return std::move(out_); }
+
+ private:
+  struct Acting {
+    int law;
+    double range, area;
+  };
+
+  int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
+
+  void begin(int g, const Acting& acting, bool with_codim) {
+    out_.pieces.push_back({r_.groups.groups[g].point, acting.law, acting.area, acting.range,
+                           static_cast<int>(out_.triangles.size()), 0, with_codim ? g : -1});
+  }
+  // A piece that acts on nothing is none.
+  void end() {
+    PointPiece& piece = out_.pieces.back();
+    piece.triangle_end = static_cast<int>(out_.triangles.size());
+    const bool codim = piece.group >= 0 && has_codim(r_.groups.groups[piece.group]);
+    if (piece.triangle_end == piece.triangle_begin && !codim) out_.pieces.pop_back();
+  }
+  static bool has_codim(const PointGroup& g) { return g.edge_end > g.edge_begin || g.other_end > g.other_begin; }
+
+  void add_all(int g, const Acting& acting, bool without_rest_neighbours) {
+    const PointGroup& group = r_.groups.groups[g];
+    begin(g, acting, true);
+    for (int i = group.triangle_begin; i < group.triangle_end; ++i)
+      if (!without_rest_neighbours || !rest_neighbour(group, triangle(i), acting.range))
+        out_.triangles.push_back(triangle(i));
+    end();
+  }
+
+  void add_guard(int g, int law, double range) {
+    if (law < 0) return;
+    add_all(g, {law, range, r_.held.whole(r_.groups.groups[g].point)}, true);
+  }
+
+  // What already is closer at rest does not press: a body alone is without stress.
+  bool rest_neighbour(const PointGroup& group, int t, double range) const {
+    if (mesh_.vertex_object[group.point] != group.object) return false;
+    const VecX& rest = r_.surface.rest;
+    const Triangle& v = mesh_.triangles[t];
+    const Vec3 p = vertex(rest, group.point), t0 = vertex(rest, v[0]), t1 = vertex(rest, v[1]), t2 = vertex(rest, v[2]);
+    const Vec3 gap = (p - t0.cwiseMax(t1).cwiseMax(t2)).cwiseMax(t0.cwiseMin(t1).cwiseMin(t2) - p);
+    return gap.maxCoeff() < range && point_triangle_distance(p, t0, t1, t2) < range * range;
+  }
+
+  // What the point covers nothing of is only guarded against.
+  static int with_area(const FacingView& view, int piece) {
+    return piece >= 0 && view.pieces[piece].area > 0 ? piece : -1;
+  }
+
+  void add_pressure(int g, const PairRole& role) {
+    const PointGroup& group = r_.groups.groups[g];
+    const auto known = std::lower_bound(r_.views.begin(), r_.views.end(), group.key(),
+                                        [](const GroupView& v, const std::array<int, 2>& key) { return v.key() < key; });
+    const Viewpoint from = viewer_.vertex_view(group.point);
+    piece_.clear();
+    for (int i = group.triangle_begin; i < group.triangle_end; ++i)
+      piece_.push_back(with_area(known->view, viewer_.piece_of(from, known->view, triangle(i))));
+    for (int k = 0; k < known->view.count; ++k) {
+      begin(g, {role.law, role.range, role.share * known->view.pieces[k].area}, false);
+      for (size_t i = 0; i < piece_.size(); ++i)
+        if (piece_[i] == k) out_.triangles.push_back(triangle(group.triangle_begin + static_cast<int>(i)));
+      end();
+    }
+    if (has_codim(group)) {
+      begin(g, {role.law, role.range, role.share * r_.held.whole(group.point)}, true);
+      end();
+    }
+    if (role.guard_law < 0) return;
+    begin(g, {role.guard_law, role.guard_range, r_.held.whole(group.point)}, false);
+    for (size_t i = 0; i < piece_.size(); ++i) {
+      const int t = triangle(group.triangle_begin + static_cast<int>(i));
+      if (piece_[i] < 0 && !rest_neighbour(group, t, role.guard_range)) out_.triangles.push_back(t);
+    }
+    end();
+  }
+
+  const PieceRequest& r_;
+  const CollisionMesh& mesh_;
+  FacingViewer viewer_;
+  PointPieces out_;
+  std::vector<int> piece_;  // of each triangle of a group
+};
+
+}  // namespace
+
+PointPieces make_pieces(const PieceRequest& request) {
+  const int n = static_cast<int>(request.groups.groups.size());
+  std::vector<PointPieces> chunks(chunk_count(n));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    PieceMaker maker(request);
+    for (int g = first; g < last; ++g) maker.add(g);
+    chunks[c] = maker.take();
+  });
+  PointPieces all;
+  for (PointPieces& chunk : chunks) {
+    const int offset = static_cast<int>(all.triangles.size());
+    for (PointPiece p : chunk.pieces) {
+      p.triangle_begin += offset;
+      p.triangle_end += offset;
+      all.pieces.push_back(p);
+    }
+    all.triangles.insert(all.triangles.end(), chunk.triangles.begin(), chunk.triangles.end());
+  }
+  return all;
+}
+
+}  // namespace tack

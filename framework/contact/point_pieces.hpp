@@ -1,0 +1,48 @@
+// The quadrature points of a list of candidates, each with the triangles that it acts on: what carries
+// pressure, piece by piece (facing_view.hpp), and what is only guarded against. Made once per list of
+// candidates, so that looking for active stencils only touches what can become one.
+#pragma once
+
+#include <vector>
+
+#include "framework/contact/facing_view.hpp"
+#include "framework/contact/integration_sides.hpp"
+#include "framework/contact/pair_table.hpp"
+#include "framework/contact/point_groups.hpp"
+
+namespace tack {
+
+struct PointPiece {
+  int point;
+  int law;
+  double area;   // share of the point's area [m^2]
+  double range;  // of the law [m]
+  int triangle_begin, triangle_end;  // into PointPieces::triangles
+  int group;  // whose candidates of rods and particles belong to it; -1: none do
+};
+
+struct PointPieces {
+  std::vector<PointPiece> pieces;
+  std::vector<int> triangles;  // of the mesh
+};
+
+// The view of a group, known for the step.
+struct GroupView {
+  int point, object;
+  FacingView view;
+
+  std::array<int, 2> key() const { return {point, object}; }
+};
+
+struct PieceRequest {
+  const ContactSurface& surface;
+  const PairTable& pairs;
+  const HeldSurface& held;
+  const IntegrationSides& sides;
+  const Candidates& candidates;
+  const PointGroups& groups;
+  const std::vector<GroupView>& views;  // by key; all groups that integrate are there
+};
+PointPieces make_pieces(const PieceRequest& request);
+
+}  // namespace tack

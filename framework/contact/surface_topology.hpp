@@ -1,0 +1,37 @@
+// What never changes of the surfaces: the triangles at each vertex, and which edges and vertices of a
+// triangle are smooth, that is, where the surface goes on beyond them without a crease. An edge is smooth if
+// exactly two triangles meet there at less than 40 degrees at rest; a vertex is, if all its edges are.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "framework/contact/contact_set.hpp"
+
+namespace tack {
+
+class SurfaceTopology {
+ public:
+  explicit SurfaceTopology(const ContactSurface& surface);
+
+  std::span<const int> triangles_at(int vertex_index) const {
+    return {incident_.data() + start_[vertex_index], incident_.data() + start_[vertex_index + 1]};
+  }
+  bool smooth_vertex(int vertex_index) const { return smooth_vertex_[vertex_index] != 0; }
+  // Edge i of a triangle: from its corner i to the next.
+  bool smooth_edge(int triangle, int i) const { return (smooth_edges_[triangle] >> i & 1) != 0; }
+  // Whether the vertex is of a sheet, which has two sides.
+  bool two_sided(int vertex_index) const { return two_sided_[vertex_index] != 0; }
+
+ private:
+  void find_incident(const CollisionMesh& mesh, size_t vertices);
+  void find_creases(const ContactSurface& surface);
+
+  std::vector<int> start_, incident_;  // triangles at each global vertex
+  std::vector<char> smooth_vertex_;    // per global vertex
+  std::vector<unsigned char> smooth_edges_;  // per triangle, a bit an edge
+  std::vector<char> two_sided_;        // per global vertex
+};
+
+}  // namespace tack

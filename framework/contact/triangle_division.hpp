@@ -1,0 +1,47 @@
+// Divides a triangle that is covered in part until its pieces are, or are not, or are small, and gathers what
+// is covered into samples (coverage.hpp).
+#pragma once
+
+#include <vector>
+
+#include "framework/contact/coverage.hpp"
+#include "framework/contact/facing_view.hpp"
+
+namespace tack {
+
+class TriangleDivision {
+ public:
+  TriangleDivision(const CollisionMesh& mesh, const HeldSurface& held) : mesh_(mesh), held_(held), viewer_(mesh, held) {}
+
+  // near: triangles of the object. reach: how far away something may lie opposite [m].
+  void divide(int triangle, int object, double reach, const std::vector<int>& near, std::vector<ContactSample>& out);
+
+ private:
+  using Corners = std::array<Vec3, 3>;  // barycentric coordinates
+  struct Seen {
+    bool any = false, covered = false;
+    double beyond = 0;
+    Vec3 normal = Vec3::Zero();
+  };
+  struct Sum {
+    double area = 0;
+    Vec3 inside = Vec3::Zero(), normal = Vec3::Zero();
+  };
+
+  Vec3 place(const Vec3& inside) const;
+  Seen look(const Vec3& inside, const std::vector<int>& near);
+  std::vector<int> those_near(const Corners& c, const std::vector<int>& near) const;
+  bool hopeless(const std::array<Seen, 3>& seen, double size) const;
+  void part(const Corners& c, int depth, const std::vector<int>& near, Sum* sum);
+  void examine(const Corners& c, int depth, const std::vector<int>& near, Sum* sum);
+  void add(const Corners& c, int depth, const std::array<Seen, 3>& seen, int covered, Sum& sum) const;
+
+  const CollisionMesh& mesh_;
+  const HeldSurface& held_;
+  FacingViewer viewer_;
+  int triangle_ = 0, object_ = 0, sample_depth_ = 0, last_depth_ = 0;
+  double reach_ = 0, size_ = 0, slack_ = 0;  // m
+  std::vector<ContactSample>* out_ = nullptr;
+};
+
+}  // namespace tack

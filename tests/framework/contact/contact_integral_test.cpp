@@ -1,0 +1,224 @@
+// A stated traction is one per area of overlap, whatever the meshes: where bodies overlap in part, are thin, or
+// touch themselves.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/contact/contact_term.hpp"
+#include "tests/support/scene.hpp"
+
+using namespace tack;
+
+namespace {
+
+constexpr double dhat = 1e-3, gap = 1.3e-3;  // m; adhesion reaches to 2 dhat
+
+struct Box {
+  Vec3 size;
+  std::array<int, 3> cells;
+  Vec3 low;  // its lowest corner [m]
+  double angle = 0;  // about y, of the scene's origin
+
+  std::string yaml(const char* name, const char* more) const {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Vec3 m = low + size / 2, at(c * m.x() + s * m.z(), m.y(), c * m.z() - s * m.x());
+    return fmt::format("  - {{name: {}, shape: {{type: box, size: [{}, {}, {}], cells: [{}, {}, {}]}},\n"
+                       "     place: {{axis: [0, 1, 0], angle: {}, translate: [{}, {}, {}]}}, {}}}\n",
+                       name, size.x(), size.y(), size.z(), cells[0], cells[1], cells[2], angle, at.x(), at.y(),
+                       at.z(), more);
+  }
+};
+
+const char* material = "energies: [{type: neo_hookean, young: 1e5}]";
+
+std::string contact(const std::string& pair) {
+  return fmt::format("contact:\n  distance: {}\n  barrier: {{type: clamped_log, stiffness: 3e3}}\n  pairs: [{{{}}}]\n",
+                     dhat, pair);
+}
+
+const std::string sticks = ", adhesion: {type: fang, young: 1e4, critical_strain: 0.2}";
+
+// phi' of barrier and adhesion at a distance [Pa].
+double traction(double distance, bool adhesive = true) {
+  const auto barrier = bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t"));
+  const auto adhesion = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
+  for (NormalLaw* law : {static_cast<NormalLaw*>(barrier.get()), static_cast<NormalLaw*>(adhesion.get())})
+    law->prepare({dhat, 1e5, 0});
+  return barrier->at(distance).slope + (adhesive ? adhesion->at(distance).slope : 0);
+}
+
+// The force of the lower body on the upper one [N], downwards positive.
+Vec3 force_between(const Box& upper, const Box& lower, const std::string& pair) {
+  TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
+                  contact("between: [upper, lower]" + pair));
+  World& world = *scene.world;
+  world.contact->begin_step(world.rest);
+  world.contact->move_to(world.rest);
+  return -world.contact_term->force_between(world.rest, LawPart::all,
+                                            {world.body_index("upper"), world.body_index("lower")});
+}
+
+}  // namespace
+
+TEST_CASE("contact integral: a cube on a wide ground, cells up to half the cube", "[contact]") {
+  const double expected = 1e-4 * traction(gap);
+  for (const double cell : {5e-3, 3.3e-3, 2.5e-3, 1.25e-3})
+    for (const int cube_cells : {1, 3, 8})
+      for (const Vec2& shift : {Vec2(0, 0), Vec2(0.5, 0.5), Vec2(0.25, 0.1), Vec2(0.01, 0.9)}) {
+        const int n = static_cast<int>(std::round(0.04 / cell));
+        const Box cube{{0.01, 0.01, 0.01}, {cube_cells, cube_cells, cube_cells}, {-0.005, gap, -0.005}};
+        const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n},
+                         {-0.02 + shift.x() * cell, -0.01, -0.02 + shift.y() * cell}};
+        INFO("ground cells " << cell << ", cube " << cube_cells << ", shift " << shift.transpose());
+        const Vec3 f = force_between(cube, ground, sticks);
+        CHECK(f.y() == Approx(expected).epsilon(0.05));
+        CHECK(std::hypot(f.x(), f.z()) < 0.02 * expected);
+      }
+}
+
+TEST_CASE("contact integral: the ground integrates, if the scene says so", "[contact]") {
+  const double expected = 1e-4 * traction(gap);
+  for (const double cell : {5e-3, 2.5e-3, 1.25e-3}) {
+    const int n = static_cast<int>(std::round(0.04 / cell));
+    const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005, gap, -0.005}};
+    const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02 + 0.3 * cell, -0.01, -0.02 + 0.4 * cell}};
+    INFO("ground cells " << cell);
+    CHECK(force_between(cube, ground, sticks + ", integrate: lower").y() == Approx(expected).epsilon(0.05));
+  }
+}
+
+TEST_CASE("contact integral: crossed bars", "[contact]") {
+  const double expected = 1e-4 * traction(gap);
+  const std::vector<std::array<int, 2>> cells = {{2, 2}, {2, 3}, {3, 8}, {10, 8}, {20, 16}, {40, 3}, {40, 40}};
+  for (const auto& [upper_cells, lower_cells] : cells)
+    for (const double shift : {0.0, 2e-3}) {
+      const Box upper{{0.1, 0.01, 0.01}, {upper_cells, 2, std::max(1, upper_cells / 10)}, {-0.05 + shift, gap, -0.005}};
+      const Box lower{{0.01, 0.01, 0.1}, {std::max(1, lower_cells / 10), 2, lower_cells}, {-0.005, -0.01, -0.05 - shift}};
+      INFO("cells " << upper_cells << " on " << lower_cells << ", shift " << shift);
+      CHECK(force_between(upper, lower, sticks).y() == Approx(expected).epsilon(0.1));
+    }
+}
+
+TEST_CASE("contact integral: plates that overlap in part", "[contact]") {
+  for (const double overlap : {1.0, 0.93, 0.5, 0.1})
+    for (const std::array<int, 2> cells : {std::array{8, 7}, std::array{8, 8}, std::array{3, 20}}) {
+      const Box upper{{0.1, 0.01, 0.1}, {cells[0], 1, cells[0]}, {-0.05 + 0.1 * (1 - overlap), gap, -0.05}};
+      const Box lower{{0.1, 0.01, 0.1}, {cells[1], 1, cells[1]}, {-0.05, -0.01, -0.05}};
+      INFO("overlap " << overlap << ", cells " << cells[0] << " on " << cells[1]);
+      CHECK(force_between(upper, lower, sticks).y() == Approx(0.01 * overlap * traction(gap)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("contact integral: thin plates are seen once", "[contact]") {
+  const double expected = 4e-4 * traction(gap);
+  for (const double thickness : {0.5e-3, 0.2e-3, 0.1e-3})
+    for (const std::string integrate : {"automatic", "upper", "lower", "both"}) {
+      const Box upper{{0.02, 5e-3, 0.02}, {8, 1, 8}, {-0.01, gap, -0.01}};
+      const Box lower{{0.02, thickness, 0.02}, {10, 1, 10}, {-0.01, -thickness, -0.01}};
+      INFO("thickness " << thickness << ", integrate " << integrate);
+      CHECK(force_between(upper, lower, sticks + ", integrate: " + integrate).y() ==
+            Approx(expected).epsilon(0.02));
+    }
+}
+
+TEST_CASE("contact integral: a stretched plate adheres per present area, whichever side integrates", "[contact]") {
+  for (const std::string integrate : {"automatic", "upper", "lower", "both"}) {
+    const Box upper{{0.1, 0.01, 0.1}, {6, 1, 6}, {-0.05, gap, -0.05}};
+    const Box lower{{0.3, 0.01, 0.3}, {20, 1, 20}, {-0.15, -0.01, -0.15}};
+    TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
+                    contact("between: [upper, lower], integrate: " + integrate + sticks));
+    World& world = *scene.world;
+    VecX x = world.rest;
+    for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v) *= 1.5;
+    world.contact->begin_step(x);
+    world.contact->move_to(x);
+    INFO("integrate " << integrate);
+    CHECK(-world.contact_term->force_between(x, LawPart::all, {0, 1}).y() ==
+          Approx(0.015 * traction(gap)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("contact integral: what slides without friction feels nothing along its way", "[contact]") {
+  for (const double cell : {5e-3, 2.5e-3})
+    for (const double way : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+      const int n = static_cast<int>(std::round(0.04 / cell));
+      const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005 + way * cell, 0.8e-3, -0.005 + 0.3 * way * cell}};
+      const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02, -0.01, -0.02}};
+      INFO("ground cells " << cell << ", way " << way);
+      const Vec3 f = force_between(cube, ground, "");
+      CHECK(f.y() < 0.0);
+      CHECK(std::hypot(f.x(), f.z()) < 0.02 * std::abs(f.y()));
+    }
+}
+
+namespace {
+
+// A strip of the given thickness that is folded once, its two legs at a gap: where a point of the flat strip is.
+struct Fold {
+  double length = 0.04, width = 0.01, thickness = 4e-3, opening;  // m
+
+  Vec3 at(const Vec3& flat) const {  // flat: x along the strip from its middle, y across its thickness
+    const double radius = opening / 2 + thickness / 2, arc = M_PI * radius;
+    const double s = flat.x(), depth = flat.y();
+    if (std::abs(s) <= arc / 2) {
+      const double a = s / radius;
+      return {-(radius + depth) * std::cos(a), (radius + depth) * std::sin(a), flat.z()};
+    }
+    const double side = s > 0 ? 1 : -1;
+    return {std::abs(s) - arc / 2, side * (radius + depth), flat.z()};
+  }
+};
+
+// The force that pulls the outer half of the upper leg down, over the expected one.
+double fold_force(double opening, double cell) {
+  const Fold fold{.opening = opening};
+  const int n = static_cast<int>(std::round(fold.length / cell)), m = static_cast<int>(std::round(fold.width / cell));
+  TestScene scene("objects:\n" +
+                  Box{{fold.length, fold.thickness, fold.width}, {n, 2, m}, {-fold.length / 2, -fold.thickness / 2, -fold.width / 2}}
+                      .yaml("strip", material) +
+                  contact("between: [strip, strip]" + sticks));
+  World& world = *scene.world;
+  VecX x = world.rest;
+  for (int v = 0; v < world.mass.size(); ++v) vertex(x, v) = fold.at(vertex(world.rest, v));
+  world.contact->begin_step(x);
+  world.contact->move_to(x);
+  const VecX force = world.contact_term->forces(x, LawPart::all);
+  // Half way between two rows of vertices.
+  const double counted = (std::floor(n / 4.0) + 0.5) * fold.length / n;
+  double pull = 0;
+  for (int v = 0; v < world.mass.size(); ++v)
+    if (vertex(world.rest, v).x() > fold.length / 2 - counted) pull -= vertex(force, v).y();
+  return pull / (counted * fold.width * traction(opening));
+}
+
+}  // namespace
+
+TEST_CASE("contact integral: a folded strip adheres to itself, whatever its elements", "[contact]") {
+  for (const double cell : {2e-3, 1.4e-3, 1e-3, 0.7e-3, 0.5e-3, 0.25e-3}) {
+    INFO("cells " << cell);
+    CHECK(fold_force(1.3e-3, cell) == Approx(1).epsilon(0.03));
+  }
+}
+
+TEST_CASE("contact integral: a folded strip that is pressed pushes, whatever its elements", "[contact]") {
+  for (const double cell : {2e-3, 1e-3, 0.7e-3})
+    for (const double opening : {0.8e-3, 0.6e-3}) {
+      INFO("cells " << cell << ", opening " << opening);
+      CHECK(fold_force(opening, cell) == Approx(1).epsilon(0.05));
+    }
+}
+
+TEST_CASE("contact integral: a body alone has no contact energy, however small its elements", "[contact]") {
+  for (const double cell : {2e-3, 0.5e-3}) {
+    const int n = static_cast<int>(std::round(8e-3 / cell));
+    const std::string self = contact("between: [cube, cube]" + sticks);
+    TestScene scene("objects:\n" + Box{{8e-3, 8e-3, 8e-3}, {n, n, n}, {0, 0, 0}}.yaml("cube", material) + self);
+    World& world = *scene.world;
+    world.contact->begin_step(world.rest);
+    world.contact->move_to(world.rest);
+    CHECK(world.contact_term->value(world.rest) == 0.0);
+  }
+}
