@@ -42,7 +42,6 @@ Coverage::Coverage(const ContactSurface& surface, const PairTable& pairs, const 
 
 std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& views, int triangle, int object) const {
   std::array<Corner, 3> found;
-  const Vec3& normal = held_.normal(triangle);
   for (int i = 0; i < 3; ++i) {
     const int v = surface_.mesh.triangles[triangle][i];
     found[i] = {find_view(views, v, object), -1};
@@ -50,9 +49,8 @@ std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& 
     const FacingView& view = views[found[i].view].view;
     double most = least_facing;
     for (int k = 0; k < view.count; ++k) {
-      const double cosine = -normal.dot(view.pieces[k].normal);
-      const double facing = held_.topology().two_sided(v) ? std::abs(cosine) : cosine;
-      if (facing > most) most = facing, found[i].piece = k;
+      const double cosine = held_.cosine(triangle, view.pieces[k].normal);
+      if (cosine > most) most = cosine, found[i].piece = k;
     }
   }
   return found;
@@ -63,6 +61,12 @@ bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const 
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
     return c.view >= 0 && c.piece >= 0 && views[c.view].view.pieces[c.piece].beyond <= slack;
   });
+}
+
+// By their orientations alone.
+bool Coverage::may_face(int triangle, int other) const {
+  return held_.cosine(triangle, held_.normal(other)) > least_facing ||
+         held_.cosine(other, held_.normal(triangle)) > least_facing;
 }
 
 void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& sides) const {
@@ -81,7 +85,7 @@ void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& si
       const SeenPiece& piece = view->view.pieces[at[0].piece];
       if (piece.distance >= role.range) continue;
       IntegrationSides::Capture& capture = sides.capture(object, view->object);
-      capture.area += held_.area(t) * std::abs(held_.normal(t).dot(piece.normal));
+      capture.area += held_.area(t) * held_.cosine(t, piece.normal);
       ++capture.triangles;
     }
   }
@@ -109,13 +113,15 @@ void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::ve
       if (covered(views, t, at)) {
         for (int i = 0; i < 3; ++i) {
           const SeenPiece& piece = views[at[i].view].view.pieces[at[i].piece];
-          found[c].shares.push_back({at[i], held_.facing(mesh.triangles[t][i], t, piece.normal)});
+          found[c].shares.push_back({at[i], held_.area(t) / 3 * held_.cosine(t, piece.normal)});
         }
         continue;
       }
       close.clear();
       near(mesh.triangles[t], nullptr, close);
-      std::erase_if(close, [&](int other) { return mesh.vertex_object[mesh.triangles[other][0]] != b; });
+      std::erase_if(close, [&](int other) {
+        return mesh.vertex_object[mesh.triangles[other][0]] != b || !may_face(t, other);
+      });
       if (!close.empty()) division.divide(t, b, reach, close, found[c].samples);
     }
   });

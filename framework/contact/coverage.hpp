@@ -45,6 +45,7 @@ class Coverage {
   struct Found;
   std::array<Corner, 3> corners(const std::vector<GroupView>& views, int triangle, int object) const;
   bool covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const;
+  bool may_face(int triangle, int other) const;
   void weigh_pair(int a, int b, const NearTriangles& near, const std::vector<GroupView>& views,
                   std::vector<Found>& found) const;
 

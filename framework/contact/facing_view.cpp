@@ -9,7 +9,7 @@ namespace tack {
 namespace {
 
 const double one_piece = std::cos(50 * M_PI / 180);  // of the angle between normals within a piece
-constexpr double least_area = 0.1;     // of a point's area, towards what it faces
+constexpr double least_cosine = 0.1;   // between a triangle of the point and what it faces
 constexpr double own_front = 0.15;     // of the distance, that a point is in front of what faces it on its own object
 constexpr double same_distance = 1e-6; // relative: faces that meet in the closest point
 
@@ -42,10 +42,14 @@ bool FacingViewer::turn(const Viewpoint& from, int triangle, Vec3& normal, doubl
 }
 
 double FacingViewer::area_towards(const Viewpoint& from, const Vec3& normal) const {
-  if (from.vertex >= 0) return held_.facing(from.vertex, normal);
-  const double cosine = -held_.normal(from.triangle).dot(normal);
-  const bool two_sided = held_.topology().two_sided(mesh_.triangles[from.triangle][0]);
-  return from.whole * (two_sided ? std::abs(cosine) : std::max(0.0, cosine));
+  if (from.vertex < 0) return from.whole * std::max(0.0, held_.cosine(from.triangle, normal));
+  double area = 0, most = 0;
+  for (const int t : held_.topology().triangles_at(from.vertex)) {
+    const double cosine = held_.cosine(t, normal);
+    area += held_.area(t) / 3 * std::max(0.0, cosine);
+    most = std::max(most, cosine);
+  }
+  return most > least_cosine ? area : 0;
 }
 
 bool FacingViewer::well_in_front(const Viewpoint& from, int triangle, double height, double squared) const {
@@ -58,7 +62,7 @@ void FacingViewer::consider(const Viewpoint& from, int triangle) {
   double height;
   if (!turn(from, triangle, normal, height)) return;
   const double area = area_towards(from, normal);
-  if (!(area > least_area * from.whole)) return;
+  if (!(area > 0)) return;
   const Triangle& t = mesh_.triangles[triangle];
   const Vec3 t0 = vertex(held_.x(), t[0]), t1 = vertex(held_.x(), t[1]), t2 = vertex(held_.x(), t[2]);
   const PointTriangleType type = point_triangle_type(from.position, t0, t1, t2);

@@ -1,7 +1,6 @@
 #include "framework/contact/held_surface.hpp"
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "framework/assembly/parallel.hpp"
@@ -28,15 +27,9 @@ double HeldSurface::whole(int vertex_index) const {
   return area;
 }
 
-double HeldSurface::facing(int vertex_index, int triangle, const Vec3& n) const {
+double HeldSurface::cosine(int triangle, const Vec3& n) const {
   const double cosine = -normals_[triangle].dot(n);
-  return areas_[triangle] / 3 * (topology_.two_sided(vertex_index) ? std::abs(cosine) : std::max(0.0, cosine));
-}
-
-double HeldSurface::facing(int vertex_index, const Vec3& n) const {
-  double area = 0;
-  for (const int t : topology_.triangles_at(vertex_index)) area += facing(vertex_index, t, n);
-  return area;
+  return topology_.two_sided(mesh_.triangles[triangle][0]) ? std::abs(cosine) : cosine;
 }
 
 }  // namespace tack

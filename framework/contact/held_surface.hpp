@@ -27,9 +27,8 @@ class HeldSurface {
   double area(int triangle) const { return areas_[triangle]; }           // m^2
   const SurfaceTopology& topology() const { return topology_; }
 
-  double whole(int vertex_index) const;                           // a third of the area around it [m^2]
-  double facing(int vertex_index, const Vec3& n) const;           // w above [m^2]
-  double facing(int vertex_index, int triangle, const Vec3& n) const;  // what one of its triangles adds
+  double whole(int vertex_index) const;  // a third of the area around it [m^2]
+  double cosine(int triangle, const Vec3& n) const;  // -n_T . n, or |n_T . n| on sheets
 
  private:
   const CollisionMesh& mesh_;

@@ -126,6 +126,11 @@ class SampleSearch {
   std::vector<Triangle> triangles_;
 };
 
+// The largest distance along an axis between the boxes of two edges; below zero where they overlap [m].
+double box_gap(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
+  return (a0.cwiseMin(a1) - b0.cwiseMax(b1)).cwiseMax(b0.cwiseMin(b1) - a0.cwiseMax(a1)).maxCoeff();
+}
+
 // edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
                   const std::vector<int>& edge_pairs, const std::vector<char>& free, const VecX& x, int first,
@@ -136,8 +141,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
     const Vec3 a0 = vertex(x, a[0]), a1 = vertex(x, a[1]), b0 = vertex(x, b[0]), b1 = vertex(x, b[1]);
-    const Vec3 gap = (a0.cwiseMin(a1) - b0.cwiseMax(b1)).cwiseMax(b0.cwiseMin(b1) - a0.cwiseMax(a1));
-    if (gap.maxCoeff() >= role.range) continue;  // their boxes are too far apart already
+    if (box_gap(a0, a1, b0, b1) >= role.range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(a0, a1, b0, b1) < role.range * role.range)) continue;
     if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
     const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
@@ -196,8 +200,8 @@ void NarrowPhase::choose_edges(const Candidates& candidates) {
     if (role.law < 0) return false;
     if (object != other || pairs_.plain_sums) return true;
     const VecX& rest = surface_.rest;
-    return edge_edge_distance(vertex(rest, a[0]), vertex(rest, a[1]), vertex(rest, b[0]), vertex(rest, b[1])) >=
-           role.range * role.range;
+    const Vec3 a0 = vertex(rest, a[0]), a1 = vertex(rest, a[1]), b0 = vertex(rest, b[0]), b1 = vertex(rest, b[1]);
+    return box_gap(a0, a1, b0, b1) >= role.range || edge_edge_distance(a0, a1, b0, b1) >= role.range * role.range;
   };
   const int n = static_cast<int>(candidates.edge_edge.size());
   std::vector<char> wanted(n);

@@ -42,6 +42,15 @@ TriangleDivision::Seen TriangleDivision::look(const Vec3& inside, const std::vec
   return {true, piece.beyond <= slack_ && piece.distance < reach_, piece.beyond, piece.normal};
 }
 
+TriangleDivision::Look TriangleDivision::look_from(const Corners& points, const std::vector<int>& near) {
+  Look seen;
+  for (int i = 0; i < 3; ++i) {
+    seen.from[i] = look(points[i], near);
+    seen.covered += seen.from[i].covered;
+  }
+  return seen;
+}
+
 std::vector<int> TriangleDivision::those_near(const Corners& c, const std::vector<int>& near) const {
   Aabb box;
   for (const Vec3& inside : c) box.include(place(inside));
@@ -56,8 +65,8 @@ std::vector<int> TriangleDivision::those_near(const Corners& c, const std::vecto
 }
 
 // Whether nothing between the three corners can be covered.
-bool TriangleDivision::hopeless(const std::array<Seen, 3>& seen, double size) const {
-  return std::all_of(seen.begin(), seen.end(), [&](const Seen& s) {
+bool TriangleDivision::hopeless(const Look& seen, double size) const {
+  return std::all_of(seen.from.begin(), seen.from.end(), [&](const Seen& s) {
     return s.any ? s.beyond > 2 * size : 2 * size < reach_;
   });
 }
@@ -79,29 +88,32 @@ void TriangleDivision::examine(const Corners& c, int depth, const std::vector<in
   if (close.empty()) return;
   const double size = size_ / (1 << depth);
   if (sum) {
-    const std::array<Seen, 3> seen = {look(c[0], close), look(c[1], close), look(c[2], close)};
-    const int covered = seen[0].covered + seen[1].covered + seen[2].covered;
-    if (covered == 3 || depth == last_depth_) {
-      if (covered > 0) add(c, depth, seen, covered, *sum);
-      return;
+    const Look seen = look_from(c, close);
+    if (seen.covered == 3) return add(c, depth, seen, *sum);
+    if (seen.covered == 0 && hopeless(seen, size)) return;
+    if (depth == last_depth_) {
+      // Corners may lie on the rim itself; points inside tell what part is covered.
+      const Vec3 centre = (c[0] + c[1] + c[2]) / 3;
+      const Corners inner = {(c[0] + centre) / 2, (c[1] + centre) / 2, (c[2] + centre) / 2};
+      return add(inner, depth, look_from(inner, close), *sum);
     }
-    if (covered == 0 && hopeless(seen, size)) return;
   }
   const Vec3 m0 = (c[0] + c[1]) / 2, m1 = (c[1] + c[2]) / 2, m2 = (c[2] + c[0]) / 2;
   for (const Corners& child : {Corners{c[0], m0, m2}, Corners{m0, c[1], m1}, Corners{m2, m1, c[2]}, Corners{m1, m2, m0}})
     part(child, depth + 1, close, sum);
 }
 
-// A piece across the rim counts with the part of its corners that are covered, at their centre.
-void TriangleDivision::add(const Corners& c, int depth, const std::array<Seen, 3>& seen, int covered, Sum& sum) const {
+// The part of the points that are covered is the part of the piece that is.
+void TriangleDivision::add(const Corners& points, int depth, const Look& seen, Sum& sum) const {
+  if (seen.covered == 0) return;
   Vec3 inside = Vec3::Zero(), normal = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
-    if (!seen[i].covered) continue;
-    inside += c[i] / covered;
-    normal += seen[i].normal;
+    if (!seen.from[i].covered) continue;
+    inside += points[i] / seen.covered;
+    normal += seen.from[i].normal;
   }
-  const double cosine = std::abs(held_.normal(triangle_).dot(normal.normalized()));
-  const double area = held_.area(triangle_) / std::pow(4.0, depth) * covered / 3 * cosine;
+  const double cosine = held_.cosine(triangle_, normal.normalized());
+  const double area = held_.area(triangle_) / std::pow(4.0, depth) * seen.covered / 3 * cosine;
   sum.area += area;
   sum.inside += area * inside;
   sum.normal += area * normal;

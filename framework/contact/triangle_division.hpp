@@ -23,6 +23,10 @@ class TriangleDivision {
     double beyond = 0;
     Vec3 normal = Vec3::Zero();
   };
+  struct Look {
+    std::array<Seen, 3> from;
+    int covered = 0;
+  };
   struct Sum {
     double area = 0;
     Vec3 inside = Vec3::Zero(), normal = Vec3::Zero();
@@ -30,11 +34,12 @@ class TriangleDivision {
 
   Vec3 place(const Vec3& inside) const;
   Seen look(const Vec3& inside, const std::vector<int>& near);
+  Look look_from(const Corners& points, const std::vector<int>& near);
   std::vector<int> those_near(const Corners& c, const std::vector<int>& near) const;
-  bool hopeless(const std::array<Seen, 3>& seen, double size) const;
+  bool hopeless(const Look& seen, double size) const;
   void part(const Corners& c, int depth, const std::vector<int>& near, Sum* sum);
   void examine(const Corners& c, int depth, const std::vector<int>& near, Sum* sum);
-  void add(const Corners& c, int depth, const std::array<Seen, 3>& seen, int covered, Sum& sum) const;
+  void add(const Corners& points, int depth, const Look& seen, Sum& sum) const;
 
   const CollisionMesh& mesh_;
   const HeldSurface& held_;

@@ -222,3 +222,45 @@ TEST_CASE("contact integral: a body alone has no contact energy, however small i
     CHECK(world.contact_term->value(world.rest) == 0.0);
   }
 }
+
+namespace {
+
+// What the contact forces do along a closed way of the upper body, over the work of adhesion of the overlap: each
+// part of the way is a step of its own, which takes areas and orientations anew.
+double work_on_closed_way(const Box& upper, const Box& lower, const std::string& pair, double overlap) {
+  TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
+                  contact("between: [upper, lower]" + pair + sticks));
+  World& world = *scene.world;
+  const auto at = [&](const Vec3& moved) {
+    VecX x = world.rest;
+    for (int v = 0; v < world.bodies[0].vertex_count; ++v) vertex(x, v) += moved;
+    return x;
+  };
+  const auto energy_at = [&](const VecX& x) {
+    world.contact->move_to(x);
+    return world.contact_term->value(x);
+  };
+  // Down at 45 degrees, along, and up straight, back above.
+  const std::vector<Vec3> corners = {{-4e-3, 2e-3, -1e-3}, {-2e-3, 0, 0}, {2e-3, 0, 1e-3}, {2e-3, 2e-3, 1e-3}, {-4e-3, 2e-3, -1e-3}};
+  double work = 0;
+  for (size_t k = 0; k + 1 < corners.size(); ++k)
+    for (int i = 0; i < 40; ++i) {
+      const VecX from = at(corners[k] + (corners[k + 1] - corners[k]) * (i / 40.0));
+      const VecX to = at(corners[k] + (corners[k + 1] - corners[k]) * ((i + 1) / 40.0));
+      world.contact->begin_step(from);
+      work -= energy_at(to) - energy_at(from);
+    }
+  return work / (world.adhesion.front().effective * overlap);
+}
+
+}  // namespace
+
+TEST_CASE("contact integral: nothing is gained on a closed way", "[contact]") {
+  for (const double cell : {5e-3, 1.25e-3}) {
+    const int n = static_cast<int>(std::round(0.04 / cell));
+    const Box cube{{0.01, 0.01, 0.01}, {4, 4, 4}, {-0.005, 1.2e-3, -0.005}};
+    const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02 + 0.3 * cell, -0.01, -0.02 + 0.4 * cell}};
+    INFO("ground cells " << cell);
+    CHECK(std::abs(work_on_closed_way(cube, ground, "", 1e-4)) < 1e-3);
+  }
+}
