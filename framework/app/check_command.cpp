@@ -9,6 +9,7 @@
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/derivative_check.hpp"
 #include "framework/scene/load_scene.hpp"
+#include "framework/scene/resolution.hpp"
 
 namespace tack {
 namespace {
@@ -44,6 +45,7 @@ int check_command(const SceneOptions& options) {
   const auto world = build_world(scene.config, scene.root, clock);
   prepare_probes(scene, *world);
   print_contents(*world);
+  for (const std::string& line : resolution_warnings(scene.config, *world)) fmt::print("warning: {}\n", line);
   const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;

@@ -18,6 +18,7 @@
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
 #include "framework/scene/build_world.hpp"
+#include "framework/scene/resolution.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
 
@@ -83,6 +84,7 @@ class Run {
                                   world_->bodies.size(), world_->rest.size() / 3, summary_.dofs,
                                   summary_.threads));
     warn_of_weak_wells(*world_, progress_);
+    for (const std::string& line : resolution_warnings(scene_.config, *world_)) progress_.warning(line);
     std::optional<double> resumed_at;
     if (checkpoint_) resumed_at = checkpoint_->state.time;
     Recorder recorder(scene_, *world_, folder_, columns_, clock_, resumed_at);

@@ -1,0 +1,157 @@
+#include "framework/scene/resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+namespace {
+
+// Means over the surface of one object.
+struct SurfaceMeasure {
+  double size = 0;       // of an element, the root of twice its area [m]
+  double gap_change = 0; // h theta / 2 over the smooth edges [m]
+  double thickness = 0;  // 2 V / A [m]; 0 for sheets
+};
+
+// Unit normals of the two triangles at each edge of the mesh that has two.
+std::vector<std::array<Vec3, 2>> edge_normals(const CollisionMesh& mesh, const VecX& x) {
+  std::vector<std::array<Vec3, 2>> normals(mesh.edges.size(), {Vec3::Zero(), Vec3::Zero()});
+  std::map<Edge, size_t> number;
+  for (size_t e = 0; e < mesh.edges.size(); ++e) number.emplace(mesh.edges[e], e);
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = vertex(x, t[0]);
+    const Vec3 n = Vec3(vertex(x, t[1]) - a).cross(Vec3(vertex(x, t[2]) - a)).normalized();
+    for (int i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
+      auto& both = normals[number.at({low, high})];
+      (both[0].isZero() ? both[0] : both[1]) = n;
+    }
+  }
+  return normals;
+}
+
+std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t objects) {
+  const CollisionMesh& mesh = surface.mesh;
+  const VecX& x = surface.rest;
+  std::vector<SurfaceMeasure> all(objects);
+  std::vector<int> triangles(objects, 0), smooth(objects, 0);
+  const auto normals = edge_normals(mesh, x);
+  for (size_t e = 0; e < mesh.edges.size(); ++e) {
+    const int object = mesh.vertex_object[mesh.edges[e][0]];
+    const double length = (vertex(x, mesh.edges[e][0]) - vertex(x, mesh.edges[e][1])).norm();
+    const double angle = std::acos(std::clamp(normals[e][0].dot(normals[e][1]), -1.0, 1.0));
+    if (normals[e][1].isZero() || angle > M_PI / 4.5) continue;  // a boundary or a crease
+    all[object].gap_change += length * angle / 2;
+    ++smooth[object];
+  }
+  std::vector<double> volume(objects, 0), area(objects, 0);
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = vertex(x, t[0]), b = vertex(x, t[1]), c = vertex(x, t[2]);
+    const Vec3 twice = (b - a).cross(c - a);
+    volume[mesh.vertex_object[t[0]]] += a.dot(twice) / 6;
+    area[mesh.vertex_object[t[0]]] += twice.norm() / 2;
+    ++triangles[mesh.vertex_object[t[0]]];
+  }
+  for (size_t i = 0; i < objects; ++i) {
+    all[i].size = std::sqrt(2 * area[i] / std::max(triangles[i], 1));
+    all[i].gap_change /= std::max(smooth[i], 1);
+    if (surface.closed[i] && area[i] > 0) all[i].thickness = 2 * volume[i] / area[i];
+  }
+  return all;
+}
+
+double young_of(const ObjectConfig& object) {
+  for (const auto& energy : object.energies)
+    if (const auto young = energy->young()) return *young;
+  return 0;
+}
+
+class Warnings {
+ public:
+  Warnings(const SceneConfig& scene, World& world)
+      : scene_(scene), world_(world), measures_(measure(world.contact->surface(), world.bodies.size())) {}
+
+  std::vector<std::string> take() {
+    for (const AdhesionSummary& adhesion : world_.adhesion) interface(adhesion);
+    for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
+    start();
+    return std::move(lines_);
+  }
+
+ private:
+  void interface(const AdhesionSummary& adhesion) {
+    const int a = world_.body_index(adhesion.between[0]), b = world_.body_index(adhesion.between[1]);
+    double young = 0;
+    for (const int i : {a, b})
+      if (const double own = young_of(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
+    const double zone = young * adhesion.work_of_adhesion / (adhesion.peak_traction * adhesion.peak_traction);
+    const double range = world_.contact->pairs().point(a, b).range;
+    for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
+      const SurfaceMeasure& m = measures_[i];
+      const std::string& name = world_.bodies[i].name;
+      if (young_of(scene_.objects[i]) > 0 && m.size > (1 + 1e-6) * zone)
+        lines_.push_back(fmt::format(
+            "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
+            "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
+            name, m.size, adhesion.between[0], adhesion.between[1], zone, name));
+      if (m.gap_change > range / 4)
+        lines_.push_back(fmt::format(
+            "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
+            "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
+            name, adhesion.between[0], adhesion.between[1], m.size, m.gap_change, range, name));
+    }
+  }
+
+  void body(int i) {
+    const double range = world_.contact->pairs().point(i, i).range, distance = scene_.contact->distance;
+    const SurfaceMeasure& m = measures_[i];
+    const std::string& name = world_.bodies[i].name;
+    if (!world_.bodies[i].movable) return;
+    if (distance > m.size)
+      lines_.push_back(fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
+                                   "to a half of them or less",
+                                   distance, name, m.size));
+    if (m.thickness > 0 && range > m.thickness)
+      lines_.push_back(fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
+                                   "({:.3g} m); lower the range, or name the pair with contact: false",
+                                   name, range, m.thickness));
+  }
+
+  // Forces of bodies on themselves.
+  void start() {
+    world_.contact->begin_step(world_.start.x);
+    world_.contact->move_to(world_.start.x);
+    for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i) {
+      const VecX force = world_.contact_term->forces(world_.start.x, LawPart::all, ObjectPair{i, i});
+      Eigen::Index at = 0;
+      const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
+      if (!(largest > 0)) continue;
+      lines_.push_back(fmt::format(
+          "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
+          "lower contact.distance or the range of its adhesion below the gaps between its parts",
+          world_.bodies[i].name, largest, static_cast<int>(at / 3) - world_.bodies[i].first_vertex));
+    }
+  }
+
+  const SceneConfig& scene_;
+  World& world_;
+  std::vector<SurfaceMeasure> measures_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> resolution_warnings(const SceneConfig& scene, World& world) {
+  if (!world.contact) return {};
+  return Warnings(scene, world).take();
+}
+
+}  // namespace tack

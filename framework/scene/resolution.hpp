@@ -1,0 +1,23 @@
+// What the meshes of a scene are too coarse, or its ranges too long for: sentences with the objects, the sizes
+// and a remedy. Nothing of it is an error: the run goes on.
+//  * An adhesive interface lets go over a process zone of about E W / sigma^2 (W: work of adhesion, sigma: peak
+//    traction, E: the softer Young's modulus; Hillerborg et al. 1976). Elements that are larger let go at once,
+//    too late.
+//  * Across one element of a curved surface, whose faces turn by an angle theta from one to the next, the gap
+//    changes by about h theta / 2 (h: edge). It should be small against the range.
+//  * A contact distance above the elements, or a range above the thickness of a body, reaches its other parts.
+//  * A body alone should have no contact forces at the start.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tack {
+
+struct SceneConfig;
+struct World;
+
+// The contact system is left at the start.
+std::vector<std::string> resolution_warnings(const SceneConfig& scene, World& world);
+
+}  // namespace tack
