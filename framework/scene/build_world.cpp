@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/scene/contact_support.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -149,7 +150,9 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
       throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
-    add_body(object, placed_mesh(object), *world);
+    const Mesh mesh = placed_mesh(object);
+    if (scene.contact) refuse_unsupported_contact(mesh, object.name);
+    add_body(object, mesh, *world);
   });
   world->mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
