@@ -59,6 +59,8 @@ const std::vector<Mistake> mistakes = {
      {"scene.yaml:16:7: no object is named 'blok'; did you mean 'block'?"}},
     {"unknown column", "{probe: height,", "{probe: heigth,",
      {"scene.yaml:22:5: ", "unknown column 'heigth'; did you mean 'height'?"}},
+    {"expectation of another kind", "at_least: 0.09", "at_least: 90 mN",
+     {"scene.yaml:22:5: expectation 'height: min': at_least: expects a length (m), got '90 mN', which is a force"}},
     {"unknown group", "motion: [fixed]", "motion: [{type: fixed, select: {type: tag, name: wall}}]",
      {"scene.yaml:5:5: ", "object 'floor' has no group 'wall'"}},
     {"tangential adhesion alone", "adhesion: {type: fang, critical_strain: 0.001}", "tangential_adhesion: {mu: 1}",
