@@ -7,6 +7,7 @@
 
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/contact_support.hpp"
+#include "framework/scene/named_selections.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -172,6 +173,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     if (scene.contact) refuse_unsupported_contact(mesh, object.name);
     add_body(object, mesh, *world);
   });
+  add_named_selections(scene, root, *world);
   world->mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });

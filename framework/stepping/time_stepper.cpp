@@ -141,7 +141,7 @@ ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
   if (!walk_)
     walk_.emplace(world_, *scene_.solver, clock_,
                   [this](const VecX& x, const VecX& p) { return largest_step(x, p); });
-  return walk_->run(state_.x, places, prediction);
+  return walk_->run(state_.x, places, prediction, walk_observer_);
 }
 
 double TimeStepper::next_step_size() const {
