@@ -24,10 +24,10 @@ struct Filtered {
     stencil.vertices = {0, 1, 2, 3};
     stencil.weight = 0.7;
     Vec12 gradient;
-    const double gap = std::sqrt(stencil_distance<DerivativeKernels>(Kind{}, x, stencil.vertices).value);
+    const double gap = std::sqrt(stencil_distance<DerivativeKernels>(Kind{}, x, stencil).value);
     StencilEnergy<Kind>::derivatives(x, stencil, law, gap, 0, gradient, exact);
     fast = exact;
-    filter_stencil<Kind>(x, stencil.vertices, 0, fast, filter);
+    filter_hessian<Kind>(x, stencil, 0, fast, filter);
     whole = projected(exact, filter);
   }
 };
