@@ -114,6 +114,10 @@ class Run {
     scene_.config.solver = bind_component<Minimizer>(to_value(scene_.config.solver.get()));
     stepper_.emplace(*world_, scene_.config, clock_,
                      [this](const std::string& line) { progress_.warning(line); });
+    const auto tell = [this](int iteration, double residual, double, double) {
+      progress_.iteration(stepper_->state().step + 1, stepper_->state().time, iteration, residual);
+    };
+    stepper_->observe(tell, tell);
   }
 
   void simulate(Recorder& recorder) {

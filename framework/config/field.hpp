@@ -23,6 +23,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "framework/config/quantity.hpp"
 #include "framework/config/registry.hpp"
 #include "framework/config/schedule.hpp"
 #include "framework/config/shape.hpp"
@@ -76,6 +77,8 @@ class Fields {
   Field& number(std::string key, double& target, Unit unit, std::string doc);
   Field& optional_number(std::string key, std::optional<double>& target, Unit unit,
                          std::string doc);
+  // In SI whatever its unit, which is kept to be checked once the dimension is known (Quantity::check).
+  Field& optional_quantity(std::string key, std::optional<Quantity>& target, std::string doc);
   Field& integer(std::string key, int& target, std::string doc);
   Field& optional_integer(std::string key, std::optional<int>& target, std::string doc);
   Field& flag(std::string key, bool& target, std::string doc);

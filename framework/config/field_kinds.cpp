@@ -92,6 +92,16 @@ Field& Fields::optional_number(std::string key, std::optional<double>& target, U
              write);
 }
 
+Field& Fields::optional_quantity(std::string key, std::optional<Quantity>& target, std::string doc) {
+  const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
+    if (v.is_null()) return target.reset();
+    double number = 0;
+    if (reader.number(v, field, number)) target = Quantity{number, v.text};
+  };
+  const auto write = [&target] { return target ? Value::number(target->si) : Value(); };
+  return add(std::move(key), std::move(doc), nullable(simple_shape(Form::number, units::any)), read, write);
+}
+
 Field& Fields::integer(std::string key, int& target, std::string doc) {
   const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
     reader.integer(v, field, target);

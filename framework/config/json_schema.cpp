@@ -184,7 +184,7 @@ std::string json_schema(const Fields& root, const std::string& title) {
   schema["title"] = title;
   const json text{{"type", "string"}};
   const json texts{{"type", "array"}, {"items", text}};
-  schema["properties"]["include"] = {{"description", "Files merged under this one."},
+  schema["properties"]["include"] = {{"description", "Files merged under this one, lists of named entries by name."},
                                      {"anyOf", json::array({text, texts})}};
   if (schema.contains("required")) {  // an included file may give what is required
     json given{{"required", schema["required"]}};

@@ -28,12 +28,6 @@ std::optional<std::string> read_text(const fs::path& path) {
   return text.str();
 }
 
-bool different_types(const Value& a, const Value& b) {
-  const Value* type_a = a.find("type");
-  const Value* type_b = b.find("type");
-  return type_a && type_b && type_a->text != type_b->text;
-}
-
 std::vector<Value> included_files(const Value& include) {
   const std::vector<Value> files =
       include.is_sequence() ? include.items : std::vector<Value>{include};
@@ -85,21 +79,6 @@ Value expand_includes(Value root, Chain& chain) {
 }
 
 }  // namespace
-
-void merge(Value& base, Value over) {
-  if (!base.is_map() || !over.is_map() || different_types(base, over)) {
-    base = std::move(over);
-    return;
-  }
-  base.mark = over.mark;
-  for (Value::Entry& e : over.entries) {
-    if (Value* present = base.find(e.key)) {
-      merge(*present, std::move(e.value));
-    } else {
-      base.entries.push_back(std::move(e));
-    }
-  }
-}
 
 Value parse_file(const std::string& path) {
   const auto text = read_text(path);

@@ -1,14 +1,12 @@
 // Scene files to Value trees: includes, command-line overrides, relative paths.
 //
 // `include: other.yaml`, or a list of files, at the top level of a file merges those files under
-// it, later ones over earlier ones, the including file over all: maps are merged key by key,
-// everything else is replaced. Two maps that name different `type`s are different things and are
-// replaced too. All errors are InputErrors that open with file:line:column.
+// it, later ones over earlier ones, the including file over all, as merge.hpp says. All errors are InputErrors that open with file:line:column.
 #pragma once
 
 #include <string>
 
-#include "framework/config/value.hpp"
+#include "framework/config/merge.hpp"
 
 namespace tack {
 
@@ -16,9 +14,6 @@ Value parse_file(const std::string& path);
 
 // `name` stands for the file: in messages, and as what includes and relative paths are relative to.
 Value parse_string(const std::string& text, const std::string& name);
-
-// Lays `over` over `base`, as an including file over the one it includes.
-void merge(Value& base, Value over);
 
 // Applies `--set a.b=c`: the value, parsed as YAML, replaces the one at the dotted path. A segment
 // indexes a list by number or by the `name` of its entries (`objects.plate.shape.size`); keys that

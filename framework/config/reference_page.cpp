@@ -68,8 +68,9 @@ std::string reference_page(const Fields& root, const std::string& title) {
   std::string out = fmt::format(
       "# {}\n\nNumbers may carry a unit (`5 MPa`, `0.1 mm`, `30 deg`); without one they are in the "
       "SI "
-      "unit shown.\n`include: FILE` or a list of files merges other files under this one. A "
-      "component "
+      "unit shown.\n`include: FILE` or a list of files merges other files under this one: maps "
+      "key by key, lists of\nentries with a `name` (or of pairs, `between`) entry by entry, where `remove: true` takes "
+      "out the entry of that name and\n`replace: true` puts this one in its place; other lists are replaced. A component "
       "is chosen by `type`; its\nbare name is short for a map with only `type`.\n\n{}",
       title, parameter_table(root));
   for (const Kind* kind : registered_kinds()) write_kind(*kind, out);

@@ -120,23 +120,34 @@ bool only_exponents(std::string_view unit) {
   throw InputError(fmt::format("expects {}, got '{}'{}", with_article(unit_noun(unit)), text, why));
 }
 
+std::string_view trimmed(std::string_view s) {
+  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.front()))) s.remove_prefix(1);
+  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.back()))) s.remove_suffix(1);
+  return s;
+}
+
+// The SI unit of the same dimension: the definition in base units without its factor.
+UnitPtr coherent(ut_unit* unit) {
+  std::array<char, 256> definition{};
+  if (ut_format(unit, definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION) < 0) return nullptr;
+  double factor = 1;
+  const char* end = definition.data() + definition.size();
+  const auto [rest, status] = std::from_chars(definition.data(), end, factor);
+  const std::string_view base = status == std::errc() ? trimmed(rest) : definition.data();
+  return parse_unit(base.empty() ? "1" : base);
+}
+
 double convert(double number, std::string_view unit_text, std::string_view text, const Unit& unit) {
   const std::scoped_lock lock(units_mutex());
   const UnitPtr from = only_exponents(unit_text) ? parse_unit(unit_text) : nullptr;
   if (!from) fail(text, unit, fmt::format("; '{}' is no known unit", unit_text));
-  const UnitPtr to = parse_unit(unit.si);
-  if (!same_dimension(from.get(), to.get())) {
+  const UnitPtr to = unit.si.empty() ? coherent(from.get()) : parse_unit(unit.si);
+  if (!to || !same_dimension(from.get(), to.get())) {
     fail(text, unit, ", which is " + with_article(dimension_name(from.get())));
   }
   const ConverterPtr converter(ut_get_converter(from.get(), to.get()));
   if (!converter) fail(text, unit, fmt::format("; '{}' cannot be converted", unit_text));
   return cv_convert_double(converter.get(), number);
-}
-
-std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.front()))) s.remove_prefix(1);
-  while (!s.empty() && std::isspace(static_cast<unsigned char>(s.back()))) s.remove_suffix(1);
-  return s;
 }
 
 }  // namespace
@@ -157,12 +168,17 @@ double to_si(std::string_view text, const Unit& unit) {
   return si;
 }
 
+std::string product_unit(const Unit& a, const Unit& b) {
+  if (a.plain()) return std::string(b.si);
+  return b.plain() ? std::string(a.si) : fmt::format("({}) ({})", a.si, b.si);
+}
+
 std::string unit_noun(const Unit& unit) {
-  return unit.plain() ? std::string(unit.quantity) : fmt::format("{} ({})", unit.quantity, unit.si);
+  return unit.plain() || unit.si.empty() ? std::string(unit.quantity) : fmt::format("{} ({})", unit.quantity, unit.si);
 }
 
 std::string unit_noun_plural(const Unit& unit) {
-  return unit.plain() ? plural(unit.quantity)
+  return unit.plain() || unit.si.empty() ? plural(unit.quantity)
                       : fmt::format("{} ({})", plural(unit.quantity), unit.si);
 }
 

@@ -40,6 +40,8 @@ inline constexpr Unit energy{"J", "energy"};
 inline constexpr Unit moment{"N m", "moment"};
 inline constexpr Unit viscosity{"Pa s", "viscosity"};
 inline constexpr Unit power{"W", "power"};
+// Of a number whose dimension is only known later, and then checked: any unit, to the SI unit of its dimension.
+inline constexpr Unit any{"", "number with its unit"};
 
 }  // namespace units
 
@@ -47,6 +49,9 @@ inline constexpr Unit power{"W", "power"};
 // unit is unknown or its dimension is wrong: "expects a pressure (Pa), got '5 mm', which is a
 // length". Safe to call from several threads.
 double to_si(std::string_view text, const Unit& unit);
+
+// Of a product, as its SI unit: "N m", of a number with another unit that one.
+std::string product_unit(const Unit& a, const Unit& b);
 
 std::string unit_noun(const Unit& unit);         // "pressure (Pa)"
 std::string unit_noun_plural(const Unit& unit);  // "pressures (Pa)"

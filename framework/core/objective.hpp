@@ -19,7 +19,7 @@ class Objective {
   virtual int size() const = 0;
 
   virtual void move_to(const VecX& q) = 0;  // makes q the current point
-  virtual double value() = 0;               // [J s^2 / s^2 = kg m^2]: the incremental potential
+  virtual double value() = 0;               // the incremental potential [J s^2 = kg m^2; quasi-static: J]
   // A bound on the rounding error of value(), to tell descent from noise.
   virtual double value_noise() const = 0;
   virtual const VecX& gradient() = 0;

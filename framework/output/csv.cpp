@@ -104,9 +104,9 @@ CsvTable read_csv(const fs::path& path) {
   throw InputError(fmt::format("{}: has no header line", path.string()));
 }
 
-CsvTable rows_until(CsvTable table, double last_time) {
+CsvTable rows_until(CsvTable table, double last_time, const std::string& name) {
   const auto time = table.column("time");
-  if (!time) throw InputError("a table without a column 'time' cannot be continued; start anew");
+  if (!time) throw InputError(name + ": a table without a column 'time' cannot be continued; start anew");
   std::erase_if(table.rows, [&](const auto& row) { return !(row[*time] <= last_time); });
   return table;
 }

@@ -24,8 +24,9 @@ struct CsvTable {
 // naming file and line for anything that is no such table.
 CsvTable read_csv(const std::filesystem::path& path);
 
-// The rows whose column "time" is not above `last_time` [s]. Throws InputError without that column.
-CsvTable rows_until(CsvTable table, double last_time);
+// The rows whose column "time" is not above `last_time` [s]. Throws InputError without that
+// column; `name` is what messages call the table.
+CsvTable rows_until(CsvTable table, double last_time, const std::string& name);
 
 // A table that grows by one row at a time and is complete on disk after each. Throws InputError
 // naming the path when it cannot be written or two columns have one name.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -66,15 +67,16 @@ std::vector<Choice<Statistic>> statistics() {
 // The query with everything that is kept apart from it while it is bound.
 StatisticQuery query_of(const Expectation& e) {
   StatisticQuery query = e.query;
-  query.where = e.where.value_or(0);
+  if (e.where) query.where = *e.where;
   return query;
 }
 
 void set_interval(ExpectationResult& result, const Expectation& e) {
-  result.target = e.target.value_or(nan);
+  const auto bound = [](const std::optional<Quantity>& q, double open) { return q ? q->si : open; };
+  result.target = bound(e.target, nan);
   result.tolerance = e.target ? tolerance_of(e.within, *e.target) : nan;
-  result.at_least = e.target ? *e.target - result.tolerance : e.at_least.value_or(-infinity);
-  result.at_most = e.target ? *e.target + result.tolerance : e.at_most.value_or(infinity);
+  result.at_least = e.target ? *e.target - result.tolerance : bound(e.at_least, -infinity);
+  result.at_most = e.target ? *e.target + result.tolerance : bound(e.at_most, infinity);
 }
 
 std::string criterion_text(const ExpectationResult& r) {
@@ -100,11 +102,12 @@ void Expectation::fields(Fields& f) {
   f.choice("statistic", query.statistic, statistics(), "the number that is compared").required();
   f.numbers("over", query.over, units::time, "first and last time that count; empty for all");
   f.text("along", query.along, "column to integrate over, or in which to find `where`");
-  f.optional_number("where", where, units::none, "value of the column `along`, in SI, for 'at'");
-  f.optional_number("target", target, units::none, "expected value, in the SI unit of the probe");
-  f.raw("within", within, "tolerance of the target: a number in SI, or a percentage of the target");
-  f.optional_number("at_least", at_least, units::none, "smallest value accepted, in SI");
-  f.optional_number("at_most", at_most, units::none, "largest value accepted, in SI");
+  f.optional_quantity("where", where, "value of the column `along`, for 'at', in a unit of that column's kind");
+  f.optional_quantity("target", target,
+                      "expected value, in a unit of the probe's kind; for 'integral', of probe times `along`");
+  f.raw("within", within, "tolerance of the target: a number of the same kind, or a percentage of the target");
+  f.optional_quantity("at_least", at_least, "smallest value accepted, in a unit of the target's kind");
+  f.optional_quantity("at_most", at_most, "largest value accepted, in a unit of the target's kind");
   f.check("over", [this] { return check_window(query.over); });
   f.check("along", [this] { return check_along(*this); });
   f.check("where", [this] { return check_abscissa(*this); });
@@ -120,7 +123,7 @@ double tolerance_of(const Value& within, double target) {
   if (!within.is_scalar()) {
     throw InputError("expects a number or a percentage, got " + within.description());
   }
-  const double number = to_si(within.text, units::none);
+  const double number = to_si(within.text, units::any);
   if (number < 0) throw InputError(fmt::format("'{}' must not be negative", within.text));
   if (within.text.find('%') == std::string::npos) return number;
   if (target != 0) return number * std::abs(target);
@@ -132,6 +135,36 @@ double tolerance_of(const Value& within, double target) {
 
 void check_columns(const Expectation& expectation, const std::vector<std::string>& columns) {
   evaluate(expectation, ProbeSeries{columns, {}});
+}
+
+namespace {
+
+// The unit of a column; a plain number if there is no such column.
+Unit unit_of(const std::string& column, const std::vector<std::string>& columns, const std::vector<Unit>& units) {
+  const auto at = std::find(columns.begin(), columns.end(), column);
+  return at == columns.end() ? units::none : units[static_cast<std::size_t>(at - columns.begin())];
+}
+
+}  // namespace
+
+void check_units(const Expectation& e, const std::vector<std::string>& columns, const std::vector<Unit>& units) {
+  Unit unit = unit_of(e.query.probe, columns, units);
+  const Unit along = unit_of(e.query.along, columns, units);
+  const std::string product = product_unit(unit, along);
+  if (e.query.statistic == Statistic::integral) unit = {product, "integral"};
+  const auto check = [&](const char* key, const auto& test) {
+    try {
+      test();
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("expectation '{}': {}: {}", name_of(e), key, error.what()));
+    }
+  };
+  check("target", [&] { if (e.target) e.target->check(unit); });
+  check("at_least", [&] { if (e.at_least) e.at_least->check(unit); });
+  check("at_most", [&] { if (e.at_most) e.at_most->check(unit); });
+  check("where", [&] { if (e.where) e.where->check(along); });
+  const bool absolute = e.within.is_scalar() && e.within.text.find('%') == std::string::npos;
+  check("within", [&] { if (absolute) to_si(e.within.text, unit); });
 }
 
 ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series) {

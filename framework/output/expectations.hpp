@@ -4,8 +4,8 @@
 //     - {probe: gap, statistic: min, at_least: 0}
 //     - {probe: force, statistic: integral, along: gap, target: 0.02, within: 0.001}
 //     - {probe: force, statistic: at, along: gap, where: 0.001, at_least: 1, at_most: 2}
-// Numbers are in the SI unit of the probe. Either a target with its tolerance, or bounds; both
-// bounds and tolerance include their ends.
+// Numbers may carry a unit of the probe's kind (`target: 12 mN`), of the product of both for an integral; plain
+// ones are SI. Either a target with its tolerance, or bounds; both bounds and tolerance include their ends.
 #pragma once
 
 #include <optional>
@@ -20,11 +20,11 @@ namespace tack {
 struct Expectation {
   std::string name;  // empty: made from the rest
   StatisticQuery query;
-  std::optional<double> target;
+  std::optional<Quantity> target;
   Value within;  // as written: "5%" or a number
-  std::optional<double> where;
-  std::optional<double> at_least;
-  std::optional<double> at_most;
+  std::optional<Quantity> where;
+  std::optional<Quantity> at_least;
+  std::optional<Quantity> at_most;
 
   void fields(Fields& f);
 };
@@ -48,6 +48,11 @@ double tolerance_of(const Value& within, double target);
 
 // Throws InputError, naming the expectation and the nearest column, for a column that is not there.
 void check_columns(const Expectation& expectation, const std::vector<std::string>& columns);
+
+// Throws InputError, naming the expectation and the key, for a number whose unit is not of the kind of its
+// column, or of the product of both for an integral. `units`: of each of `columns`.
+void check_units(const Expectation& expectation, const std::vector<std::string>& columns,
+                 const std::vector<Unit>& units);
 
 // Never passes without a finite number to compare. Throws as check_columns does.
 ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series);

@@ -22,6 +22,8 @@ class Probe : public Component {
   // Checks the probe against the world and finds its vertices; throws InputError.
   virtual void prepare(const World& world) = 0;
   virtual std::vector<std::string> columns() const { return {name_}; }
+  // Of every column: what numbers that are compared with it may be written in. Asked after prepare().
+  virtual Unit unit() const = 0;
   // One value per column, at an accepted state.
   virtual std::vector<double> sample(const World& world, const State& state) = 0;
 

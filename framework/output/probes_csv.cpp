@@ -24,7 +24,7 @@ ProbesCsv::ProbesCsv(std::filesystem::path path, const std::vector<std::string>&
 ProbesCsv ProbesCsv::continued(std::filesystem::path path, const std::vector<std::string>& columns,
                                double last_time) {
   if (!std::filesystem::exists(path)) return ProbesCsv(std::move(path), columns);
-  ProbeSeries before = rows_until(read_csv(path), last_time);
+  ProbeSeries before = rows_until(read_csv(path), last_time, path.string());
   const ProbeSeries expected = empty_series(columns);
   if (before.columns == expected.columns) return ProbesCsv(std::move(path), std::move(before));
   throw InputError(

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double live_interval = 0.1;  // s
 constexpr int plain_lines = 20;        // in a run
+constexpr double silence = 5;          // s, before an iteration is told
 
 double steady_seconds() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -43,7 +44,7 @@ int terminal_width(int descriptor) {
 Progress::Progress(std::ostream& out, std::ostream* log, ProgressOptions options)
     : out_(out), log_(log), options_(std::move(options)) {
   if (!options_.clock) options_.clock = steady_seconds;
-  begun_ = options_.clock();
+  begun_ = told_ = options_.clock();
 }
 
 Progress::~Progress() { finish(); }
@@ -90,6 +91,17 @@ void Progress::step(const StepReport& report) {
   print(line);
 }
 
+void Progress::iteration(int step, double time, int iteration, double residual) {
+  const double now = options_.clock();
+  if (now - told_ < silence) return;
+  const std::string line = fmt::format("step {}  t {:.6g} s ({:.0f}%)  iteration {}  residual {:.3g}", step, time,
+                                       std::floor(100 * fraction(time) + 1e-9), iteration, residual);
+  log(line);
+  if (options_.verbosity == Verbosity::quiet) return;
+  if (options_.live_width > 0 && options_.verbosity == Verbosity::normal) return show_live(line, now);
+  print(line);
+}
+
 // The cursor stays on the line; what is too long would wrap and could not be erased.
 void Progress::show_live(const std::string& line, double now) {
   if (shown_ >= 0 && now - shown_ < live_interval) return;
@@ -111,6 +123,7 @@ void Progress::print(std::string_view text) {
 }
 
 void Progress::log(std::string_view text) {
+  told_ = options_.clock();
   if (log_) *log_ << text << '\n' << std::flush;
 }
 

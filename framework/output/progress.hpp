@@ -1,7 +1,8 @@
 // What a run tells while it runs. On a terminal that can be rewritten, one live line
 //   step 120  t 1.2 s (40%)  4 iterations  310 contacts  gap 0.0001 m  2m05s left
 // at most ten times a second; elsewhere such lines one below the other, every twentieth of the run.
-// All of it, and every step, also goes to the log. Not for several threads at once.
+// A step that takes long tells an iteration every five seconds. All of it, and every step, also goes to the log.
+// Not for several threads at once.
 #pragma once
 
 #include <functional>
@@ -39,6 +40,9 @@ class Progress {
   // The run goes from `start` to `end` [s]; the time that is left is reckoned from here on.
   void begin(double start, double end);
   void step(const StepReport& report);
+  // An iteration of the step that is under way, which shows it as far as nothing was told for a while. `residual`:
+  // in tolerances.
+  void iteration(int step, double time, int iteration, double residual);
 
   void message(std::string_view text);
   void detail(std::string_view text);  // on the terminal only if verbose
@@ -61,6 +65,7 @@ class Progress {
   ProgressOptions options_;
   double start_ = 0, end_ = 0;  // s, simulated
   double begun_ = 0;            // s, on the clock
+  double told_ = 0;             // s, when anything was last told
   double shown_ = -1;           // s, when the live line was last written; negative: never
   int printed_ = 0;             // twentieths of the run already told in plain lines
   bool live_ = false;           // a live line stands on the terminal

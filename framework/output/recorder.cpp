@@ -34,6 +34,7 @@ FrameGeometry frame_geometry(const World& world) {
 
 std::vector<std::string> prepare_probes(const LoadedScene& scene, const World& world) {
   std::vector<std::string> columns;
+  std::vector<Unit> units = {units::time};
   for (size_t i = 0; i < scene.config.probes.size(); ++i) {
     try {
       scene.config.probes[i]->prepare(world);
@@ -42,12 +43,14 @@ std::vector<std::string> prepare_probes(const LoadedScene& scene, const World& w
     }
     const auto more = scene.config.probes[i]->columns();
     columns.insert(columns.end(), more.begin(), more.end());
+    units.resize(units.size() + more.size(), scene.config.probes[i]->unit());
   }
   auto with_time = columns;
   with_time.insert(with_time.begin(), "time");
   for (size_t i = 0; i < scene.config.expect.size(); ++i) {
     try {
       check_columns(scene.config.expect[i], with_time);
+      check_units(scene.config.expect[i], with_time, units);
     } catch (const InputError& error) {
       throw InputError(place_of(scene.root, "expect", i) + error.what());
     }

@@ -57,7 +57,7 @@ std::vector<double> row_of(const StepReport& r) {
 StepsCsv StepsCsv::continued(std::filesystem::path path, double last_time) {
   StepsCsv steps(std::move(path));
   if (std::filesystem::exists(steps.path_)) {
-    steps.before_ = rows_until(read_csv(steps.path_), last_time);
+    steps.before_ = rows_until(read_csv(steps.path_), last_time, steps.path_.string());
   }
   return steps;
 }

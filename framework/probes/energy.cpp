@@ -23,6 +23,7 @@ class EnergyProbe : public Probe {
       throw InputError(fmt::format("probe '{}': no energy term is named '{}'{}", name_, term_,
                                    suggestion(term_, names, "terms")));
   }
+  Unit unit() const override { return units::energy; }
   std::vector<double> sample(const World& world, const State& state) override {
     double sum = 0;
     for (const auto& [name, value] : energies_by_term(world, state))

@@ -41,6 +41,7 @@ class Reaction : public VectorProbe {
     VectorProbe::fields(f);
     set_.fields(f);
   }
+  Unit unit() const override { return units::force; }
   void prepare(const World& world) override {
     set_.prepare(world, name_);
     for (const int v : set_.vertices())

@@ -16,6 +16,7 @@ class PairForce : public VectorProbe {
     f.text("on", on_, "the object that the force acts on").required();
     f.text("from", from_, "the object that exerts it; without it, all others together");
   }
+  Unit unit() const override { return units::force; }
   void prepare(const World& world) override {
     a_ = object_index(world, on_, name_);
     b_ = from_.empty() ? -1 : object_index(world, from_, name_);

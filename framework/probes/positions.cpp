@@ -17,6 +17,7 @@ class CentreOfMass : public VectorProbe {
     f.text("object", object_, "name of the object").required();
     f.flag("velocity", velocity_, "its velocity [m/s] instead of its position [m]");
   }
+  Unit unit() const override { return velocity_ ? units::velocity : units::length; }
   void prepare(const World& world) override { index_ = object_index(world, object_, name_); }
 
  protected:
@@ -57,6 +58,7 @@ class Separation : public Probe {
     if (relative_ && at_rest_ == 0)
       throw InputError("probe '" + name_ + "': relative, but the separation at rest is zero");
   }
+  Unit unit() const override { return relative_ ? units::none : units::length; }
   std::vector<double> sample(const World&, const State& state) override {
     const double d = distance(state.x);
     return {relative_ ? (d - at_rest_) / at_rest_ : d};
@@ -83,6 +85,7 @@ class Gap : public Probe {
     require_contact(world, name_);
     std::tie(a_, b_) = between_.prepare(world, name_);
   }
+  Unit unit() const override { return units::length; }
   std::vector<double> sample(const World& world, const State& state) override {
     const CollisionMesh& mesh = world.contact->surface().mesh;
     return {smallest_distance(mesh, candidates_between(mesh, world.contact->candidates(), a_, b_), state.x)};

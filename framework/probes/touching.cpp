@@ -28,6 +28,7 @@ class SlidingSpeed : public Probe {
     for (const PairRole* role : {&pairs.point(a_, b_), &pairs.point(b_, a_)})
       if (role->law >= 0 && (role->facing || pairs.plain_sums)) wanted_[role->law] = 1;
   }
+  Unit unit() const override { return units::velocity; }
   std::vector<double> sample(const World& world, const State& state) override {
     if (state.h_before == 0) return {0};
     const LaggedContacts contacts = lag_contacts(
@@ -74,6 +75,7 @@ class AttachedObjects : public Probe {
     adhesive_.clear();
     for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
   }
+  Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State&) override {
     std::vector<char> held(world.bodies.size(), 0);
     const auto& object = world.contact->surface().mesh.vertex_object;

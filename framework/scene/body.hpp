@@ -16,7 +16,7 @@ struct Body {
   bool movable = true;  // some vertex is free at some time
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
-  std::vector<Triangle> triangles;  // the surface, outward oriented
+  std::vector<Triangle> triangles;  // the surface: outward oriented around tets, as in the mesh for sheets
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
 };

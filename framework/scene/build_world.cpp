@@ -6,6 +6,8 @@
 #include <set>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/scene/contact_support.hpp"
+#include "framework/scene/named_selections.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -71,13 +73,16 @@ void add_energies(const ObjectConfig& object, const Body& body, World& world) {
   world.tets.insert(world.tets.end(), body.tets.begin(), body.tets.end());
 }
 
-void check_mass(const World& world) {
+void check_mass(const Value& root, const World& world) {
   for (int v = 0; v < static_cast<int>(world.mass.size()); ++v) {
     if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
-    for (const Body& body : world.bodies)
+    for (size_t i = 0; i < world.bodies.size(); ++i) {
+      const Body& body = world.bodies[i];
       if (v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
-        throw InputError(fmt::format("object '{}': vertex {} has no mass; give every part an energy "
-                                     "with a density", body.name, v - body.first_vertex));
+        throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
+                                     "with a density", place_of(root, "objects", i), body.name,
+                                     v - body.first_vertex));
+    }
   }
 }
 
@@ -92,16 +97,25 @@ void start_state(const SceneConfig& scene, World& world) {
   }
 }
 
+// Runs an action whose messages lack a place with that of a value, if it is known.
+template <class Action>
+void at_place(const Value* value, const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    throw InputError((value ? value->mark.text() + ": " : "") + error.what());
+  }
+}
+
+const Value* entry(const Value* list, size_t i) {
+  return list && i < list->items.size() ? &list->items[i] : nullptr;
+}
+
 // One object at a time, so that a message can name its place in the file.
 template <class Action>
 void for_each_object(const SceneConfig& scene, const Value& root, const Action& action) {
-  for (size_t i = 0; i < scene.objects.size(); ++i) {
-    try {
-      action(i);
-    } catch (const InputError& error) {
-      throw InputError(place_of(root, "objects", i) + error.what());
-    }
-  }
+  for (size_t i = 0; i < scene.objects.size(); ++i)
+    at_place(entry(root.find("objects"), i), [&] { action(i); });
 }
 
 void check_start(const Value& root, const World& world) {
@@ -126,20 +140,26 @@ void check_start(const Value& root, const World& world) {
 }
 
 void check_solver(const SceneConfig& scene, const Value& root, const World& world) {
-  try {
-    scene.solver->admit(world.terms, world.dofs.size());
-  } catch (const InputError& error) {
-    const Value* solver = root.find("solver");
-    throw InputError((solver ? solver->mark.text() + ": " : "") + error.what());
+  at_place(root.find("solver"), [&] { scene.solver->admit(world.terms, world.dofs.size()); });
+}
+
+// Every load finds what it acts on, or this is told before anything is written.
+void check_loads(const SceneConfig& scene, const Value& root, const World& world) {
+  VecX force = VecX::Zero(world.rest.size());
+  for (size_t i = 0; i < scene.objects.size(); ++i) {
+    const Value* object = entry(root.find("objects"), i);
+    for (size_t j = 0; j < scene.objects[i].loads.size(); ++j)
+      at_place(object ? entry(object->find("loads"), j) : nullptr, [&] {
+        scene.objects[i].loads[j]->add_forces(world.bodies[i], world.rest, world.mass, 0, force);
+      });
   }
 }
 
 }  // namespace
 
 std::string place_of(const Value& root, const std::string& list, size_t i) {
-  const Value* values = root.find(list);
-  if (!values || i >= values->items.size()) return "";
-  return values->items[i].mark.text() + ": ";
+  const Value* value = entry(root.find(list), i);
+  return value ? value->mark.text() + ": " : "";
 }
 
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock) {
@@ -149,16 +169,23 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
       throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
-    add_body(object, placed_mesh(object), *world);
+    const Mesh mesh = placed_mesh(object);
+    if (scene.contact) refuse_unsupported_contact(mesh, object.name);
+    add_body(object, mesh, *world);
   });
+  add_named_selections(scene, root, *world);
   world->mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
-    throw InputError("nothing can move: every object is held throughout; free one of them");
+    at_place(root.find("objects"), [] {
+      throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
+                       "select, from and until)");
+    });
   world->dofs = DofMap(world->script.free(world->script.active(scene.time.step / 2)));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
-  check_mass(*world);
+  check_mass(root, *world);
+  check_loads(scene, root, *world);
   world->gravity = scene.gravity;
   start_state(scene, *world);
   build_contact(scene, root, clock, *world);

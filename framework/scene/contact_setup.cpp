@@ -97,6 +97,11 @@ class PairBuilder {
     return InputError((known ? pairs->items[i].mark.text() + ": " : "") + message);
   }
 
+  std::string contact_place() const {
+    const Value* contact = root_.find("contact");
+    return contact ? contact->mark.text() + ": " : "";
+  }
+
   int named(size_t pair, const std::string& name) const {
     const int index = world_.body_index(name);
     if (index >= 0) return index;
@@ -173,7 +178,7 @@ class PairBuilder {
       pressure.add(full);
       guard.add(close);
     } catch (const InputError& error) {
-      if (!pair) throw;
+      if (!pair) throw InputError(contact_place() + error.what());
       throw pair_error(static_cast<size_t>(config), error.what());
     }
     if (adhesion) {

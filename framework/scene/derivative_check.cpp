@@ -5,9 +5,16 @@
 
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/incremental_potential.hpp"
+#include "framework/scene/local_lengths.hpp"
 
 namespace tack {
 namespace {
+
+// Relative errors that are let pass: a single entry that is off by some percent stays above.
+constexpr double gradient_tolerance = 1e-6, hessian_tolerance = 1e-5;
+// Of the local lengths: how far the states that are looked at are from the start.
+constexpr double distances[] = {3e-2, 1e-3};
+constexpr int directions = 2;  // at each
 
 class RandomDirections {
  public:
@@ -20,62 +27,102 @@ class RandomDirections {
   std::uniform_real_distribution<double> component_{-1, 1};
 };
 
-DerivativeCheck check_term(const Term& term, World& world, const VecX& q, double step, PhaseClock& clock) {
-  IncrementalPotential potential({&term}, world.dofs, VecX::Zero(world.mass.size()), clock, [&](const VecX& x) {
-    if (world.contact) world.contact->move_to(x);
-  });
-  potential.begin_step(world.start.x, world.start.x, 1.0, false);
-  RandomDirections random;
-  DerivativeCheck check{term.name()};
-  for (int trial = 0; trial < 3; ++trial) {
-    const VecX d = random(q.size());
-    potential.move_to(q);
-    VecX hd;
-    potential.hessian(SpdFilter::none).multiply(d, hd);
-    const VecX gradient = potential.gradient();
-    potential.move_to(q + step * d);
-    const double up = potential.value(), noise = potential.value_noise();
-    const VecX gradient_up = potential.gradient();
-    potential.move_to(q - step * d);
-    const VecX differences = (gradient_up - potential.gradient()) / (2 * step);
-    const double slope = gradient.dot(d), slope_error = (up - potential.value()) / (2 * step) - slope;
-    // What the differences themselves cannot tell: rounding, and the curvature's part in the slope.
-    const double scale = std::abs(slope) + std::abs(d.dot(hd)) * step + noise / step;
-    const double rounding = 1e-10 * gradient_up.lpNorm<Eigen::Infinity>() / step;
-    const double curvature = std::max(hd.lpNorm<Eigen::Infinity>(), differences.lpNorm<Eigen::Infinity>());
-    if (scale > 0) check.gradient_error = std::max(check.gradient_error, std::abs(slope_error) / scale);
-    if (curvature > 0)
-      check.hessian_error = std::max(
-          check.hessian_error, (differences - hd).lpNorm<Eigen::Infinity>() / (curvature + rounding));
+// Row sums of |H_ij d_j|.
+VecX absolute_product(const BlockMatrix& matrix, const VecX& d) {
+  VecX sum = VecX::Zero(d.size());
+  for (int c = 0; c < matrix.columns(); ++c)
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      const int r = matrix.row[k];
+      const Mat3 block = matrix.block(k).cwiseAbs();
+      sum.segment<3>(3 * r) += block * d.segment<3>(3 * c).cwiseAbs();
+      if (r != c) sum.segment<3>(3 * c) += block.transpose() * d.segment<3>(3 * r).cwiseAbs();
+    }
+  return sum;
+}
+
+// One term as a function of the unknowns.
+class TermStudy {
+ public:
+  TermStudy(const Term& term, World& world, PhaseClock& clock)
+      : potential_({&term}, world.dofs, VecX::Zero(world.mass.size()), clock, [&term, &world](const VecX& x) {
+          const bool sees_contact = term.dynamic() || &term == world.friction.get();
+          if (world.contact && sees_contact) world.contact->move_to(x);
+        }),
+        check_{term.name(), {}, {}} {
+    potential_.begin_step(world.start.x, world.start.x, 1.0, false);
   }
-  return check;
+
+  void look(const VecX& q, const VecX& direction) {
+    potential_.move_to(q);
+    const BlockMatrix& hessian = potential_.hessian(SpdFilter::none);
+    const VecX gradient = potential_.gradient();
+    const VecX rows = absolute_product(hessian, direction);
+    std::vector<VecX> slope_errors, curvature_errors;
+    std::vector<VecX> moved, products;
+    double step = DifferenceStudy::first_step;
+    for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) {
+      // As far as floating point goes, which near small gaps and far from the origin is not 2 step d.
+      const VecX up = q + step * direction, down = q - step * direction;
+      moved.push_back(up - down);
+      products.emplace_back();
+      hessian.multiply(moved.back(), products.back());
+    }
+    step = DifferenceStudy::first_step;
+    for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) {
+      potential_.move_to(q + step * direction);
+      const double value_up = potential_.value();
+      const VecX gradient_up = potential_.gradient();
+      potential_.move_to(q - step * direction);
+      const double slope = potential_.value() - value_up + gradient.dot(moved[k]);
+      slope_errors.push_back(VecX::Constant(1, -slope / (2 * step)));
+      curvature_errors.push_back((gradient_up - potential_.gradient() - products[k]) / (2 * step));
+    }
+    const VecX slope_scale = VecX::Constant(1, gradient.cwiseProduct(direction).norm());
+    check_.gradient.merge(study_differences(slope_errors, slope_scale, gradient_tolerance));
+    // In units of energy, so that rows of different local lengths are comparable.
+    const VecX unit = direction.cwiseAbs();
+    for (VecX& e : curvature_errors) e = e.cwiseProduct(unit);
+    check_.hessian.merge(study_differences(curvature_errors, rows.cwiseProduct(unit), hessian_tolerance));
+  }
+
+  const DerivativeCheck& check() const { return check_; }
+
+ private:
+  IncrementalPotential potential_;
+  DerivativeCheck check_;
+};
+
+void keep_worst(std::vector<DerivativeCheck>& checks, const DerivativeCheck& check) {
+  const auto same = std::find_if(checks.begin(), checks.end(),
+                                 [&](const DerivativeCheck& c) { return c.term == check.term; });
+  if (same == checks.end()) return checks.push_back(check);
+  same->gradient.merge(check.gradient);
+  same->hessian.merge(check.hessian);
 }
 
 }  // namespace
 
 std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseClock& clock) {
   const VecX& start = world.start.x;
-  double amplitude = 1e-4 * std::max(world.rest.lpNorm<Eigen::Infinity>(), 1e-3);
   if (world.contact) {
     world.contact->begin_step(start);
     world.contact->move_to(start);
-    amplitude = std::min(amplitude, 0.01 * world.contact->smallest_distance(start));
     if (world.friction) world.friction->begin_step(start, h);
   }
-  VecX q;
+  const VecX lengths = local_lengths(world, start);
+  VecX all(start.size()), q, unit;
+  for (Eigen::Index v = 0; v < lengths.size(); ++v) vertex(all, static_cast<int>(v)).setConstant(lengths(v));
   world.dofs.gather(start, q);
-  q += amplitude * RandomDirections()(q.size());
+  world.dofs.gather(all, unit);
   std::vector<DerivativeCheck> checks;
   for (const Term* term : world.terms) {
-    const DerivativeCheck check = check_term(*term, world, q, 1e-3 * amplitude, clock);
-    const auto same = std::find_if(checks.begin(), checks.end(),
-                                   [&](const DerivativeCheck& c) { return c.term == check.term; });
-    if (same == checks.end()) {
-      checks.push_back(check);
-    } else {
-      same->gradient_error = std::max(same->gradient_error, check.gradient_error);
-      same->hessian_error = std::max(same->hessian_error, check.hessian_error);
+    TermStudy study(*term, world, clock);
+    RandomDirections random;
+    for (const double distance : distances) {
+      const VecX state = q + distance * unit.cwiseProduct(random(q.size()));
+      for (int i = 0; i < directions; ++i) study.look(state, unit.cwiseProduct(random(q.size())));
     }
+    keep_worst(checks, study.check());
   }
   return checks;
 }

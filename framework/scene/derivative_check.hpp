@@ -1,26 +1,29 @@
-// Finite differences of every term of the potential, next to the start of a scene.
+// Whether gradient and Hessian of every term of the potential are those of its value, next to the start
+// of a scene.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "framework/core/phase_clock.hpp"
+#include "framework/scene/difference_study.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
 
 struct DerivativeCheck {
-  std::string term;           // the worst of those of this name
-  double gradient_error = 0;  // of the value's differences, relative
-  double hessian_error = 0;   // of the gradient's differences, relative to the largest component
+  std::string term;  // the worst of those of this name
+  // The value's differences against the gradient, relative to the root of the sum of the squares of its
+  // parts; the gradient's against the Hessian, relative to the sum of the absolute parts of a row.
+  DifferenceStudy gradient, hessian;
 
-  // Far beyond what differences leave, kinks of a law included.
-  bool wrong() const { return gradient_error > 1e-3 || hessian_error > 0.1; }
+  bool wrong() const { return gradient.wrong || hessian.wrong; }
+  // False where value and gradient are zero all around: nothing was checked.
+  bool in_play() const { return gradient.scale > 0 || hessian.scale > 0; }
 };
 
-// Central differences along a few fixed pseudo-random directions, where every free vertex has moved a
-// little from the start, as in a step of size h [s]: contact sets do not change on the way, and surfaces
-// that touch slip.
+// Along fixed pseudo-random directions from two states close to the start, within 3% and 0.1% of the local
+// lengths (local_lengths.hpp), as in a step of size h [s]: surfaces that touch slip.
 std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseClock& clock);
 
 }  // namespace tack

@@ -19,10 +19,16 @@ void PlaceConfig::fields(Fields& f) {
   f.vector("translate", translate, units::length, "offset, applied last");
 }
 
+void NamedSelection::fields(Fields& f) {
+  f.text("name", name, "what selections of type tag call it").required();
+  f.component("select", select, "its vertices").required();
+}
+
 void ObjectConfig::fields(Fields& f) {
   f.text("name", name, "what pairs, probes and messages call it").required();
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
+  f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.component_list("energies", energies, "its potential energies; an object that is all fixed needs none");
   f.component_list("motion", motion, "prescribed motion of some vertices");
   f.component_list("loads", loads, "external forces");
@@ -91,6 +97,7 @@ void SceneConfig::fields(Fields& f) {
   f.object("time", time, "time stepping");
   f.vector("gravity", gravity, units::acceleration, "acceleration of every mass");
   f.list("objects", objects, "what is simulated").required().nonempty();
+  f.list("selections", selections, "as those of an object, of all objects of which they choose a vertex");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
   f.component("solver", solver, "minimiser of each step");
   f.component_list("probes", probes, "quantities recorded every step");

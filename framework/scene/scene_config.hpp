@@ -36,10 +36,18 @@ struct PlaceConfig {
   void fields(Fields& f);
 };
 
+// What `{type: tag, name: ...}` refers to, as to a group of a mesh file.
+struct NamedSelection {
+  std::string name;
+  std::unique_ptr<Selection> select;
+  void fields(Fields& f);
+};
+
 struct ObjectConfig {
   std::string name;
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
+  std::vector<NamedSelection> selections;
   std::vector<std::unique_ptr<Energy>> energies;
   std::vector<std::unique_ptr<Motion>> motion;
   std::vector<std::unique_ptr<Load>> loads;
@@ -85,6 +93,7 @@ struct SceneConfig {
   TimeConfig time;
   Vec3 gravity = Vec3::Zero();  // m/s^2
   std::vector<ObjectConfig> objects;
+  std::vector<NamedSelection> selections;
   std::optional<ContactConfig> contact;
   std::unique_ptr<Minimizer> solver = Registry<Minimizer>::make("projected_newton");
   std::vector<std::unique_ptr<Probe>> probes;

@@ -111,7 +111,7 @@ class FaceSelection : public Selection {
 class TagSelection : public Selection {
  public:
   void fields(Fields& f) override {
-    f.text("name", name_, "a group of the mesh file").required();
+    f.text("name", name_, "a group of the mesh file, or one of `selections`").required();
   }
   std::vector<int> choose(const SelectionContext& c) const override {
     const auto group = c.body.tags.find(name_);
@@ -156,7 +156,7 @@ TACK_REGISTER(Selection, BoxSelection, "box", "Vertices in an axis-aligned box, 
 TACK_REGISTER(Selection, SphereSelection, "sphere", "Vertices in a sphere, at rest.", "");
 TACK_REGISTER(Selection, PlaneSelection, "plane", "Vertices on one side of a plane, at rest.", "");
 TACK_REGISTER(Selection, FaceSelection, "face", "Vertices furthest in a direction, at rest.", "");
-TACK_REGISTER(Selection, TagSelection, "tag", "Vertices of a named group of the mesh file.", "");
+TACK_REGISTER(Selection, TagSelection, "tag", "Vertices of a named group: of the mesh file, or of `selections`.", "");
 TACK_REGISTER(Selection, IndexSelection, "indices", "Vertices by number.", "");
 
 }  // namespace

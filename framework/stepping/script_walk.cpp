@@ -78,7 +78,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   return sum > 0 ? sum / matrix.size() : 1.0;  // nothing resists: any pull will do
 }
 
-void ScriptWalk::minimize(Pull& pull, Result& result) {
+void ScriptWalk::minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer) {
   const auto feasible_step = [&](const VecX& q, const VecX& p) {
     VecX x = potential_->configuration(), direction = VecX::Zero(x.size());
     dofs_.scatter(q, x);
@@ -93,7 +93,7 @@ void ScriptWalk::minimize(Pull& pull, Result& result) {
   VecX q;
   dofs_.gather(result.x, q);
   const MinimizerResult before = result.solve;
-  result.solve = minimizer_->minimize({*potential_, feasible_step, norm, clock_}, q);
+  result.solve = minimizer_->minimize({*potential_, feasible_step, norm, clock_, true, observer}, q);
   result.solve.add_work(before);
   dofs_.scatter(q, result.x);
 }
@@ -108,7 +108,8 @@ bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
 }
 
 ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
-                                   const TimeIntegrator::Prediction& prediction) {
+                                   const TimeIntegrator::Prediction& prediction,
+                                   const MinimizerProblem::Observer& observer) {
   prepare(x, places);
   VecX towards = prediction.x;
   for (const int v : moving_) vertex(towards, v) = vertex(places, v);
@@ -119,7 +120,7 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
   for (int i = 0; i < max_pulls && !pull.stuck; ++i, k *= 10) {
     potential_->set_mass(masses(k, prediction.inertia));
     potential_->begin_step(result.x, towards, prediction.scale, true);
-    minimize(pull, result);
+    minimize(pull, result, observer);
     if (result.solve.status == MinimizerStatus::interrupted) return result;
     if (result.solve.status == MinimizerStatus::iteration_limit) break;
     const bool near = largest_row(result.x, places, moving_) <= close_enough * whole_way;

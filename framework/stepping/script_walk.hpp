@@ -34,14 +34,16 @@ class ScriptWalk {
   };
   // From x, which is feasible, to a feasible configuration in which all vertices that differ between
   // x and places (3n) and are not free are at their places.
-  Result run(const VecX& x, const VecX& places, const TimeIntegrator::Prediction& prediction);
+  // `observer` is told of every iteration on the way.
+  Result run(const VecX& x, const VecX& places, const TimeIntegrator::Prediction& prediction,
+             const MinimizerProblem::Observer& observer = {});
 
  private:
   struct Pull;
   void prepare(const VecX& x, const VecX& places);
   VecX masses(double pull, bool inertia) const;
   double stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction);
-  void minimize(Pull& pull, Result& result);
+  void minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer);
   bool arrive(const VecX& places, VecX& x) const;
   std::string failure(const VecX& x, const VecX& places) const;
 

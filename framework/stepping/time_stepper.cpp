@@ -8,6 +8,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/interrupt.hpp"
 #include "framework/scene/energies.hpp"
+#include "framework/scene/external_loads.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
@@ -59,16 +60,7 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
     vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / world_.mass(v);
 }
 
-void TimeStepper::apply_loads(double t) {
-  VecX weight = VecX::Zero(state_.x.size()), force = VecX::Zero(state_.x.size());
-  for (Eigen::Index v = 0; v < world_.mass.size(); ++v)
-    vertex(weight, static_cast<int>(v)) = world_.mass(v) * world_.gravity;
-  for (size_t i = 0; i < scene_.objects.size(); ++i)
-    for (const auto& load : scene_.objects[i].loads)
-      load->add_forces(world_.bodies[i], world_.rest, world_.mass, t, force);
-  world_.gravity_term.set(std::move(weight), state_.x);
-  world_.load_term.set(std::move(force), state_.x);
-}
+void TimeStepper::apply_loads(double t) { set_loads(scene_, world_, t, state_.x); }
 
 double TimeStepper::largest_step(const VecX& x, const VecX& p) {
   double t = 1;
@@ -149,7 +141,7 @@ ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
   if (!walk_)
     walk_.emplace(world_, *scene_.solver, clock_,
                   [this](const VecX& x, const VecX& p) { return largest_step(x, p); });
-  return walk_->run(state_.x, places, prediction);
+  return walk_->run(state_.x, places, prediction, walk_observer_);
 }
 
 double TimeStepper::next_step_size() const {

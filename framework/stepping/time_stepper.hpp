@@ -54,8 +54,11 @@ class TimeStepper {
   void commit(const VecX& x, double h);
   // The incremental potential of the latest solve over beta h^2, at x (3n) [J].
   double potential_at(const VecX& x);
-  // Is told of every iteration of the minimisers (but not of those that walk scripted vertices).
-  void observe(MinimizerProblem::Observer observer) { observer_ = std::move(observer); }
+  // Is told of every iteration of the minimisers; `walk`: of those that walk scripted vertices.
+  void observe(MinimizerProblem::Observer observer, MinimizerProblem::Observer walk = {}) {
+    observer_ = std::move(observer);
+    walk_observer_ = std::move(walk);
+  }
 
  private:
   void minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt);
@@ -82,7 +85,7 @@ class TimeStepper {
   std::vector<std::unique_ptr<StepFilter>> filters_;
   VecX direction_;  // scratch, 3n
   bool inertia_ = true;
-  MinimizerProblem::Observer observer_;
+  MinimizerProblem::Observer observer_, walk_observer_;
   struct Found {
     int intersections = 0, inverted_tets = 0;
   } found_;  // by the exact check, in the solves of the present step

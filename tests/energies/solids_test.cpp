@@ -1,5 +1,6 @@
 // Every energy that can act on a body of tets, whatever energies exist.
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "framework/scene/energy.hpp"
 #include "tests/support/component_variants.hpp"
@@ -15,7 +16,10 @@ const TetBody& box() {
   return b;
 }
 
-// The tested terms, made once: all energies but those that say that a tet body lacks what they need.
+// Energies that need elements that a body of tets lacks. What is not named here has to work on tets.
+const std::set<std::string> of_other_bodies = {};
+
+// The tested terms, made once: all energies of solids, in every variant.
 struct NamedTerm {
   std::string yaml;
   std::unique_ptr<Term> term;
@@ -23,13 +27,9 @@ struct NamedTerm {
 const std::vector<NamedTerm>& terms() {
   static const std::vector<NamedTerm> all = [] {
     std::vector<NamedTerm> made;
-    for (const Variant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"poisson", "-0.2"}}})) {
-      try {
+    for (const Variant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"poisson", "-0.2"}}}))
+      if (!of_other_bodies.count(v.type))
         made.push_back({v.yaml, component<Energy>(v.yaml)->make_term(box().body, box().rest)});
-      } catch (const InputError&) {
-        // needs triangles, edges or points of its own
-      }
-    }
     return made;
   }();
   return all;
@@ -37,7 +37,7 @@ const std::vector<NamedTerm>& terms() {
 
 template <class Check>
 void for_each_term(const Check& check) {
-  REQUIRE(terms().size() >= 3);
+  REQUIRE(terms().size() >= 9);  // three materials, three ratios of Poisson each
   for (const auto& [yaml, term] : terms()) {
     INFO(yaml);
     check(*term);

@@ -59,6 +59,8 @@ const std::vector<Mistake> mistakes = {
      {"scene.yaml:16:7: no object is named 'blok'; did you mean 'block'?"}},
     {"unknown column", "{probe: height,", "{probe: heigth,",
      {"scene.yaml:22:5: ", "unknown column 'heigth'; did you mean 'height'?"}},
+    {"expectation of another kind", "at_least: 0.09", "at_least: 90 mN",
+     {"scene.yaml:22:5: expectation 'height: min': at_least: expects a length (m), got '90 mN', which is a force"}},
     {"unknown group", "motion: [fixed]", "motion: [{type: fixed, select: {type: tag, name: wall}}]",
      {"scene.yaml:5:5: ", "object 'floor' has no group 'wall'"}},
     {"tangential adhesion alone", "adhesion: {type: fang, critical_strain: 0.001}", "tangential_adhesion: {mu: 1}",
@@ -70,6 +72,16 @@ const std::vector<Mistake> mistakes = {
      "type: friction_force, on: block",
      {"scene.yaml:20:5: probe 'stickiness': no pair has friction or tangential adhesion; give one in "
       "contact.pairs"}},
+    {"nothing free", "energies: [{type: neo_hookean", "motion: [fixed]\n    energies: [{type: neo_hookean",
+     {"scene.yaml:5:3: nothing can move: every object is held throughout; free one of them"}},
+    {"load on no vertex", "energies: [{type: neo_hookean",
+     "loads:\n      - {type: traction, value: [0, 1, 0], select: {type: sphere, centre: [9, 9, 9], radius: 1}}\n"
+     "    energies: [{type: neo_hookean",
+     {"scene.yaml:13:9: selection sphere chooses no vertex of object 'block'"}},
+    {"load on no triangle", "energies: [{type: neo_hookean",
+     "loads:\n      - {type: traction, value: [0, 1, 0], select: {type: indices, vertices: [0]}}\n"
+     "    energies: [{type: neo_hookean",
+     {"scene.yaml:13:9: object 'block': its traction's selection holds no whole surface triangle; widen it"}},
     {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
 };
 
@@ -96,6 +108,27 @@ TEST_CASE("a mistake in a scene is told with its place and remedy, and nothing i
     const auto entries = fs::directory_iterator(folder.path() / "results");
     CHECK(std::distance(begin(entries), end(entries)) == 1);
   }
+}
+
+TEST_CASE("a vertex without mass is told with its object's place") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "tail.vtk", R"(# vtk DataFile Version 3.0
+a tet with a tail
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 5 double
+0 1 0  1 1 0  0 2 0  0 1 1  3 1 0
+CELLS 2 8
+4 0 1 2 3
+2 1 4
+CELL_TYPES 2
+10 3
+)");
+  const std::string scene = tiny_scene_with(cube, "shape: {type: file, path: tail.vtk}");
+  write_file(folder.path() / "scene.yaml", scene.substr(0, scene.find("contact:\n")));
+  const ProgramResult result = run_tack(folder.path(), {"run", "scene.yaml"});
+  CHECK(result.exit_code == 2);
+  CHECK(contains(result.err, "scene.yaml:9:5: object 'block': vertex 4 has no mass; give every part an energy"));
 }
 
 TEST_CASE("a wrong command line ends with 2 and says what is expected") {

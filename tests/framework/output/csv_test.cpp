@@ -56,8 +56,8 @@ TEST_CASE("an interrupted last line is left out, a broken line is an error") {
   std::ofstream(path) << "time,a\r\n0,1\r\n1,2\n2,";
   const CsvTable table = read_csv(path);
   REQUIRE(table.rows.size() == 2);
-  CHECK(rows_until(table, 0.5).rows == std::vector<std::vector<double>>{{0, 1}});
-  CHECK(rows_until(table, 1).rows.size() == 2);
+  CHECK(rows_until(table, 0.5, "t.csv").rows == std::vector<std::vector<double>>{{0, 1}});
+  CHECK(rows_until(table, 1, "t.csv").rows.size() == 2);
   std::ofstream(path) << "time,a\n0,1\n1\n";
   CHECK_THROWS_WITH(read_csv(path), Catch::StartsWith(path.string() + ":3: 1 cells"));
   std::ofstream(path) << "time,a\n0,x\n";
@@ -65,7 +65,7 @@ TEST_CASE("an interrupted last line is left out, a broken line is an error") {
   std::ofstream(path) << "";
   CHECK_THROWS_AS(read_csv(path), InputError);
   CHECK_THROWS_AS(read_csv(folder.path() / "none.csv"), InputError);
-  CHECK_THROWS_AS(rows_until({{"a"}, {}}, 1), InputError);
+  CHECK_THROWS_WITH(rows_until({{"a"}, {}}, 1, "t.csv"), Catch::StartsWith("t.csv: "));
 }
 
 TEST_CASE("a csv file names what is wrong") {

@@ -131,6 +131,49 @@ TEST_CASE("columns are checked before the run") {
   CHECK_THROWS_AS(check_columns(e, {"time", "gap"}), InputError);
 }
 
+TEST_CASE("numbers of an expectation may carry a unit of their column's kind") {
+  const Expectation e = expectation("{probe: p, statistic: at, along: time, where: 20 ms, target: 1.5 kN, within: 5 N}");
+  CHECK(double(*e.where) == 0.02);
+  CHECK(double(*e.target) == 1500);
+  CHECK(tolerance_of(e.within, *e.target) == 5);
+  CHECK(double(*expectation("{probe: p, statistic: max, at_least: 30 deg}").at_least) == Approx(0.5235987755982988));
+  CHECK(double(*expectation("{probe: p, statistic: max, at_most: 2 g cm^2/ms^2}").at_most) == Approx(2e-7 / 1e-6));
+  CHECK(double(*expectation("{probe: p, statistic: max, at_most: 3%}").at_most) == Approx(0.03));
+  const Expectation work = expectation("{probe: p, statistic: integral, along: x, at_least: 1 mJ, at_most: 2 mN m}");
+  CHECK(double(*work.at_least) == Approx(1e-3));
+  CHECK(double(*work.at_most) == Approx(2e-3));
+}
+
+TEST_CASE("units of another kind than the column's are refused before the run") {
+  const std::vector<std::string> columns = {"time", "p", "x", "n"};
+  const std::vector<Unit> units = {units::time, units::force, units::length, units::none};
+  const auto wrong = [&](const std::string& yaml) -> std::string {
+    try {
+      check_units(expectation(yaml), columns, units);
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  CHECK(wrong("{probe: p, statistic: max, target: 1 mN, within: 2 uN}") == "");
+  CHECK(wrong("{probe: p, statistic: max, target: 1 mN, within: 2%}") == "");
+  CHECK(wrong("{probe: p, statistic: max, target: 5, within: 1}") == "");
+  CHECK(wrong("{probe: p, statistic: max, target: 5 mm, within: 1}") ==
+        "expectation 'p: max': target: expects a force (N), got '5 mm', which is a length");
+  CHECK_THAT(wrong("{probe: p, statistic: max, target: 5 N, within: 1 mm}"), Catch::Contains("': within: expects a force"));
+  CHECK_THAT(wrong("{probe: x, statistic: max, at_most: 5 N}"), Catch::Contains("': at_most: expects a length (m)"));
+  CHECK_THAT(wrong("{probe: x, statistic: min, at_least: 1 s}"), Catch::Contains("': at_least: expects a length (m)"));
+  CHECK_THAT(wrong("{probe: n, statistic: min, at_least: 1 s}"), Catch::Contains("expects a number, got '1 s'"));
+  CHECK(wrong("{probe: p, statistic: at, along: x, where: 2 mm, at_least: 1 N}") == "");
+  CHECK_THAT(wrong("{probe: p, statistic: at, along: x, where: 2 N, at_least: 1 N}"),
+             Catch::Contains("': where: expects a length (m)"));
+  CHECK(wrong("{probe: p, statistic: integral, along: x, at_least: 1 mJ}") == "");
+  CHECK(wrong("{probe: p, statistic: integral, at_least: 1 N s}") == "");
+  CHECK(wrong("{probe: n, statistic: integral, along: x, at_least: 1 mm}") == "");
+  CHECK_THAT(wrong("{probe: p, statistic: integral, along: x, at_least: 1 N}"),
+             Catch::Contains("at_least: expects an integral ((N) (m)), got '1 N', which is a force"));
+}
+
 TEST_CASE("an expectation must say in one way what is accepted") {
   const auto with = [](const std::string& rest) {
     return bind_error("{probe: p, statistic: max" + rest + "}");
@@ -140,11 +183,9 @@ TEST_CASE("an expectation must say in one way what is accepted") {
   CHECK_THAT(with(", within: 1, at_most: 2"), Catch::EndsWith("within needs a target"));
   CHECK_THAT(with(", target: 1, within: 1, at_most: 2"), Catch::EndsWith("not both"));
   CHECK_THAT(with(", at_least: 3, at_most: 2"), Catch::EndsWith("at_least is above at_most"));
-  CHECK_THAT(with(", target: 1 N, within: 1"),
-             Catch::EndsWith("expects a number, got '1 N', which is a force"));
   CHECK_THAT(with(", target: 1, within: -5%"), Catch::EndsWith("'-5%' must not be negative"));
   CHECK_THAT(with(", target: 0, within: 5%"), Catch::Contains("a target of 0 is nothing"));
-  CHECK_THAT(with(", target: 1, within: close"), Catch::Contains("expects a number, got 'close'"));
+  CHECK_THAT(with(", target: 1, within: close"), Catch::Contains("expects a number with its unit, got 'close'"));
   CHECK_THAT(with(", target: 1, within: [1, 2]"), Catch::Contains("got a list of 2"));
 }
 

@@ -138,6 +138,33 @@ TEST_CASE("the live line never wraps") {
   CHECK(told.out.str() == "\r" + line_120.substr(0, 20) + "\x1b[K");
 }
 
+TEST_CASE("a step that takes long tells an iteration after every five seconds of silence") {
+  const std::string line = "step 8  t 4 s (40%)  iteration 31  residual 12.5";
+  for (const Verbosity v : {Verbosity::quiet, Verbosity::normal, Verbosity::verbose}) {
+    Told told(v);
+    told.now += 4.9;
+    told.progress.iteration(8, 4, 30, 20);
+    CHECK(told.log.str() == "");
+    told.now += 0.2;
+    told.progress.iteration(8, 4, 31, 12.5);
+    told.progress.iteration(8, 4, 32, 12);
+    CHECK(told.log.str() == line + "\n");
+    CHECK(told.out.str() == (v == Verbosity::quiet ? "" : line + "\n"));
+    told.now += 4;
+    told.progress.message("m");  // no silence
+    told.now += 4;
+    told.progress.iteration(8, 4, 40, 9);
+    CHECK(told.log.str() == line + "\nm\n");
+  }
+}
+
+TEST_CASE("an iteration takes the live line of a terminal") {
+  Told told(Verbosity::normal, 120);
+  told.now += 6;
+  told.progress.iteration(8, 4, 31, 12.5);
+  CHECK(told.out.str() == "\rstep 8  t 4 s (40%)  iteration 31  residual 12.5\x1b[K");
+}
+
 TEST_CASE("a run without a log and one of no duration work") {
   std::ostringstream out;
   Progress progress(out, nullptr);
