@@ -167,5 +167,5 @@ TEST_CASE("wrong motions are told with their place") {
 TEST_CASE("a formula without a finite value ends the run, by name") {
   Simulation run(block("type: formula, x: 't < 0.03 ? 0 : 1 / (t - t)'"));
   run.step();
-  CHECK_THROWS_WITH(run.step(), Catch::Contains("motion formula x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
+  CHECK_THROWS_WITH(run.step(), Catch::Contains("motion 0 (formula) of 'block': x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
 }
