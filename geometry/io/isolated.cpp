@@ -41,7 +41,7 @@ std::uintmax_t size_of(const fs::path& path) {
   return unknown ? 0 : size;
 }
 
-rlim_t seconds_for(const fs::path& path) { return (20 + size_of(path) / (256 << 10)) * (sanitized ? 20 : 1); }
+rlim_t seconds_for(const fs::path& path) { return (5 + size_of(path) / (256 << 10)) * (sanitized ? 20 : 1); }
 
 void limit(int resource, rlim_t most) {
   const rlimit value = {most, most};

@@ -7,7 +7,7 @@
 // could have held (glibc mends its own for malloc and files), starts no parallel loop, and leaves by _exit.
 //
 // Limits: 1 GiB of memory and 64 times the file's size more than the program has (not with the address sanitizer,
-// which maps terabytes); 20 s of processor time and a second for each 256 KiB.
+// which maps terabytes); 5 s of processor time and a second for each 256 KiB.
 #pragma once
 
 #include <filesystem>
