@@ -21,13 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void be_program(const fs::path& directory, const std::vector<std::string>& arguments, const fs::path& printed) {
+[[noreturn]] void be_program(const fs::path& directory, const std::vector<std::string>& arguments, const fs::path& printed,
+                             rlim_t processor_time) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setpgid(0, 0);
   const int out = ::open(printed.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
   ::dup2(::open("/dev/null", O_RDONLY), 0);
   ::dup2(out, 1);
   ::dup2(out, 2);
+  const rlimit time = {processor_time, processor_time};
+  ::setrlimit(RLIMIT_CPU, &time);
 #ifndef __SANITIZE_ADDRESS__
   const rlimit memory = {rlim_t(8) << 30, rlim_t(8) << 30}, core = {0, 0};
   ::setrlimit(RLIMIT_AS, &memory);
@@ -50,12 +53,13 @@ ForkedResult run_forked(const fs::path& directory, const std::vector<std::string
   using Clock = std::chrono::steady_clock;
   static const TemporaryFolder folder;
   const fs::path printed = folder.path() / "printed";
-  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds * TACK_PATIENCE);
+  const auto deadline = Clock::now() + std::chrono::duration<double>(10 * seconds * TACK_PATIENCE);
   const pid_t child = ::fork();
-  if (child == 0) be_program(directory, arguments, printed);
+  if (child == 0) be_program(directory, arguments, printed, static_cast<rlim_t>(seconds * TACK_PATIENCE));
   ForkedResult result;
   int status = 0;
-  for (auto pause = std::chrono::microseconds(200); ::waitpid(child, &status, WNOHANG) == 0; pause = std::min(pause * 2, std::chrono::microseconds(5000))) {
+  const std::chrono::microseconds longest(5000);
+  for (auto pause = longest / 25; ::waitpid(child, &status, WNOHANG) == 0; pause = std::min(pause * 2, longest)) {
     if (!result.hung && Clock::now() > deadline) {
       result.hung = true;
       ::kill(-child, SIGKILL);
@@ -64,6 +68,7 @@ ForkedResult run_forked(const fs::path& directory, const std::vector<std::string
   }
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal = WTERMSIG(status);
+  result.hung = result.hung || result.signal == SIGXCPU;
   result.printed = file_text(printed);
   return result;
 }

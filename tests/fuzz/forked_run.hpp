@@ -15,7 +15,8 @@ struct ForkedResult {
   std::string printed; // output and errors
 };
 
-// Runs `tack arguments...` in a working directory; at most `seconds` of wall time and 8 GiB of memory.
+// Runs `tack arguments...` in a working directory, with at most `seconds` of processor time, ten times as much of
+// wall time (should it wait for ever), and 8 GiB of memory.
 ForkedResult run_forked(const std::filesystem::path& directory, const std::vector<std::string>& arguments, double seconds);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
 // tack_fuzz KIND COUNT [SEED [FIRST]]: damages COUNT files (KIND: meshes, scenes, states) and has the program read
-// them. Every one must end by itself within a minute and with a documented exit code: 0, 1, 2 or 3, and 2 for a
+// them. Every one must end by itself within a minute of processor time and with a documented exit code: 0, 1, 2 or 3, and 2 for a
 // stored state. Those that do not are kept in the folder tack_fuzz_failures of the working directory; the same
 // KIND, SEED and number (FIRST, with COUNT 1) give the same damage again.
 #include <fmt/format.h>
@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double limit = 60;  // s of wall time for each
+constexpr double limit = 60;  // s of processor time for each
 
 // What is wrong with how it ended; "" if nothing is.
 std::string fault(const ForkedResult& result, const Sample& sample, bool damaged) {
-  if (result.hung) return fmt::format("took more than {} s", limit);
+  if (result.hung) return fmt::format("took more than {} s of processor time", limit);
   if (result.signal != 0) return fmt::format("ended by signal {}", result.signal);
   if (result.exit_code < 0 || result.exit_code > 3) return fmt::format("ended with {}", result.exit_code);
   if (result.printed.find("internal error") != std::string::npos) return "ended with an internal error";

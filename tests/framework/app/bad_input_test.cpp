@@ -72,7 +72,7 @@ const std::vector<Mistake> mistakes = {
     {"number beyond squares", "motion: [fixed]", "motion: [{type: formula, y: '1e151*t'}]",
      {"scene.yaml:8:33: y: ", "1e151 is too large, at most 1e+150 may stand there (position 0)"}},
     {"distance in a wrong unit", "distance: 1 mm", "distance: 1 km",
-     {"contact reaches over 1000 m, and the whole scene is 1.", "lower contact.distance"}},
+     {"scene.yaml:14:3: contact reaches over 2000 m, and the whole scene is 1.46986 m", "lower contact.distance"}},
     {"cells without end", cube, "shape: {type: box, size: [1, 1, 1], cells: [1000000, 1000, 1]}", {"vertices are too many, at most 1"}},
     {"an endless mesh", cube, "shape: {type: file, path: /dev/zero}", {"/dev/zero: cannot be read: check its kind"}},
     {"range below the given peak", strain, "critical_strain: 0.001, peak_distance: 2 mm, range: 1.5 mm",
