@@ -136,6 +136,9 @@ int main(int argc, char** argv) {
   } catch (const tack::SimulationError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_simulation_failed;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: not enough memory for this scene; use fewer cells\n");
+    return tack::exit_simulation_failed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "internal error: {}\n", error.what());
     return tack::exit_simulation_failed;

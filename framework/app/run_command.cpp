@@ -14,6 +14,7 @@
 #include "framework/config/describe.hpp"
 #include "framework/core/interrupt.hpp"
 #include "framework/output/checkpoints.hpp"
+#include "framework/output/next_due.hpp"
 #include "framework/output/progress.hpp"
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
@@ -101,7 +102,7 @@ class Run {
  private:
   std::optional<StateFile> checkpoint() {
     if (!options_.resume) return std::nullopt;
-    StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(scene_.config)));
+    StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(scene_.config)), *world_);
     check_size(file, world_->rest.size() / 3, folder_.checkpoints().string());
     return file;
   }
@@ -172,6 +173,7 @@ class Run {
     StateFile file = state_file_of(kind, scene_.config);
     file.program = TACK_VERSION;
     file.commit = TACK_COMMIT;
+    if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(*world_);
     file.state = state;
     return file;
   }
@@ -191,7 +193,7 @@ class Run {
   double next_checkpoint_after(double time) const {
     const auto interval = scene_.config.output.checkpoint_interval;
     if (!interval) return std::numeric_limits<double>::infinity();
-    return next_checkpoint(*interval, time, scene_.config.time.step);
+    return next_due(*interval, time, scene_.config.time.step);
   }
 
   void write_checkpoint() {

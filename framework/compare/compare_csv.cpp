@@ -13,7 +13,7 @@ namespace {
 std::string number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 std::string text(const std::string& value) {
-  if (value.find_first_of(",\"\n") == std::string::npos) return value;
+  if (value.find_first_of(",\"\r\n") == std::string::npos) return value;
   std::string quoted = "\"";
   for (const char c : value) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + '"';

@@ -19,10 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In single quotes nothing is special to gnuplot but the quote.
+// In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
+// as well: what follows would be run. Control characters have no place in a picture anyway.
 std::string quoted(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("''") : std::string(1, c);
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    out += c == '\'' ? std::string("''") : std::string(1, control ? ' ' : c);
+  }
   return out + "'";
 }
 
@@ -45,7 +49,7 @@ std::string data_block(const Plot& plot, size_t i) {
 std::string script_of(const Plot& plot, const std::string& name) {
   std::string out;
   for (size_t i = 0; i < plot.curves.size(); ++i) out += data_block(plot, i);
-  out += fmt::format("set title {} noenhanced\nset xlabel {}\nset ylabel {}\n"
+  out += fmt::format("set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
                      "set key outside right noenhanced\nset grid\n",
                      quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
   for (const auto& [is_log, axis] : {std::pair(plot.log_x, 'x'), std::pair(plot.log_y, 'y')})

@@ -9,10 +9,14 @@
 namespace tack {
 namespace {
 
-// A bar would end the cell of a table.
+// A bar would end the cell of a table, a line's end the table, and < begin a tag.
 std::string cell(const std::string& text) {
   std::string out;
-  for (const char c : text) out += c == '|' ? std::string("\\|") : c == '\n' ? std::string(" ") : std::string(1, c);
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    if (c == '|' || c == '<' || c == '`' || c == '\\') out += '\\';
+    out += control ? ' ' : c;
+  }
   return out;
 }
 
@@ -20,7 +24,7 @@ std::string header(const CompareConfig& config, const MeasuredOn& on) {
   return fmt::format("# {}\n\n{}\n\nMeasured with tack {} ({}) on {}, {} threads; {} repetitions, interleaved, medians; every "
                      "solve in a world of its own, loading not timed. {:.0f} s in all. Times depend on the machine and on "
                      "what else it does: compare them within this table.\n",
-                     config.name, config.about, on.program, on.commit, on.machine, on.threads, config.repeat,
+                     cell(config.name), config.about, on.program, on.commit, on.machine, on.threads, config.repeat,
                      on.wall_seconds);
 }
 

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <optional>
-#include <sstream>
 #include <vector>
 
+#include "framework/config/read_file.hpp"
 #include "framework/config/yaml_reader.hpp"
 #include "geometry/errors.hpp"
 
@@ -20,12 +18,12 @@ namespace fs = std::filesystem;
 // The files being read, outermost first, as they were written; compared in canonical form.
 using Chain = std::vector<fs::path>;
 
-std::optional<std::string> read_text(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path)) return std::nullopt;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+std::string read_included(const Value& file, const fs::path& path) {
+  try {
+    return read_file(path, largest_text);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: include: {}", file.mark.text(), error.what()));
+  }
 }
 
 std::vector<Value> included_files(const Value& include) {
@@ -56,12 +54,9 @@ Value expand_includes(Value root, Chain& chain);
 Value load_included(const Value& file, Chain& chain) {
   const fs::path path = (chain.back().parent_path() / file.text).lexically_normal();
   refuse_cycle(chain, path, file.mark);
-  const auto text = read_text(path);
-  if (!text) {
-    throw InputError(fmt::format("{}: include: cannot read '{}'", file.mark.text(), path.string()));
-  }
+  const std::string text = read_included(file, path);
   chain.push_back(path);
-  Value v = expand_includes(read_yaml(*text, path.string()), chain);
+  Value v = expand_includes(read_yaml(text, path.string()), chain);
   chain.pop_back();
   return v;
 }
@@ -81,9 +76,7 @@ Value expand_includes(Value root, Chain& chain) {
 }  // namespace
 
 Value parse_file(const std::string& path) {
-  const auto text = read_text(path);
-  if (!text) throw InputError(fmt::format("{}: cannot read this file", path));
-  return parse_string(*text, path);
+  return parse_string(read_file(path, largest_text), path);
 }
 
 Value parse_string(const std::string& text, const std::string& name) {

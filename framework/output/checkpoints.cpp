@@ -23,13 +23,30 @@ std::string first_difference(const std::string& there, const std::string& here) 
   }
 }
 
+void check_meshes(const fs::path& path, const StateFile& file, const World& world) {
+  for (const auto& [object, here] : file_meshes_of(world)) {
+    const auto there = file.file_meshes.find(object);
+    const std::string what = there == file.file_meshes.end() ? "it has none there" : difference(there->second, here);
+    if (what.empty()) continue;
+    throw InputError(fmt::format("{}: object '{}' had another mesh ({}); resume with the mesh file of that run, or start "
+                                 "anew without --resume", path.string(), object, what));
+  }
+}
+
 }  // namespace
+
+std::map<std::string, MeshDigest> file_meshes_of(const World& world) {
+  std::map<std::string, MeshDigest> digests;
+  for (const Body& body : world.bodies)
+    if (body.file_mesh) digests[body.name] = *body.file_mesh;
+  return digests;
+}
 
 fs::path checkpoint_path(const RunFolder& folder, int step) {
   return folder.checkpoints() / fmt::format("step_{:08}.checkpoint", step);
 }
 
-StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene) {
+StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world) {
   fs::path newest;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder.checkpoints(), none))
@@ -42,13 +59,8 @@ StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene) {
     throw InputError(fmt::format("{}: is of another scene ({}); resume with the scene of that run ({}), or start "
                                  "anew without --resume", newest.string(), first_difference(file.scene, scene),
                                  folder.scene().string()));
+  check_meshes(newest, file, world);
   return file;
-}
-
-double next_checkpoint(double interval, double time, double step) {
-  double next = interval;
-  while (next <= time + 1e-9 * step) next += interval;
-  return next;
 }
 
 }  // namespace tack

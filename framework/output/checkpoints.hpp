@@ -5,16 +5,17 @@
 
 #include "framework/output/run_folder.hpp"
 #include "framework/output/state_file.hpp"
+#include "framework/scene/world.hpp"
 
 namespace tack {
 
 std::filesystem::path checkpoint_path(const RunFolder& folder, int step);
 
-// Throws InputError, with the remedy, if there is none or it is of another scene than `scene` (resolved,
-// as YAML).
-StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene);
+// The digests of the mesh files that a world was built from, by object.
+std::map<std::string, MeshDigest> file_meshes_of(const World& world);
 
-// When the next one is due: the first multiple of the interval after `time` [s].
-double next_checkpoint(double interval, double time, double step);
+// Throws InputError, with the remedy, if there is none, or it is of another scene than `scene` (resolved,
+// as YAML) or of other meshes than the world's; what differs is named.
+StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world);
 
 }  // namespace tack

@@ -1,6 +1,7 @@
 #include "framework/output/recorder.hpp"
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/output/next_due.hpp"
 #include "framework/scene/build_world.hpp"
 #include "geometry/errors.hpp"
 
@@ -71,8 +72,7 @@ Recorder::Recorder(const LoadedScene& scene, const World& world, const RunFolder
 }
 
 void Recorder::schedule_frame(double time) {
-  while (next_frame_ <= time + 1e-9 * scene_.time.step && scene_.output.frame_interval > 0)
-    next_frame_ += scene_.output.frame_interval;
+  next_frame_ = next_due(scene_.output.frame_interval, time, scene_.time.step);
 }
 
 void Recorder::start(const State& state) {

@@ -7,17 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* marker = ".tack_run";
-
-bool is_run(const fs::path& folder) { return fs::is_regular_file(folder / marker); }
 
 // Moving the working directory away would pull the ground from under relative paths.
 bool holds_working_directory(const fs::path& folder) {
@@ -33,7 +28,9 @@ fs::path free_name(const fs::path& folder) {
   }
 }
 
+// Not from under a run that writes into it.
 fs::path move_aside(const fs::path& folder) {
+  const FolderLock lock(folder);
   const fs::path aside = free_name(folder);
   fs::rename(folder, aside);
   return aside;
@@ -55,7 +52,7 @@ std::optional<fs::path> make_way(const fs::path& root) {
   if (holds_working_directory(root)) refuse_folder(root, "is the working directory or holds it");
   if (!fs::exists(root)) return std::nullopt;
   if (!fs::is_directory(root)) refuse_folder(root, "is a file");
-  if (is_run(root)) return move_aside(root);
+  if (FolderLock::marked(root)) return move_aside(root);
   if (!fs::is_empty(root)) refuse_folder(root, "holds something other than a run of tack");
   return std::nullopt;
 }
@@ -67,7 +64,7 @@ RunFolder RunFolder::create(const fs::path& root, Content content) {
     RunFolder made(real_path(root));
     made.moved_aside_ = make_way(made.root_);
     fs::create_directories(made.root_);
-    replace_file(made.root_ / marker, "This folder holds the results of a run of tack.\n");
+    made.lock_ = std::make_shared<FolderLock>(made.root_);
     if (content == Content::anything) return made;
     fs::create_directory(made.frames());
     fs::create_directory(made.checkpoints());
@@ -78,7 +75,11 @@ RunFolder RunFolder::create(const fs::path& root, Content content) {
 }
 
 RunFolder RunFolder::open(const fs::path& root) {
-  if (is_run(root)) return RunFolder(root);
+  if (FolderLock::marked(root)) {
+    RunFolder opened(root);
+    opened.lock_ = std::make_shared<FolderLock>(root);
+    return opened;
+  }
   throw InputError(
       fmt::format("{}: is not the results folder of a run; give the folder that was "
                   "made by `tack run`",

@@ -1,13 +1,17 @@
 // The folder of a run's results. Results are never destroyed: a folder of an earlier run is moved
 // aside to <name>.1, .2, ... before a new run takes its place. A folder counts as a run's by the
-// hidden file .tack_run, which is written first.
+// hidden file .tack_run, which is written first. While a RunFolder (or a copy of it) lives, no other
+// process gets one of the same folder (folder_lock.hpp).
 // Errors: InputError naming the folder.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "framework/output/folder_lock.hpp"
 
 namespace tack {
 
@@ -19,7 +23,7 @@ class RunFolder {
   // absolute and without links.
   static RunFolder create(const std::filesystem::path& root, Content content = Content::run);
 
-  // The folder of an earlier run, to go on with it or to read it.
+  // The folder of an earlier run, to go on with it.
   static RunFolder open(const std::filesystem::path& root);
 
   // results/<scene name>, with characters that trouble shells and file systems replaced by '_'.
@@ -49,6 +53,7 @@ class RunFolder {
 
   std::filesystem::path root_;
   std::optional<std::filesystem::path> moved_aside_;
+  std::shared_ptr<FolderLock> lock_;
 };
 
 }  // namespace tack

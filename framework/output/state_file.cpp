@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <charconv>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "framework/config/bind.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/config/read_file.hpp"
 #include "framework/output/replace_file.hpp"
+#include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -16,8 +19,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* format = "tack state";
-constexpr int version = 1;
+constexpr std::string_view format = "tack state ";
+constexpr int version = 2;
+constexpr std::uintmax_t largest_state = std::uintmax_t(16) << 30;  // bytes
 
 const char* name_of(StateFile::Kind kind) {
   return kind == StateFile::Kind::problem ? "problem" : "checkpoint";
@@ -58,6 +62,12 @@ Mesh mesh_of(const Json& json) {
   return mesh;
 }
 
+Json to_json(const MeshDigest& d) {
+  return {d.vertex_count, d.element_count, d.vertices, d.elements, d.groups};
+}
+
+MeshDigest digest_of(const Json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3), json.at(4)}; }
+
 Json to_json(const State& s) {
   return {{"time", s.time},         {"step", s.step},     {"whole_steps", s.whole_steps},
           {"h_before", s.h_before}, {"h_next", s.h_next}, {"held", s.held},
@@ -86,17 +96,29 @@ State state_of(const Json& json) {
   throw InputError(fmt::format("{}: {}", path.string(), why));
 }
 
+std::string head_of(int number, std::uint32_t checksum, std::size_t size) {
+  return fmt::format("{}{} crc32 {:08x} bytes {}\n", format, number, checksum, size);
+}
+
+// The map of a file. Nothing of it is looked at before its checksum has proved right: the parser never sees
+// what is damaged.
 Json content_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path)) refuse_file(path, "cannot read this file; check the path");
-  Json json = Json::from_cbor(in, true, false);
-  const bool ours = json.is_object() && json.value("format", Json()) == format;
-  if (!ours) refuse_file(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
-                          "write it anew");
-  if (json.value("version", Json()) != version)
+  const std::string text = read_file(path, largest_state);
+  const auto line_end = text.find('\n');
+  int number = 0;
+  if (text.starts_with(format)) std::from_chars(text.data() + format.size(), text.data() + text.size(), number);
+  // Files of version 1 were a map alone, which named the format within.
+  else if (text.find("tack state") != text.npos && text.find("whole_steps") != text.npos) number = 1;
+  if (number == 0) refuse_file(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
+                               "write it anew");
+  if (number != version)
     refuse_file(path, fmt::format("has version {} of the format, and this program reads version {}; write it anew",
-                             json.value("version", Json()).dump(), version));
-  return json;
+                                  number, version));
+  const std::string_view content = std::string_view(text).substr(line_end + 1);
+  if (line_end == text.npos ||
+      text.substr(0, line_end + 1) != head_of(version, crc32_of(content.data(), content.size()), content.size()))
+    refuse_file(path, "is damaged or cut short (its checksum is not that of its content); write it anew");
+  return Json::from_cbor(content);
 }
 
 }  // namespace
@@ -112,27 +134,30 @@ StateFile state_file_of(StateFile::Kind kind, SceneConfig& scene) {
 }
 
 void write_state_file(const std::filesystem::path& path, const StateFile& file) {
-  Json meshes = Json::object();
+  Json meshes = Json::object(), file_meshes = Json::object();
   for (const auto& [object, mesh] : file.meshes) meshes[object] = to_json(mesh);
-  const Json json = {{"format", format},       {"version", version},         {"kind", name_of(file.kind)},
-                     {"program", file.program}, {"commit", file.commit},     {"scene", file.scene},
-                     {"meshes", meshes},        {"state", to_json(file.state)}, {"step_size", file.step_size},
-                     {"totals", file.totals}};
-  const std::vector<std::uint8_t> bytes = Json::to_cbor(json);
-  replace_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  for (const auto& [object, digest] : file.file_meshes) file_meshes[object] = to_json(digest);
+  const Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
+                     {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes},
+                     {"state", to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals}};
+  std::string content;
+  Json::to_cbor(json, content);
+  replace_file(path, head_of(version, crc32_of(content.data(), content.size()), content.size()) + content);
 }
 
 StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind) {
-  const Json json = content_of(path);
   StateFile file;
   file.kind = kind;
   try {
+    const Json json = content_of(path);
     if (const std::string found = json.at("kind"); found != name_of(kind))
       refuse_file(path, fmt::format("is a {}, and a {} is needed", found, name_of(kind)));
     json.at("program").get_to(file.program);
     json.at("commit").get_to(file.commit);
     json.at("scene").get_to(file.scene);
     for (const auto& [object, mesh] : json.at("meshes").items()) file.meshes[object] = mesh_of(mesh);
+    if (json.contains("file_meshes"))
+      for (const auto& [object, digest] : json["file_meshes"].items()) file.file_meshes[object] = digest_of(digest);
     file.state = state_of(json.at("state"));
     json.at("step_size").get_to(file.step_size);
     json.at("totals").get_to(file.totals);

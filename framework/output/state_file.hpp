@@ -2,11 +2,14 @@
 // A problem is the step that follows, to be minimised again; a checkpoint, a run to be resumed. The
 // numbers are exact, so from such a file the same program takes the same step, bit for bit.
 //
-// A map: format "tack state", version, kind ("problem", "checkpoint"), program, commit, scene (resolved,
+// A line "tack state 2 crc32 CHECKSUM bytes SIZE" (the version of the format; checksum and size of what
+// follows), then a map: kind ("problem", "checkpoint"), program, commit, scene (resolved,
 // as YAML), meshes {object: {vertices, tets, triangles, edges, points, tags}} of the objects whose meshes
-// were read from files (not in checkpoints), state {time, step, whole_steps, h_before, h_next, held, x, v,
+// were read from files (not in checkpoints), file_meshes {object: digest of such a mesh (geometry/mesh/digest.hpp):
+// [vertex count, element count, checksums of vertices, elements and groups]} of a checkpoint, state {time, step, whole_steps, h_before, h_next, held, x, v,
 // a, anchor, x_before, v_before}, step_size of a problem [s], totals {name: number} of a checkpoint's run
-// so far. All in SI.
+// so far. All in SI. A field that a later program adds is absent from older files, and is then what a State
+// holds by default; the version rises when what is there changes its meaning.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +18,7 @@
 
 #include "framework/scene/load_scene.hpp"
 #include "framework/stepping/state.hpp"
+#include "geometry/mesh/digest.hpp"
 #include "geometry/mesh/mesh.hpp"
 
 namespace tack {
@@ -25,6 +29,7 @@ struct StateFile {
   std::string program, commit;         // what wrote it
   std::string scene;                   // YAML
   std::map<std::string, Mesh> meshes;  // by object
+  std::map<std::string, MeshDigest> file_meshes;  // by object
   State state;
   double step_size = 0;  // of a problem [s]
   std::map<std::string, double> totals;
@@ -36,7 +41,7 @@ StateFile state_file_of(StateFile::Kind kind, SceneConfig& scene);
 void write_state_file(const std::filesystem::path& path, const StateFile& file);
 
 // Throws InputError naming the file and what is wrong: not there, not such a file, another version or
-// kind, cut short.
+// kind, damaged, cut short.
 StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind);
 
 // The scene of a file, with its meshes; `name` stands for the file in messages.

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "geometry/mesh/digest.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -19,6 +21,7 @@ struct Body {
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, as in the mesh for sheets
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
+  std::optional<MeshDigest> file_mesh;  // if the mesh was read from a file: as it was there
 };
 
 }  // namespace tack

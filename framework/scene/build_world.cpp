@@ -7,6 +7,7 @@
 
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/contact_support.hpp"
+#include "framework/scene/containment.hpp"
 #include "framework/scene/named_selections.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
@@ -17,8 +18,7 @@
 namespace tack {
 namespace {
 
-Mesh placed_mesh(const ObjectConfig& object) {
-  Mesh mesh = object.shape->make();
+Mesh placed(Mesh mesh, const ObjectConfig& object) {
   const PlaceConfig& place = object.place;
   if (place.scale != Vec3::Ones()) scale(mesh, place.scale);
   if (place.angle != 0) rotate(mesh, place.axis, place.angle);
@@ -139,6 +139,19 @@ void check_start(const Value& root, const World& world) {
                                place_of(root, "objects", static_cast<size_t>(std::max(a, b))), list));
 }
 
+void check_containment(const Value& root, const World& world) {
+  const auto found = find_containment(world);
+  if (!found) return;
+  const Body& inner = world.bodies[found->body];
+  const Body& outer = world.bodies[found->around];
+  const Vec3 x = vertex(world.rest, found->vertex);
+  throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
+                               "in tet {}); move the objects apart (place.translate) or turn their contact off "
+                               "(contact.pairs, contact: false)",
+                               place_of(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
+                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet));
+}
+
 void check_solver(const SceneConfig& scene, const Value& root, const World& world) {
   at_place(root.find("solver"), [&] { scene.solver->admit(world.terms, world.dofs.size()); });
 }
@@ -169,9 +182,13 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
       throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
-    const Mesh mesh = placed_mesh(object);
+    Mesh mesh = object.shape->make();
+    std::optional<MeshDigest> file_mesh;
+    if (object.shape->reads_files()) file_mesh = digest_of(mesh);
+    mesh = placed(std::move(mesh), object);
     if (scene.contact) refuse_unsupported_contact(mesh, object.name);
     add_body(object, mesh, *world);
+    world->bodies.back().file_mesh = file_mesh;
   });
   add_named_selections(scene, root, *world);
   world->mass = VecX::Zero(world->rest.size() / 3);
@@ -190,6 +207,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   start_state(scene, *world);
   build_contact(scene, root, clock, *world);
   check_start(root, *world);
+  check_containment(root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
   if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);

@@ -241,6 +241,19 @@ class PairBuilder {
   std::map<std::pair<int, double>, LawIds> laws_;
 };
 
+// With a range beyond the scene's own size, everything is in contact with everything: a mistake in a unit, and
+// pairs without end.
+void check_range(const PairTable& table, const Value& root, const VecX& rest) {
+  double range = 0;
+  for (const auto& law : table.laws()) range = std::max(range, law.range());
+  const auto points = rest.reshaped(3, rest.size() / 3);
+  const double size = (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
+  if (range <= 10 * size) return;
+  const Value* contact = root.find("contact");
+  throw InputError(fmt::format("{}contact reaches over {:g} m, and the whole scene is {:g} m large; lower contact.distance or "
+                               "the range of the adhesion", contact ? contact->mark.text() + ": " : "", range, size));
+}
+
 }  // namespace
 
 void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world) {
@@ -258,6 +271,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
     surface.mesh.vertex_group.push_back(world.script.rigid_group(v));
   PairBuilder builder(scene, root, world);
   builder.build(sizes);
+  check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.filter(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact, clock);

@@ -11,7 +11,8 @@ namespace tack {
 
 class Formula {
  public:
-  // Throws InputError, without a place, with the position and what is wrong there.
+  // Throws InputError, without a place, with the position and what is wrong there: a syntax error, a comma
+  // outside of a function's arguments, a number above 1e150.
   Formula(const std::string& text, const std::vector<std::string>& variables);
   ~Formula();
   Formula(Formula&&) noexcept;

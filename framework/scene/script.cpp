@@ -14,6 +14,17 @@ bool at_the_same_time(const Motion& a, const Motion& b) {
   return a.from() < b.until() && b.from() < a.until();
 }
 
+// The squares of distances have to remain numbers.
+void check_places(const std::vector<int>& vertices, double t, const VecX& x) {
+  constexpr double furthest = 1e100;  // m
+  for (const int v : vertices) {
+    const Vec3 p = vertex(x, v);
+    if (p.cwiseAbs().maxCoeff() <= furthest && p.allFinite()) continue;
+    throw SimulationError(fmt::format("puts vertex {} at ({:g}, {:g}, {:g}) m at t = {} s; it must be finite and at most "
+                                      "{:g} m away", v, p.x(), p.y(), p.z(), t, furthest));
+  }
+}
+
 std::string end_of(double until) {
   return std::isfinite(until) ? fmt::format("{} s", until) : "the end";
 }
@@ -60,8 +71,15 @@ std::vector<char> Script::free(const std::vector<char>& active) const {
 
 void Script::place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
                    VecX& x) const {
-  for (size_t i = 0; i < holds_.size(); ++i)
-    if (active[i]) holds_[i].motion->place(holds_[i].vertices, rest, anchor, t, x);
+  for (size_t i = 0; i < holds_.size(); ++i) {
+    if (!active[i]) continue;
+    try {
+      holds_[i].motion->place(holds_[i].vertices, rest, anchor, t, x);
+      check_places(holds_[i].vertices, t, x);
+    } catch (const SimulationError& error) {
+      throw SimulationError(fmt::format("{}: {}", holds_[i].name, error.what()));
+    }
+  }
 }
 
 }  // namespace tack

@@ -21,7 +21,19 @@ bool positive_volume(const Tet& tet, const VecX& x) {
   return CGAL::orientation(points[0], points[1], points[2], points[3]) == CGAL::POSITIVE;
 }
 
+Point point_of(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
 }  // namespace
+
+bool tet_contains(const Tet& tet, const VecX& x, const Vec3& point) {
+  constexpr std::array<Triangle, 4> inward = {{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+  const Point p = point_of(point);
+  return std::all_of(inward.begin(), inward.end(), [&](const Triangle& f) {
+    const Point a = point_of(vertex(x, tet[f[0]])), b = point_of(vertex(x, tet[f[1]])),
+                c = point_of(vertex(x, tet[f[2]]));
+    return CGAL::orientation(a, b, c, p) != CGAL::NEGATIVE;
+  });
+}
 
 int first_inverted_tet(const std::vector<Tet>& tets, const VecX& x) {
   using Range = tbb::blocked_range<int>;

@@ -9,6 +9,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
+#include "geometry/io/isolated.hpp"
 #include "geometry/mesh/validate.hpp"
 
 namespace tack {
@@ -40,12 +41,12 @@ void check_readable(const std::filesystem::path& path) {
 Mesh read_by_extension(const std::filesystem::path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".obj") return read_obj(path);
-  if (extension == ".ply") return read_ply(path);
-  if (extension == ".off") return read_off(path);
-  if (extension == ".stl") return read_stl(path);
-  if (extension == ".vtk") return read_vtk(path);
-  if (extension == ".vtu") return read_vtu(path);
-  if (extension == ".msh") return read_msh(path);
+  if (extension == ".ply") return read_isolated(path, read_ply);
+  if (extension == ".off") return read_isolated(path, read_off);
+  if (extension == ".stl") return read_isolated(path, read_stl);
+  if (extension == ".vtk") return read_isolated(path, read_vtk);
+  if (extension == ".vtu") return read_isolated(path, read_vtu);
+  if (extension == ".msh") return read_isolated(path, read_msh);
   throw InputError(fmt::format("{}: unknown mesh format \"{}\": convert it to one of {}",
                                path.string(), extension, supported));
 }

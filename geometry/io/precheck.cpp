@@ -33,10 +33,11 @@ bool has_cells(std::istream& file, long count, long size) {
   return read == size;
 }
 
-bool has_bytes(std::istream& file, long bytes) {
+// At least `count` numbers of four bytes more.
+bool has_numbers(std::istream& file, long count) {
   const auto here = file.tellg();
   file.seekg(0, std::ios::end);
-  const bool enough = file.tellg() - here > bytes;
+  const bool enough = count >= 0 && count < (file.tellg() - here) / 4 + 1;
   file.seekg(here);
   return enough;
 }
@@ -122,6 +123,7 @@ void precheck_vtk(const std::string& name) {
   std::getline(file, line);
   if (!line.starts_with("# vtk DataFile Version")) refuse(name, "not a legacy .vtk file");
   std::istringstream(line.substr(22)) >> version;
+  if (!(version >= 1 && version < 6)) refuse(name, fmt::format("version {} of the .vtk format is not known", version));
   if (version >= 5) return;
   std::getline(file, line);  // the title
   std::string word;
@@ -135,7 +137,7 @@ void precheck_vtk(const std::string& name) {
       if (!is_ascii) return;  // the word stood among binary numbers
       refuse(name, word + " has no count");
     }
-    if (is_ascii ? has_cells(file, count, size) : has_bytes(file, 4 * size)) continue;
+    if (is_ascii ? has_cells(file, count, size) : has_numbers(file, size)) continue;
     refuse(name, fmt::format("{} does not hold the {} numbers that it announces", word, size));
   }
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/errors.hpp"
+#include "geometry/mesh/overlaps.hpp"
 #include "geometry/mesh/quality.hpp"
 
 namespace tack {
@@ -95,6 +96,21 @@ void check_unused(const Mesh& mesh, const std::string& name) {
                                std::count(used.begin(), used.end(), 0)));
 }
 
+void check_overlaps(const Mesh& mesh, const std::string& name) {
+  const auto pairs = overlapping_tets(mesh);
+  if (pairs.empty()) return;
+  const auto [s, t] = pairs.front();
+  Tet a = mesh.tets[s], b = mesh.tets[t];
+  Vec3 middle = Vec3::Zero();
+  for (const int v : b) middle += mesh.vertices[v] / 4;
+  const std::string first = describe(name, "tet", s, a.data(), 4);
+  std::sort(a.begin(), a.end());
+  std::sort(b.begin(), b.end());
+  throw InputError(fmt::format("{} and tet {} (vertices {}) {}, near ({:.6g}, {:.6g}, {:.6g}) m ({} such pairs): remove "
+                               "one of them or remesh", first, t, fmt::join(mesh.tets[t], " "),
+                               a == b ? "are the same" : "overlap", middle.x(), middle.y(), middle.z(), pairs.size()));
+}
+
 }  // namespace
 
 void validate_indices(const Mesh& mesh, const std::string& name) {
@@ -135,6 +151,7 @@ void validate_mesh(const Mesh& mesh, const std::string& name) {
   check_tets(mesh, name);
   check_triangles_and_edges(mesh, name);
   check_unused(mesh, name);
+  check_overlaps(mesh, name);
 }
 
 }  // namespace tack

@@ -28,10 +28,11 @@ inline void require_even(const char* shape, const char* what, int value) {
                                shape, what, value, value - 1, value + 1));
 }
 
-// Vertices are numbered by int, and so are three coordinates each.
+// Vertices are numbered by int, and so are three coordinates each; but what is more than this fits no memory.
 inline void require_count(const char* shape, double vertices) {
-  if (vertices < 5e8) return;
-  throw InputError(fmt::format("{}: {} vertices are too many: use fewer cells", shape, vertices));
+  constexpr double most = 1e7;
+  if (vertices <= most) return;
+  throw InputError(fmt::format("{}: {} vertices are too many, at most {}: use fewer cells", shape, vertices, most));
 }
 
 }  // namespace tack

@@ -40,6 +40,8 @@ Program::~Program() {
 
 void Program::interrupt() { ::kill(pid_, SIGINT); }
 
+void Program::kill() { ::kill(pid_, SIGKILL); }
+
 ProgramResult Program::wait() {
   using namespace std::chrono_literals;
   int status = 0;

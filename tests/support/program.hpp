@@ -27,6 +27,7 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void interrupt();      // as Ctrl-C does
+  void kill();           // as `kill -9` does
   ProgramResult wait();  // kills it after a minute, with sanitizers after twenty
 
  private:

@@ -1,4 +1,6 @@
 // Bad input ends with 2 before anything is written; the message names the place and the remedy.
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 
 #include "tests/support/program.hpp"
@@ -19,6 +21,19 @@ CELLS 1 5
 4 0 2 1 3
 CELL_TYPES 1
 10
+)";
+
+constexpr const char* doubled_tet = R"(# vtk DataFile Version 3.0
+one tet twice
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+0 1 0  1 1 0  0 2 0  0 1 1
+CELLS 2 10
+4 0 1 2 3
+4 1 2 0 3
+CELL_TYPES 2
+10 10
 )";
 
 struct Mistake {
@@ -46,6 +61,20 @@ const std::vector<Mistake> mistakes = {
     {"intersecting start", "0.1006", "0.09",
      {"scene.yaml:9:5: the start intersects; move the objects apart (place.translate)",
       "of 'floor' meets triangle (", "of 'block'"}},
+    {"doubled tet", cube, "shape: {type: file, path: doubled.vtk}",
+     {"scene.yaml:9:5: object 'block': tet 0 (vertices 0 1 2 3) and tet 1 (vertices 1 2 0 3) are the same",
+      "1 such pairs", "remove one of them"}},
+    {"a body inside of another", "place: {translate: [0, 0.1006, 0]}", "place: {scale: [0.1, 0.1, 0.1], translate: [0.2, -0.1, 0]}",
+     {"scene.yaml:9:5: object 'block' is inside of 'floor' at the start (its vertex ", "lies in tet ",
+      "move the objects apart (place.translate)"}},
+    {"decimal comma", "motion: [fixed]", "motion: [{type: formula, y: '0,02*t'}]",
+     {"scene.yaml:8:33: y: ", "formula '0,02*t': a comma makes 2 formulas of it; write numbers with a point"}},
+    {"number beyond squares", "motion: [fixed]", "motion: [{type: formula, y: '1e151*t'}]",
+     {"scene.yaml:8:33: y: ", "1e151 is too large, at most 1e+150 may stand there (position 0)"}},
+    {"distance in a wrong unit", "distance: 1 mm", "distance: 1 km",
+     {"scene.yaml:14:3: contact reaches over 2000 m, and the whole scene is 1.46986 m", "lower contact.distance"}},
+    {"cells without end", cube, "shape: {type: box, size: [1, 1, 1], cells: [1000000, 1000, 1]}", {"vertices are too many, at most 1"}},
+    {"an endless mesh", cube, "shape: {type: file, path: /dev/zero}", {"/dev/zero: cannot be read: check its kind"}},
     {"range below the given peak", strain, "critical_strain: 0.001, peak_distance: 2 mm, range: 1.5 mm",
      {"scene.yaml:17:82: range: must be larger than peak_distance: raise range or lower peak_distance"}},
     {"range below the default peak", strain, "critical_strain: 0.001, range: 0.9 mm",
@@ -96,6 +125,7 @@ TEST_CASE("a mistake in a scene is told with its place and remedy, and nothing i
     write_file(older / ".tack_run", "");
     write_file(older / "summary.json", "of an earlier run");
     write_file(folder.path() / "inverted.vtk", inverted_tet);
+    write_file(folder.path() / "doubled.vtk", doubled_tet);
     write_file(folder.path() / "scene.yaml", tiny_scene_with(mistake.part, mistake.wrong));
 
     const ProgramResult result = run_tack(folder.path(), {"run", "scene.yaml"});
@@ -159,4 +189,22 @@ TEST_CASE("results do not go where something else lies") {
   CHECK(result.exit_code == 2);
   CHECK(contains(result.err, "choose another results folder with -o"));
   CHECK(file_text(folder.path() / "thesis" / "chapter") == "1");
+}
+
+TEST_CASE("devices, pipes and enormous files are refused, not read") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", "include: /dev/zero\n");
+  write_file(folder.path() / "huge.yaml", "");
+  fs::resize_file(folder.path() / "huge.yaml", std::uintmax_t(1) << 40);  // holes only
+  REQUIRE(::mkfifo((folder.path() / "pipe.yaml").c_str(), 0600) == 0);
+  const auto error_of = [&](const Arguments& arguments) {
+    const ProgramResult result = run_tack(folder.path(), arguments);
+    CHECK(result.exit_code == 2);
+    return result.err;
+  };
+  CHECK(contains(error_of({"check", "/dev/zero"}), "/dev/zero: cannot read this file: it is a device or a pipe"));
+  CHECK(contains(error_of({"check", "scene.yaml"}), "scene.yaml:1:10: include: /dev/zero: cannot read this file"));
+  CHECK(contains(error_of({"compare", "/dev/zero"}), "/dev/zero: cannot read this file"));
+  CHECK(contains(error_of({"check", "pipe.yaml"}), "it is a device or a pipe"));
+  CHECK(contains(error_of({"check", "huge.yaml"}), "it has 1099511627776 bytes, and 67108864 is the most"));
 }

@@ -111,3 +111,15 @@ TEST_CASE("mistakes in a comparison are told with their place, and nothing is wr
   CHECK(contains(error_of("base: scene.yaml", "problems: [scene.yaml]"), "is not a whole file of `tack run --dump-problem`"));
   CHECK(contains(error_of("5 ms", "7 ms"), "tiny: a time step of 0.007 s does not divide the 0.03 s"));
 }
+
+TEST_CASE("a solver's name is never run", "[compare]") {
+  const Place place;
+  std::string text = comparison;
+  text.replace(text.find("name: clamp"), 11, R"(name: "clamp\nsystem(\"touch owned\")\n")");
+  write_file(place.folder.path() / "compare.yaml", text);
+  const ProgramResult result = place.compare({"--set", "repeat=1", "time_steps=[]", "tolerances=[1e-3]"});
+  INFO(result.out << result.err);
+  CHECK(result.exit_code == 0);
+  CHECK_FALSE(fs::exists(place.folder.path() / "results/two/plots/owned"));
+  CHECK_FALSE(fs::exists(place.folder.path() / "owned"));
+}

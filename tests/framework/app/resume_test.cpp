@@ -1,7 +1,11 @@
 // tack run --resume and --dump-problem, as their users call them.
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <thread>
 
 #include "framework/output/csv.hpp"
+#include "geometry/io/mesh_io.hpp"
+#include "geometry/shapes/solids.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
@@ -74,6 +78,70 @@ TEST_CASE("what cannot be resumed is told, and nothing is written") {
   const std::string before = file_text(folder.path() / "results/tiny/probes.csv");
   CHECK(contains(error_of({"--resume", "--set", "gravity=[0, -1, 0]"}), "is of another scene (line "));
   CHECK(file_text(folder.path() / "results/tiny/probes.csv") == before);
+}
+
+TEST_CASE("a folder that a run writes into is refused until that run has ended, even if it was killed") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  const auto started = [&] { return fs::exists(folder.path() / "results/tiny/log.txt"); };
+  Program first(folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000", "expect=[]"});
+  for (int i = 0; i < 2000 && !started(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  REQUIRE(started());
+  const ProgramResult second = run(folder.path(), {"--steps", "1"});
+  CHECK(second.exit_code == 2);
+  CHECK(contains(second.err, "results/tiny: another run (process "));
+  CHECK(contains(run(folder.path(), {"--resume"}).err, "another run (process "));
+  CHECK_FALSE(fs::exists(folder.path() / "results/tiny.1"));
+  first.kill();
+  first.wait();
+  CHECK(run(folder.path(), {"--steps", "1"}).exit_code == 0);
+  CHECK(fs::exists(folder.path() / "results/tiny.1"));
+}
+
+TEST_CASE("a run is not resumed with another mesh or from a damaged checkpoint") {
+  const TemporaryFolder folder;
+  const fs::path mesh = folder.path() / "floor.msh";
+  write_mesh(mesh, box_tets({1, 0.2, 1}, {1, 1, 1}));
+  std::string text = scene_text();
+  text.replace(text.find("{type: box, size: [1, 0.2, 1]}"), 30, "{type: file, path: floor.msh}");
+  write_file(folder.path() / "scene.yaml", text);
+  REQUIRE(run(folder.path(), {"--steps", "4"}).exit_code == 0);
+  const auto error_of_resuming = [&] {
+    const ProgramResult result = run(folder.path(), {"--resume", "--steps", "1"});
+    CHECK(result.exit_code == 2);
+    return result.err;
+  };
+  write_mesh(mesh, box_tets({1, 0.2, 1}, {2, 1, 1}));
+  CHECK(contains(error_of_resuming(), "object 'floor' had another mesh (8 vertices there, 12 here); resume with the mesh"));
+  write_mesh(mesh, box_tets({1.0000001, 0.2, 1}, {1, 1, 1}));
+  CHECK(contains(error_of_resuming(), "object 'floor' had another mesh (its vertices lie elsewhere)"));
+  write_mesh(mesh, box_tets({1, 0.2, 1}, {1, 1, 1}));
+
+  const fs::path checkpoint = folder.path() / "results/tiny/checkpoints/step_00000003.checkpoint";
+  const std::string whole = file_text(checkpoint);
+  for (size_t at = 0; at < whole.size(); at += whole.size() / 10) {
+    std::string damaged = whole;
+    damaged[at] ^= 4;
+    write_file(checkpoint, damaged);
+    CHECK(contains(error_of_resuming(), "step_00000003.checkpoint: "));
+  }
+  write_file(checkpoint, whole);
+  CHECK(run(folder.path(), {"--resume", "--steps", "1"}).exit_code == 0);
+}
+
+TEST_CASE("intervals of output far below the time step take no time") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  for (const char* interval : {"1e-12", "1e-300"}) {
+    INFO(interval);
+    const std::string value = interval;
+    const ProgramResult result = run(folder.path(), {"--steps", "3", "--set", "output.frame_interval=" + value,
+                                                     "output.checkpoint_interval=" + value});
+    CHECK(result.exit_code == 0);
+    for (const char* frame : {"frame_000000.vtu", "frame_000003.vtu"})
+      CHECK(fs::exists(folder.path() / "results/tiny/frames" / frame));
+    CHECK(fs::exists(folder.path() / "results/tiny/checkpoints/step_00000001.checkpoint"));
+  }
 }
 
 TEST_CASE("steps that --dump-problem names are stored, and the hardest") {

@@ -80,7 +80,7 @@ TEST_CASE("YAML errors say where") {
   CHECK(parse_error("? [a]\n: 1\n") == "s.yaml:1:3: a key must be a text");
   CHECK(parse_error("a: 1\n---\nb: 1\n") == "s.yaml: holds several documents ('---'); keep one");
   CHECK(message_of([] { parse_file("/nowhere/s.yaml"); }) ==
-        "/nowhere/s.yaml: cannot read this file");
+        "/nowhere/s.yaml: cannot read this file: there is none; check the path");
 }
 
 TEST_CASE("included files are merged under the including one") {
@@ -117,7 +117,7 @@ TEST_CASE("a wrong include is reported where it stands") {
   const Folder folder;
   const std::string gone = folder.write("gone.yaml", "x: 1\ninclude: none.yaml\n");
   CHECK(message_of([&] { parse_file(gone); }) ==
-        gone + ":2:10: include: cannot read '" + (folder.root / "none.yaml").string() + "'");
+        gone + ":2:10: include: " + (folder.root / "none.yaml").string() + ": cannot read this file: there is none; check the path");
   const std::string folder_itself = folder.write("folder.yaml", "include: .\n");
   CHECK_THAT(message_of([&] { parse_file(folder_itself); }), Catch::Contains("cannot read"));
   CHECK(parse_error("include: {a: b}\n") ==

@@ -97,3 +97,19 @@ TEST_CASE("the default folder is named after the scene") {
   CHECK(RunFolder::default_root("..") == fs::path("results/_."));
   CHECK(RunFolder::default_root("") == fs::path("results/scene"));
 }
+
+TEST_CASE("two runs do not write into one folder") {
+  const TemporaryFolder folder;
+  const fs::path root = folder.path() / "tape";
+  {
+    const RunFolder first = RunFolder::create(root);
+    CHECK_THROWS_WITH(RunFolder::create(root), Catch::Contains(root.string() + ": another run (process ") &&
+                                                   Catch::Contains("choose another results folder with -o"));
+    CHECK_THROWS_WITH(RunFolder::open(root), Catch::Contains("another run"));
+    CHECK(fs::exists(first.frames()));
+    CHECK_FALSE(fs::exists(root.string() + ".1"));
+    const RunFolder copy = first;  // one lock for both
+  }
+  CHECK_NOTHROW(RunFolder::open(root));
+  CHECK(RunFolder::create(root).moved_aside());
+}

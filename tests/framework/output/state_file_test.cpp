@@ -8,6 +8,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/stepping/time_stepper.hpp"
+#include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
@@ -132,18 +133,42 @@ TEST_CASE("what is no such file is refused with the reason", "[state_file]") {
   CHECK(contains(error_of(StateFile::Kind::problem), "is a checkpoint, and a problem is needed"));
   const std::string whole = file_text(path);
   write_file(path, whole.substr(0, whole.size() / 2));
-  CHECK(contains(error_of(StateFile::Kind::checkpoint), "is not a whole file"));
+  CHECK(contains(error_of(StateFile::Kind::checkpoint), "is damaged or cut short (its checksum"));
 
-  auto json = nlohmann::json::from_cbor(whole);
-  const auto write = [&] {
-    const auto bytes = nlohmann::json::to_cbor(json);
-    write_file(path, {bytes.begin(), bytes.end()});
+  write_file(path, "tack state 99" + whole.substr(whole.find(" crc32")));
+  CHECK(contains(error_of(StateFile::Kind::checkpoint), "has version 99 of the format, and this program reads version 2"));
+  auto json = nlohmann::json::from_cbor(whole.substr(whole.find('\n') + 1));
+  const auto write = [&] {  // with a checksum that is right
+    std::string bytes;
+    nlohmann::json::to_cbor(json, bytes);
+    write_file(path, fmt::format("tack state 2 crc32 {:08x} bytes {}\n", crc32_of(bytes.data(), bytes.size()), bytes.size()) + bytes);
   };
-  json["version"] = 99;
   write();
-  CHECK(contains(error_of(StateFile::Kind::checkpoint), "has version 99 of the format, and this program reads version 1"));
-  json["version"] = 1;
+  CHECK(error_of(StateFile::Kind::checkpoint) == "");
   json["state"].erase("x");
   write();
   CHECK(contains(error_of(StateFile::Kind::checkpoint), "is damaged"));
+}
+
+TEST_CASE("every bit of a stored state counts", "[state_file]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.problem";
+  TestScene scene(scene_text);
+  StateFile file = state_file_of(StateFile::Kind::problem, scene.config);
+  file.state = scene.world->start;
+  write_state_file(path, file);
+  const std::string whole = file_text(path);
+  int refused = 0, damages = 0;
+  for (size_t at = 0; at < whole.size(); at += 13) {
+    std::string damaged = whole;
+    damaged[at] ^= static_cast<char>(1 << at % 8);
+    write_file(path, damaged);
+    ++damages;
+    try {
+      read_state_file(path, StateFile::Kind::problem);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  CHECK(refused == damages);
 }

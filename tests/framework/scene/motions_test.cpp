@@ -167,5 +167,13 @@ TEST_CASE("wrong motions are told with their place") {
 TEST_CASE("a formula without a finite value ends the run, by name") {
   Simulation run(block("type: formula, x: 't < 0.03 ? 0 : 1 / (t - t)'"));
   run.step();
-  CHECK_THROWS_WITH(run.step(), Catch::Contains("motion formula x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
+  CHECK_THROWS_WITH(run.step(), Catch::Contains("motion 0 (formula) of 'block': x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
+}
+
+TEST_CASE("places that are no numbers, or too far for their squares, are told with the motion and the object") {
+  Simulation far(block("type: translate, velocity: [1e200, 0, 0]"));
+  CHECK_THROWS_WITH(far.step(), Catch::Contains("motion 0 (translate) of 'block': puts vertex ") &&
+                                    Catch::Contains("it must be finite and at most 1e+100 m away"));
+  Simulation formula(block("type: formula, x: 1e99 * 1e99 * t"));
+  CHECK_THROWS_WITH(formula.step(), Catch::Contains("motion 0 (formula) of 'block': x: '1e99 * 1e99 * t' is 2e+196 at t = 0.02 s"));
 }

@@ -49,3 +49,16 @@ TEST_CASE("a tet with a coordinate that is not finite counts as inverted", "[ori
   x[4] = std::numeric_limits<double>::quiet_NaN();
   REQUIRE(first_inverted_tet({{0, 1, 2, 3}}, x) == 0);
 }
+
+TEST_CASE("a point in a tet is found exactly, on its border too", "[orientation]") {
+  VecX x(12);
+  x << 0, 0, 0, /**/ 1, 0, 0, /**/ 0, 1, 0, /**/ 0, 0, 1;
+  const Tet tet = {0, 1, 2, 3};
+  const double tiny = std::ldexp(1.0, -60);
+  REQUIRE(tet_contains(tet, x, {0.2, 0.2, 0.2}));
+  REQUIRE(tet_contains(tet, x, {0, 0, 0}));
+  REQUIRE(tet_contains(tet, x, {0.25, 0.25, 0}));
+  REQUIRE(tet_contains(tet, x, {0.5, 0.25, 0.25}));
+  REQUIRE_FALSE(tet_contains(tet, x, {0.25, 0.25, -tiny}));
+  REQUIRE_FALSE(tet_contains(tet, x, {0.5, 0.25, std::nextafter(0.25, 1)}));
+}

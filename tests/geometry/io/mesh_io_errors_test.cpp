@@ -146,3 +146,32 @@ TEST_CASE("a strongly concave polygon is refused, a concave quad is not", "[io]"
   const Mesh dart = read_mesh(folder.path() / "dart.obj");
   CHECK(dart.triangles == std::vector<Triangle>{{2, 3, 0}, {2, 0, 1}});
 }
+
+TEST_CASE("counts that no file could hold are refused in every format", "[io]") {
+  const auto vtk = [](const std::string& version, const std::string& points, const std::string& cells) {
+    return "# vtk DataFile Version " + version + "\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + points +
+           " double\n0 0 0  1 0 0  0 1 0\nCELLS " + cells + "\n3 0 1 2\nCELL_TYPES 1\n5\n";
+  };
+  for (const char* version : {"-1", "-1e308", "99"}) check_refused("a.vtk", vtk(version, "3", "1 4"), "version");
+  for (const char* count : {"-2147483648", "-1", "4294967296", "999999999999"}) check_refused("a.vtk", vtk("3.0", count, "1 4"), "");
+  for (const char* count : {"-2147483648 4", "999999999999 4", "1 9223372036854775807", "1 -4"})
+    check_refused("a.vtk", vtk("3.0", "3", count), "");
+  for (const char* count : {"-2147483648", "1000000000000"})
+    check_refused("a.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n" + std::string(count) +
+                           " 1 \"x\"\n$EndPhysicalNames\n", "");
+  const auto vtu = [](const std::string& points, const std::string& cells) {
+    return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"><UnstructuredGrid><Piece "
+           "NumberOfPoints=\"" + points + "\" NumberOfCells=\"" + cells + "\"><Points><DataArray type=\"Float64\" "
+           "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points><Cells><DataArray "
+           "type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int64\" "
+           "Name=\"offsets\" format=\"ascii\">3</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5"
+           "</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>\n";
+  };
+  for (const char* count : {"-2147483648", "4294967296"}) {
+    check_refused("a.vtu", vtu(count, "1"), "");
+    check_refused("a.vtu", vtu("3", count), "");
+  }
+  std::string stl(134, '\0');
+  for (int i = 80; i < 84; ++i) stl[i] = '\xff';
+  check_refused("a.stl", stl, "a binary .stl file of 4294967295 triangles");
+}

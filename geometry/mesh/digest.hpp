@@ -1,0 +1,22 @@
+// By which a mesh is known again: counts, and checksums of its parts.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+struct MeshDigest {
+  std::uint64_t vertex_count = 0, element_count = 0;
+  std::uint32_t vertices = 0, elements = 0, groups = 0;  // checksums
+  friend bool operator==(const MeshDigest&, const MeshDigest&) = default;
+};
+
+MeshDigest digest_of(const Mesh& mesh);
+
+// "8 vertices there, 27 here", "vertices at other places", ...: the first that differs; "" if nothing does.
+std::string difference(const MeshDigest& there, const MeshDigest& here);
+
+}  // namespace tack
