@@ -11,6 +11,7 @@
 #include "framework/scene/external_loads.hpp"
 #include "framework/scene/load_scene.hpp"
 #include "framework/scene/resolution.hpp"
+#include "framework/scene/tolerances.hpp"
 
 namespace tack {
 namespace {
@@ -59,6 +60,7 @@ int check_command(const SceneOptions& options) {
   print_contents(*world);
   for (const std::string& line : resolution_warnings(scene.config, *world)) fmt::print("warning: {}\n", line);
   set_loads(scene.config, *world, scene.config.time.step, world->start.x);
+  for (const std::string& line : doubtful_tolerances(scene.config, *world)) fmt::print("warning: {}\n", line);
   const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;
