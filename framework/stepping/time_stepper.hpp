@@ -27,11 +27,11 @@ namespace tack {
 struct Attempt {
   MinimizerResult result;  // counts over all lag iterations
   VecX x;                  // 3n [m]
-  Convergence::Balance balance;
   std::string failure = "";  // why the scripted vertices could not be moved
   int lag_iterations = 0;
   double friction_residual = 0;
   bool lag_converged = true;
+  Convergence::Balance balance = {};
 };
 
 struct SceneConfig;
