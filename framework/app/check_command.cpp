@@ -59,8 +59,8 @@ int check_command(const SceneOptions& options) {
   prepare_probes(scene, *world);
   print_contents(*world);
   for (const std::string& line : resolution_warnings(scene.config, *world)) fmt::print("warning: {}\n", line);
-  set_loads(scene.config, *world, scene.config.time.step, world->start.x);
   for (const std::string& line : doubtful_tolerances(scene.config, *world)) fmt::print("warning: {}\n", line);
+  set_loads(scene.config, *world, scene.config.time.step, world->start.x);
   const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;
