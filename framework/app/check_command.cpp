@@ -11,6 +11,7 @@
 #include "framework/scene/external_loads.hpp"
 #include "framework/scene/load_scene.hpp"
 #include "framework/scene/resolution.hpp"
+#include "framework/scene/tolerances.hpp"
 
 namespace tack {
 namespace {
@@ -58,6 +59,7 @@ int check_command(const SceneOptions& options) {
   prepare_probes(scene, *world);
   print_contents(*world);
   for (const std::string& line : resolution_warnings(scene.config, *world)) fmt::print("warning: {}\n", line);
+  for (const std::string& line : doubtful_tolerances(scene.config, *world)) fmt::print("warning: {}\n", line);
   set_loads(scene.config, *world, scene.config.time.step, world->start.x);
   const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);

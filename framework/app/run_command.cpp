@@ -20,6 +20,7 @@
 #include "framework/output/summary.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/resolution.hpp"
+#include "framework/scene/tolerances.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
 
@@ -86,6 +87,7 @@ class Run {
                                   summary_.threads));
     warn_of_weak_wells(*world_, progress_);
     for (const std::string& line : resolution_warnings(scene_.config, *world_)) progress_.warning(line);
+    for (const std::string& line : doubtful_tolerances(scene_.config, *world_)) progress_.warning(line);
     std::optional<double> resumed_at;
     if (checkpoint_) resumed_at = checkpoint_->state.time;
     Recorder recorder(scene_, *world_, folder_, columns_, clock_, resumed_at);

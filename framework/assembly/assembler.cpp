@@ -128,12 +128,17 @@ void Assembler::add_gradient(const VecX& x, double scale, VecX& gradient) {
   add_linear(x, scale, gradient);
 }
 
-double Assembler::largest_stencil_force() const {
+double Assembler::Group::largest_force() const {
   double largest = 0;
-  for (const Group* group : {&static_, &dynamic_})
-    for (const double force : group->gradient_slots) largest = std::max(largest, std::abs(force));
+  for (const double force : gradient_slots) largest = std::max(largest, std::abs(force));
   return largest;
 }
+
+double Assembler::largest_stencil_force() const {
+  return std::max(static_.largest_force(), dynamic_.largest_force());
+}
+
+double Assembler::largest_static_force() const { return static_.largest_force(); }
 
 // The pattern's static keys are those of the static map and the diagonals.
 void Assembler::locate_static_blocks() {

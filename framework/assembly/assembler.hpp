@@ -30,6 +30,7 @@ class Assembler {
 
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;
+  double largest_static_force() const;  // the same without dynamic terms
 
  private:
   struct Group {
@@ -39,6 +40,7 @@ class Assembler {
     std::vector<double> gradient_slots, hessian_slots;
     GatherMap gradient_map, hessian_map;
 
+    double largest_force() const;
     void place(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, SpdFilter filter, bool with_hessian);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);

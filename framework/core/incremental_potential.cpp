@@ -69,6 +69,14 @@ double IncrementalPotential::value() {
 
 double IncrementalPotential::value_noise() const { return noise_; }
 
+double IncrementalPotential::largest_inertial_force() const {
+  double largest = 0;
+  for (int b = 0; b < dofs_.block_count(); ++b)
+    largest = std::max(largest, block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b))
+                                                     .lpNorm<Eigen::Infinity>());
+  return largest / scale_;
+}
+
 void IncrementalPotential::start_gradient() {
   gradient_.resize(size());
   for (int b = 0; b < dofs_.block_count(); ++b)

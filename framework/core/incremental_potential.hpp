@@ -27,7 +27,10 @@ class IncrementalPotential : public Objective {
 
   const VecX& configuration() const { return x_; }
   double scale() const { return scale_; }  // beta h^2, or 1
+  // The largest components of forces at the point and of the gradient that were evaluated last [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
+  double largest_element_force() const { return assembler_.largest_static_force(); }  // without contact
+  double largest_inertial_force() const;
 
   int size() const override { return dofs_.size(); }
   void move_to(const VecX& q) override;

@@ -26,6 +26,9 @@ class LinearSolver : public Component {
   virtual bool factorize(const BlockMatrix& matrix, PhaseClock& clock) = 0;
   // x <- A^-1 b with the last successful factorisation.
   virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
+  // The same once more for another b, leaving at most `relative` of it: what corrects a solution that
+  // iterations stopped short of. Direct solvers need no such leave.
+  virtual void correct(const VecX& b, VecX& x, double /*relative*/, PhaseClock& clock) { solve(b, x, clock); }
   virtual int analyses() const = 0;  // symbolic analyses so far
 
   // The relative residual that solves may leave from now on, for solvers that iterate; direct ones

@@ -1,5 +1,7 @@
 #include "framework/core/minimizer.hpp"
 
+#include <algorithm>
+
 #include "framework/config/field.hpp"
 
 namespace tack {
@@ -10,12 +12,28 @@ void Minimizer::fields(Fields& f) {
             {"force", Stopping::force, "largest residual force against `force_tolerance`; quasi-static steps always"},
             {"acceleration", Stopping::acceleration, "largest M^-1 times residual force against `acceleration_tolerance`"}},
            "when a solve has converged");
-  f.number("tolerance", tolerance_, units::velocity, "of the velocity").positive();
+  f.optional_number("tolerance", tolerance_, units::velocity,
+                    "of the velocity; unless given 1 cm/s, or less where a step would end more than a tenth of the "
+                    "contact distance or a thousandth of the smallest moving object off").positive();
   f.number("force_tolerance", force_tolerance_, units::none,
            "of the residual force, as a part of the largest force of any element or contact").positive();
+  f.number("balance_tolerance", balance_tolerance_, units::none,
+           "of the force that nothing balances, as a part of the largest force of inertia, loads or elements: must "
+           "hold too when `stopping` is velocity or acceleration").positive();
+  f.optional_number("force_floor", force_floor_, units::force,
+                    "unbalanced force that is tolerated whatever else acts; unless given, what changes the velocity of "
+                    "the heaviest vertex by `tolerance` in a step, and the round-off of elements").nonnegative();
   f.number("acceleration_tolerance", acceleration_tolerance_, units::acceleration,
            "of the residual acceleration").positive();
   f.integer("max_iterations", max_iterations_, "iterations before the step is given up").at_least(1);
+}
+
+bool balanced(const MinimizerProblem& problem, MinimizerResult& result) {
+  if (!problem.imbalance) return true;
+  const double imbalance = problem.imbalance(problem.objective.gradient());
+  if (imbalance <= 1) return true;
+  result.residual = std::max(result.residual, imbalance);
+  return false;
 }
 
 std::string_view to_string(MinimizerStatus status) {

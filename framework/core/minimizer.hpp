@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -39,6 +40,12 @@ struct MinimizerProblem {
   // objective's value and the seconds since the minimisation began.
   using Observer = std::function<void(int iteration, double residual, double value, double seconds)>;
   Observer observer = {};
+  // Of a direction that leaves the residual r = -g - H p of its Newton system: how much the stopping norm of
+  // the exact direction may exceed that of p. If it is not given, directions are believed.
+  std::function<double(const VecX& r)> direction_error = {};
+  // The largest force that nothing balances, in units of what is tolerated; if given, it must be below 1
+  // where the minimisation ends.
+  std::function<double(const VecX& gradient)> imbalance = {};
 };
 
 struct MinimizerResult {
@@ -56,6 +63,10 @@ struct MinimizerResult {
   }
 };
 
+// Whether forces balance at the objective's present point, as far as the problem asks; result.residual tells by
+// how much they do not.
+bool balanced(const MinimizerProblem& problem, MinimizerResult& result);
+
 // When a minimisation has converged.
 enum class Stopping {
   velocity,      // |p|_inf / h below a tolerance [m/s], p the Newton direction (the paper)
@@ -72,9 +83,16 @@ class Minimizer : public Component {
 
   void fields(Fields& f) override;
   Stopping stopping() const { return stopping_; }
-  double velocity_tolerance() const { return tolerance_; }                   // m/s
+  double velocity_tolerance() const { return tolerance_.value_or(0.01); }     // m/s
   double force_tolerance() const { return force_tolerance_; }                // relative
+  double balance_tolerance() const { return balance_tolerance_; }            // relative
+  std::optional<double> force_floor() const { return force_floor_; }         // N
   double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
+
+  // What a scene that does not say gets: framework/scene/tolerances.hpp.
+  bool tolerance_given() const { return tolerance_.has_value(); }
+  void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }
+  void set_force_floor(double floor) { force_floor_ = floor; }
 
   // What solves linear systems and why, once it is known; "" for methods without.
   virtual std::string linear_solver() const { return {}; }
@@ -89,7 +107,9 @@ class Minimizer : public Component {
 
  private:
   Stopping stopping_ = Stopping::velocity;
-  double tolerance_ = 0.01;  // m/s
+  std::optional<double> tolerance_;    // m/s
+  std::optional<double> force_floor_;  // N
+  double balance_tolerance_ = 0.01;
   double force_tolerance_ = 1e-4;
   double acceleration_tolerance_ = 1;  // m/s^2
 };

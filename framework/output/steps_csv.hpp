@@ -1,6 +1,6 @@
 // steps.csv: one row per accepted step. Columns: step, time [s], step_size [s], halvings,
 // newton_iterations, linear_solves, line_search_evaluations, contacts, candidates, min_distance
-// [m], energy_<term> [J] for each term, residual, converged (0 or 1), lag_iterations, friction_residual, wall_seconds, seconds_<phase>
+// [m], energy_<term> [J] for each term, residual, unbalanced_force [N], tolerated_force [N], converged (0 or 1), lag_iterations, friction_residual, wall_seconds, seconds_<phase>
 // for each phase.
 #pragma once
 

@@ -71,6 +71,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"totals", totals_json(s)},
           {"max_contacts", s.max_contacts},
           {"min_distance", finite(s.min_distance)},
+          {"max_unbalanced_force", finite(s.max_unbalanced_force)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
           {"adhesion", adhesion_json(s.adhesion)},
@@ -104,6 +105,7 @@ void RunSummary::add(const StepReport& report) {
   broad_phase_builds += report.broad_phase_builds;
   max_contacts = std::max(max_contacts, report.contacts);
   min_distance = std::min(min_distance, report.min_distance);
+  max_unbalanced_force = std::max(max_unbalanced_force, report.unbalanced_force);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
 }

@@ -2,7 +2,7 @@
 //
 // Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
-// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], intersections,
+// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], intersections,
 // inverted_tets, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
 // Numbers that are not finite are null.
@@ -45,6 +45,7 @@ struct RunSummary {
   long broad_phase_builds = 0;
   int max_contacts = 0;
   double min_distance = std::numeric_limits<double>::infinity();  // m
+  double max_unbalanced_force = 0;  // at the end of a step [N]
   int intersections = 0;
   int inverted_tets = 0;
   std::vector<AdhesionSummary> adhesion;

@@ -19,6 +19,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("broad_phase_builds", s.broad_phase_builds);
   act("max_contacts", s.max_contacts);
   act("min_distance", s.min_distance);
+  act("max_unbalanced_force", s.max_unbalanced_force);
   act("intersections", s.intersections);
   act("inverted_tets", s.inverted_tets);
   for (int i = 0; i < phase_count; ++i) act(fmt::format("seconds_{}", phase_names[i]), s.phases[i]);

@@ -9,6 +9,7 @@
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/named_selections.hpp"
+#include "framework/scene/tolerances.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -219,6 +220,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   check_solver(scene, root, *world);
+  settle_tolerances(scene, *world, clock);
   return world;
 }
 

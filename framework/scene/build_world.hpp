@@ -10,7 +10,8 @@
 
 namespace tack {
 
-// Builds the world; `root` is the parsed scene, for places in messages. Throws InputError for
+// Builds the world, and gives the scene's solver the tolerances that it lacks; `root` is the parsed scene, for
+// places in messages. Throws InputError for
 // anything that does not fit together, also for a start that intersects.
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock);
 

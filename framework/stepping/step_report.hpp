@@ -17,6 +17,8 @@ struct StepReport {
   int halvings = 0;      // failed solves behind this step
   MinimizerResult solve;
   bool converged = false;
+  double unbalanced_force = 0;  // the largest that is left at a vertex [N]
+  double tolerated_force = 0;   // the largest that may be [N]
   int contacts = 0;         // active stencils
   int candidates = 0;
   double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near

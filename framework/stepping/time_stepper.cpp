@@ -25,7 +25,7 @@ constexpr double most_of_it = 0.9;
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.rest) {
+      held_(world.script, world.rest), convergence_(world, *scene.solver) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
@@ -74,23 +74,6 @@ double TimeStepper::feasible_step(const VecX& q, const VecX& p) {
   direction_.setZero();
   world_.dofs.scatter(p, direction_);
   return largest_step(x, direction_);
-}
-
-Stopping TimeStepper::stopping() const { return inertia_ ? scene_.solver->stopping() : Stopping::force; }
-
-double TimeStepper::stopping_norm(double h, const VecX& p, const VecX& gradient) const {
-  const Minimizer& solver = *scene_.solver;
-  if (stopping() == Stopping::velocity) return p.lpNorm<Eigen::Infinity>() / h / solver.velocity_tolerance();
-  if (stopping() == Stopping::acceleration) {
-    double largest = 0;
-    for (int b = 0; b < world_.dofs.block_count(); ++b)
-      largest = std::max(largest, gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() /
-                                      world_.mass(world_.dofs.vertex_of_block(b)));
-    return largest / potential_->scale() / solver.acceleration_tolerance();
-  }
-  const double allowed = scene_.solver->force_tolerance() * potential_->scale() * potential_->largest_stencil_force();
-  const double residual = gradient.lpNorm<Eigen::Infinity>();
-  return residual == 0 ? 0 : residual / allowed;
 }
 
 // Where the motion would go with the acceleration of the last step, as far as that is feasible and
@@ -171,6 +154,7 @@ Attempt TimeStepper::solve(double h, const VecX* guess) {
   VecX places = state_.x;
   held_.place(state_.time + h, places);
   potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
+  convergence_.begin_step(*potential_, h, prediction.inertia);
   Attempt attempt{{}, places};
   VecX q;
   if (guess) {
@@ -185,10 +169,10 @@ Attempt TimeStepper::solve(double h, const VecX* guess) {
     world_.dofs.gather(start.x, q);
   }
   if (world_.dofs.size() == 0) return attempt;
-  const MinimizerProblem problem{
-      *potential_, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); },
-      [this, h](const VecX& p, const VecX& g) { return stopping_norm(h, p, g); }, clock_,
-      stopping() == Stopping::velocity, observer_};
+  MinimizerProblem problem{
+      *potential_, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock_};
+  problem.observer = observer_;
+  convergence_.judge(problem);
   minimize_lagged(problem, q, attempt);
   return attempt;
 }
@@ -199,6 +183,7 @@ void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Atte
     const MinimizerResult before = attempt.result;
     attempt.result = scene_.solver->minimize(problem, q);
     attempt.result.add_work(before);
+    attempt.balance = convergence_.balance();
     world_.dofs.scatter(q, attempt.x);
   };
   minimize();
@@ -257,6 +242,8 @@ StepReport TimeStepper::report(const Attempt& attempt, double h, int halvings) c
   r.halvings = halvings;
   r.solve = attempt.result;
   r.converged = attempt.result.status == MinimizerStatus::converged;
+  r.unbalanced_force = attempt.balance.unbalanced;
+  r.tolerated_force = attempt.balance.tolerated;
   r.lag_iterations = attempt.lag_iterations;
   r.friction_residual = attempt.friction_residual;
   r.lag_converged = attempt.lag_converged;

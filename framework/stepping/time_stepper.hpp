@@ -15,6 +15,7 @@
 #include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
+#include "framework/stepping/convergence.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/script_walk.hpp"
 #include "framework/stepping/step_report.hpp"
@@ -30,6 +31,7 @@ struct Attempt {
   int lag_iterations = 0;
   double friction_residual = 0;
   bool lag_converged = true;
+  Convergence::Balance balance = {};
 };
 
 struct SceneConfig;
@@ -70,8 +72,6 @@ class TimeStepper {
   void apply_loads(double t);
   double largest_step(const VecX& x, const VecX& p);
   double feasible_step(const VecX& q, const VecX& p);
-  Stopping stopping() const;
-  double stopping_norm(double h, const VecX& p, const VecX& gradient) const;
   StepReport report(const Attempt& attempt, double h, int halvings) const;
 
   World& world_;
@@ -80,6 +80,7 @@ class TimeStepper {
   std::function<void(const std::string&)> warn_;
   State state_;
   HeldVertices held_;
+  Convergence convergence_;
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
   std::vector<std::unique_ptr<StepFilter>> filters_;

@@ -29,16 +29,18 @@ class AutomaticSolver : public LinearSolver {
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
     if (!iterating_) return direct_->solve(b, x, clock);
     iterative_->solve(b, x, clock);
-    if (!x.allFinite()) {
-      stop_iterating("it did not converge");
-      if (direct_->factorize(*matrix_, clock)) direct_->solve(b, x, clock);
-      return;
-    }
+    if (!x.allFinite()) return give_up(b, x, clock);
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
     if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_)
       stop_iterating(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_,
                                  budget_));
+  }
+
+  void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
+    if (!iterating_) return direct_->correct(b, x, relative, clock);
+    iterative_->correct(b, x, relative, clock);
+    if (!x.allFinite()) give_up(b, x, clock);
   }
 
   void set_tolerance(double relative) override {
@@ -64,6 +66,11 @@ class AutomaticSolver : public LinearSolver {
                           "{:.0f} iterations of {})",
                           iterating_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
                           cost->entries, cost->operations, budget_, iterative_->describe());
+  }
+
+  void give_up(const VecX& b, VecX& x, PhaseClock& clock) {
+    stop_iterating("it did not converge");
+    if (direct_->factorize(*matrix_, clock)) direct_->solve(b, x, clock);
   }
 
   void stop_iterating(const std::string& why) {

@@ -22,31 +22,17 @@ class LaggedCholesky : public LinearSolver {
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     matrix_ = &matrix;
+    fresh_ = false;
     const bool usable = size_ == matrix.size() && !stale_;
     return usable || refresh(clock);
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
-    using Outcome = ConjugateGradients::Outcome;
-    for (;;) {
-      if (fresh_ && direct_->exact()) {
-        direct_->solve(b, x, clock);
-        break;
-      }
-      const Outcome outcome = cg_.solve(
-          *matrix_, b, x, {tolerance_, max_iterations_}, clock,
-          [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
-      if (outcome == Outcome::solved) {
-        stale_ = cg_.iterations() > max_iterations_ / 2;
-        break;
-      }
-      const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
-      if (hopeless || !refresh(clock)) {
-        x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
-        break;
-      }
-    }
-    fresh_ = false;
+    if (iterate(b, x, tolerance_, clock)) stale_ = cg_.iterations() > max_iterations_ / 2;
+  }
+  // How many iterations that takes says nothing about the next matrix.
+  void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
+    iterate(b, x, relative, clock);
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
@@ -57,6 +43,26 @@ class LaggedCholesky : public LinearSolver {
   }
 
  private:
+  // Whether conjugate gradients did it.
+  bool iterate(const VecX& b, VecX& x, double tolerance, PhaseClock& clock) {
+    using Outcome = ConjugateGradients::Outcome;
+    for (;;) {
+      if (fresh_ && direct_->exact()) {
+        direct_->solve(b, x, clock);
+        return false;
+      }
+      const Outcome outcome = cg_.solve(
+          *matrix_, b, x, {tolerance, max_iterations_}, clock,
+          [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
+      if (outcome == Outcome::solved) return true;
+      const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
+      if (hopeless || !refresh(clock)) {
+        x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+        return false;
+      }
+    }
+  }
+
   bool refresh(PhaseClock& clock) {
     direct_->allow_approximation();
     fresh_ = direct_->factorize(*matrix_, clock);

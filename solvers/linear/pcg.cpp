@@ -29,10 +29,12 @@ class Pcg : public LinearSolver {
     return preconditioner_->update(matrix);
   }
 
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) override { correct(b, x, tolerance_, clock); }
+
+  void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     using Outcome = ConjugateGradients::Outcome;
     const Outcome outcome =
-        cg_.solve(*matrix_, b, x, {tolerance_, max_iterations_}, clock,
+        cg_.solve(*matrix_, b, x, {relative, max_iterations_}, clock,
                           [&](const VecX& r, VecX& z) { preconditioner_->apply(r, z); });
     const bool reached = truncate_ && cg_.iterations() > 0;
     if (outcome != Outcome::solved && !reached)

@@ -16,30 +16,28 @@ ConvergenceJudge::ConvergenceJudge() : linear_(Registry<LinearSolver>::make("lag
 
 void ConvergenceJudge::begin() { begun_ = false; }
 
-bool ConvergenceJudge::newton_direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
-  const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
-  return newton_solve(*linear_, hessian, problem.objective.gradient(), p, problem.clock, result);
-}
-
 double ConvergenceJudge::verdict(const MinimizerProblem& problem, MinimizerResult& result) {
   VecX p;
-  if (problem.norm_of_direction && !newton_direction(problem, p, result))
+  if (!problem.norm_of_direction) return problem.stopping_norm(p, problem.objective.gradient());
+  const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
+  if (!newton_solve(*linear_, hessian, problem.objective.gradient(), p, problem.clock, result))
     return std::numeric_limits<double>::infinity();
-  return problem.stopping_norm(p, problem.objective.gradient());
+  return check_.norm(*linear_, hessian, problem, p, result);
 }
 
 bool ConvergenceJudge::converged(const MinimizerProblem& problem, MinimizerResult& result) {
   if (!problem.norm_of_direction) {
     result.residual = problem.stopping_norm(VecX(), problem.objective.gradient());
-    return result.residual <= 1;
+    return result.residual <= 1 && balanced(problem, result);
   }
   const double gradient = problem.objective.gradient().norm();
   if (begun_ && gradient > next_gradient_) return false;
   if (!std::isfinite(gradient)) return false;
   begun_ = true;
   result.residual = verdict(problem, result);
+  const bool done = result.residual <= 1 && balanced(problem, result);
   next_gradient_ = gradient * std::min(sooner / result.residual, 0.9);
-  return result.residual <= 1;
+  return done;
 }
 
 }  // namespace tack

@@ -8,6 +8,7 @@
 
 #include "framework/core/linear_solver.hpp"
 #include "framework/core/minimizer.hpp"
+#include "solvers/minimizers/direction_check.hpp"
 
 namespace tack {
 
@@ -17,13 +18,12 @@ class ConvergenceJudge {
   void begin();  // a new minimisation
   // Whether the objective's present point has converged; result.residual is the last verdict.
   bool converged(const MinimizerProblem& problem, MinimizerResult& result);
-  // Solves for the Newton direction whatever the gradient; where p is the norm's.
-  double verdict(const MinimizerProblem& problem, MinimizerResult& result);
-  // p <- the Newton direction; false where the clamped Hessian is singular.
-  bool newton_direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result);
-
  private:
+  // Solves for the Newton direction where that is the norm's; infinity where the clamped Hessian is singular.
+  double verdict(const MinimizerProblem& problem, MinimizerResult& result);
+
   std::unique_ptr<LinearSolver> linear_;
+  DirectionCheck check_;
   double next_gradient_ = 0;  // |gradient| below which it is worth another look
   bool begun_ = false;
 };

@@ -40,12 +40,12 @@ MinimizerResult DescentMinimizer::minimize(const MinimizerProblem& problem, VecX
     if (!objective.gradient().allFinite()) return end(MinimizerStatus::not_finite);
     if (found != MinimizerStatus::converged) return end(found);
     ++result.iterations;
-    if (newton_like()) result.residual = problem.stopping_norm(p, objective.gradient());
+    if (newton_like()) result.residual = newton_norm(problem, p, result);
     const bool last = newton_like() && result.residual <= 1;
     const MinimizerStatus moved = advance(problem, p, q, result);
     tell();
-    // Below the tolerance the point is accepted as it is, whether or not the last step helped.
-    if (last) return end(MinimizerStatus::converged);
+    // Below the tolerance the point is accepted as it is, whether or not the last step helped, if forces balance.
+    if (last && balanced(problem, result)) return end(MinimizerStatus::converged);
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
     if (moved != MinimizerStatus::converged) return end(moved);
   }

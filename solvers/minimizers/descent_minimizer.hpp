@@ -35,6 +35,10 @@ class DescentMinimizer : public Minimizer {
   virtual void stepped(const MinimizerProblem&, const Step&) {}
   // Whether the length of p tells how far the minimum is, as a Newton direction's does.
   virtual bool newton_like() const { return false; }
+  // The stopping norm of p, a direction that is newton_like, and of what p may miss of the exact one.
+  virtual double newton_norm(const MinimizerProblem& problem, VecX& p, MinimizerResult&) {
+    return problem.stopping_norm(p, problem.objective.gradient());
+  }
   // Whether p may be replaced by another one where no step along it decreases the objective: false if
   // there is nothing left to try.
   virtual bool restart(const MinimizerProblem&) { return false; }

@@ -7,6 +7,7 @@
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
+#include "solvers/minimizers/direction_check.hpp"
 #include "solvers/minimizers/shifted_factor.hpp"
 
 namespace tack {
@@ -17,7 +18,7 @@ class NewtonPcg : public DescentMinimizer {
     DescentMinimizer::fields(f);
     f.number("forcing_max", forcing_max_, units::none, "largest relative residual of a system").range(1e-6, 0.5);
     f.number("forcing_min", forcing_min_, units::none,
-             "smallest relative residual, and that of the step which convergence is judged by").range(1e-12, 0.1);
+             "smallest relative residual of a system, but for the last: that is solved as well as its verdict needs").range(1e-12, 0.1);
     f.component("linear", linear_, "solver of the Newton systems, one that iterates");
     f.check("forcing_min", [this] {
       return forcing_min_ <= forcing_max_ ? "" : "forcing_min is above forcing_max";
@@ -27,6 +28,9 @@ class NewtonPcg : public DescentMinimizer {
 
  protected:
   bool newton_like() const override { return shift_ == 0; }
+  double newton_norm(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    return check_.norm(*linear_, *hessian_, problem, p, result);
+  }
 
   void begin(const MinimizerProblem&, MinimizerResult&) override {
     last_gradient_ = 0;
@@ -42,12 +46,9 @@ class NewtonPcg : public DescentMinimizer {
       shift_ = shift.value_or(0);
       return shift.has_value();
     };
+    hessian_ = &hessian;
     forcing_ = next_forcing(gradient.norm());
-    if (!solve(forcing_)) return MinimizerStatus::factorization_failed;
-    // A step that was solved for loosely may be short because it is wrong.
-    const bool judged = problem.stopping_norm(p, gradient) <= 1;
-    if (judged && forcing_ > forcing_min_ && !solve(forcing_min_)) return MinimizerStatus::factorization_failed;
-    return MinimizerStatus::converged;
+    return solve(forcing_) ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
   }
 
  private:
@@ -66,6 +67,8 @@ class NewtonPcg : public DescentMinimizer {
   double forcing_max_ = 0.1;
   double forcing_min_ = 1e-3;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("pcg");
+  DirectionCheck check_;
+  const BlockMatrix* hessian_ = nullptr;  // of the last system
   double forcing_ = 0;        // of the last system
   double shift_ = 0;          // of its matrix
   double last_gradient_ = 0;  // its |g|; 0: there was none

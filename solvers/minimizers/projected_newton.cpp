@@ -6,6 +6,7 @@
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
 #include "solvers/minimizers/descent_minimizer.hpp"
+#include "solvers/minimizers/direction_check.hpp"
 #include "solvers/minimizers/shifted_factor.hpp"
 
 namespace tack {
@@ -34,6 +35,9 @@ class ProjectedNewton : public DescentMinimizer {
 
  protected:
   bool newton_like() const override { return shift_ == 0; }
+  double newton_norm(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
+    return check_.norm(*linear_, *hessian_, problem, p, result);
+  }
 
   void begin(const MinimizerProblem&, MinimizerResult&) override {
     indefinite_ = 0;
@@ -70,6 +74,7 @@ class ProjectedNewton : public DescentMinimizer {
   // p <- -H^-1 g. False if H shows a negative curvature, or p does not descend.
   bool solve(const BlockMatrix& hessian, const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     const VecX& gradient = problem.objective.gradient();
+    hessian_ = &hessian;
     return newton_solve(*linear_, hessian, gradient, p, problem.clock, result) && p.dot(gradient) < 0;
   }
 
@@ -99,8 +104,9 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
   bool solve_shifted(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
-    const auto shift = shifted_solve(*linear_, problem.objective.hessian(spd_filter()),
-                                     problem.objective.gradient(), p, problem.clock, result);
+    hessian_ = &problem.objective.hessian(spd_filter());
+    const auto shift =
+        shifted_solve(*linear_, *hessian_, problem.objective.gradient(), p, problem.clock, result);
     shift_ = shift.value_or(0);
     return shift.has_value();
   }
@@ -118,6 +124,8 @@ class ProjectedNewton : public DescentMinimizer {
 
   Filter filter_ = Filter::clamp;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
+  DirectionCheck check_;
+  const BlockMatrix* hessian_ = nullptr;  // of the last direction
   int indefinite_ = 0;
   double shift_ = 0;           // of the last direction
   bool careful_ = false;       // the last step went too far

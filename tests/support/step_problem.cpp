@@ -1,6 +1,7 @@
 #include "tests/support/step_problem.hpp"
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/stepping/convergence.hpp"
 
 namespace tack {
 
@@ -45,12 +46,11 @@ double StepProblem::feasible_step(const VecX& from, const VecX& p) {
 }
 
 MinimizerResult StepProblem::minimize(Minimizer& minimizer) {
-  const MinimizerProblem problem{
-      potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); },
-      [&](const VecX& p, const VecX&) {
-        return p.lpNorm<Eigen::Infinity>() / config.time.step / minimizer.velocity_tolerance();
-      },
-      clock, true};
+  Convergence convergence(*world, minimizer);
+  convergence.begin_step(potential, config.time.step, prediction.inertia);
+  MinimizerProblem problem{
+      potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock};
+  convergence.judge(problem);
   path.clear();
   const MinimizerResult result = minimizer.minimize(problem, q);
   path.push_back(q);

@@ -51,6 +51,7 @@ TEST_CASE("a run whose expectations hold ends with 0 and leaves what is document
   CHECK(summary["converged_steps"] == 5);
   CHECK(summary["dofs"] == 24);
   CHECK(summary["intersections"] == 0);
+  CHECK(summary["max_unbalanced_force"].get<double>() > 0);
   CHECK(summary["expect"].size() == 1);
   CHECK(summary["expect"][0]["pass"] == true);
 }
@@ -63,7 +64,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
       "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves",
       "line_search_evaluations", "contacts", "candidates", "min_distance", "energy_kinetic",
       "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "residual",
-      "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_filter",
+      "unbalanced_force", "tolerated_force", "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_filter",
       "seconds_factorize", "seconds_solve", "seconds_broad_phase", "seconds_narrow_phase", "seconds_ccd",
       "seconds_line_search", "seconds_check", "seconds_io"};
   CHECK(steps.columns == columns);
@@ -71,7 +72,8 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   for (const auto& row : steps.rows) {
     CHECK(row[9] > 0);                 // min_distance
     CHECK(row[9] < 1e-3);              // the block stays within reach of the floor
-    CHECK(row[16] == 1);               // converged
+    CHECK(row[16] <= row[17]);         // forces balance
+    CHECK(row[18] == 1);               // converged
   }
 }
 

@@ -42,6 +42,7 @@ nlohmann::json written(const RunSummary& summary) {
 StepReport report(bool converged, int contacts, double distance) {
   StepReport r;
   r.converged = converged;
+  r.unbalanced_force = contacts;
   r.halvings = 2;
   r.solve = {MinimizerStatus::converged, 3, 4, 5, 0.1};
   r.contacts = contacts;
@@ -81,7 +82,8 @@ TEST_CASE("summary.json has exactly the documented keys") {
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "error",
                                          "expect", "failed_solves", "intersections",
-                                         "inverted_tets", "linear_solver", "max_contacts", "min_distance", "name",
+                                         "inverted_tets", "linear_solver", "max_contacts",
+                                         "max_unbalanced_force", "min_distance", "name",
                                          "phases", "status", "steps", "threads", "totals",
                                          "unconverged_lags", "version", "wall_seconds"});
   CHECK(json["expect"] == nlohmann::json::array());
@@ -122,6 +124,7 @@ TEST_CASE("a summary counts the steps in") {
                                           {"line_search_evaluations", 15},
                                           {"broad_phase_builds", 3}}));
   CHECK(json["max_contacts"] == 9);
+  CHECK(json["max_unbalanced_force"] == 9.0);
   CHECK(json["min_distance"] == 0.1);
   CHECK(json["intersections"] == 3);
 }

@@ -1,0 +1,109 @@
+#include "framework/scene/tolerances.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "framework/core/incremental_potential.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double usual = 0.01;           // m/s: 1 cm/s
+constexpr double of_distance = 0.1;      // of the contact distance, that a step may be off
+constexpr double of_size = 1e-3;         // of the smallest moving object
+constexpr double roundings = 64;         // of a position, in the force of the elements around a vertex
+
+bool has_inertia(const SceneConfig& scene, const World& world) {
+  return scene.time.integrator->predict(world.start, scene.time.step).inertia;
+}
+
+// The diagonal of the smallest object that moves [m].
+double smallest_size(const World& world) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Body& body : world.bodies) {
+    Eigen::AlignedBox3d box;
+    for (int v = body.first_vertex; body.movable && v < body.first_vertex + body.vertex_count; ++v)
+      box.extend(Vec3(vertex(world.rest, v)));
+    if (!box.isEmpty()) smallest = std::min(smallest, box.diagonal().norm());
+  }
+  return smallest;
+}
+
+double velocity_tolerance(const SceneConfig& scene, const World& world) {
+  double way = of_size * smallest_size(world);
+  if (scene.contact) way = std::min(way, of_distance * scene.contact->distance);
+  return way > 0 ? std::min(usual, way / scene.time.step) : usual;
+}
+
+// The largest force that an element vertex feels per way that it moves, at rest [N/m].
+double stiffness_at_rest(const World& world, PhaseClock& clock) {
+  std::vector<char> free(static_cast<size_t>(world.mass.size()));
+  for (size_t v = 0; v < free.size(); ++v) free[v] = world.script.ever_free(static_cast<int>(v));
+  const DofMap dofs(free);
+  std::vector<const Term*> elements;
+  for (const auto& term : world.elastic_terms) elements.push_back(term.get());
+  IncrementalPotential potential(elements, dofs, world.mass, clock, [](const VecX&) {});
+  VecX q;
+  dofs.gather(world.rest, q);
+  potential.begin_step(world.rest, world.rest, 1, false);
+  potential.move_to(q);
+  const BlockMatrix& hessian = potential.hessian(SpdFilter::none);
+  double largest = 0;
+  for (int c = 0; c < hessian.columns(); ++c)
+    largest = std::max(largest, hessian.block(hessian.column_start[c]).diagonal().maxCoeff());
+  return largest;
+}
+
+// A force that changes no vertex' velocity by more than the tolerance within a step, or that round-off makes.
+double force_floor(const SceneConfig& scene, const World& world, PhaseClock& clock) {
+  const double round_off = roundings * std::numeric_limits<double>::epsilon() * stiffness_at_rest(world, clock) *
+                           world.rest.lpNorm<Eigen::Infinity>();
+  if (!has_inertia(scene, world)) return round_off;
+  double heaviest = 0;
+  for (Eigen::Index v = 0; v < world.mass.size(); ++v)
+    if (world.script.ever_free(static_cast<int>(v))) heaviest = std::max(heaviest, world.mass(v));
+  return std::max(round_off, heaviest * scene.solver->velocity_tolerance() / scene.time.step);
+}
+
+// The speeds below which something sticks, with the key that says so.
+std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig& contact) {
+  std::vector<std::pair<std::string, double>> speeds;
+  if (contact.friction) speeds.emplace_back("contact.friction.eps_v", contact.friction->eps_v);
+  for (size_t i = 0; i < contact.pairs.size(); ++i) {
+    const PairConfig& pair = contact.pairs[i];
+    const auto key = [&](const char* name) { return fmt::format("contact.pairs[{}].{}", i, name); };
+    if (pair.friction) speeds.emplace_back(key("friction.eps_v"), pair.friction->eps_v);
+    if (pair.tangential_adhesion && pair.tangential_adhesion->eps_a)
+      speeds.emplace_back(key("tangential_adhesion.eps_a"), *pair.tangential_adhesion->eps_a);
+  }
+  return speeds;
+}
+
+}  // namespace
+
+void settle_tolerances(const SceneConfig& scene, const World& world, PhaseClock& clock) {
+  Minimizer& solver = *scene.solver;
+  if (!solver.tolerance_given()) solver.set_velocity_tolerance(velocity_tolerance(scene, world));
+  if (!solver.force_floor()) solver.set_force_floor(force_floor(scene, world, clock));
+}
+
+std::vector<std::string> doubtful_tolerances(const SceneConfig& scene, const World& world) {
+  std::vector<std::string> lines;
+  if (!scene.contact || !has_inertia(scene, world) || scene.solver->stopping() != Stopping::velocity) return lines;
+  const double tolerance = scene.solver->velocity_tolerance(), way = tolerance * scene.time.step;
+  const double distance = scene.contact->distance;
+  if (way > of_distance * distance * (1 + 1e-9))
+    lines.push_back(fmt::format(
+        "solver.tolerance {:.4g} m/s lets a step of {:.4g} s end {:.4g} m off, and the contact distance is {:.4g} m; "
+        "lower solver.tolerance to {:.4g} m/s or less", tolerance, scene.time.step, way, distance,
+        of_distance * distance / scene.time.step));
+  for (const auto& [key, speed] : sticking_speeds(*scene.contact))
+    if (speed < tolerance * (1 - 1e-9))
+      lines.push_back(fmt::format("{} {:.4g} m/s is below solver.tolerance {:.4g} m/s, so sticking is not resolved; "
+                                  "lower the tolerance below it, or raise it", key, speed, tolerance));
+  return lines;
+}
+
+}  // namespace tack

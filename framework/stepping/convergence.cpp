@@ -1,0 +1,69 @@
+#include "framework/stepping/convergence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tack {
+
+void Convergence::begin_step(const IncrementalPotential& potential, double h, bool inertia) {
+  potential_ = &potential;
+  h_ = h;
+  inertia_ = inertia;
+  balance_ = {};
+  const DofMap& dofs = world_.dofs;
+  mass_.resize(dofs.block_count());
+  largest_load_ = 0;
+  VecX load = VecX::Zero(world_.rest.size());
+  world_.gravity_term.add_linear_gradient(load);
+  world_.load_term.add_linear_gradient(load);
+  for (int b = 0; b < dofs.block_count(); ++b) {
+    const int v = dofs.vertex_of_block(b);
+    mass_(b) = world_.mass(v);
+    largest_load_ = std::max(largest_load_, vertex(load, v).lpNorm<Eigen::Infinity>());
+  }
+}
+
+double Convergence::norm(const VecX& p, const VecX& gradient) const {
+  if (stopping() == Stopping::velocity) return p.lpNorm<Eigen::Infinity>() / h_ / solver_.velocity_tolerance();
+  if (stopping() == Stopping::acceleration) {
+    double largest = 0;
+    for (Eigen::Index b = 0; b < mass_.size(); ++b)
+      largest = std::max(largest, gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / mass_(b));
+    return largest / potential_->scale() / solver_.acceleration_tolerance();
+  }
+  const double force = largest_force(gradient);
+  return force == 0 ? 0 : force / tolerated_force();
+}
+
+double Convergence::largest_force(const VecX& gradient) const {
+  return gradient.lpNorm<Eigen::Infinity>() / potential_->scale();
+}
+
+double Convergence::tolerated_force() const {
+  const double floor = solver_.force_floor().value_or(0);
+  if (stopping() == Stopping::force) return solver_.force_tolerance() * potential_->largest_stencil_force() + floor;
+  const double cause =
+      std::max({largest_load_, potential_->largest_element_force(), potential_->largest_inertial_force()});
+  return solver_.balance_tolerance() * cause + floor;
+}
+
+double Convergence::direction_error(const VecX& r) const {
+  double sum = 0;
+  for (Eigen::Index b = 0; b < mass_.size(); ++b) sum += r.segment<3>(3 * b).squaredNorm() / mass_(b);
+  return std::sqrt(sum / mass_.minCoeff()) / h_ / solver_.velocity_tolerance();
+}
+
+double Convergence::imbalance(const VecX& gradient) {
+  balance_ = {largest_force(gradient), tolerated_force()};
+  if (stopping() == Stopping::force || balance_.unbalanced == 0) return 0;
+  return balance_.unbalanced / balance_.tolerated;
+}
+
+void Convergence::judge(MinimizerProblem& problem) {
+  problem.stopping_norm = [this](const VecX& p, const VecX& g) { return norm(p, g); };
+  problem.norm_of_direction = stopping() == Stopping::velocity;
+  problem.direction_error = [this](const VecX& r) { return direction_error(r); };
+  problem.imbalance = [this](const VecX& g) { return imbalance(g); };
+}
+
+}  // namespace tack

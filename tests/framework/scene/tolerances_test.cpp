@@ -1,0 +1,82 @@
+// Tolerances that a scene does not give, and those that do not fit it.
+#include "framework/scene/tolerances.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "tests/support/component_variants.hpp"
+#include "tests/support/scene.hpp"
+
+using namespace tack;
+
+namespace {
+
+// A cube of the given size above ground ten times as wide.
+std::string cube(double size, double step, const std::string& more = "", const std::string& integrator = "implicit_euler") {
+  return fmt::format("time: {{step: {}, duration: {}, integrator: {}}}\n"
+                     "objects:\n"
+                     "  - {{name: ground, shape: {{type: box, size: [{}, {}, {}]}}, motion: [fixed],\n"
+                     "     place: {{translate: [0, {}, 0]}}}}\n"
+                     "  - {{name: cube, shape: {{type: box, size: [{}, {}, {}]}}, place: {{translate: [0, {}, 0]}},\n"
+                     "     energies: [{{type: neo_hookean, young: 1e5, density: 1000}}]}}\n{}",
+                     step, step, integrator, 10 * size, size, 10 * size, -size, size, size, size, size, more);
+}
+
+double tolerance(const std::string& yaml) { return TestScene(yaml).config.solver->velocity_tolerance(); }
+
+std::vector<std::string> doubts(const std::string& yaml) {
+  TestScene scene(yaml);
+  return doubtful_tolerances(scene.config, *scene.world);
+}
+
+}  // namespace
+
+TEST_CASE("the default tolerance is 1 cm/s where a metre is, and less where that means nothing", "[scene]") {
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm}\n")) == 0.01);
+  CHECK(tolerance(cube(0.1, 0.001, "contact: {distance: 1 mm}\n")) == 0.01);
+  CHECK(tolerance(cube(1, 0.01)) == 0.01);
+  CHECK(tolerance(cube(1, 0.04, "contact: {distance: 1 mm}\n")) == Approx(0.0025));   // the step
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1e-5}\n")) == Approx(1e-4));     // the contact
+  CHECK(tolerance(cube(1e-6, 0.01)) == Approx(std::sqrt(3.0) * 1e-7));                // the size
+  CHECK(tolerance(cube(1e-6, 0.01, "solver: {type: lbfgs, tolerance: 0.01}\n")) == 0.01);  // what is given, holds
+}
+
+TEST_CASE("the force floor is what no vertex feels, and above round-off", "[scene]") {
+  const auto floor = [](const std::string& yaml) { return *TestScene(yaml).config.solver->force_floor(); };
+  TestScene dynamic(cube(0.1, 0.01));
+  CHECK(*dynamic.config.solver->force_floor() == Approx(dynamic.world->mass.maxCoeff() * 0.01 / 0.01));
+  CHECK(floor(cube(0.1, 0.01, "solver: {type: projected_newton, force_floor: 3 N}\n")) == 3);
+  const double quasi_static = floor(cube(0.1, 0.01, "", "quasi_static"));
+  CHECK(quasi_static > 0);
+  CHECK(quasi_static < 1e-9);  // N, of a cube that it takes 1000 N to squash
+  CHECK(floor(cube(0.2, 0.01, "", "quasi_static")) == Approx(4 * quasi_static));  // stiffness times size
+}
+
+TEST_CASE("what was settled is part of the scene", "[scene]") {
+  TestScene scene(cube(1e-3, 0.01));
+  const Value solver = to_value(scene.config.solver.get());
+  REQUIRE(solver.find("tolerance"));
+  REQUIRE(solver.find("force_floor"));
+  const auto again = bind_component<Minimizer>(solver);
+  CHECK(again->velocity_tolerance() == scene.config.solver->velocity_tolerance());
+  CHECK(again->force_floor() == scene.config.solver->force_floor());
+}
+
+TEST_CASE("tolerances that do not fit contact or friction are told", "[scene]") {
+  const std::string contact = "contact: {distance: 1 mm}\n";
+  CHECK(doubts(cube(1, 0.01, contact)).empty());
+  CHECK(doubts(cube(1, 0.04, contact)).empty());  // the default fits
+  const auto coarse = doubts(cube(1, 0.04, contact + "solver: {type: lbfgs, tolerance: 1 cm/s}\n"));
+  REQUIRE(coarse.size() == 1);
+  CHECK(coarse[0].find("contact distance is 0.001 m") != std::string::npos);
+  CHECK(coarse[0].find("lower solver.tolerance to 0.0025 m/s") != std::string::npos);
+
+  const std::string friction =
+      "contact:\n  friction: {mu: 0.5, eps_v: 2 cm/s}\n"
+      "  pairs: [{between: [cube, ground], friction: {mu: 0.1, eps_v: 1 mm/s}}]\n";
+  const auto creeping = doubts(cube(1, 0.01, friction));
+  REQUIRE(creeping.size() == 1);
+  CHECK(creeping[0].find("contact.pairs[0].friction.eps_v 0.001 m/s is below solver.tolerance 0.01 m/s") == 0);
+  CHECK(doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 0.1 mm/s}\n")).empty());
+  CHECK(doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, stopping: force}\n")).empty());
+}

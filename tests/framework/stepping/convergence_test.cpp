@@ -1,0 +1,97 @@
+// When a minimisation may end: the bound of what a direction misses, and the balance of forces.
+#include "framework/stepping/convergence.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/component_variants.hpp"
+#include "tests/support/random_blocks.hpp"
+#include "tests/support/simulation.hpp"
+#include "tests/support/step_problem.hpp"
+
+using namespace tack;
+
+namespace {
+
+// Two blocks of very different stiffness and mass, the lower one in reach of the floor.
+const std::string blocks = R"(
+time: {step: 0.01, duration: 0.01}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}
+  - name: lower
+    shape: {type: box, size: [0.2, 0.1, 0.2], cells: [2, 1, 2]}
+    place: {translate: [0, 0.0501, 0]}
+    energies: [{type: neo_hookean, young: 1e7, poisson: 0.4, density: 3000}]
+  - name: upper
+    shape: {type: box, size: [0.1, 0.1, 0.1]}
+    place: {translate: [0, 0.1506, 0]}
+    velocity: [0, -1, 0]
+    energies: [{type: neo_hookean, young: 1e4, poisson: 0.3, density: 100}]
+contact: {distance: 1 mm, friction: {mu: 0.5}}
+)";
+
+}  // namespace
+
+TEST_CASE("what a direction misses is bounded, whatever the residual", "[stepping]") {
+  StepProblem step(blocks);
+  const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.02}");
+  Convergence convergence(*step.world, *minimizer);
+  convergence.begin_step(step.potential, 0.01, true);
+  step.potential.move_to(step.q);
+  const MatX hessian = dense(step.potential.hessian(SpdFilter::clamp));
+  const Eigen::LDLT<MatX> factor(hessian);
+  const auto n = hessian.rows();
+  double sharpest = 1e300;
+  const auto check = [&](const VecX& r) {
+    const VecX missing = factor.solve(r);
+    const double norm = convergence.norm(missing, r), bound = convergence.direction_error(r);
+    CHECK(norm == Approx(missing.lpNorm<Eigen::Infinity>() / 0.01 / 0.02));
+    CHECK(norm <= bound);
+    sharpest = std::min(sharpest, bound / norm);
+  };
+  RandomMotions random(1);
+  for (Eigen::Index i = 0; i < n; ++i) check(VecX::Unit(n, i));
+  for (int i = 0; i < 20; ++i) check(random.vectors(static_cast<int>(n)));
+  for (int i = 0; i < 20; ++i) check(hessian * random.vectors(static_cast<int>(n)));
+  VecX fall = VecX::Zero(n);  // all of the upper block, as if it fell
+  const Body& upper = step.world->bodies[2];
+  for (int v = upper.first_vertex; v < upper.first_vertex + upper.vertex_count; ++v)
+    fall(3 * step.world->dofs.block(v) + 1) = step.world->mass(v);
+  check(fall);
+  CHECK(sharpest < 20);  // it does not ask for the impossible
+}
+
+TEST_CASE("forces that have a cause are the measure of what is not balanced", "[stepping]") {
+  StepProblem step(blocks);
+  const auto minimizer =
+      component<Minimizer>("{type: projected_newton, balance_tolerance: 0.01, force_floor: 0.002}");
+  Convergence convergence(*step.world, *minimizer);
+  convergence.begin_step(step.potential, 0.01, true);
+  step.potential.move_to(step.q);
+  const VecX gradient = step.potential.gradient();
+  const double ratio = convergence.imbalance(gradient);
+  const Convergence::Balance found = convergence.balance();
+  CHECK(found.unbalanced == Approx(gradient.lpNorm<Eigen::Infinity>() / 1e-4));
+  CHECK(ratio == Approx(found.unbalanced / found.tolerated));
+  // No element is strained at the start: the largest cause is the inertia of an upper corner that is to stop,
+  // or the weight of a lower vertex. Contact pushes a hundred times harder.
+  double inertia = 0, weight = 0;
+  for (int v = 0; v < step.world->mass.size(); ++v) {
+    if (step.world->dofs.block(v) < 0) continue;
+    inertia = std::max(inertia, step.world->mass(v) * std::abs(vertex(step.world->start.v, v).y()) / 0.01);
+    weight = std::max(weight, step.world->mass(v) * 9.81);
+  }
+  CHECK(found.tolerated == Approx(0.01 * std::max(inertia, weight) + 0.002).epsilon(1e-6));
+  CHECK(step.potential.largest_stencil_force() > 100 * std::max(inertia, weight));
+  CHECK(ratio > 1);
+}
+
+TEST_CASE("a step reports the forces that it leaves unbalanced", "[stepping]") {
+  Simulation s(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e-6}\n");
+  const StepReport r = s.step();
+  CHECK(r.converged);
+  CHECK(r.unbalanced_force > 0);
+  CHECK(r.unbalanced_force <= r.tolerated_force);
+  Simulation loose(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e9}\n");
+  CHECK(loose.step().solve.iterations < r.solve.iterations);  // the balance is a criterion of its own
+}
