@@ -37,6 +37,8 @@ class ContactSystem {
   const ObjectPairFilter& filter() const { return filter_; }
   int broad_phase_builds() const;
   double range() const { return range_; }
+  // How far vertices may go in one search without its boxes being mostly empty [m].
+  double stride() const { return stride_; }
   double smallest_distance(const VecX& x) const;
 
  private:
@@ -49,6 +51,7 @@ class ContactSystem {
   double range_ = 0;       // the largest of all laws [m]
   double edge_range_ = 0;  // the largest of those between edges [m]
   double skin_ = 0;        // of the candidates [m]
+  double stride_ = 0;      // m
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   ContactSet contacts_;

@@ -2,6 +2,7 @@
 // Every registered filter applies to every run in which it has something to watch.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "framework/config/registry.hpp"
@@ -18,6 +19,13 @@ struct FeasibilityContext {
   PhaseClock& clock;
 };
 
+// What bounds a step the most: two primitives (the vertices of each, global), or an element alone.
+struct Blocker {
+  std::vector<int> first, second;  // empty second: `first` is an element
+  double gap = 0;                  // between the two at the start of the step [m]
+  double step = 0;                 // the part of the step that is allowed
+};
+
 class StepFilter : public Component {
  public:
   static constexpr const char* kind_name = "step_filter";
@@ -28,6 +36,9 @@ class StepFilter : public Component {
   // The largest t in [0, t_max] such that x + s p is feasible for all s in [0, t], for a feasible x;
   // x and p are configurations of all vertices (3n).
   virtual double largest_step(const VecX& x, const VecX& p, double t_max) = 0;
+  // What allows no more than that of the step from x to x + p; nothing if all of it is feasible. For
+  // messages: not fast.
+  virtual std::optional<Blocker> blocker(const VecX& x, const VecX& p) = 0;
 };
 
 }  // namespace tack
