@@ -43,6 +43,8 @@ ContactSystem::~ContactSystem() = default;
 
 void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
 
+void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_groups(dissolved); }
+
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
 int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }

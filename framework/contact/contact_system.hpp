@@ -21,6 +21,8 @@ class ContactSystem {
   // Which vertices are free at present (non-zero): no force is computed between primitives without
   // one. Empty: every candidate has one.
   void set_free(std::vector<char> free);
+  // Whether the vertices of a rigidly held group may move against each other at present.
+  void dissolve_groups(bool dissolved);
   // Forgets what the steps so far have left: as if built anew.
   void forget();
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,7 @@ enum class MinimizerStatus {
   factorization_failed,
   not_finite,         // value or gradient is not a number
   interrupted,
+  time_limit,         // OutOfTime was thrown (deadline.hpp)
 };
 std::string_view to_string(MinimizerStatus status);
 
@@ -76,12 +78,16 @@ class Minimizer : public Component {
   double force_tolerance() const { return force_tolerance_; }                // relative
   double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
 
+  std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
+  bool checks_iterates() const { return check_iterates_; }
+
   // What solves linear systems and why, once it is known; "" for methods without.
   virtual std::string linear_solver() const { return {}; }
   // Throws InputError for a potential of these terms that it cannot minimise. Asked when a scene is loaded.
   virtual void admit(const std::vector<const Term*>& /*terms*/, int /*unknowns*/) const {}
 
-  // q: in, the feasible start; out, the last feasible iterate.
+  // q: in, the feasible start; out, the last feasible iterate. Every call of the problem may throw
+  // OutOfTime, which need not be caught: that loses the counts of the work alone.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;
 
  protected:
@@ -92,6 +98,8 @@ class Minimizer : public Component {
   double tolerance_ = 0.01;  // m/s
   double force_tolerance_ = 1e-4;
   double acceleration_tolerance_ = 1;  // m/s^2
+  std::optional<double> time_limit_;   // s
+  bool check_iterates_ = false;
 };
 
 }  // namespace tack

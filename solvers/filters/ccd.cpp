@@ -3,6 +3,8 @@
 // the others are handed to additive CCD.
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/contact/contact_system.hpp"
@@ -73,6 +75,7 @@ class Ccd : public StepFilter {
   bool attach(const FeasibilityContext& context) override {
     contact_ = context.contact;
     clock_ = &context.clock;
+    deadline_ = context.deadline;
     return contact_ != nullptr;
   }
 
@@ -84,15 +87,18 @@ class Ccd : public StepFilter {
     for (double stage = reach;; stage *= longer) {
       const double end = std::min(stage, t_max);
       const double t = search(x, p, end);
-      if (t < end || end == t_max) return t;
+      if (t < end || end == t_max || out_of_time()) return t;
     }
   }
 
   std::optional<Blocker> blocker(const VecX& x, const VecX& p) override {
-    contact_->cover(x, p);
+    const Deadline* const limit = std::exchange(deadline_, nullptr);  // a diagnosis is made after it
+    double t = largest_step(x, p, 1);
+    deadline_ = limit;
+    if (t == 1) return std::nullopt;
+    t = std::min(2 * t + 1e-300, 1.0);  // the candidates are those of the stage in which the pair was found
     const PhaseScope scope(*clock_, Phase::ccd);
     std::optional<Blocker> worst;
-    double t = 1;
     for_each_kind([&](const auto& pairs, const auto& primitives, const auto& accd) {
       for (const auto& pair : pairs) {
         const auto [a, b] = primitives(pair);
@@ -112,6 +118,7 @@ class Ccd : public StepFilter {
     for_each_kind([&](const auto& pairs, const auto& primitives, const auto& accd) {
       t = min_chunks(static_cast<int>(pairs.size()), t, [&, limit = t](int first, int last) {
         double least = limit;
+        if (out_of_time()) return 0.0;
         for (int i = first; i < last; ++i) {
           const auto [a, b] = primitives(pairs[i]);
           least = bounded(a, b, x, p, least, accd);
@@ -150,8 +157,11 @@ class Ccd : public StepFilter {
           });
   }
 
+  bool out_of_time() const { return deadline_ && deadline_->passed(); }
+
   ContactSystem* contact_ = nullptr;
   PhaseClock* clock_ = nullptr;
+  const Deadline* deadline_ = nullptr;
 };
 
 TACK_REGISTER(StepFilter, Ccd, "ccd", "Nothing that moves passes through anything.",
