@@ -10,7 +10,10 @@ namespace {
 
 // Skin of the candidates: twice as far as vertices may move before they are searched anew. A tenth of an
 // edge adds few candidates to what the extent of the primitives brings along already.
-double skin_of(const ContactSurface& surface, double range) {
+double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
+
+// Of the edges that may move [m]; 0 without any.
+double mean_edge_of(const ContactSurface& surface) {
   double length = 0;
   int movable = 0;
   for (const auto& [a, b] : surface.mesh.edges) {
@@ -18,7 +21,7 @@ double skin_of(const ContactSurface& surface, double range) {
     length += (vertex(surface.rest, a) - vertex(surface.rest, b)).norm();
     ++movable;
   }
-  return std::clamp(0.1 * length / std::max(movable, 1), 0.5 * range, 2 * range);
+  return length / std::max(movable, 1);
 }
 
 }  // namespace
@@ -30,13 +33,17 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPair
   for (int a = 0; a < pairs_.objects(); ++a)
     for (int b = a; b < pairs_.objects(); ++b)
       edge_range_ = std::max(edge_range_, pairs_.edge(a, b).range);
-  skin_ = skin_of(surface_, range_);
+  const double mean_edge = mean_edge_of(surface_);
+  skin_ = skin_of(mean_edge, range_);
+  stride_ = std::max(2 * mean_edge, range_);
   forget();
 }
 
 ContactSystem::~ContactSystem() = default;
 
 void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
+
+void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_groups(dissolved); }
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 

@@ -21,6 +21,8 @@ class ContactSystem {
   // Which vertices are free at present (non-zero): no force is computed between primitives without
   // one. Empty: every candidate has one.
   void set_free(std::vector<char> free);
+  // Whether the vertices of a rigidly held group may move against each other at present.
+  void dissolve_groups(bool dissolved);
   // Forgets what the steps so far have left: as if built anew.
   void forget();
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
@@ -37,6 +39,8 @@ class ContactSystem {
   const ObjectPairFilter& filter() const { return filter_; }
   int broad_phase_builds() const;
   double range() const { return range_; }
+  // How far vertices may go in one search without its boxes being mostly empty [m].
+  double stride() const { return stride_; }
   double smallest_distance(const VecX& x) const;
 
  private:
@@ -49,6 +53,7 @@ class ContactSystem {
   double range_ = 0;       // the largest of all laws [m]
   double edge_range_ = 0;  // the largest of those between edges [m]
   double skin_ = 0;        // of the candidates [m]
+  double stride_ = 0;      // m
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   ContactSet contacts_;

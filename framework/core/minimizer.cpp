@@ -26,6 +26,11 @@ void Minimizer::fields(Fields& f) {
   f.number("acceleration_tolerance", acceleration_tolerance_, units::acceleration,
            "of the residual acceleration").positive();
   f.integer("max_iterations", max_iterations_, "iterations before the step is given up").at_least(1);
+  f.optional_number("time_limit", time_limit_, units::time,
+                    "wall time of one solve, after which it counts as failed and the step is halved; none unless given")
+      .positive();
+  f.flag("check_iterates", check_iterates_,
+         "check every state on the way exactly for intersections and inverted tets, and end the run at the first; slow");
 }
 
 bool balanced(const MinimizerProblem& problem, MinimizerResult& result) {
@@ -45,6 +50,7 @@ std::string_view to_string(MinimizerStatus status) {
     case MinimizerStatus::factorization_failed: return "factorization failed";
     case MinimizerStatus::not_finite: return "value or gradient is not finite";
     case MinimizerStatus::interrupted: return "interrupted";
+    case MinimizerStatus::time_limit: return "out of wall time";
   }
   return "unknown";
 }

@@ -22,6 +22,7 @@ enum class MinimizerStatus {
   factorization_failed,
   not_finite,         // value or gradient is not a number
   interrupted,
+  time_limit,         // OutOfTime was thrown (deadline.hpp)
 };
 std::string_view to_string(MinimizerStatus status);
 
@@ -89,6 +90,9 @@ class Minimizer : public Component {
   std::optional<double> force_floor() const { return force_floor_; }         // N
   double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
 
+  std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
+  bool checks_iterates() const { return check_iterates_; }
+
   // What a scene that does not say gets: framework/scene/tolerances.hpp.
   bool tolerance_given() const { return tolerance_.has_value(); }
   void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }
@@ -99,7 +103,8 @@ class Minimizer : public Component {
   // Throws InputError for a potential of these terms that it cannot minimise. Asked when a scene is loaded.
   virtual void admit(const std::vector<const Term*>& /*terms*/, int /*unknowns*/) const {}
 
-  // q: in, the feasible start; out, the last feasible iterate.
+  // q: in, the feasible start; out, the last feasible iterate. Every call of the problem may throw
+  // OutOfTime, which need not be caught: that loses the counts of the work alone.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;
 
  protected:
@@ -112,6 +117,8 @@ class Minimizer : public Component {
   double balance_tolerance_ = 0.01;
   double force_tolerance_ = 1e-4;
   double acceleration_tolerance_ = 1;  // m/s^2
+  std::optional<double> time_limit_;   // s
+  bool check_iterates_ = false;
 };
 
 }  // namespace tack

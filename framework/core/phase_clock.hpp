@@ -22,7 +22,10 @@ class PhaseClock {
  public:
   using Seconds = std::array<double, phase_count>;
 
-  PhaseClock() : start_(Clock::now()) {}
+  using Clock = std::chrono::steady_clock;
+
+  PhaseClock() : begun_(Clock::now()), start_(begun_) {}
+  Clock::time_point begun() const { return begun_; }
 
   // Charges the time since the last change to the current phase; returns that phase.
   Phase enter(Phase phase) {
@@ -38,8 +41,7 @@ class PhaseClock {
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_;
+  Clock::time_point begun_, start_;
   Phase current_ = Phase::other;
   Seconds seconds_{};
 };

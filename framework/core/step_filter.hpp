@@ -2,9 +2,11 @@
 // Every registered filter applies to every run in which it has something to watch.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "framework/config/registry.hpp"
+#include "framework/core/deadline.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "geometry/types.hpp"
 
@@ -16,6 +18,14 @@ struct FeasibilityContext {
   ContactSystem* contact;        // null without contact
   const std::vector<Tet>& tets;  // of all solids
   PhaseClock& clock;
+  const Deadline* deadline = nullptr;  // null: no limit
+};
+
+// What bounds a step the most: two primitives (the vertices of each, global), or an element alone.
+struct Blocker {
+  std::vector<int> first, second;  // empty second: `first` is an element
+  double gap = 0;                  // between the two at the start of the step [m]
+  double step = 0;                 // the part of the step that is allowed
 };
 
 class StepFilter : public Component {
@@ -26,8 +36,11 @@ class StepFilter : public Component {
   // False if there is nothing to watch.
   virtual bool attach(const FeasibilityContext& context) = 0;
   // The largest t in [0, t_max] such that x + s p is feasible for all s in [0, t], for a feasible x;
-  // x and p are configurations of all vertices (3n).
+  // x and p are configurations of all vertices (3n). When time is out it breaks off, with anything.
   virtual double largest_step(const VecX& x, const VecX& p, double t_max) = 0;
+  // What allows no more than that of the step from x to x + p; nothing if all of it is feasible. For
+  // messages: not fast.
+  virtual std::optional<Blocker> blocker(const VecX& x, const VecX& p) = 0;
 };
 
 }  // namespace tack

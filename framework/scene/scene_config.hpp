@@ -23,6 +23,7 @@ namespace tack {
 struct TimeConfig {
   double step = 0.01;     // s
   double duration = 1;    // s
+  std::optional<double> wall_limit;  // s of wall time
   int max_halvings = 8;
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
   void fields(Fields& f);

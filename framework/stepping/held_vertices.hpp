@@ -26,6 +26,10 @@ class HeldVertices {
   bool may_move() const;
   // Writes where they are at time t into their rows of x.
   void place(double t, VecX& x) const { script_.place(active_, rest_, anchor_, t, x); }
+  // Into how many equal parts the time from t to t + h has to be cut so that nothing that is moved rigidly
+  // turns by more than a quarter in any: the straight ways of a half turn cross in the axis, those of a
+  // quarter neither intersect nor invert what turns. A power of two, at most 64.
+  int straight_parts(double t, double h) const;
 
  private:
   const Script& script_;

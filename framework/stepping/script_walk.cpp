@@ -22,6 +22,22 @@ double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertice
   return largest;
 }
 
+// While they walk, vertices of one rigid group are unknowns of their own.
+class DissolvedGroups {
+ public:
+  explicit DissolvedGroups(ContactSystem* contact) : contact_(contact) {
+    if (contact_) contact_->dissolve_groups(true);
+  }
+  ~DissolvedGroups() {
+    if (contact_) contact_->dissolve_groups(false);
+  }
+  DissolvedGroups(const DissolvedGroups&) = delete;
+  DissolvedGroups& operator=(const DissolvedGroups&) = delete;
+
+ private:
+  ContactSystem* contact_;
+};
+
 }  // namespace
 
 // One run: where to, from how far, and whether it still gets anywhere.
@@ -110,6 +126,7 @@ bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
 ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
                                    const TimeIntegrator::Prediction& prediction,
                                    const MinimizerProblem::Observer& observer) {
+  const DissolvedGroups dissolved(world_.contact.get());
   prepare(x, places);
   VecX towards = prediction.x;
   for (const int v : moving_) vertex(towards, v) = vertex(places, v);
@@ -121,7 +138,8 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
     potential_->set_mass(masses(k, prediction.inertia));
     potential_->begin_step(result.x, towards, prediction.scale, true);
     minimize(pull, result, observer);
-    if (result.solve.status == MinimizerStatus::interrupted) return result;
+    if (result.solve.status == MinimizerStatus::interrupted || result.solve.status == MinimizerStatus::time_limit)
+      return result;
     if (result.solve.status == MinimizerStatus::iteration_limit) break;
     const bool near = largest_row(result.x, places, moving_) <= close_enough * whole_way;
     if (!near || !arrive(places, result.x)) continue;

@@ -10,6 +10,7 @@
 #include "framework/scene/energies.hpp"
 #include "framework/scene/external_loads.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "framework/stepping/obstacle.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -27,12 +28,14 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
       held_(world.script, world.rest), convergence_(world, *scene.solver) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
-  const FeasibilityContext context{world.contact.get(), world.tets, clock};
+  deadline_.limit_run(clock.begun(), scene.time.wall_limit);
+  if (scene.solver->checks_iterates()) check_.emplace(world, clock);
+  const FeasibilityContext context{world.contact.get(), world.tets, clock, &deadline_};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
     auto filter = Registry<StepFilter>::make(name);
     if (filter->attach(context)) filters_.push_back(std::move(filter));
   }
-  direction_ = VecX::Zero(state_.x.size());
+  tried_.p = VecX::Zero(state_.x.size());
   hold(state_.h_next);
 }
 
@@ -42,7 +45,10 @@ void TimeStepper::hold(double h) {
   world_.dofs = DofMap(held_.free());
   walk_.reset();
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
-                     [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); });
+                     [this](const VecX& x) {
+                       deadline_.check();
+                       if (world_.contact) world_.contact->move_to(x);
+                     });
   if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.free() : std::vector<char>());
   set_accelerations(state_.time, held_.released());
 }
@@ -63,17 +69,22 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
 void TimeStepper::apply_loads(double t) { set_loads(scene_, world_, t, state_.x); }
 
 double TimeStepper::largest_step(const VecX& x, const VecX& p) {
+  if (check_) check_->at(x);
   double t = 1;
-  for (const auto& filter : filters_) t = filter->largest_step(x, p, t);
+  for (const auto& filter : filters_) {
+    deadline_.check();
+    t = filter->largest_step(x, p, t);
+  }
+  deadline_.check();
   return t;
 }
 
 double TimeStepper::feasible_step(const VecX& q, const VecX& p) {
-  VecX x = potential_->configuration();
-  world_.dofs.scatter(q, x);
-  direction_.setZero();
-  world_.dofs.scatter(p, direction_);
-  return largest_step(x, direction_);
+  tried_.x = potential_->configuration();
+  world_.dofs.scatter(q, tried_.x);
+  tried_.p.setZero();
+  world_.dofs.scatter(p, tried_.p);
+  return largest_step(tried_.x, tried_.p);
 }
 
 // Where the motion would go with the acceleration of the last step, as far as that is feasible and
@@ -91,28 +102,46 @@ VecX TimeStepper::first_guess(double h) {
   return potential_->value() < staying ? guess : q;
 }
 
-// A feasible start with the scripted vertices at their places: the straight way, with the free ones
-// moving along as far as they may, or not at all, whichever is better; a walk if that is blocked.
-ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
-                                              const TimeIntegrator::Prediction& prediction) {
-  const VecX scripted = places - state_.x;
-  VecX along = VecX::Zero(scripted.size()), q;
+// A feasible start with the scripted vertices at their places, to which they are moved in parts that turn
+// nothing too far.
+ScriptWalk::Result TimeStepper::follow_script(double h, const TimeIntegrator::Prediction& prediction) {
+  const int parts = held_.straight_parts(state_.time, h);
+  VecX along = VecX::Zero(state_.x.size()), q;
   if (inertia_) {
-    world_.dofs.gather(h * (state_.v + h * state_.a), q);
+    world_.dofs.gather(h / parts * (state_.v + h * state_.a), q);
     world_.dofs.scatter(q, along);
   }
+  ScriptWalk::Result result{{}, state_.x, ""};
+  for (int i = 1; i <= parts; ++i) {
+    VecX places = result.x;
+    held_.place(state_.time + h * i / parts, places);
+    potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
+    const MinimizerResult before = result.solve;
+    result = move_scripted(result.x, places, along, prediction);
+    result.solve.add_work(before);
+    if (!result.failure.empty() || result.solve.status != MinimizerStatus::converged) break;
+  }
+  return result;
+}
+
+// From x to where the scripted vertices are at their places: the straight way, with the free ones moving
+// along as far as they may, or not at all, whichever is better; a walk if that is blocked.
+ScriptWalk::Result TimeStepper::move_scripted(const VecX& x, const VecX& places, const VecX& along,
+                                              const TimeIntegrator::Prediction& prediction) {
+  const VecX scripted = places - x;
+  VecX q;
   ScriptWalk::Result best{{}, VecX(), ""};
   double lowest = std::numeric_limits<double>::infinity();
   const auto reach_of = [&](double part) {
     const VecX p = scripted + part * along;
-    const double t = largest_step(state_.x, p);
+    const double t = largest_step(x, p);
     if (t < 1) return t;
-    VecX x = state_.x + p;
-    world_.dofs.gather(x, q);
+    world_.dofs.gather(x + p, q);
     potential_->move_to(q);
     if (potential_->value() < lowest) {
       lowest = potential_->value();
-      best.x = std::move(x);
+      best.x = places;
+      world_.dofs.scatter(q, best.x);
     }
     return t;
   };
@@ -122,9 +151,12 @@ ScriptWalk::Result TimeStepper::follow_script(double h, const VecX& places,
   reach_of(0);
   if (best.x.size() > 0) return best;
   if (!walk_)
-    walk_.emplace(world_, *scene_.solver, clock_,
-                  [this](const VecX& x, const VecX& p) { return largest_step(x, p); });
-  return walk_->run(state_.x, places, prediction, walk_observer_);
+    walk_.emplace(world_, *scene_.solver, clock_, [this](const VecX& from, const VecX& p) {
+      tried_ = {from, p};
+      return largest_step(from, p);
+    });
+  if (check_) check_->begin(state_.step + 1, "the walk of what the script moves");
+  return walk_->run(x, places, prediction, walk_observer_);
 }
 
 double TimeStepper::next_step_size() const {
@@ -142,6 +174,20 @@ double TimeStepper::potential_at(const VecX& x) {
 }
 
 Attempt TimeStepper::solve(double h, const VecX* guess) {
+  Attempt attempt{{}, state_.x};
+  deadline_.begin_solve(scene_.solver->time_limit());
+  try {
+    attempt_step(h, guess, attempt);
+  } catch (const OutOfTime&) {
+    attempt.result.status = MinimizerStatus::time_limit;
+  }
+  deadline_.end_solve();
+  return attempt;
+}
+
+void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
+  tried_.x.resize(0);
+  if (check_) check_->begin(state_.step + 1, "the first guess");
   hold(h);
   const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
   inertia_ = prediction.inertia;
@@ -155,26 +201,27 @@ Attempt TimeStepper::solve(double h, const VecX* guess) {
   held_.place(state_.time + h, places);
   potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
   convergence_.begin_step(*potential_, h, prediction.inertia);
-  Attempt attempt{{}, places};
+  attempt.x = places;
   VecX q;
   if (guess) {
     world_.dofs.gather(*guess, q);
   } else if (places == state_.x) {
     q = first_guess(h);
   } else {
-    const ScriptWalk::Result start = follow_script(h, places, prediction);
+    const ScriptWalk::Result start = follow_script(h, prediction);
     attempt.result = start.solve;
     attempt.failure = start.failure;
-    if (!start.failure.empty() || start.solve.status == MinimizerStatus::interrupted) return attempt;
+    if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return;
+    if (check_) check_->at(start.x);
     world_.dofs.gather(start.x, q);
   }
-  if (world_.dofs.size() == 0) return attempt;
+  if (world_.dofs.size() == 0) return;
+  if (check_) check_->begin(state_.step + 1, "the minimisation");
   MinimizerProblem problem{
       *potential_, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock_};
   problem.observer = observer_;
   convergence_.judge(problem);
   minimize_lagged(problem, q, attempt);
-  return attempt;
 }
 
 // The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.
@@ -185,6 +232,7 @@ void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Atte
     attempt.result.add_work(before);
     attempt.balance = convergence_.balance();
     world_.dofs.scatter(q, attempt.x);
+    if (check_) check_->at(attempt.x);
   };
   minimize();
   if (!world_.friction) return;
@@ -202,10 +250,13 @@ void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Atte
 }
 
 std::string TimeStepper::verdict(const Attempt& attempt) {
-  if (!attempt.failure.empty()) return attempt.failure;
-  if (attempt.result.status != MinimizerStatus::converged)
-    return fmt::format("{} after {} iterations, {:.3g} times the tolerance",
-                       to_string(attempt.result.status), attempt.result.iterations, attempt.result.residual);
+  if (!attempt.failure.empty()) return attempt.failure + blocker();
+  if (attempt.result.status != MinimizerStatus::converged) {
+    const bool late = attempt.result.status == MinimizerStatus::time_limit && !deadline_.run_passed();
+    const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *scene_.solver->time_limit()) : "";
+    return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}", to_string(attempt.result.status),
+                       limit, attempt.result.iterations, attempt.result.residual, blocker());
+  }
   const PhaseScope scope(clock_, Phase::check);
   if (const int tet = first_inverted_tet(world_.tets, attempt.x); tet >= 0) {
     ++found_.inverted_tets;
@@ -215,6 +266,20 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
   const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->filter(), 1);
   found_.intersections += static_cast<int>(hits.size());
   return hits.empty() ? "" : "the surfaces intersect";
+}
+
+// "; ..." about what cut the last step of the latest solve, or "".
+std::string TimeStepper::blocker() const {
+  if (tried_.x.size() == 0) return "";
+  const std::string what = describe_blocker(world_, filters_, tried_.x, tried_.p);
+  return what.empty() ? "" : "; " + what;
+}
+
+void TimeStepper::check_wall_limit(const std::string& wrong) const {
+  if (!deadline_.run_passed()) return;
+  throw SimulationError(fmt::format("step {} at t = {} s: the run's wall time is used up (time.wall_limit: {} s){}",
+                                    state_.step + 1, state_.time, *scene_.time.wall_limit,
+                                    wrong.empty() ? "" : "; " + wrong));
 }
 
 void TimeStepper::commit(const VecX& x, double h) {
@@ -266,6 +331,7 @@ StepReport TimeStepper::advance() {
   const double whole = scene_.time.step;
   found_ = {};
   int halvings = 0;
+  check_wall_limit("");
   for (;; ++halvings) {
     const double end = (state_.whole_steps + 1) * whole;
     const double h = next_step_size();
@@ -293,14 +359,15 @@ StepReport TimeStepper::advance() {
       r.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
       return r;
     }
+    check_wall_limit(wrong);
     if (h < whole * std::pow(0.5, scene_.time.max_halvings) * (1 + 1e-9))
       throw SimulationError(fmt::format(
           "step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, wrong,
-          attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations"
+          attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)"
                                   : "leave room for what the script pushes"));
     state_.h_next = h / 2;
-    warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s", state_.step + 1,
-                      state_.time, wrong, state_.h_next));
+    warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)",
+                      state_.step + 1, state_.time, wrong, state_.h_next, std::lround(whole / state_.h_next)));
   }
 }
 

@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/deadline.hpp"
 #include "framework/core/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/iterate_check.hpp"
 #include "framework/stepping/script_walk.hpp"
 #include "framework/stepping/step_report.hpp"
 #include "framework/stepping/time_integrator.hpp"
@@ -63,11 +65,15 @@ class TimeStepper {
   }
 
  private:
+  void attempt_step(double h, const VecX* guess, Attempt& attempt);
+  std::string blocker() const;
+  void check_wall_limit(const std::string& wrong) const;
   void minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt);
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
-  ScriptWalk::Result follow_script(double h, const VecX& places,
+  ScriptWalk::Result follow_script(double h, const TimeIntegrator::Prediction& prediction);
+  ScriptWalk::Result move_scripted(const VecX& x, const VecX& places, const VecX& along,
                                    const TimeIntegrator::Prediction& prediction);
   void apply_loads(double t);
   double largest_step(const VecX& x, const VecX& p);
@@ -84,7 +90,11 @@ class TimeStepper {
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
   std::vector<std::unique_ptr<StepFilter>> filters_;
-  VecX direction_;  // scratch, 3n
+  struct Tried {
+    VecX x, p;  // 3n
+  } tried_;     // the last step that a minimiser wanted to take
+  Deadline deadline_;
+  std::optional<IterateCheck> check_;
   bool inertia_ = true;
   MinimizerProblem::Observer observer_, walk_observer_;
   struct Found {

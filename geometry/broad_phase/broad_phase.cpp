@@ -70,6 +70,13 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
   return true;
 }
 
+void BroadPhase::dissolve_groups(bool dissolved) {
+  if (dissolved == dissolved_) return;
+  dissolved_ = dissolved;
+  finder_.dissolve_groups(dissolved);
+  range_ = edge_range_ = -1;  // the candidates are not those that are wanted
+}
+
 bool BroadPhase::covers(const VecX& x) const {
   if (builds_ == 0 || x.size() != 3 * static_cast<Eigen::Index>(safe_boxes_.size())) return false;
   return all_of(mesh_.vertices, [&](int v) { return safe_boxes_[v].contains(vertex(x, v)); });

@@ -31,6 +31,9 @@ class BroadPhase {
   // Pairs of edges are only wanted within edge_range <= range.
   bool update(const VecX& x, const VecX& p, double range, double edge_range, double skin);
 
+  // Whether pairs of one rigid group are searched too: for when its vertices move against each other.
+  void dissolve_groups(bool dissolved);
+
   // Whether every surface vertex lies inside its safe box; false before the first build.
   bool covers(const VecX& x) const;
 
@@ -52,6 +55,7 @@ class BroadPhase {
   Candidates candidates_;
   double range_ = 0.0, edge_range_ = 0.0;
   int builds_ = 0;
+  bool dissolved_ = false;
 };
 
 }  // namespace tack

@@ -16,9 +16,10 @@ struct MayTouch {
   const Primitives<M>& first;
   const Primitives<N>& second;
   const ObjectPairFilter& filter;
+  bool dissolved;  // whether groups count for nothing
 
   bool accept(int a, int b) const {
-    if (first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
+    if (!dissolved && first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
            filter.allows(first.objects[a], second.objects[b]);
   }
@@ -50,12 +51,12 @@ void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflati
   const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation), ...); };
   refresh(points_, codim_points_, codim_edges_, triangles_);
   edges_.refresh_tree(vertex_boxes, edge_inflation);
-  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, filter_},
+  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, filter_, dissolved_},
                 candidates.point_triangle);
-  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, filter_}, candidates.edge_edge);
-  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, filter_},
+  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, filter_, dissolved_}, candidates.edge_edge);
+  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, filter_, dissolved_},
                 candidates.point_edge);
-  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, filter_},
+  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, filter_, dissolved_},
                 candidates.point_point);
 }
 

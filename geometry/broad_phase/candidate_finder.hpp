@@ -17,12 +17,15 @@ class CandidateFinder {
   // id; finite and not empty for surface vertices), inflated [m].
   void find(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
             Candidates& candidates);
+  // Whether pairs of one rigid group are searched too.
+  void dissolve_groups(bool dissolved) { dissolved_ = dissolved; }
 
   // Appends the triangles whose boxes overlap this one, by the boxes of the last search; ascending.
   void triangles_in(const Aabb& box, std::vector<int>& out) const;
 
  private:
   ObjectPairFilter filter_;
+  bool dissolved_ = false;
   Primitives<1> points_, codim_points_;
   Primitives<2> edges_, codim_edges_;
   Primitives<3> triangles_;

@@ -2,16 +2,23 @@
 // its gap on the way. Pairs whose boxes are further apart than their motion can bridge are skipped;
 // the others are handed to additive CCD.
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/ccd/accd.hpp"
+#include "geometry/distance/edge_edge.hpp"
+#include "geometry/distance/point_edge.hpp"
+#include "geometry/distance/point_triangle.hpp"
 
 namespace tack {
 namespace {
 
 constexpr double keep = 0.1;  // fraction of each gap that must remain
+constexpr double longer = 4;  // than the last stage of a fast step
 
 // Lower bound of the squared distance of two primitives: the gap between their boxes.
 template <size_t A, size_t B>
@@ -42,65 +49,119 @@ std::array<Vec3, N> at(const VecX& x, const std::array<int, N>& v) {
   return c;
 }
 
+// The largest step up to t that one pair allows.
+template <size_t A, size_t B, class Accd>
+double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, const VecX& x, const VecX& p,
+               double t, const Accd& accd) {
+  const auto a = at(x, va);
+  const auto b = at(x, vb);
+  const auto da = at(p, va);
+  const auto db = at(p, vb);
+  const double motion = t * approach(da, db) / (1 - keep);
+  if (motion * motion < box_gap_squared(a, b)) return t;
+  return std::min(t, accd(a, b, da, db, t));
+}
+
+double gap_between(const std::vector<int>& a, const std::vector<int>& b, const VecX& x) {
+  const auto at = [&](int v) { return Vec3(vertex(x, v)); };
+  if (a.size() == 2) return std::sqrt(edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1])));
+  if (b.size() == 3) return std::sqrt(point_triangle_distance(at(a[0]), at(b[0]), at(b[1]), at(b[2])));
+  if (b.size() == 2) return std::sqrt(point_edge_distance(at(a[0]), at(b[0]), at(b[1])));
+  return (at(a[0]) - at(b[0])).norm();
+}
+
 class Ccd : public StepFilter {
  public:
   bool attach(const FeasibilityContext& context) override {
     contact_ = context.contact;
     clock_ = &context.clock;
+    deadline_ = context.deadline;
     return contact_ != nullptr;
   }
 
+  // In stages: the boxes that a fast step sweeps would overlap nearly everything, and most of the way is
+  // cut off by what is near. Each stage is a whole search of its part of the way, so the result is that
+  // of one search.
   double largest_step(const VecX& x, const VecX& p, double t_max) override {
-    contact_->cover(x, t_max * p);
+    const double reach = contact_->stride() / std::max(p.lpNorm<Eigen::Infinity>(), 1e-300);
+    for (double stage = reach;; stage *= longer) {
+      const double end = std::min(stage, t_max);
+      const double t = search(x, p, end);
+      if (t < end || end == t_max || out_of_time()) return t;
+    }
+  }
+
+  std::optional<Blocker> blocker(const VecX& x, const VecX& p) override {
+    const Deadline* const limit = std::exchange(deadline_, nullptr);  // a diagnosis is made after it
+    double t = largest_step(x, p, 1);
+    deadline_ = limit;
+    if (t == 1) return std::nullopt;
+    t = std::min(2 * t + 1e-300, 1.0);  // the candidates are those of the stage in which the pair was found
     const PhaseScope scope(*clock_, Phase::ccd);
-    const Candidates& c = contact_->candidates();
-    const CollisionMesh& mesh = contact_->surface().mesh;
-    const auto point = [](int v) { return std::array{v}; };
-    double t = t_max;
-    t = over(c.edge_edge, x, p, t,
-             [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
-             [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-               return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit);
-             });
-    t = over(c.point_triangle, x, p, t,
-             [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
-             [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-               return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit);
-             });
-    t = over(c.point_edge, x, p, t,
-             [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
-             [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-               return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit);
-             });
-    return over(c.point_point, x, p, t,
-                [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
-                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-                  return point_point_accd(a[0], b[0], da[0], db[0], keep, limit);
-                });
+    std::optional<Blocker> worst;
+    for_each_kind([&](const auto& pairs, const auto& primitives, const auto& accd) {
+      for (const auto& pair : pairs) {
+        const auto [a, b] = primitives(pair);
+        const double bound = bounded(a, b, x, p, t, accd);
+        if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
+      }
+    });
+    if (worst) worst->gap = gap_between(worst->first, worst->second, x);
+    return worst;
   }
 
  private:
-  template <class Primitives, class Accd>
-  double over(const std::vector<std::array<int, 2>>& pairs, const VecX& x, const VecX& p, double t_max,
-              const Primitives& primitives, const Accd& accd) const {
-    return min_chunks(static_cast<int>(pairs.size()), t_max, [&](int first, int last) {
-      double t = t_max;
-      for (int i = first; i < last; ++i) {
-        const auto [va, vb] = primitives(pairs[i]);
-        const auto a = at(x, va);
-        const auto b = at(x, vb);
-        const auto da = at(p, va);
-        const auto db = at(p, vb);
-        const double motion = t * approach(da, db) / (1 - keep);
-        if (motion * motion < box_gap_squared(a, b)) continue;
-        t = std::min(t, accd(a, b, da, db, t));
-      }
-      return t;
+  double search(const VecX& x, const VecX& p, double t_max) {
+    contact_->cover(x, t_max * p);
+    const PhaseScope scope(*clock_, Phase::ccd);
+    double t = t_max;
+    for_each_kind([&](const auto& pairs, const auto& primitives, const auto& accd) {
+      t = min_chunks(static_cast<int>(pairs.size()), t, [&, limit = t](int first, int last) {
+        double least = limit;
+        if (out_of_time()) return 0.0;
+        for (int i = first; i < last; ++i) {
+          const auto [a, b] = primitives(pairs[i]);
+          least = bounded(a, b, x, p, least, accd);
+        }
+        return least;
+      });
     });
+    return t;
   }
+
+  // Calls visit(pairs, primitives of a pair, ACCD of both) for the kinds of candidates.
+  template <class Visit>
+  void for_each_kind(const Visit& visit) const {
+    const Candidates& c = contact_->candidates();
+    const CollisionMesh& mesh = contact_->surface().mesh;
+    const auto point = [](int v) { return std::array{v}; };
+    visit(c.edge_edge,
+          [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
+            return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit);
+          });
+    visit(c.point_triangle,
+          [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
+            return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit);
+          });
+    visit(c.point_edge,
+          [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
+            return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit);
+          });
+    visit(c.point_point,
+          [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
+            return point_point_accd(a[0], b[0], da[0], db[0], keep, limit);
+          });
+  }
+
+  bool out_of_time() const { return deadline_ && deadline_->passed(); }
 
   ContactSystem* contact_ = nullptr;
   PhaseClock* clock_ = nullptr;
+  const Deadline* deadline_ = nullptr;
 };
 
 TACK_REGISTER(StepFilter, Ccd, "ccd", "Nothing that moves passes through anything.",

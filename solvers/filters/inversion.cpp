@@ -41,6 +41,17 @@ double positive_part(const Bernstein& b, int depth) {
   return 0.5 + positive_part({middle, b123, b23, b[3]}, depth + 1) / 2;
 }
 
+// The largest step up to t that one tet allows.
+double bounded(const Tet& v, const VecX& x, const VecX& p, double t) {
+  Mat3 d, e;
+  for (int k = 0; k < 3; ++k) {
+    d.col(k) = vertex(x, v[k + 1]) - vertex(x, v[0]);
+    e.col(k) = vertex(p, v[k + 1]) - vertex(p, v[0]);
+  }
+  const Bernstein b = volume_margin(d, e, t);
+  return std::min({b[0], b[1], b[2], b[3]}) > 0 ? t : t * positive_part(b, 0);
+}
+
 class Inversion : public StepFilter {
  public:
   bool attach(const FeasibilityContext& context) override {
@@ -53,19 +64,19 @@ class Inversion : public StepFilter {
     const PhaseScope scope(*clock_, Phase::ccd);
     return min_chunks(static_cast<int>(tets_->size()), t_max, [&](int first, int last) {
       double t = t_max;
-      for (int i = first; i < last; ++i) {
-        const Tet& v = (*tets_)[i];
-        Mat3 d, e;
-        for (int k = 0; k < 3; ++k) {
-          d.col(k) = vertex(x, v[k + 1]) - vertex(x, v[0]);
-          e.col(k) = vertex(p, v[k + 1]) - vertex(p, v[0]);
-        }
-        const Bernstein b = volume_margin(d, e, t);
-        if (std::min({b[0], b[1], b[2], b[3]}) > 0) continue;
-        t *= positive_part(b, 0);
-      }
+      for (int i = first; i < last; ++i) t = bounded((*tets_)[i], x, p, t);
       return t;
     });
+  }
+
+  std::optional<Blocker> blocker(const VecX& x, const VecX& p) override {
+    std::optional<Blocker> worst;
+    double t = 1;
+    for (const Tet& tet : *tets_) {
+      const double bound = bounded(tet, x, p, t);
+      if (bound < t) worst = Blocker{{tet.begin(), tet.end()}, {}, 0, t = bound};
+    }
+    return worst;
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/config/field.hpp"
+#include "framework/core/deadline.hpp"
 #include "framework/core/interrupt.hpp"
 
 namespace tack {
@@ -15,6 +16,15 @@ void DescentMinimizer::fields(Fields& f) {
 
 MinimizerResult DescentMinimizer::minimize(const MinimizerProblem& problem, VecX& q) {
   MinimizerResult result;
+  try {
+    return descend(problem, q, result);
+  } catch (const OutOfTime&) {
+    result.status = MinimizerStatus::time_limit;
+    return result;
+  }
+}
+
+MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result) {
   const auto end = [&](MinimizerStatus status) {
     result.status = status;
     return result;

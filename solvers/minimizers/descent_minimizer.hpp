@@ -44,6 +44,7 @@ class DescentMinimizer : public Minimizer {
   virtual bool restart(const MinimizerProblem&) { return false; }
 
  private:
+  MinimizerResult descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result);
   MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result);
 
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/core/deadline.hpp"
 #include "framework/core/interrupt.hpp"
 
 namespace tack {
@@ -157,9 +158,11 @@ MinimizerStatus GuardedProblem::reason() const {
   return tried_ > 0 && blocked_ == tried_ ? MinimizerStatus::blocked : MinimizerStatus::line_search_failed;
 }
 
-MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
-                                   VecX& q, const std::function<void(GuardedProblem&)>& round) {
-  MinimizerResult result;
+namespace {
+
+MinimizerStatus guarded_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
+                               VecX& q, MinimizerResult& result,
+                               const std::function<void(GuardedProblem&)>& round) {
   GuardedProblem guarded(problem, judge, max_iterations, q, result);
   for (int fruitless = 0; guarded.begin_round();) {
     {
@@ -170,7 +173,19 @@ MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJ
     fruitless = guarded.fruitless() ? fruitless + 1 : 0;
     if (fruitless == 2 && !guarded.over()) guarded.stop(guarded.reason());
   }
-  result.status = guarded.status();
+  return guarded.status();
+}
+
+}  // namespace
+
+MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
+                                   VecX& q, const std::function<void(GuardedProblem&)>& round) {
+  MinimizerResult result;
+  try {
+    result.status = guarded_rounds(problem, judge, max_iterations, q, result, round);
+  } catch (const OutOfTime&) {
+    result.status = MinimizerStatus::time_limit;
+  }
   return result;
 }
 

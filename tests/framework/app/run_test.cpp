@@ -140,6 +140,21 @@ TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
   CHECK(read_csv(steps).rows.size() == done);
 }
 
+TEST_CASE("time.wall_limit ends a run with 3 and what was done so far is complete") {
+  const Place place;
+  const ProgramResult result = place.run({"--set", "time.duration=100000", "time.wall_limit=0.5 s"});
+  REQUIRE(result.exit_code == 3);
+  CHECK(contains(result.out, "time.wall_limit: 0.5 s"));
+  const auto summary = place.summary();
+  CHECK(summary["status"] == "simulation failed");
+  CHECK(contains(summary["error"], "the run's wall time is used up"));
+  CHECK(summary["wall_seconds"] < 5.0 * TACK_PATIENCE);
+  const size_t done = summary["steps"];
+  CHECK(done >= 1);
+  CHECK(place.table("results/tiny/steps.csv").rows.size() == done);
+  CHECK(place.table("results/tiny/probes.csv").rows.size() == done + 1);
+}
+
 TEST_CASE("option --steps stops early without judging the expectations") {
   const Place place(tiny_scene_with("at_least: 0.09", "at_least: 0.11"));
   CHECK(place.run({"--steps", "2"}).exit_code == 0);

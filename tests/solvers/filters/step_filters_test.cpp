@@ -114,6 +114,80 @@ TEST_CASE("inversion: the worst tet of many decides, whatever their order", "[fi
   CHECK(all == Approx(smallest).epsilon(1e-6));
 }
 
+TEST_CASE("ccd finds the same step in stages as in one search", "[filters]") {
+  Fall fall;
+  for (const double speed : {0.01, 0.3, 3.0, 80.0}) {
+    for (const Vec3& direction : {Vec3(0.3, -1, 0.1), Vec3(1, -0.02, 0), Vec3(0.2, 1, 0)}) {
+      Fall whole;
+      const VecX p = fall.motion(speed * direction);
+      whole.world.contact->cover(whole.x, p);  // all candidates of the way
+      const double expected = largest_step("ccd", whole.world, whole.x, p);
+      INFO(speed << " " << direction.transpose());
+      CHECK(largest_step("ccd", fall.world, fall.x, p) == expected);
+    }
+  }
+}
+
+TEST_CASE("ccd does not search all of the way that a fast step would go", "[filters]") {
+  // Twenty boxes in a row; the first flies at the second.
+  std::string objects = "objects:\n";
+  for (int i = 0; i < 20; ++i)
+    objects += "  - {name: b" + std::to_string(i) + ", shape: {type: box, size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, place: "
+               "{translate: [" + std::to_string(0.15 * i) + ", 0, 0]}, energies: [{type: neo_hookean, young: 1e5}]}\n";
+  TestScene scene(objects + "contact: {distance: 1 mm}\n");
+  World& world = *scene.world;
+  VecX p = VecX::Zero(world.rest.size());
+  for (int v = 0; v < world.bodies[0].vertex_count; ++v) vertex(p, v) = Vec3(100, 0, 0);
+  const double t = largest_step("ccd", world, world.rest, p);
+  CHECK(100 * t == Approx(0.05 * 0.9).epsilon(0.03));
+  const size_t in_stages = world.contact->candidates().size();
+  world.contact->cover(world.rest, p);
+  CHECK(world.contact->candidates().size() > 5 * in_stages);
+}
+
+TEST_CASE("filters tell what bounds a step", "[filters]") {
+  Fall fall;
+  const auto blocker = [&](const std::string& filter, const VecX& p) {
+    PhaseClock clock;
+    const auto f = Registry<StepFilter>::make(filter);
+    Deadline over;
+    over.limit_run(Deadline::Clock::now(), 0);  // a diagnosis is made when time is out
+    const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock, &over};
+    REQUIRE(f->attach(context));
+    return f->blocker(fall.x, p);
+  };
+  const VecX down = fall.motion({0, -30, 0});
+  const auto pair = blocker("ccd", down);
+  REQUIRE(pair);
+  CHECK(pair->step == Approx(largest_step("ccd", fall.world, fall.x, down)).epsilon(1e-9));
+  CHECK(30 * pair->step == Approx(0.9 * pair->gap).epsilon(0.03));
+  CHECK(pair->first.size() == 1);  // a corner on the sheet
+  CHECK(pair->second.size() == 3);
+  CHECK_FALSE(blocker("ccd", fall.motion({0, 1, 0})));
+  VecX crush = VecX::Zero(fall.x.size());
+  const Tet& tet = fall.world.tets.back();
+  vertex(crush, tet[0]) = 2 * (vertex(fall.x, tet[1]) - vertex(fall.x, tet[0]));
+  const auto element = blocker("inversion", crush);
+  REQUIRE(element);
+  CHECK(element->first.size() == 4);
+  CHECK(element->second.empty());
+  CHECK(element->step == Approx(largest_step("inversion", fall.world, fall.x, crush)).epsilon(1e-9));
+  CHECK_FALSE(blocker("inversion", fall.motion({1, 2, 3})));
+}
+
+TEST_CASE("ccd breaks off when time is out", "[filters]") {
+  Fall fall;
+  PhaseClock clock;
+  Deadline over;
+  over.limit_run(Deadline::Clock::now(), 0);
+  const auto f = Registry<StepFilter>::make("ccd");
+  const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock, &over};
+  REQUIRE(f->attach(context));
+  const int builds = fall.world.contact->broad_phase_builds();
+  CHECK(f->largest_step(fall.x, fall.motion({0, 1000, 0}), 1) == 0);  // free, but nothing was looked at
+  CHECK(fall.world.contact->broad_phase_builds() <= builds + 1);      // one stage of many
+}
+
 TEST_CASE("filters with nothing to watch stand aside", "[filters]") {
   PhaseClock clock;
   const std::vector<Tet> none;

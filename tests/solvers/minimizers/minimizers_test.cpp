@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "framework/contact/contact_system.hpp"
+#include "framework/core/deadline.hpp"
 #include "framework/core/interrupt.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/component_variants.hpp"
@@ -138,6 +139,28 @@ TEST_CASE("minimizers: Ctrl-C ends them where they are", "[minimizer]") {
     interrupt_requested = false;
     CHECK(result.status == MinimizerStatus::interrupted);
     CHECK(problem.q == start);
+  });
+}
+
+TEST_CASE("minimizers: a lack of time ends them at a feasible point", "[minimizer]") {
+  for_each_minimizer([&](const Variant& v) {
+    for (const int calls : {0, 1, 4}) {
+      StepProblem problem(landing);
+      const auto minimizer = with(v, "tolerance: 1e-12, max_iterations: 20000");
+      int left = calls;
+      const MinimizerProblem out_of_time{
+          problem.potential,
+          [&](const VecX& from, const VecX& p) {
+            const double t = problem.feasible_step(from, p);
+            if (left-- == 0) throw OutOfTime();
+            return t;
+          },
+          [](const VecX&, const VecX&) { return 1e9; }, problem.clock, true};
+      const MinimizerResult result = minimizer->minimize(out_of_time, problem.q);
+      CHECK(result.status == MinimizerStatus::time_limit);
+      CHECK(result.iterations <= calls + 1);
+      CHECK(problem.q == problem.path.back());  // the last point that it tried to leave
+    }
   });
 }
 

@@ -1,0 +1,69 @@
+#include "framework/stepping/held_vertices.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "framework/contact/contact_system.hpp"
+#include "tests/support/simulation.hpp"
+
+using namespace tack;
+
+namespace {
+
+// Something that is free, out of everything's way.
+const std::string far = "{name: far, shape: {type: box, size: [0.01, 0.01, 0.01]}, place: {translate: [0, 0, 9]}, "
+                        "energies: [{type: neo_hookean, young: 1e5}]}";
+
+}  // namespace
+
+TEST_CASE("half turns a step are made in parts, which push what is in the way") {
+  const auto parts = [](const std::string& motion) {
+    TestScene scene("time: {step: 0.01, duration: 1}\nobjects: [" + far +
+                    ", {name: bar, shape: {type: box, size: [0.2, 0.02, 0.02], cells: [4, 1, 1]}, motion: [" +
+                    motion + "]}]\n");
+    HeldVertices held(scene.world->script, scene.world->rest);
+    REQUIRE(held.change(scene.world->start, 0.005));
+    return held.straight_parts(0, 0.01);
+  };
+  const auto turn = [&](double degrees) {
+    return parts(fmt::format("{{type: rotate, axis: [0, 0, 1], angular_velocity: {}}}", degrees / 180 * M_PI / 0.01));
+  };
+  CHECK(parts("fixed") == 1);
+  CHECK(parts("{type: translate, velocity: [100, 0, 0]}") == 1);
+  CHECK(turn(10) == 1);
+  CHECK(turn(89) == 1);
+  CHECK(turn(100) == 2);
+  CHECK(turn(180) == 2);
+  CHECK(turn(360) == 1);
+  CHECK(turn(540) == 2);  // three quarters each, and the straight ways those of a quarter the other way
+  CHECK(parts("{type: formula, x: '-200 * X * t'}") == 1);  // walks if it has to
+}
+
+TEST_CASE("a paddle that makes half a turn a step hits what is in its way") {
+  Simulation run("time: {step: 0.01, duration: 1}\n"
+                 "objects:\n"
+                 "  - {name: paddle, shape: {type: box, size: [0.2, 0.01, 0.1], cells: [4, 1, 2]},\n"
+                 "     motion: [{type: rotate, axis: [0, 0, 1], angular_velocity: 314.159265358979}]}\n"
+                 "  - {name: block, shape: {type: box, size: [0.05, 0.05, 0.05]}, place: {translate: [0.08, 0.035, 0]},\n"
+                 "     energies: [{type: neo_hookean, young: 1e6}]}\n"
+                 "contact: {distance: 1 mm}\n");
+  run.step();
+  const int first = run.world->bodies[1].first_vertex;
+  CHECK(vertex(run.state().v, first).norm() > 0.5);  // m/s; nothing if the paddle leapt past
+}
+
+TEST_CASE("candidates within a rigid group are searched only while it is dissolved") {
+  Simulation run("time: {step: 0.01, duration: 1}\n"
+                 "objects: [" + far + ", {name: sheet, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]},\n"
+                 "  motion: [{type: translate, velocity: [1, 0, 0]}]}]\ncontact: {distance: 20 mm}\n");
+  ContactSystem& contact = *run.world->contact;
+  contact.cover(run.world->rest, VecX());
+  const size_t none = contact.candidates().size();  // but within the far one
+  contact.dissolve_groups(true);
+  contact.cover(run.world->rest, VecX());
+  CHECK(contact.candidates().size() > none + 100);
+  contact.dissolve_groups(false);
+  contact.cover(run.world->rest, VecX());
+  CHECK(contact.candidates().size() == none);
+}
