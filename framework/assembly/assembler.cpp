@@ -118,14 +118,14 @@ void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
 }
 
-void Assembler::add_gradient(const VecX& x, double scale, VecX& gradient) {
+void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& gradient) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, false);
   for (Group* group : {&static_, &dynamic_}) {
     group->evaluate(x, SpdFilter::none, false);
-    group->gather_gradient(scale, gradient);
+    group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
-  add_linear(x, scale, gradient);
+  add_linear(x, scales.body, gradient);
 }
 
 double Assembler::largest_stencil_force() const {
@@ -145,8 +145,8 @@ void Assembler::locate_static_blocks() {
   }
 }
 
-void Assembler::assemble(const VecX& x, double scale, const HessianOptions& options, const VecX& block_mass,
-                         VecX& gradient, BlockMatrix& matrix) {
+void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
+                         const VecX& block_mass, VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, true);
   std::vector<int> dynamic_positions;
@@ -157,14 +157,14 @@ void Assembler::assemble(const VecX& x, double scale, const HessianOptions& opti
 
   for (Group* group : {&static_, &dynamic_}) {
     group->evaluate(x, options.filter, true);
-    group->gather_gradient(scale, gradient);
+    group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
     if (!options.clamp_at) continue;
     const PhaseScope filtering(clock_, Phase::filter);
     group->clamp_at(*options.clamp_at, dofs_);
   }
-  static_.gather_hessian(scale, static_positions_, matrix);
-  if (!options.without_dynamic) dynamic_.gather_hessian(scale, dynamic_positions, matrix);
-  add_linear(x, scale, gradient);
+  static_.gather_hessian(scales.body, static_positions_, matrix);
+  if (!options.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
+  add_linear(x, scales.body, gradient);
 }
 
 }  // namespace tack

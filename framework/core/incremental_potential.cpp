@@ -26,11 +26,11 @@ void IncrementalPotential::set_mass(const VecX& mass) {
   for (int b = 0; b < dofs_.block_count(); ++b) free_mass_(b) = mass(dofs_.vertex_of_block(b));
 }
 
-void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction, double scale,
-                                      bool inertia) {
+void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction,
+                                      const TermScales& scales, bool inertia) {
   x_ = x_start;
   dofs_.gather(prediction, prediction_);
-  scale_ = scale;
+  scales_ = scales;
   inertia_ = inertia;
   block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();
   value_known_ = gradient_known_ = false;
@@ -58,7 +58,7 @@ double IncrementalPotential::value() {
   value_ = inertia_ ? inertia_value() : 0.0;
   noise_ = std::abs(value_);
   for (const Term* term : terms_) {
-    const double part = scale_ * term->value(x_);
+    const double part = scales_.of(*term) * term->value(x_);
     value_ += part;
     noise_ += std::abs(part);
   }
@@ -79,14 +79,14 @@ void IncrementalPotential::start_gradient() {
 const VecX& IncrementalPotential::gradient() {
   if (gradient_known_) return gradient_;
   start_gradient();
-  assembler_.add_gradient(x_, scale_, gradient_);
+  assembler_.add_gradient(x_, scales_, gradient_);
   gradient_known_ = true;
   return gradient_;
 }
 
 const BlockMatrix& IncrementalPotential::assemble(const Assembler::HessianOptions& options) {
   start_gradient();
-  assembler_.assemble(x_, scale_, options, block_mass_, gradient_, matrix_);
+  assembler_.assemble(x_, scales_, options, block_mass_, gradient_, matrix_);
   gradient_known_ = true;
   return matrix_;
 }
@@ -102,7 +102,9 @@ const BlockMatrix& IncrementalPotential::contactless_hessian() {
 }
 
 LeastSquares IncrementalPotential::least_squares() const {
-  return {residual_views(terms_, "the solver"), dofs_, x_, block_mass_, scale_};
+  std::vector<double> scales;
+  for (const Term* term : terms_) scales.push_back(scales_.of(*term));
+  return {residual_views(terms_, "the solver"), std::move(scales), dofs_, x_, block_mass_};
 }
 
 }  // namespace tack

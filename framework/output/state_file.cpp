@@ -62,7 +62,8 @@ Json to_json(const State& s) {
   return {{"time", s.time},         {"step", s.step},     {"whole_steps", s.whole_steps},
           {"h_before", s.h_before}, {"h_next", s.h_next}, {"held", s.held},
           {"x", to_json(s.x)},      {"v", to_json(s.v)},  {"a", to_json(s.a)},
-          {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)}};
+          {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)},
+          {"contact", to_json(s.contact)}, {"contact_before", to_json(s.contact_before)}};
 }
 
 State state_of(const Json& json) {
@@ -79,6 +80,9 @@ State state_of(const Json& json) {
   s.anchor = vector_of(json.at("anchor"));
   s.x_before = vector_of(json.at("x_before"));
   s.v_before = vector_of(json.at("v_before"));
+  // Files of earlier programs are without; nothing is known of contact then.
+  if (json.contains("contact")) s.contact = vector_of(json.at("contact"));
+  if (json.contains("contact_before")) s.contact_before = vector_of(json.at("contact_before"));
   return s;
 }
 
@@ -158,7 +162,7 @@ void check_size(const StateFile& file, Eigen::Index vertices, const std::string&
     if (field->size() != 3 * vertices)
       refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
                                field->size(), vertices));
-  for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before})
+  for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before, &s.contact, &s.contact_before})
     if (field->size() != 0 && field->size() != 3 * vertices)
       refuse_file(name, "its state does not fit its scene; write it anew");
 }

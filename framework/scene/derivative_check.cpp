@@ -24,7 +24,7 @@ DerivativeCheck check_term(const Term& term, World& world, const VecX& q, double
   IncrementalPotential potential({&term}, world.dofs, VecX::Zero(world.mass.size()), clock, [&](const VecX& x) {
     if (world.contact) world.contact->move_to(x);
   });
-  potential.begin_step(world.start.x, world.start.x, 1.0, false);
+  potential.begin_step(world.start.x, world.start.x, {}, false);
   RandomDirections random;
   DerivativeCheck check{term.name()};
   for (int trial = 0; trial < 3; ++trial) {

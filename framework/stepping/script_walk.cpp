@@ -70,7 +70,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   VecX q;
   dofs_.gather(x, q);
   potential_->set_mass(masses(0, prediction.inertia));
-  potential_->begin_step(x, prediction.x, prediction.scale, true);
+  potential_->begin_step(x, prediction.x, prediction.scales(), true);
   potential_->move_to(q);
   const BlockMatrix& matrix = potential_->hessian(SpdFilter::clamp);
   double sum = 0;
@@ -118,7 +118,7 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
   double k = pull_strength * stiffness(x, prediction);
   for (int i = 0; i < max_pulls && !pull.stuck; ++i, k *= 10) {
     potential_->set_mass(masses(k, prediction.inertia));
-    potential_->begin_step(result.x, towards, prediction.scale, true);
+    potential_->begin_step(result.x, towards, prediction.scales(), true);
     minimize(pull, result);
     if (result.solve.status == MinimizerStatus::interrupted) return result;
     if (result.solve.status == MinimizerStatus::iteration_limit) break;

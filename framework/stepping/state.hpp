@@ -20,6 +20,9 @@ struct State {
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
 
+  // Accelerations by contact and friction, now and in the step before (3n) [m/s^2]; empty: not followed.
+  VecX contact, contact_before;
+
   int whole_steps = 0;  // steps of the scene's size behind us; a step in halves is one of them
   double h_next = 0;    // size tried next [s]; 0: the scene's
 };

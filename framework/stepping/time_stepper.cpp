@@ -52,11 +52,26 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   apply_loads(t);
   VecX q;
   world_.dofs.gather(state_.x, q);
-  potential_->begin_step(state_.x, state_.x, 1.0, false);
+  potential_->begin_step(state_.x, state_.x, {}, false);
   potential_->move_to(q);
   const VecX& gradient = potential_->gradient();
   for (const int v : vertices)
     vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / world_.mass(v);
+  if (!scene_.time.integrator->follows_contact() || !world_.contact) return;
+  const VecX contact = contact_accelerations(state_.x);
+  if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
+  for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
+}
+
+// Of the free vertices (3n), at x, where the contact system must be.
+VecX TimeStepper::contact_accelerations(const VecX& x) const {
+  VecX a = world_.contact_term->forces(x, LawPart::all);
+  if (world_.friction) a += world_.friction->forces(x, TangentialPart::all);
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
+    if (world_.dofs.block(v) < 0) vertex(a, v).setZero();
+    else vertex(a, v) /= world_.mass(v);
+  }
+  return a;
 }
 
 void TimeStepper::apply_loads(double t) {
@@ -178,7 +193,7 @@ Attempt TimeStepper::solve(double h, const VecX* guess) {
   apply_loads(state_.time + h);
   VecX places = state_.x;
   held_.place(state_.time + h, places);
-  potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
+  potential_->begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
   Attempt attempt{{}, places};
   VecX q;
   if (guess) {
@@ -241,13 +256,18 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
 }
 
 void TimeStepper::commit(const VecX& x, double h) {
-  VecX v, a;
-  scene_.time.integrator->update(state_, x, h, v, a);
+  VecX v, a, contact;
+  if (world_.contact && scene_.time.integrator->follows_contact()) {
+    world_.contact->move_to(x);
+    contact = contact_accelerations(x);
+  }
+  scene_.time.integrator->update(state_, x, contact, h, v, a);
   scene_.time.integrator->update_held(state_, x, h, held_.vertices(), v, a);
   held_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);
+  state_.contact_before = std::exchange(state_.contact, std::move(contact));
   state_.h_before = h;
   state_.time += h;
   ++state_.step;

@@ -65,6 +65,7 @@ class TimeStepper {
   ScriptWalk::Result follow_script(double h, const VecX& places,
                                    const TimeIntegrator::Prediction& prediction);
   void apply_loads(double t);
+  VecX contact_accelerations(const VecX& x) const;
   double largest_step(const VecX& x, const VecX& p);
   double feasible_step(const VecX& q, const VecX& p);
   Stopping stopping() const;
