@@ -35,6 +35,7 @@ void clamp_slots(int arity, double* slots) {
 
 void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   batches.clear();
+  batch_terms.clear();
   first_gradient.clear();
   first_hessian.clear();
   int gradient_slot = 0, hessian_slot = 0;
@@ -43,6 +44,7 @@ void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
     first_hessian.push_back(hessian_slot);
     for (const StencilBatch& batch : term->batches()) {
       batches.push_back({batch, gradient_slot, hessian_slot});
+      batch_terms.push_back(term);
       gradient_slot += batch.arity * batch.count;
       hessian_slot += hessian_blocks(batch.arity) * batch.count;
     }
@@ -126,6 +128,18 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
   add_linear(x, scales.body, gradient);
+}
+
+void Assembler::add_last_gradients(const Term* without, VecX& gradient) const {
+  for (const Group* group : {&static_, &dynamic_}) {
+    for (size_t i = 0; i < group->batches.size(); ++i) {
+      if (group->batch_terms[i] == without) continue;
+      const PlacedBatch& placed = group->batches[i];
+      const double* slot = group->gradient_slots.data() + 3 * static_cast<size_t>(placed.gradient_slot);
+      for (int k = 0; k < placed.batch.arity * placed.batch.count; ++k, slot += 3)
+        vertex(gradient, placed.batch.vertices[k]) += Eigen::Map<const Vec3>(slot);
+    }
+  }
 }
 
 double Assembler::largest_stencil_force() const {

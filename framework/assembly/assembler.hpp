@@ -29,6 +29,10 @@ class Assembler {
   void assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
                 const VecX& block_mass, VecX& gradient, BlockMatrix& matrix);
 
+  // Adds the stencils' gradients of the last evaluation, those of `without` left out, at every vertex,
+  // held ones included (3n) [N].
+  void add_last_gradients(const Term* without, VecX& gradient) const;
+
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;
 
@@ -36,6 +40,7 @@ class Assembler {
   struct Group {
     std::vector<const Term*> terms;
     std::vector<PlacedBatch> batches;
+    std::vector<const Term*> batch_terms;  // whose they are
     std::vector<int> first_gradient, first_hessian;  // per term
     std::vector<double> gradient_slots, hessian_slots;
     GatherMap gradient_map, hessian_map;

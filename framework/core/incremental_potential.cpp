@@ -84,6 +84,18 @@ const VecX& IncrementalPotential::gradient() {
   return gradient_;
 }
 
+VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x, const Term* without) {
+  if (q_.size() != size() || x_ != x) {
+    VecX q;
+    dofs_.gather(x, q);
+    move_to(q);
+  }
+  gradient();
+  VecX sum = VecX::Zero(x.size());
+  assembler_.add_last_gradients(without, sum);
+  return sum;
+}
+
 const BlockMatrix& IncrementalPotential::assemble(const Assembler::HessianOptions& options) {
   start_gradient();
   assembler_.assemble(x_, scales_, options, block_mass_, gradient_, matrix_);

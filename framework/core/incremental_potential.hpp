@@ -28,6 +28,8 @@ class IncrementalPotential : public Objective {
 
   const VecX& configuration() const { return x_; }
   double scale() const { return scales_.body; }  // beta h^2, or 1
+  // Of all terms but `without`, held vertices included and linear terms left out, at x (3n) [N].
+  VecX gradient_at_all_vertices(const VecX& x, const Term* without);
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
 
   int size() const override { return dofs_.size(); }

@@ -5,7 +5,7 @@
 // A map: format "tack state", version, kind ("problem", "checkpoint"), program, commit, scene (resolved,
 // as YAML), meshes {object: {vertices, tets, triangles, edges, points, tags}} of the objects whose meshes
 // were read from files (not in checkpoints), state {time, step, whole_steps, h_before, h_next, held, x, v,
-// a, anchor, x_before, v_before, contact, contact_before}, step_size of a problem [s], totals {name: number} of a checkpoint's run
+// a, anchor, x_before, v_before, contact, contact_before, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} of a checkpoint's run
 // so far. All in SI.
 #pragma once
 

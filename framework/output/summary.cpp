@@ -53,6 +53,13 @@ OrderedJson totals_json(const RunSummary& s) {
           {"broad_phase_builds", s.broad_phase_builds}};
 }
 
+OrderedJson energy_json(const RunSummary& s) {
+  OrderedJson json = OrderedJson::object();
+  EnergyFlows::for_each(s.flows, [&](const char* name, double sum) { json[name] = finite(sum); });
+  json["gains"] = s.energy_gains;
+  return json;
+}
+
 OrderedJson to_json(const RunSummary& s) {
   return {{"name", s.name},
           {"version", s.version},
@@ -73,6 +80,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"min_distance", finite(s.min_distance)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
+          {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
           {"expect", expect_json(s.expect)}};
 }
@@ -106,6 +114,8 @@ void RunSummary::add(const StepReport& report) {
   min_distance = std::min(min_distance, report.min_distance);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
+  flows += report.flows;
+  energy_gains += report.flows.gained ? 1 : 0;
 }
 
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "framework/stepping/energy_account.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -22,6 +23,8 @@ struct State {
 
   // Accelerations by contact and friction, now and in the step before (3n) [m/s^2]; empty: not followed.
   VecX contact, contact_before;
+
+  EnergyAccount energy;
 
   int whole_steps = 0;  // steps of the scene's size behind us; a step in halves is one of them
   double h_next = 0;    // size tried next [s]; 0: the scene's

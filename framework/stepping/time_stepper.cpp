@@ -24,7 +24,7 @@ constexpr double most_of_it = 0.9;
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.rest) {
+      held_(world.script, world.rest), balance_(world, scene) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
@@ -186,6 +186,7 @@ Attempt TimeStepper::solve(double h, const VecX* guess) {
   const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
   inertia_ = prediction.inertia;
   if (world_.contact) world_.contact->begin_step(state_.x);
+  balance_.begin(state_);
   if (world_.friction) {
     world_.contact->move_to(state_.x);
     world_.friction->begin_step(state_.x, h);
@@ -323,6 +324,8 @@ StepReport TimeStepper::advance() {
         state_.h_next = whole;
       }
       StepReport r = report(attempt, h, halvings);
+      r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
+      if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_(balance_.warning());
       if (!attempt.lag_converged)
         warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
                           "{:.2g} of the largest (contact.lagging.until: {:.2g})",

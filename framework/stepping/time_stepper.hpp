@@ -15,6 +15,7 @@
 #include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
+#include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/script_walk.hpp"
 #include "framework/stepping/step_report.hpp"
@@ -78,6 +79,8 @@ class TimeStepper {
   std::function<void(const std::string&)> warn_;
   State state_;
   HeldVertices held_;
+  EnergyBalance balance_;
+  bool told_of_gain_ = false;
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
   std::vector<std::unique_ptr<StepFilter>> filters_;
