@@ -1,5 +1,6 @@
 #include "framework/core/incremental_potential.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/assembly/parallel.hpp"
@@ -34,6 +35,7 @@ void IncrementalPotential::begin_step(const VecX& x_start, const VecX& predictio
   inertia_ = inertia;
   block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();
   value_known_ = gradient_known_ = false;
+  first_x_.resize(0);
 }
 
 void IncrementalPotential::move_to(const VecX& q) {
@@ -57,8 +59,11 @@ double IncrementalPotential::value() {
   ++value_count_;
   value_ = inertia_ ? inertia_value() : 0.0;
   noise_ = std::abs(value_);
+  const bool first = first_x_.size() == 0;
+  if (first) first_x_ = x_, first_parts_.clear();
   for (const Term* term : terms_) {
-    const double part = scales_.of(*term) * term->value(x_);
+    const double potential = term->value(x_), part = scales_.of(*term) * potential;
+    if (first) first_parts_.push_back(potential);
     value_ += part;
     noise_ += std::abs(part);
   }
@@ -82,6 +87,12 @@ const VecX& IncrementalPotential::gradient() {
   assembler_.add_gradient(x_, scales_, gradient_);
   gradient_known_ = true;
   return gradient_;
+}
+
+std::optional<double> IncrementalPotential::first_value(const Term* term, const VecX& x) const {
+  const auto found = std::find(terms_.begin(), terms_.end(), term);
+  if (found == terms_.end() || first_x_ != x) return std::nullopt;
+  return first_parts_[found - terms_.begin()];
 }
 
 VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x, const Term* without) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "framework/assembly/assembler.hpp"
@@ -28,6 +29,8 @@ class IncrementalPotential : public Objective {
 
   const VecX& configuration() const { return x_; }
   double scale() const { return scales_.body; }  // beta h^2, or 1
+  // What a term was at x if the step's first evaluation was there; nothing otherwise [J].
+  std::optional<double> first_value(const Term* term, const VecX& x) const;
   // Of all terms but `without`, held vertices included and linear terms left out, at x (3n) [N].
   VecX gradient_at_all_vertices(const VecX& x, const Term* without);
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
@@ -60,6 +63,8 @@ class IncrementalPotential : public Objective {
   double value_ = 0, noise_ = 0;
   bool value_known_ = false, gradient_known_ = false;
   int value_count_ = 0;
+  VecX first_x_;  // of the first evaluation of the step; empty before it
+  std::vector<double> first_parts_;  // per term
   VecX gradient_;
   BlockMatrix matrix_;
 };

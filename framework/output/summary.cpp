@@ -56,6 +56,7 @@ OrderedJson totals_json(const RunSummary& s) {
 OrderedJson energy_json(const RunSummary& s) {
   OrderedJson json = OrderedJson::object();
   EnergyFlows::for_each(s.flows, [&](const char* name, double sum) { json[name] = finite(sum); });
+  json["damped_steps"] = s.damped_steps;
   json["gains"] = s.energy_gains;
   return json;
 }
@@ -115,6 +116,7 @@ void RunSummary::add(const StepReport& report) {
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
   flows += report.flows;
+  damped_steps += report.flows.damped ? 1 : 0;
   energy_gains += report.flows.gained ? 1 : 0;
 }
 

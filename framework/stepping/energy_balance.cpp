@@ -32,26 +32,36 @@ double stored(const EnergyAccount& a) { return a.kinetic + a.gravity + a.elastic
 
 }  // namespace
 
-// Contact may be anywhere when this is called.
-double EnergyBalance::contact_potential(const State& state) const {
-  if (!world_.contact_term || (state.energy.open && state.energy.contact == 0)) return 0;
-  world_.contact->move_to(state.x);
-  return world_.contact_term->value(state.x);
+// As a rule the potential was evaluated there anyway. Leaves contact at `end`.
+double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
+                                       const IncrementalPotential& potential) const {
+  if (contact_) return *contact_;
+  if (const auto known = potential.first_value(world_.contact_term.get(), start)) return *known;
+  world_.contact->move_to(start);
+  const double energy = world_.contact_term->value(start);
+  world_.contact->move_to(end);
+  return energy;
 }
 
 // The first step of all: what later ones know from the step before.
 void EnergyBalance::open(const State& state) {
   start_.open = true;
-  start_.contact = contact_at_start_;
+  start_.contact = *contact_;
   for (const auto& term : world_.elastic_terms) start_.elastic += term->value(state.x);
   start_.gradient = VecX::Zero(state.x.size());
   for (const auto& term : world_.elastic_terms) add_term_gradient(*term, state.x, start_.gradient);
   if (world_.contact_term) add_term_gradient(*world_.contact_term, state.x, start_.gradient);
 }
 
-void EnergyBalance::begin(const State& state) {
+void EnergyBalance::begin(const State& state, bool to_places) {
   start_ = state.energy;
-  contact_at_start_ = contact_potential(state);
+  contact_.reset();
+  if (!world_.contact || (start_.open && start_.contact == 0)) {
+    contact_ = 0;
+  } else if (to_places || !start_.open) {
+    world_.contact->move_to(state.x);
+    contact_ = world_.contact_term->value(state.x);
+  }
   if (!start_.open) open(state);
   const auto [kinetic, gravity] = energies_of_free_vertices(world_, state);
   released_ = state.energy.open ? kinetic + gravity - start_.kinetic - start_.gravity : 0;
@@ -101,7 +111,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
     flows.friction = world_.friction->dissipated(state.x, TangentialPart::friction);
     flows.adhesion = world_.friction->dissipated(state.x, TangentialPart::adhesion);
   }
-  flows.areas = start_.contact - contact_at_start_;
+  flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.script - flows.friction - flows.adhesion - flows.areas - stored(end);
   end.unexplained = start_.unexplained;

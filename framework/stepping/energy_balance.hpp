@@ -15,6 +15,7 @@
 // what its energy rises by, until areas that come back at zero gap give it back.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,8 @@ class EnergyBalance {
   EnergyBalance(const World& world, const SceneConfig& scene) : world_(world), scene_(scene) {}
 
   // Starts a step from `state`: contact has taken its areas, who is held is known, nothing has moved.
-  void begin(const State& state);
+  // to_places: the script moves vertices in this step, so that its first evaluation is elsewhere.
+  void begin(const State& state, bool to_places);
   // The step from begin()'s state to `state`, which has those energies, is kept. script_moves: whether the
   // script may move vertices, in this or another step.
   EnergyFlows close(State& state, const Energies& energies, double h, bool script_moves,
@@ -45,7 +47,7 @@ class EnergyBalance {
 
  private:
   void open(const State& state);
-  double contact_potential(const State& state) const;
+  double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
   double load_work(const State& state, const VecX& way, double h) const;
   double script_work(const VecX& way, const VecX& gradient, const VecX& x) const;
   bool watch(EnergyAccount& account, const State& state, const EnergyFlows& flows);
@@ -55,7 +57,7 @@ class EnergyBalance {
   const SceneConfig& scene_;
   EnergyAccount start_;         // of the state that the step starts from
   double released_ = 0;         // J: the energy that a change of who is held brought along
-  double contact_at_start_ = 0;  // J, with the areas of the step
+  std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known
   std::string warning_;
 };
 

@@ -43,6 +43,7 @@ class Bdf2 : public TimeIntegrator {
     a = (3 * v - 4 * old.v + old.v_before) / (2 * h);
   }
   bool follows_contact() const override { return true; }
+  const TimeIntegrator* fallback() const override { return &euler_; }
 
  private:
   static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s) < 1; }
@@ -71,6 +72,7 @@ class Newmark : public TimeIntegrator {
     v = 2 / h * (x - old.x) - old.v;
   }
   bool follows_contact() const override { return true; }
+  const TimeIntegrator* fallback() const override { return path_.fallback(); }
   // A jump in a script's velocity would ring on for ever.
   void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {

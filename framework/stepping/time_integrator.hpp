@@ -28,6 +28,9 @@ class TimeIntegrator : public Component {
                       VecX& a) const = 0;
   // Whether it uses State::contact; it stays empty otherwise.
   virtual bool follows_contact() const { return false; }
+  // What repeats a step in which energy has grown noticeably, and nothing put it in (energy_balance.hpp);
+  // null: the step is kept.
+  virtual const TimeIntegrator* fallback() const { return nullptr; }
   // Corrects them for vertices that do not follow from forces, if the above carries velocities over
   // from step to step.
   virtual void update_held(const State& /*old*/, const VecX& /*x*/, double /*h*/,

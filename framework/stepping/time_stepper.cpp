@@ -24,7 +24,8 @@ constexpr double most_of_it = 0.9;
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.rest), balance_(world, scene) {
+      held_(world.script, world.rest), balance_(world, scene),
+      integrator_(scene.time.integrator.get()) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
@@ -48,7 +49,7 @@ void TimeStepper::hold(double h) {
 
 // M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
-  if (vertices.empty() || !scene_.time.integrator->predict(state_, scene_.time.step).inertia) return;
+  if (vertices.empty() || !integrator_->predict(state_, scene_.time.step).inertia) return;
   apply_loads(t);
   VecX q;
   world_.dofs.gather(state_.x, q);
@@ -183,10 +184,9 @@ double TimeStepper::potential_at(const VecX& x) {
 
 Attempt TimeStepper::solve(double h, const VecX* guess) {
   hold(h);
-  const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
+  const TimeIntegrator::Prediction prediction = integrator_->predict(state_, h);
   inertia_ = prediction.inertia;
   if (world_.contact) world_.contact->begin_step(state_.x);
-  balance_.begin(state_);
   if (world_.friction) {
     world_.contact->move_to(state_.x);
     world_.friction->begin_step(state_.x, h);
@@ -194,6 +194,7 @@ Attempt TimeStepper::solve(double h, const VecX* guess) {
   apply_loads(state_.time + h);
   VecX places = state_.x;
   held_.place(state_.time + h, places);
+  balance_.begin(state_, places != state_.x);
   potential_->begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
   Attempt attempt{{}, places};
   VecX q;
@@ -262,8 +263,8 @@ void TimeStepper::commit(const VecX& x, double h) {
     world_.contact->move_to(x);
     contact = contact_accelerations(x);
   }
-  scene_.time.integrator->update(state_, x, contact, h, v, a);
-  scene_.time.integrator->update_held(state_, x, h, held_.vertices(), v, a);
+  integrator_->update(state_, x, contact, h, v, a);
+  integrator_->update_held(state_, x, h, held_.vertices(), v, a);
   held_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));
@@ -308,7 +309,7 @@ StepReport TimeStepper::advance() {
   const double whole = scene_.time.step;
   found_ = {};
   int halvings = 0;
-  for (;; ++halvings) {
+  for (;;) {
     const double end = (state_.whole_steps + 1) * whole;
     const double h = next_step_size();
     const Attempt attempt = solve(h);
@@ -318,6 +319,8 @@ StepReport TimeStepper::advance() {
     }
     const std::string wrong = verdict(attempt);
     if (wrong.empty()) {
+      std::optional<State> undo;
+      if (integrator_->fallback()) undo = state_;
       commit(attempt.x, h);
       if (state_.time >= end - 1e-9 * whole) {
         ++state_.whole_steps;
@@ -325,6 +328,13 @@ StepReport TimeStepper::advance() {
       }
       StepReport r = report(attempt, h, halvings);
       r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
+      if (r.flows.gained && undo) {
+        integrator_ = integrator_->fallback();
+        state_ = *std::move(undo);
+        continue;
+      }
+      r.flows.damped = integrator_ != scene_.time.integrator.get();
+      integrator_ = scene_.time.integrator.get();
       if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_(balance_.warning());
       if (!attempt.lag_converged)
         warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
@@ -343,6 +353,7 @@ StepReport TimeStepper::advance() {
           attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations"
                                   : "leave room for what the script pushes"));
     state_.h_next = h / 2;
+    ++halvings;
     warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s", state_.step + 1,
                       state_.time, wrong, state_.h_next));
   }

@@ -80,6 +80,7 @@ class TimeStepper {
   State state_;
   HeldVertices held_;
   EnergyBalance balance_;
+  const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
   bool told_of_gain_ = false;
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
