@@ -91,7 +91,7 @@ const VecX& IncrementalPotential::gradient() {
 
 std::optional<double> IncrementalPotential::first_value(const Term* term, const VecX& x) const {
   const auto found = std::find(terms_.begin(), terms_.end(), term);
-  if (found == terms_.end() || first_x_ != x) return std::nullopt;
+  if (found == terms_.end() || first_x_.size() != x.size() || first_x_ != x) return std::nullopt;
   return first_parts_[found - terms_.begin()];
 }
 
