@@ -35,6 +35,7 @@ void clamp_slots(int arity, double* slots) {
 
 void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   batches.clear();
+  batch_terms.clear();
   first_gradient.clear();
   first_hessian.clear();
   int gradient_slot = 0, hessian_slot = 0;
@@ -43,6 +44,7 @@ void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
     first_hessian.push_back(hessian_slot);
     for (const StencilBatch& batch : term->batches()) {
       batches.push_back({batch, gradient_slot, hessian_slot});
+      batch_terms.push_back(term);
       gradient_slot += batch.arity * batch.count;
       hessian_slot += hessian_blocks(batch.arity) * batch.count;
     }
@@ -118,14 +120,26 @@ void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
 }
 
-void Assembler::add_gradient(const VecX& x, double scale, VecX& gradient) {
+void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& gradient) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, false);
   for (Group* group : {&static_, &dynamic_}) {
     group->evaluate(x, SpdFilter::none, false);
-    group->gather_gradient(scale, gradient);
+    group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
-  add_linear(x, scale, gradient);
+  add_linear(x, scales.body, gradient);
+}
+
+void Assembler::add_last_gradients(const Term* without, VecX& gradient) const {
+  for (const Group* group : {&static_, &dynamic_}) {
+    for (size_t i = 0; i < group->batches.size(); ++i) {
+      if (group->batch_terms[i] == without) continue;
+      const PlacedBatch& placed = group->batches[i];
+      const double* slot = group->gradient_slots.data() + 3 * static_cast<size_t>(placed.gradient_slot);
+      for (int k = 0; k < placed.batch.arity * placed.batch.count; ++k, slot += 3)
+        vertex(gradient, placed.batch.vertices[k]) += Eigen::Map<const Vec3>(slot);
+    }
+  }
 }
 
 double Assembler::Group::largest_force() const {
@@ -150,8 +164,8 @@ void Assembler::locate_static_blocks() {
   }
 }
 
-void Assembler::assemble(const VecX& x, double scale, const HessianOptions& options, const VecX& block_mass,
-                         VecX& gradient, BlockMatrix& matrix) {
+void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
+                         const VecX& block_mass, VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, true);
   std::vector<int> dynamic_positions;
@@ -162,14 +176,14 @@ void Assembler::assemble(const VecX& x, double scale, const HessianOptions& opti
 
   for (Group* group : {&static_, &dynamic_}) {
     group->evaluate(x, options.filter, true);
-    group->gather_gradient(scale, gradient);
+    group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
     if (!options.clamp_at) continue;
     const PhaseScope filtering(clock_, Phase::filter);
     group->clamp_at(*options.clamp_at, dofs_);
   }
-  static_.gather_hessian(scale, static_positions_, matrix);
-  if (!options.without_dynamic) dynamic_.gather_hessian(scale, dynamic_positions, matrix);
-  add_linear(x, scale, gradient);
+  static_.gather_hessian(scales.body, static_positions_, matrix);
+  if (!options.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
+  add_linear(x, scales.body, gradient);
 }
 
 }  // namespace tack

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/assembly/gather_map.hpp"
+#include "framework/assembly/term_scales.hpp"
 #include "framework/core/phase_clock.hpp"
 
 namespace tack {
@@ -15,8 +16,8 @@ class Assembler {
  public:
   Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseClock& clock);
 
-  // Adds scale * gradient of the sum of the terms, in the unknowns (3m), to `gradient`.
-  void add_gradient(const VecX& x, double scale, VecX& gradient);
+  // Adds the gradients of the terms times their scales, in the unknowns (3m), to `gradient`.
+  void add_gradient(const VecX& x, const TermScales& scales, VecX& gradient);
 
   struct HessianOptions {
     SpdFilter filter = SpdFilter::none;
@@ -24,9 +25,13 @@ class Assembler {
     const std::vector<char>* clamp_at = nullptr;
     bool without_dynamic = false;  // the Hessian leaves dynamic terms out; the gradient does not
   };
-  // The same, and matrix <- scale * Hessian + diag(block_mass) with each stencil filtered.
-  void assemble(const VecX& x, double scale, const HessianOptions& options, const VecX& block_mass,
-                VecX& gradient, BlockMatrix& matrix);
+  // The same, and matrix <- scales * Hessians + diag(block_mass) with each stencil filtered.
+  void assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
+                const VecX& block_mass, VecX& gradient, BlockMatrix& matrix);
+
+  // Adds the stencils' gradients of the last evaluation, those of `without` left out, at every vertex,
+  // held ones included (3n) [N].
+  void add_last_gradients(const Term* without, VecX& gradient) const;
 
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;
@@ -36,6 +41,7 @@ class Assembler {
   struct Group {
     std::vector<const Term*> terms;
     std::vector<PlacedBatch> batches;
+    std::vector<const Term*> batch_terms;  // whose they are
     std::vector<int> first_gradient, first_hessian;  // per term
     std::vector<double> gradient_slots, hessian_slots;
     GatherMap gradient_map, hessian_map;

@@ -18,13 +18,14 @@ void for_each_arity(const LaggedContacts& contacts, const Body& body) {
   body(contacts.sixes);
 }
 
-template <int K>
-double sum_values(const std::vector<LaggedContact<K>>& contacts, const PairTable& pairs,
-                  const VecX& x, const VecX& start, double h, TangentialPart part) {
+// The sum of number(slip, its law) over contacts.
+template <int K, class Number>
+double sum_over(const std::vector<LaggedContact<K>>& contacts, const PairTable& pairs, const VecX& x,
+                const VecX& start, const Number& number) {
   return sum_chunks(static_cast<int>(contacts.size()), [&](int first, int last) {
     double sum = 0;
     for (int i = first; i < last; ++i)
-      sum += Slip<K>(contacts[i], x, start).sample(pairs.tangential(contacts[i].law), h, part).value;
+      sum += number(Slip<K>(contacts[i], x, start), pairs.tangential(contacts[i].law));
     return sum;
   });
 }
@@ -63,7 +64,19 @@ double FrictionTerm::residual(const VecX& x) const {
 double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {
   double sum = 0;
   for_each_arity(contacts_, [&](const auto& contacts) {
-    sum += sum_values(contacts, system_.pairs(), x, start_, h_, part);
+    sum += sum_over(contacts, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
+      return slip.sample(law, h_, part).value;
+    });
+  });
+  return sum;
+}
+
+double FrictionTerm::dissipated(const VecX& x, TangentialPart part) const {
+  double sum = 0;
+  for_each_arity(contacts_, [&](const auto& contacts) {
+    sum += sum_over(contacts, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
+      return slip.sample(law, h_, part).slope_over_y * slip.y * slip.y;
+    });
   });
   return sum;
 }

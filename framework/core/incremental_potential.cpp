@@ -1,5 +1,6 @@
 #include "framework/core/incremental_potential.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/assembly/parallel.hpp"
@@ -26,14 +27,15 @@ void IncrementalPotential::set_mass(const VecX& mass) {
   for (int b = 0; b < dofs_.block_count(); ++b) free_mass_(b) = mass(dofs_.vertex_of_block(b));
 }
 
-void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction, double scale,
-                                      bool inertia) {
+void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction,
+                                      const TermScales& scales, bool inertia) {
   x_ = x_start;
   dofs_.gather(prediction, prediction_);
-  scale_ = scale;
+  scales_ = scales;
   inertia_ = inertia;
   block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();
   value_known_ = gradient_known_ = false;
+  first_x_.resize(0);
 }
 
 void IncrementalPotential::move_to(const VecX& q) {
@@ -57,8 +59,11 @@ double IncrementalPotential::value() {
   ++value_count_;
   value_ = inertia_ ? inertia_value() : 0.0;
   noise_ = std::abs(value_);
+  const bool first = first_x_.size() == 0;
+  if (first) first_x_ = x_, first_parts_.clear();
   for (const Term* term : terms_) {
-    const double part = scale_ * term->value(x_);
+    const double potential = term->value(x_), part = scales_.of(*term) * potential;
+    if (first) first_parts_.push_back(potential);
     value_ += part;
     noise_ += std::abs(part);
   }
@@ -74,7 +79,7 @@ double IncrementalPotential::largest_inertial_force() const {
   for (int b = 0; b < dofs_.block_count(); ++b)
     largest = std::max(largest, block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b))
                                                      .lpNorm<Eigen::Infinity>());
-  return largest / scale_;
+  return largest / scales_.body;
 }
 
 void IncrementalPotential::start_gradient() {
@@ -87,14 +92,32 @@ void IncrementalPotential::start_gradient() {
 const VecX& IncrementalPotential::gradient() {
   if (gradient_known_) return gradient_;
   start_gradient();
-  assembler_.add_gradient(x_, scale_, gradient_);
+  assembler_.add_gradient(x_, scales_, gradient_);
   gradient_known_ = true;
   return gradient_;
 }
 
+std::optional<double> IncrementalPotential::first_value(const Term* term, const VecX& x) const {
+  const auto found = std::find(terms_.begin(), terms_.end(), term);
+  if (found == terms_.end() || first_x_.size() != x.size() || first_x_ != x) return std::nullopt;
+  return first_parts_[found - terms_.begin()];
+}
+
+VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x, const Term* without) {
+  if (q_.size() != size() || x_ != x) {
+    VecX q;
+    dofs_.gather(x, q);
+    move_to(q);
+  }
+  gradient();
+  VecX sum = VecX::Zero(x.size());
+  assembler_.add_last_gradients(without, sum);
+  return sum;
+}
+
 const BlockMatrix& IncrementalPotential::assemble(const Assembler::HessianOptions& options) {
   start_gradient();
-  assembler_.assemble(x_, scale_, options, block_mass_, gradient_, matrix_);
+  assembler_.assemble(x_, scales_, options, block_mass_, gradient_, matrix_);
   gradient_known_ = true;
   return matrix_;
 }
@@ -110,7 +133,9 @@ const BlockMatrix& IncrementalPotential::contactless_hessian() {
 }
 
 LeastSquares IncrementalPotential::least_squares() const {
-  return {residual_views(terms_, "the solver"), dofs_, x_, block_mass_, scale_};
+  std::vector<double> scales;
+  for (const Term* term : terms_) scales.push_back(scales_.of(*term));
+  return {residual_views(terms_, "the solver"), std::move(scales), dofs_, x_, block_mass_};
 }
 
 }  // namespace tack

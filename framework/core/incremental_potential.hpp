@@ -1,9 +1,11 @@
 // The incremental potential of one step (the paper, eq. 1):
 //     E(x) = 1/2 |x - x~|_M^2 + beta h^2 sum_i P_i(x),
-// as a function of the unknowns q. Quasi-static steps have no inertia and a scale of 1.
+// as a function of the unknowns q. Contact may have a scale of its own in place of beta h^2. Quasi-static
+// steps have no inertia and a scale of 1.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "framework/assembly/assembler.hpp"
@@ -21,12 +23,16 @@ class IncrementalPotential : public Objective {
   // Other masses from the next step on.
   void set_mass(const VecX& mass);
 
-  // Starts a step: prediction x~ (3n), scale beta h^2 (or 1), inertia on or off, and the
+  // Starts a step: prediction x~ (3n), scales beta h^2 (or 1), inertia on or off, and the
   // configuration that holds the fixed vertices.
-  void begin_step(const VecX& x_start, const VecX& prediction, double scale, bool inertia);
+  void begin_step(const VecX& x_start, const VecX& prediction, const TermScales& scales, bool inertia);
 
   const VecX& configuration() const { return x_; }
-  double scale() const { return scale_; }  // beta h^2, or 1
+  double scale() const { return scales_.body; }  // beta h^2, or 1
+  // What a term was at x if the step's first evaluation was there; nothing otherwise [J].
+  std::optional<double> first_value(const Term* term, const VecX& x) const;
+  // Of all terms but `without`, held vertices included and linear terms left out, at x (3n) [N].
+  VecX gradient_at_all_vertices(const VecX& x, const Term* without);
   // The largest components of forces at the point and of the gradient that were evaluated last [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
   double largest_element_force() const { return assembler_.largest_static_force(); }  // without contact
@@ -55,11 +61,13 @@ class IncrementalPotential : public Objective {
   Assembler assembler_;
 
   VecX x_, prediction_, q_;
-  double scale_ = 1;
+  TermScales scales_;
   bool inertia_ = true;
   double value_ = 0, noise_ = 0;
   bool value_known_ = false, gradient_known_ = false;
   int value_count_ = 0;
+  VecX first_x_;  // of the first evaluation of the step; empty before it
+  std::vector<double> first_parts_;  // per term
   VecX gradient_;
   BlockMatrix matrix_;
 };

@@ -36,13 +36,13 @@ class ResidualView {
 class Term;
 
 // An incremental potential at its present point, as
-//     E(q) = 1/2 |q - prediction|_M^2 + scale * sum over views of (1/2 |r|^2 + rest).
+//     E(q) = 1/2 |q - prediction|_M^2 + sum over views of scale (1/2 |r|^2 + rest).
 struct LeastSquares {
   std::vector<const ResidualView*> views;
+  std::vector<double> scales;  // per view: s^2, or 1
   const DofMap& dofs;
   const VecX& x;           // 3n: the present configuration
   const VecX& block_mass;  // per free block [kg]; zero without inertia
-  double scale;            // s^2, or 1
 };
 
 // The view of each term. Throws InputError naming the first term that has none; `who` needs it.

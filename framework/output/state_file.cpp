@@ -68,11 +68,33 @@ Json to_json(const MeshDigest& d) {
 
 MeshDigest digest_of(const Json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3), json.at(4)}; }
 
+Json to_json(const EnergyAccount& a) {
+  return {{"open", a.open},         {"kinetic", a.kinetic},         {"gravity", a.gravity},
+          {"elastic", a.elastic},   {"contact", a.contact},         {"gradient", to_json(a.gradient)},
+          {"lowest", a.lowest},     {"unexplained", a.unexplained}, {"at_play", a.at_play}};
+}
+
+EnergyAccount account_of(const Json& json) {
+  EnergyAccount a;
+  json.at("open").get_to(a.open);
+  json.at("kinetic").get_to(a.kinetic);
+  json.at("gravity").get_to(a.gravity);
+  json.at("elastic").get_to(a.elastic);
+  json.at("contact").get_to(a.contact);
+  a.gradient = vector_of(json.at("gradient"));
+  json.at("unexplained").get_to(a.unexplained);
+  json.at("lowest").get_to(a.lowest);
+  json.at("at_play").get_to(a.at_play);
+  return a;
+}
+
 Json to_json(const State& s) {
   return {{"time", s.time},         {"step", s.step},     {"whole_steps", s.whole_steps},
           {"h_before", s.h_before}, {"h_next", s.h_next}, {"held", s.held},
           {"x", to_json(s.x)},      {"v", to_json(s.v)},  {"a", to_json(s.a)},
-          {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)}};
+          {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)},
+          {"contact", to_json(s.contact)}, {"contact_before", to_json(s.contact_before)},
+          {"energy", to_json(s.energy)}};
 }
 
 State state_of(const Json& json) {
@@ -89,6 +111,10 @@ State state_of(const Json& json) {
   s.anchor = vector_of(json.at("anchor"));
   s.x_before = vector_of(json.at("x_before"));
   s.v_before = vector_of(json.at("v_before"));
+  // Files of earlier programs are without these; nothing is known of them then.
+  if (json.contains("contact")) s.contact = vector_of(json.at("contact"));
+  if (json.contains("contact_before")) s.contact_before = vector_of(json.at("contact_before"));
+  if (json.contains("energy")) s.energy = account_of(json.at("energy"));
   return s;
 }
 
@@ -183,7 +209,7 @@ void check_size(const StateFile& file, Eigen::Index vertices, const std::string&
     if (field->size() != 3 * vertices)
       refuse_file(name, fmt::format("its state has {} coordinates, but its scene {} vertices; write it anew",
                                field->size(), vertices));
-  for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before})
+  for (const VecX* field : {&s.anchor, &s.x_before, &s.v_before, &s.contact, &s.contact_before, &s.energy.gradient})
     if (field->size() != 0 && field->size() != 3 * vertices)
       refuse_file(name, "its state does not fit its scene; write it anew");
 }

@@ -27,7 +27,9 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
                                       "candidates",
                                       "min_distance"};
   for (const std::string& term : terms) columns.push_back("energy_" + term);
-  columns.insert(columns.end(), {"residual", "unbalanced_force", "tolerated_force", "converged", "lag_iterations", "friction_residual", "wall_seconds"});
+  EnergyFlows::for_each(EnergyFlows(), [&](const char* name, double) { columns.push_back(name); });
+  columns.insert(columns.end(), {"residual", "unbalanced_force", "tolerated_force", "converged", "lag_iterations",
+                                 "friction_residual", "wall_seconds"});
   for (const std::string_view phase : phase_names) {
     columns.push_back(fmt::format("seconds_{}", phase));
   }
@@ -46,6 +48,7 @@ std::vector<double> row_of(const StepReport& r) {
                              double(r.candidates),
                              r.min_distance};
   for (const auto& [term, energy] : r.energies) row.push_back(energy);
+  EnergyFlows::for_each(r.flows, [&](const char*, double energy) { row.push_back(energy); });
   row.insert(row.end(), {r.solve.residual, r.unbalanced_force, r.tolerated_force, r.converged ? 1.0 : 0.0, double(r.lag_iterations),
                          r.friction_residual, r.wall_seconds});
   row.insert(row.end(), r.phases.begin(), r.phases.end());

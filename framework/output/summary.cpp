@@ -53,6 +53,14 @@ OrderedJson totals_json(const RunSummary& s) {
           {"broad_phase_builds", s.broad_phase_builds}};
 }
 
+OrderedJson energy_json(const RunSummary& s) {
+  OrderedJson json = OrderedJson::object();
+  EnergyFlows::for_each(s.flows, [&](const char* name, double sum) { json[name] = finite(sum); });
+  json["damped_steps"] = s.damped_steps;
+  json["gains"] = s.energy_gains;
+  return json;
+}
+
 OrderedJson to_json(const RunSummary& s) {
   return {{"name", s.name},
           {"version", s.version},
@@ -74,6 +82,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"max_unbalanced_force", finite(s.max_unbalanced_force)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
+          {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
           {"expect", expect_json(s.expect)}};
 }
@@ -108,6 +117,9 @@ void RunSummary::add(const StepReport& report) {
   max_unbalanced_force = std::max(max_unbalanced_force, report.unbalanced_force);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
+  flows += report.flows;
+  damped_steps += report.flows.damped ? 1 : 0;
+  energy_gains += report.flows.gained ? 1 : 0;
 }
 
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {

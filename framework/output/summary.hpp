@@ -3,7 +3,8 @@
 // Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], intersections,
-// inverted_tets, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
+// inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_areas,
+// dissipated_numerics [J] (stepping/energy_balance.hpp), damped_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
 // Numbers that are not finite are null.
 #pragma once
@@ -48,6 +49,9 @@ struct RunSummary {
   double max_unbalanced_force = 0;  // at the end of a step [N]
   int intersections = 0;
   int inverted_tets = 0;
+  EnergyFlows flows;     // sums [J]
+  int damped_steps = 0;  // that implicit Euler did again, because energy would have grown
+  int energy_gains = 0;  // steps in which energy had grown noticeably, and nothing put it in
   std::vector<AdhesionSummary> adhesion;
   std::vector<ExpectationResult> expect;
 

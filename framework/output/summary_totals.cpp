@@ -22,6 +22,9 @@ void for_each_total(Summary& s, const Act& act) {
   act("max_unbalanced_force", s.max_unbalanced_force);
   act("intersections", s.intersections);
   act("inverted_tets", s.inverted_tets);
+  EnergyFlows::for_each(s.flows, act);
+  act("damped_steps", s.damped_steps);
+  act("energy_gains", s.energy_gains);
   for (int i = 0; i < phase_count; ++i) act(fmt::format("seconds_{}", phase_names[i]), s.phases[i]);
 }
 

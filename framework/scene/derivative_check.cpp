@@ -49,7 +49,7 @@ class TermStudy {
           if (world.contact && sees_contact) world.contact->move_to(x);
         }),
         check_{term.name(), {}, {}} {
-    potential_.begin_step(world.start.x, world.start.x, 1.0, false);
+    potential_.begin_step(world.start.x, world.start.x, {}, false);
   }
 
   void look(const VecX& q, const VecX& direction) {

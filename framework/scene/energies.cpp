@@ -7,13 +7,18 @@
 
 namespace tack {
 
-std::vector<std::pair<std::string, double>> energies_by_term(const World& world, const State& state) {
+std::pair<double, double> energies_of_free_vertices(const World& world, const State& state) {
   double kinetic = 0, gravity = 0;
   for (int b = 0; b < world.dofs.block_count(); ++b) {
     const int v = world.dofs.vertex_of_block(b);
     kinetic += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
     gravity += world.mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(state.x, v));
   }
+  return {kinetic, gravity};
+}
+
+std::vector<std::pair<std::string, double>> energies_by_term(const World& world, const State& state) {
+  const auto [kinetic, gravity] = energies_of_free_vertices(world, state);
   std::map<std::string, double> elastic;
   for (const auto& term : world.elastic_terms) elastic[term->name()] += term->value(state.x);
 

@@ -15,6 +15,9 @@ struct State;
 // store no energy: not listed.
 std::vector<std::pair<std::string, double>> energies_by_term(const World& world, const State& state);
 
+// Kinetic energy and gravity (as above) [J].
+std::pair<double, double> energies_of_free_vertices(const World& world, const State& state);
+
 // Friction and tangential adhesion are not stored: theirs are the potentials of the last step alone, about
 // what it dissipated.
 inline bool is_stored(const std::string& term) {

@@ -47,7 +47,7 @@ double stiffness_at_rest(const World& world, PhaseClock& clock) {
   IncrementalPotential potential(elements, dofs, world.mass, clock, [](const VecX&) {});
   VecX q;
   dofs.gather(world.rest, q);
-  potential.begin_step(world.rest, world.rest, 1, false);
+  potential.begin_step(world.rest, world.rest, {}, false);
   potential.move_to(q);
   const BlockMatrix& hessian = potential.hessian(SpdFilter::none);
   double largest = 0;

@@ -5,52 +5,80 @@
 namespace tack {
 namespace {
 
+// Contact is smooth while its accelerations change by less than this part of the largest in a step.
+constexpr double smooth_change = 0.25;
+
+// Of the last step: 0, nothing has changed, to 1, contact was made, lost or changed by a quarter.
+double contact_change(const State& s) {
+  if (s.contact.size() == 0 || s.contact_before.size() == 0) return 0;
+  const double now = s.contact.lpNorm<Eigen::Infinity>();
+  const double change = (s.contact - s.contact_before).lpNorm<Eigen::Infinity>();
+  return change < smooth_change * now ? change / (smooth_change * now) : (change > 0 ? 1 : 0);
+}
+
+bool same_step(const State& s, double h) { return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h; }
+
 class ImplicitEuler : public TimeIntegrator {
  public:
-  Prediction predict(const State& s, double h) const override { return {s.x + h * s.v, h * h, true}; }
-  void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const override {
+  Prediction predict(const State& s, double h) const override { return {s.x + h * s.v, h * h}; }
+  void update(const State& old, const VecX& x, const VecX&, double h, VecX& v, VecX& a) const override {
     v = (x - old.x) / h;
     a = (v - old.v) / h;
   }
 };
 
-// Second-order backward differences; the first step, and the first after a change of h, are
-// implicit Euler, which leaves the global order at two.
+// Second-order backward differences. Velocities before an impact say nothing about those after it, and
+// differences across it would give energy back that the impact has taken. So steps that follow one in
+// which contact was not smooth, the first step, and the first after a change of h are implicit Euler, which
+// leaves the global order at two.
 class Bdf2 : public TimeIntegrator {
  public:
   Prediction predict(const State& s, double h) const override {
     if (!has_history(s, h)) return euler_.predict(s, h);
-    return {(4 * s.x - s.x_before) / 3 + h * (8 * s.v - 2 * s.v_before) / 9, 4 * h * h / 9, true};
+    return {(4 * s.x - s.x_before) / 3 + h * (8 * s.v - 2 * s.v_before) / 9, 4 * h * h / 9};
   }
-  void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const override {
-    if (!has_history(old, h)) return euler_.update(old, x, h, v, a);
+  void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v, VecX& a) const override {
+    if (!has_history(old, h)) return euler_.update(old, x, contact, h, v, a);
     v = (3 * x - 4 * old.x + old.x_before) / (2 * h);
     a = (3 * v - 4 * old.v + old.v_before) / (2 * h);
   }
+  bool follows_contact() const override { return true; }
+  const TimeIntegrator* fallback() const override { return &euler_; }
 
  private:
-  static bool has_history(const State& s, double h) {
-    return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h;
-  }
+  static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s) < 1; }
   ImplicitEuler euler_;
 };
 
-// Newmark with beta = 1/4, gamma = 1/2: second order, no numerical damping.
+// Newmark with beta = 1/4, gamma = 1/2: second order, no numerical damping. Contact and friction act as an
+// impulse h c in the middle of the step, c their accelerations at its end (Kane, Repetto, Ortiz and
+// Marsden 1999), a_i those of the rest:
+//     x' = x + h v + h^2/4 (a_i + a_i') + h^2/2 (c' + s),    v' = v + h/2 (a_i + a_i') + h (c' + s),
+// so that x' - x = h/2 (v + v'), and contact's work is c' M (x' - x), never more than its potential gave if
+// that is convex: an impact gains no energy, whatever h. With the mean of c and c' it would.
+// s = - (c - c_before) / 2, where contact is smooth, moves the force back to the middle of the step: second
+// order. It fades out the less smooth contact is, because after an impact it would push the wrong way.
 class Newmark : public TimeIntegrator {
  public:
   Prediction predict(const State& s, double h) const override {
-    return {s.x + h * s.v + h * h / 4 * s.a, h * h / 4, true};
+    VecX x = s.x + h * s.v + h * h / 4 * (s.contact.size() > 0 ? VecX(s.a - s.contact) : s.a);
+    if (const VecX c = shift(s, h); c.size() > 0) x += h * h / 2 * c;
+    return {std::move(x), h * h / 4, h * h / 2};
   }
-  void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const override {
-    a = 4 / (h * h) * (x - old.x - h * old.v) - old.a;
-    v = old.v + h / 2 * (old.a + a);
+  void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v, VecX& a) const override {
+    // Of M (x' - x~) = h^2/4 f_i' + h^2/2 f_c'.
+    a = 4 / (h * h) * (x - predict(old, h).x);
+    if (contact.size() > 0) a -= contact;
+    v = 2 / h * (x - old.x) - old.v;
   }
+  bool follows_contact() const override { return true; }
+  const TimeIntegrator* fallback() const override { return path_.fallback(); }
   // A jump in a script's velocity would ring on for ever.
   void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {
     if (held.empty()) return;
     VecX v_path, a_path;
-    path_.update(old, x, h, v_path, a_path);
+    path_.update(old, x, {}, h, v_path, a_path);
     for (const int i : held) {
       vertex(v, i) = vertex(v_path, i);
       vertex(a, i) = vertex(a_path, i);
@@ -58,23 +86,30 @@ class Newmark : public TimeIntegrator {
   }
 
  private:
+  static VecX shift(const State& s, double h) {
+    const double smoothness = same_step(s, h) ? 1 - contact_change(s) : 0;
+    if (smoothness == 0 || s.contact_before.size() == 0) return {};
+    return -0.5 * smoothness * (s.contact - s.contact_before);
+  }
   Bdf2 path_;
 };
 
 class QuasiStatic : public TimeIntegrator {
  public:
-  Prediction predict(const State& s, double) const override { return {s.x, 1.0, false}; }
-  void update(const State& old, const VecX&, double, VecX& v, VecX& a) const override {
+  Prediction predict(const State& s, double) const override { return {s.x, 1.0, 1.0, false}; }
+  void update(const State& old, const VecX&, const VecX&, double, VecX& v, VecX& a) const override {
     v = a = VecX::Zero(old.x.size());
   }
 };
 
 TACK_REGISTER(TimeIntegrator, ImplicitEuler, "implicit_euler",
               "First order, stable for any step, damps vibrations.", "Fang et al., section 3.1");
-TACK_REGISTER(TimeIntegrator, Bdf2, "bdf2", "Second order, damps vibrations little.",
+TACK_REGISTER(TimeIntegrator, Bdf2, "bdf2",
+              "Second order, damps vibrations little; implicit Euler for a step after contact was not smooth.",
               "Li 2020, Robust and Accurate Simulation of Elastodynamics and Contact");
 TACK_REGISTER(TimeIntegrator, Newmark, "newmark",
-              "Second order, no numerical damping (beta 1/4, gamma 1/2).", "Newmark 1959");
+              "Second order, no numerical damping (beta 1/4, gamma 1/2), contact as an implicit impulse.",
+              "Newmark 1959; Kane, Repetto, Ortiz, Marsden 1999, Finite element analysis of nonsmooth contact");
 TACK_REGISTER(TimeIntegrator, QuasiStatic, "quasi_static",
               "No inertia: each step is a static equilibrium under the loads of its time.",
               "Fang et al., eq. 1 without its first term");

@@ -86,7 +86,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   VecX q;
   dofs_.gather(x, q);
   potential_->set_mass(masses(0, prediction.inertia));
-  potential_->begin_step(x, prediction.x, prediction.scale, true);
+  potential_->begin_step(x, prediction.x, prediction.scales(), true);
   potential_->move_to(q);
   const BlockMatrix& matrix = potential_->hessian(SpdFilter::clamp);
   double sum = 0;
@@ -136,7 +136,7 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
   double k = pull_strength * stiffness(x, prediction);
   for (int i = 0; i < max_pulls && !pull.stuck; ++i, k *= 10) {
     potential_->set_mass(masses(k, prediction.inertia));
-    potential_->begin_step(result.x, towards, prediction.scale, true);
+    potential_->begin_step(result.x, towards, prediction.scales(), true);
     minimize(pull, result, observer);
     if (result.solve.status == MinimizerStatus::interrupted || result.solve.status == MinimizerStatus::time_limit)
       return result;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "framework/stepping/energy_account.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -19,6 +20,11 @@ struct State {
   // The step before, for two-step integrators; valid while the step size stays the same.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
+
+  // Accelerations by contact and friction, now and in the step before (3n) [m/s^2]; empty: not followed.
+  VecX contact, contact_before;
+
+  EnergyAccount energy;
 
   int whole_steps = 0;  // steps of the scene's size behind us; a step in halves is one of them
   double h_next = 0;    // size tried next [s]; 0: the scene's

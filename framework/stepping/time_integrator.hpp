@@ -1,7 +1,9 @@
 // Time integration as a minimisation: one step solves
-//     x* = argmin 1/2 |x - x~|_M^2 + beta h^2 P(x)      (the paper, eq. 1).
+//     x* = argmin 1/2 |x - x~|_M^2 + beta h^2 P(x)      (the paper, eq. 1),
+// where contact and friction may have a factor of their own.
 #pragma once
 
+#include "framework/assembly/term_scales.hpp"
 #include "framework/config/registry.hpp"
 #include "framework/stepping/state.hpp"
 
@@ -15,11 +17,20 @@ class TimeIntegrator : public Component {
   struct Prediction {
     VecX x;             // x~ (3n)
     double scale = 1;   // beta h^2 [s^2]; 1 when quasi-static
+    double contact_scale = scale;  // of contact and friction
     bool inertia = true;
+    TermScales scales() const { return {scale, contact_scale}; }
   };
   virtual Prediction predict(const State& state, double h) const = 0;
-  // Velocities and accelerations from the new positions; time and history are the caller's.
-  virtual void update(const State& old, const VecX& x, double h, VecX& v, VecX& a) const = 0;
+  // Velocities and accelerations from the new positions; time and history are the caller's. contact:
+  // what State::contact will be.
+  virtual void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v,
+                      VecX& a) const = 0;
+  // Whether it uses State::contact; it stays empty otherwise.
+  virtual bool follows_contact() const { return false; }
+  // What repeats a step in which energy has grown noticeably, and nothing put it in (energy_balance.hpp);
+  // null: the step is kept.
+  virtual const TimeIntegrator* fallback() const { return nullptr; }
   // Corrects them for vertices that do not follow from forces, if the above carries velocities over
   // from step to step.
   virtual void update_held(const State& /*old*/, const VecX& /*x*/, double /*h*/,

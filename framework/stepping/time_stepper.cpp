@@ -26,7 +26,8 @@ constexpr double most_of_it = 0.9;
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.rest), convergence_(world, *scene.solver) {
+      held_(world.script, world.rest), convergence_(world, *scene.solver), balance_(world, scene),
+      integrator_(scene.time.integrator.get()) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   deadline_.limit_run(clock.begun(), scene.time.wall_limit);
   if (scene.solver->checks_iterates()) check_.emplace(world, clock);
@@ -55,15 +56,30 @@ void TimeStepper::hold(double h) {
 
 // M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
-  if (vertices.empty() || !scene_.time.integrator->predict(state_, scene_.time.step).inertia) return;
+  if (vertices.empty() || !integrator_->predict(state_, scene_.time.step).inertia) return;
   apply_loads(t);
   VecX q;
   world_.dofs.gather(state_.x, q);
-  potential_->begin_step(state_.x, state_.x, 1.0, false);
+  potential_->begin_step(state_.x, state_.x, {}, false);
   potential_->move_to(q);
   const VecX& gradient = potential_->gradient();
   for (const int v : vertices)
     vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / world_.mass(v);
+  if (!scene_.time.integrator->follows_contact() || !world_.contact) return;
+  const VecX contact = contact_accelerations(state_.x);
+  if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
+  for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
+}
+
+// Of the free vertices (3n), at x, where the contact system must be.
+VecX TimeStepper::contact_accelerations(const VecX& x) const {
+  VecX a = world_.contact_term->forces(x, LawPart::all);
+  if (world_.friction) a += world_.friction->forces(x, TangentialPart::all);
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
+    if (world_.dofs.block(v) < 0) vertex(a, v).setZero();
+    else vertex(a, v) /= world_.mass(v);
+  }
+  return a;
 }
 
 void TimeStepper::apply_loads(double t) { set_loads(scene_, world_, t, state_.x); }
@@ -115,7 +131,7 @@ ScriptWalk::Result TimeStepper::follow_script(double h, const TimeIntegrator::Pr
   for (int i = 1; i <= parts; ++i) {
     VecX places = result.x;
     held_.place(state_.time + h * i / parts, places);
-    potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
+    potential_->begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
     const MinimizerResult before = result.solve;
     result = move_scripted(result.x, places, along, prediction);
     result.solve.add_work(before);
@@ -189,7 +205,7 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
   tried_.x.resize(0);
   if (check_) check_->begin(state_.step + 1, "the first guess");
   hold(h);
-  const TimeIntegrator::Prediction prediction = scene_.time.integrator->predict(state_, h);
+  const TimeIntegrator::Prediction prediction = integrator_->predict(state_, h);
   inertia_ = prediction.inertia;
   if (world_.contact) world_.contact->begin_step(state_.x);
   if (world_.friction) {
@@ -199,7 +215,8 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
   apply_loads(state_.time + h);
   VecX places = state_.x;
   held_.place(state_.time + h, places);
-  potential_->begin_step(places, prediction.x, prediction.scale, prediction.inertia);
+  balance_.begin(state_, places != state_.x);
+  potential_->begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
   convergence_.begin_step(*potential_, h, prediction.inertia);
   attempt.x = places;
   VecX q;
@@ -283,13 +300,18 @@ void TimeStepper::check_wall_limit(const std::string& wrong) const {
 }
 
 void TimeStepper::commit(const VecX& x, double h) {
-  VecX v, a;
-  scene_.time.integrator->update(state_, x, h, v, a);
-  scene_.time.integrator->update_held(state_, x, h, held_.vertices(), v, a);
+  VecX v, a, contact;
+  if (world_.contact && scene_.time.integrator->follows_contact()) {
+    world_.contact->move_to(x);
+    contact = contact_accelerations(x);
+  }
+  integrator_->update(state_, x, contact, h, v, a);
+  integrator_->update_held(state_, x, h, held_.vertices(), v, a);
   held_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);
+  state_.contact_before = std::exchange(state_.contact, std::move(contact));
   state_.h_before = h;
   state_.time += h;
   ++state_.step;
@@ -332,7 +354,7 @@ StepReport TimeStepper::advance() {
   found_ = {};
   int halvings = 0;
   check_wall_limit("");
-  for (;; ++halvings) {
+  for (;;) {
     const double end = (state_.whole_steps + 1) * whole;
     const double h = next_step_size();
     const Attempt attempt = solve(h);
@@ -342,12 +364,23 @@ StepReport TimeStepper::advance() {
     }
     const std::string wrong = verdict(attempt);
     if (wrong.empty()) {
+      std::optional<State> undo;
+      if (integrator_->fallback()) undo = state_;
       commit(attempt.x, h);
       if (state_.time >= end - 1e-9 * whole) {
         ++state_.whole_steps;
         state_.h_next = whole;
       }
       StepReport r = report(attempt, h, halvings);
+      r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
+      if (r.flows.gained && undo) {
+        integrator_ = integrator_->fallback();
+        state_ = *std::move(undo);
+        continue;
+      }
+      r.flows.damped = integrator_ != scene_.time.integrator.get();
+      integrator_ = scene_.time.integrator.get();
+      if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_(balance_.warning());
       if (!attempt.lag_converged)
         warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
                           "{:.2g} of the largest (contact.lagging.until: {:.2g})",
@@ -366,6 +399,7 @@ StepReport TimeStepper::advance() {
           attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)"
                                   : "leave room for what the script pushes"));
     state_.h_next = h / 2;
+    ++halvings;
     warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)",
                       state_.step + 1, state_.time, wrong, state_.h_next, std::lround(whole / state_.h_next)));
   }

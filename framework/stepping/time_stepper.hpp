@@ -17,6 +17,7 @@
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
 #include "framework/stepping/convergence.hpp"
+#include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/iterate_check.hpp"
 #include "framework/stepping/script_walk.hpp"
@@ -76,6 +77,7 @@ class TimeStepper {
   ScriptWalk::Result move_scripted(const VecX& x, const VecX& places, const VecX& along,
                                    const TimeIntegrator::Prediction& prediction);
   void apply_loads(double t);
+  VecX contact_accelerations(const VecX& x) const;
   double largest_step(const VecX& x, const VecX& p);
   double feasible_step(const VecX& q, const VecX& p);
   StepReport report(const Attempt& attempt, double h, int halvings) const;
@@ -87,6 +89,9 @@ class TimeStepper {
   State state_;
   HeldVertices held_;
   Convergence convergence_;
+  EnergyBalance balance_;
+  const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
+  bool told_of_gain_ = false;
   std::optional<IncrementalPotential> potential_;
   std::optional<ScriptWalk> walk_;  // made when it is first needed
   std::vector<std::unique_ptr<StepFilter>> filters_;

@@ -39,11 +39,17 @@ bool ResidualModel::evaluate(bool with_jacobian) {
     if (!squares_.views[v]->residuals(x_, r_.data() + view_start_[v].first,
                                       with_jacobian ? jacobian_.data() + view_start_[v].second : nullptr))
       return false;
-  const double root = std::sqrt(squares_.scale);
   bool finite = true;
-  for (double& r : r_) finite = std::isfinite(r *= root) && finite;
-  if (with_jacobian)
-    for (double& entry : jacobian_) finite = std::isfinite(entry *= root) && finite;
+  const auto multiply = [&](std::vector<double>& numbers, size_t first, size_t last, double root) {
+    for (size_t i = first; i < last; ++i) finite = std::isfinite(numbers[i] *= root) && finite;
+  };
+  for (size_t v = 0; v < squares_.views.size(); ++v) {
+    const bool end = v + 1 == squares_.views.size();
+    const double root = std::sqrt(squares_.scales[v]);
+    multiply(r_, view_start_[v].first, end ? r_.size() : view_start_[v + 1].first, root);
+    if (with_jacobian)
+      multiply(jacobian_, view_start_[v].second, end ? jacobian_.size() : view_start_[v + 1].second, root);
+  }
   return finite;
 }
 

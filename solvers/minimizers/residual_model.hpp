@@ -1,5 +1,5 @@
 // A least-squares model of an incremental potential around one point q0:
-//     1/2 |sqrt(M) (q - target)|^2 + 1/2 scale |r(q)|^2,
+//     1/2 |sqrt(M) (q - target)|^2 + 1/2 sum over terms of scale |r(q)|^2,
 // with the residuals of all terms over the stencils that are active at q0. The rest of the potential
 // (residual_view.hpp) acts with its force at q0: it is folded into the target, so that the model's
 // gradient at q0 is the potential's. Where there is no inertia, a weak pull towards q0 takes its place.

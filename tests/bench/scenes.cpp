@@ -84,7 +84,7 @@ StepPotential::StepPotential(Scene& scene)
                  [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); }) {
   constexpr double h = 0.01;  // s
   if (world_.contact) world_.contact->begin_step(world_.rest);
-  potential_.begin_step(world_.rest, world_.rest, h * h, true);
+  potential_.begin_step(world_.rest, world_.rest, {h * h, h * h}, true);
   move_to(world_.rest);
 }
 

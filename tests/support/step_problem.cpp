@@ -24,7 +24,7 @@ StepProblem::StepProblem(const std::string& yaml)
   for (int v = 0; v < start.x.size() / 3; ++v) vertex(weight, v) = world->mass(v) * world->gravity;
   world->gravity_term.set(weight, start.x);
   prediction = config.time.integrator->predict(start, h);
-  potential.begin_step(start.x, prediction.x, prediction.scale, prediction.inertia);
+  potential.begin_step(start.x, prediction.x, prediction.scales(), prediction.inertia);
   world->dofs.gather(start.x, q);
 }
 

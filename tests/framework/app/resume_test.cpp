@@ -63,6 +63,27 @@ TEST_CASE("a run that is interrupted and resumed has the bits of one that is not
         read_json(whole / "summary.json")["totals"]["newton_iterations"]);
 }
 
+TEST_CASE("what integrators remember of contact, and the balance of energy, survive a resume") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  for (const std::string integrator : {"bdf2", "newmark"}) {
+    INFO(integrator);
+    const std::string set = "time.integrator=" + integrator;
+    const std::string whole = integrator + "_whole", parts = integrator + "_parts";
+    REQUIRE(run(folder.path(), {"-o", whole, "--set", set}).exit_code == 0);
+    REQUIRE(run(folder.path(), {"-o", parts, "--steps", "5", "--set", set}).exit_code == 0);
+    REQUIRE(run(folder.path(), {"-o", parts, "--resume", "--set", set}).exit_code == 0);
+    CHECK(file_text(folder.path() / parts / "probes.csv") == file_text(folder.path() / whole / "probes.csv"));
+    const CsvTable a = read_csv(folder.path() / whole / "steps.csv"), b = read_csv(folder.path() / parts / "steps.csv");
+    const size_t counted = *a.column("wall_seconds");
+    REQUIRE(b.rows.size() == a.rows.size());
+    for (size_t i = 0; i < a.rows.size(); ++i)
+      for (size_t c = 0; c < counted; ++c) CHECK(a.rows[i][c] == b.rows[i][c]);
+    CHECK(read_json(folder.path() / parts / "summary.json")["energy"] ==
+          read_json(folder.path() / whole / "summary.json")["energy"]);
+  }
+}
+
 TEST_CASE("what cannot be resumed is told, and nothing is written") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());

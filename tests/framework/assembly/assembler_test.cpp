@@ -37,33 +37,33 @@ struct Problem {
   }
 
   // Scale times the sum over the free unknowns, plus the masses.
-  MatX expected_hessian(double scale) const {
+  MatX expected_hessian(const TermScales& scales) const {
     MatX full = MatX::Zero(x.size(), x.size());
-    for (const Term* term : terms) full += dense_hessian(*term, x, SpdFilter::none);
+    for (const Term* term : terms) full += scales.of(*term) * dense_hessian(*term, x, SpdFilter::none);
     MatX free(dofs.size(), dofs.size());
     for (int r = 0; r < dofs.block_count(); ++r)
       for (int c = 0; c < dofs.block_count(); ++c)
         free.block<3, 3>(3 * r, 3 * c) =
-            scale * full.block<3, 3>(3 * dofs.vertex_of_block(r), 3 * dofs.vertex_of_block(c));
+            full.block<3, 3>(3 * dofs.vertex_of_block(r), 3 * dofs.vertex_of_block(c));
     for (int r = 0; r < dofs.block_count(); ++r)
       free.block<3, 3>(3 * r, 3 * r) += mass(r) * Mat3::Identity();
     return free;
   }
-  VecX expected_gradient(double scale) const {
+  VecX expected_gradient(const TermScales& scales) const {
     VecX full = VecX::Zero(x.size()), free;
-    for (const Term* term : terms) full += dense_gradient(*term, x);
+    for (const Term* term : terms) full += scales.of(*term) * dense_gradient(*term, x);
     dofs.gather(full, free);
-    return scale * free;
+    return free;
   }
   void check(Assembler& assembler, BlockMatrix& matrix) const {
-    constexpr double scale = 0.3;
+    const TermScales scales{0.3, 0.7};
     VecX gradient = VecX::Constant(dofs.size(), 2.0), alone = VecX::Zero(dofs.size());
-    assembler.assemble(x, scale, {SpdFilter::none}, mass, gradient, matrix);
-    assembler.add_gradient(x, scale, alone);
-    const MatX hessian = expected_hessian(scale);
+    assembler.assemble(x, scales, {SpdFilter::none}, mass, gradient, matrix);
+    assembler.add_gradient(x, scales, alone);
+    const MatX hessian = expected_hessian(scales);
     CHECK((dense(matrix) - hessian).norm() <= 1e-13 * hessian.norm());
-    CHECK((gradient - VecX::Constant(dofs.size(), 2.0) - expected_gradient(scale)).norm() <= 1e-12 * gradient.norm());
-    CHECK((alone - expected_gradient(scale)).norm() <= 1e-13 * alone.norm());
+    CHECK((gradient - VecX::Constant(dofs.size(), 2.0) - expected_gradient(scales)).norm() <= 1e-12 * gradient.norm());
+    CHECK((alone - expected_gradient(scales)).norm() <= 1e-13 * alone.norm());
     for (int c = 0; c < matrix.columns(); ++c) {
       CHECK(matrix.row[matrix.column_start[c]] == c);
       for (int k = matrix.column_start[c] + 1; k < matrix.column_start[c + 1]; ++k)
@@ -143,7 +143,20 @@ TEST_CASE("assembly: the largest force of any stencil", "[assembly]") {
   Assembler assembler({&pair}, dofs, clock);
   VecX x(6), gradient = VecX::Zero(6);
   x << 2, 0, 0, 0, 0, 0;
-  assembler.add_gradient(x, 0.5, gradient);
+  assembler.add_gradient(x, {0.5, 0.5}, gradient);
   CHECK(assembler.largest_stencil_force() == 8.0);  // |u|^3, not scaled
   CHECK(gradient(0) == 4.0);
+}
+
+TEST_CASE("assembly: the gradients of the last evaluation at every vertex, held ones included", "[assembly]") {
+  Problem p;
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  VecX gradient = VecX::Zero(p.dofs.size());
+  assembler.add_gradient(p.x, {0.3, 0.7}, gradient);
+  const Term* without = p.terms.front();
+  VecX expected = VecX::Zero(p.x.size()), found = VecX::Zero(p.x.size());
+  for (const Term* term : p.terms)
+    if (term != without) expected += dense_gradient(*term, p.x);
+  assembler.add_last_gradients(without, found);
+  CHECK((found - expected).norm() <= 1e-13 * expected.norm());
 }

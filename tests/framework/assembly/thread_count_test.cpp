@@ -40,7 +40,7 @@ Evaluation evaluate(int threads) {
                                  [&](const VecX& x) { world.contact->move_to(x); });
   RandomMotions random(6);
   const VecX x = world.rest + 2e-4 * random.vectors(world.rest.size());
-  potential.begin_step(x, world.rest, 1e-4, true);
+  potential.begin_step(x, world.rest, {1e-4, 1e-4}, true);
   VecX q;
   world.dofs.gather(x, q);
   potential.move_to(q);

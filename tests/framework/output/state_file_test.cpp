@@ -66,6 +66,12 @@ void check_same(const State& a, const State& b) {
   CHECK(a.h_before == b.h_before);
   CHECK((a.x == b.x && a.v == b.v && a.a == b.a));
   CHECK((a.anchor == b.anchor && a.x_before == b.x_before && a.v_before == b.v_before));
+  CHECK((a.contact == b.contact && a.contact_before == b.contact_before));
+  CHECK(a.energy.open == b.energy.open);
+  CHECK((a.energy.kinetic == b.energy.kinetic && a.energy.gravity == b.energy.gravity));
+  CHECK((a.energy.elastic == b.energy.elastic && a.energy.contact == b.energy.contact));
+  CHECK((a.energy.gradient == b.energy.gradient && a.energy.unexplained == b.energy.unexplained));
+  CHECK((a.energy.lowest == b.energy.lowest && a.energy.at_play == b.energy.at_play));
 }
 
 }  // namespace
@@ -87,6 +93,23 @@ TEST_CASE("a step from a problem's file has the bits of the run", "[state_file]"
     again.stepper->advance();
     check_same(again.stepper->state(), run.stepper->state());
   }
+}
+
+TEST_CASE("a file of a program that knew neither contact's past nor a balance of energy is read", "[state_file]") {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.problem";
+  Stepped run(scene_text);
+  run.stepper->advance();
+  StateFile file = state_file_of(StateFile::Kind::problem, run.scene.config);
+  file.state = run.stepper->state();
+  write_state_file(path, file);
+  auto json = nlohmann::json::from_cbor(file_text(path));
+  for (const char* key : {"contact", "contact_before", "energy"}) CHECK(json["state"].erase(key) == 1);
+  const auto bytes = nlohmann::json::to_cbor(json);
+  write_file(path, {bytes.begin(), bytes.end()});
+  State read = read_state_file(path, StateFile::Kind::problem).state;
+  CHECK((read.contact.size() == 0 && !read.energy.open));
+  CHECK((read.x == file.state.x && read.v_before == file.state.v_before));
 }
 
 TEST_CASE("a problem carries the meshes that its scene reads from files", "[state_file]") {

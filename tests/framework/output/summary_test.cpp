@@ -27,6 +27,8 @@ RunSummary filled() {
   s.phases[static_cast<int>(Phase::assembly)] = 3;
   s.phases[static_cast<int>(Phase::solve)] = 1;
   s.inverted_tets = 4;
+  s.flows.friction = 0.75;
+  s.energy_gains = 2;
   s.adhesion = {{{"tape", "desk"}, 0.5, 0.4, 1e-4, 1e3}};
   s.expect = {{"a", 1, 2, 0.5, 1.5, 2.5, false, "is 1, expected 2 within 0.5"},
               {"b", nan_value, nan_value, nan_value, -infinity, 3, false, "no samples"}};
@@ -68,6 +70,8 @@ TEST_CASE("summary.json holds the run") {
   CHECK(json["phases"]["assembly"] == 3.0);
   CHECK(json["phases"]["line_search"] == 0.0);
   CHECK(json["inverted_tets"] == 4);
+  CHECK(json["energy"]["dissipated_friction"] == 0.75);
+  CHECK(json["energy"]["gains"] == 2);
   const nlohmann::json adhesion = {{"between", {"tape", "desk"}},
                                    {"work_of_adhesion", 0.5},
                                    {"effective", 0.4},
@@ -80,7 +84,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
   const nlohmann::json json = written({});
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "error",
+  CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "energy", "error",
                                          "expect", "failed_solves", "intersections",
                                          "inverted_tets", "linear_solver", "max_contacts",
                                          "max_unbalanced_force", "min_distance", "name",

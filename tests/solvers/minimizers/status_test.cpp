@@ -43,7 +43,7 @@ class Separable : public Objective, private ResidualView {
     return matrix_;
   }
   int value_count() const override { return count_; }
-  LeastSquares least_squares() const override { return {{this}, dofs_, q_, no_mass_, 1}; }
+  LeastSquares least_squares() const override { return {{this}, {1.0}, dofs_, q_, no_mass_}; }
 
  private:
   std::vector<ResidualBatch> residual_batches() const override { return {{1, 3, 1, &vertex_}}; }

@@ -1,0 +1,19 @@
+// What the balance of energy carries from step to step (energy_balance.hpp).
+#pragma once
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct EnergyAccount {
+  bool open = false;  // false: nothing is known of the state's energies yet
+  // Of the state, of all that was free in the step before [J].
+  double kinetic = 0, gravity = 0, elastic = 0, contact = 0;
+  VecX gradient;  // 3n: of elastic and contact energy [N]; empty if no script moves anything
+
+  double unexplained = 0;  // energy that nothing put in, from the first step on [J]
+  double lowest = 0;       // its smallest value since the last gain that was told of [J]
+  double at_play = 0;      // the largest kinetic, elastic and contact energy so far [J]
+};
+
+}  // namespace tack

@@ -1,0 +1,149 @@
+#include "framework/stepping/energy_balance.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/assembly/term_gradient.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/core/incremental_potential.hpp"
+#include "framework/scene/energies.hpp"
+#include "framework/scene/scene_config.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double tolerated_gain = 0.01;  // of the energy at play
+
+EnergyAccount account_of(const EnergyBalance::Energies& energies) {
+  EnergyAccount account;
+  account.open = true;
+  for (const auto& [term, energy] : energies) {
+    if (!is_stored(term)) continue;
+    if (term == "kinetic") account.kinetic = energy;
+    else if (term == "gravity") account.gravity = energy;
+    else if (term == "barrier" || term == "adhesion") account.contact += energy;
+    else account.elastic += energy;
+  }
+  return account;
+}
+
+double stored(const EnergyAccount& a) { return a.kinetic + a.gravity + a.elastic + a.contact; }
+
+}  // namespace
+
+// As a rule the potential was evaluated there anyway. Leaves contact at `end`.
+double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
+                                       const IncrementalPotential& potential) const {
+  if (contact_) return *contact_;
+  if (const auto known = potential.first_value(world_.contact_term.get(), start)) return *known;
+  world_.contact->move_to(start);
+  const double energy = world_.contact_term->value(start);
+  world_.contact->move_to(end);
+  return energy;
+}
+
+// The first step of all: what later ones know from the step before.
+void EnergyBalance::open(const State& state) {
+  start_.open = true;
+  start_.contact = *contact_;
+  for (const auto& term : world_.elastic_terms) start_.elastic += term->value(state.x);
+  start_.gradient = VecX::Zero(state.x.size());
+  for (const auto& term : world_.elastic_terms) add_term_gradient(*term, state.x, start_.gradient);
+  if (world_.contact_term) add_term_gradient(*world_.contact_term, state.x, start_.gradient);
+}
+
+void EnergyBalance::begin(const State& state, bool to_places) {
+  start_ = state.energy;
+  contact_.reset();
+  if (!world_.contact || (start_.open && start_.contact == 0)) {
+    contact_ = 0;
+  } else if (to_places || !start_.open) {
+    world_.contact->move_to(state.x);
+    contact_ = world_.contact_term->value(state.x);
+  }
+  if (!start_.open) open(state);
+  const auto [kinetic, gravity] = energies_of_free_vertices(world_, state);
+  released_ = state.energy.open ? kinetic + gravity - start_.kinetic - start_.gravity : 0;
+  start_.kinetic = kinetic;
+  start_.gravity = gravity;
+}
+
+double EnergyBalance::load_work(const State& state, const VecX& way, double h) const {
+  bool loaded = false;
+  for (const ObjectConfig& object : scene_.objects) loaded = loaded || !object.loads.empty();
+  if (!loaded) return 0;
+  VecX both = VecX::Zero(way.size());
+  for (size_t i = 0; i < scene_.objects.size(); ++i)
+    for (const auto& load : scene_.objects[i].loads)
+      for (const double t : {state.time - h, state.time})
+        load->add_forces(world_.bodies[i], world_.rest, world_.mass, t, both);
+  double work = 0;
+  for (int b = 0; b < world_.dofs.block_count(); ++b) {
+    const int v = world_.dofs.vertex_of_block(b);
+    work += vertex(both, v).dot(vertex(way, v)) / 2;
+  }
+  return work;
+}
+
+// gradient: of elastic and contact energy at x.
+double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) const {
+  const VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient);
+  const VecX friction = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
+  double work = 0;
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v)
+    if (world_.dofs.block(v) < 0) work += (vertex(sum, v) / 2 - vertex(friction, v)).dot(vertex(way, v));
+  return work;
+}
+
+EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double h, bool script_moves,
+                                 IncrementalPotential& potential) {
+  const VecX way = state.x - state.x_before;
+  EnergyAccount end = account_of(energies);
+  EnergyFlows flows;
+  flows.loads = load_work(state, way, h);
+  flows.script = released_;
+  if (script_moves) {
+    end.gradient = potential.gradient_at_all_vertices(state.x, world_.friction.get());
+    flows.script += script_work(way, end.gradient, state.x);
+  }
+  if (world_.friction) {
+    flows.friction = world_.friction->dissipated(state.x, TangentialPart::friction);
+    flows.adhesion = world_.friction->dissipated(state.x, TangentialPart::adhesion);
+  }
+  flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
+  const double before = stored(start_) - released_;
+  flows.numerics = before + flows.loads + flows.script - flows.friction - flows.adhesion - flows.areas - stored(end);
+  end.unexplained = start_.unexplained;
+  end.lowest = start_.lowest;
+  end.at_play = start_.at_play;
+  flows.gained = watch(end, state, flows);
+  state.energy = std::move(end);
+  return flows;
+}
+
+// What velocities that are off by the solver's tolerance may change the energy by [J].
+double EnergyBalance::solver_noise() const {
+  const double off = scene_.solver->velocity_tolerance();
+  return world_.mass.sum() * off * off;
+}
+
+// Growth counts from the lowest point, so that what was lost before is no credit.
+bool EnergyBalance::watch(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
+  account.unexplained -= flows.numerics + flows.areas;
+  account.lowest = std::min(account.lowest, account.unexplained);
+  account.at_play = std::max(account.at_play,
+                             account.kinetic + std::abs(account.elastic) + std::abs(account.contact));
+  const double gain = account.unexplained - account.lowest;
+  const bool gained = gain > tolerated_gain * account.at_play + solver_noise();
+  warning_.clear();
+  if (!gained) return false;
+  warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of what is at play, and "
+                         "nothing put it in (steps.csv: {}); refine time.step, or take another time.integrator",
+                         state.step, state.time, gain, 100 * gain / account.at_play,
+                         -flows.numerics > -flows.areas ? "dissipated_numerics" : "dissipated_areas");
+  account.lowest = account.unexplained;
+  return true;
+}
+
+}  // namespace tack

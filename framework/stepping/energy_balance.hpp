@@ -1,0 +1,64 @@
+// Where the energy of each step came from and went. Of the free vertices' kinetic energy and gravity and
+// of all elastic and contact energies, E, a step changes
+//     E' - E = loads + script - friction - adhesion - areas - numerics,
+//   loads     the work of external loads, with the mean of their forces at both ends,
+//   script    that of the forces which hold or move scripted vertices: the mean of the elastic and contact
+//             forces at both ends, and friction, times their displacement; and the energy that vertices
+//             bring along when they are released, or take along when they are seized,
+//   friction  what sliding dissipated: force times slip, which is never negative,
+//   adhesion  the same of tangential adhesion,
+//   areas     what contact lost (or, below zero, gained) when its areas were taken anew at the start of the
+//             step, with nothing moving,
+//   numerics  the rest: what the integrator lost or, below zero, made. Of implicit Euler in a linear
+//             problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.
+// Gravity is a potential here, loads are work. Normal adhesion is a potential: what detaching dissipates is
+// what its energy rises by, until areas that come back at zero gap give it back.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/scene/world.hpp"
+#include "framework/stepping/energy_flows.hpp"
+
+namespace tack {
+
+class IncrementalPotential;
+struct SceneConfig;
+
+class EnergyBalance {
+ public:
+  using Energies = std::vector<std::pair<std::string, double>>;  // scene/energies.hpp
+
+  EnergyBalance(const World& world, const SceneConfig& scene) : world_(world), scene_(scene) {}
+
+  // Starts a step from `state`: contact has taken its areas, who is held is known, nothing has moved.
+  // to_places: the script moves vertices in this step, so that its first evaluation is elsewhere.
+  void begin(const State& state, bool to_places);
+  // The step from begin()'s state to `state`, which has those energies, is kept. script_moves: whether the
+  // script may move vertices, in this or another step.
+  EnergyFlows close(State& state, const Energies& energies, double h, bool script_moves,
+                    IncrementalPotential& potential);
+  // What is to be told of the step, or "": that energy has grown by more than a hundredth of what is at
+  // play and nothing put it in.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  void open(const State& state);
+  double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
+  double load_work(const State& state, const VecX& way, double h) const;
+  double script_work(const VecX& way, const VecX& gradient, const VecX& x) const;
+  bool watch(EnergyAccount& account, const State& state, const EnergyFlows& flows);
+  double solver_noise() const;
+
+  const World& world_;
+  const SceneConfig& scene_;
+  EnergyAccount start_;         // of the state that the step starts from
+  double released_ = 0;         // J: the energy that a change of who is held brought along
+  std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known
+  std::string warning_;
+};
+
+}  // namespace tack

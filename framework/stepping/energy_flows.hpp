@@ -1,0 +1,29 @@
+// What became of the energy in one step [J] (energy_balance.hpp).
+#pragma once
+
+namespace tack {
+
+struct EnergyFlows {
+  double loads = 0, script = 0;                                  // work done from outside
+  double friction = 0, adhesion = 0, areas = 0, numerics = 0;  // dissipated
+  bool damped = false;  // done again by the integrator's fallback, because energy would have grown
+  bool gained = false;  // energy has grown noticeably, and nothing put it in
+
+  EnergyFlows& operator+=(const EnergyFlows& o) {
+    loads += o.loads, script += o.script, friction += o.friction;
+    adhesion += o.adhesion, areas += o.areas, numerics += o.numerics;
+    return *this;
+  }
+  // Calls act(column, number) for each, in the order of the files.
+  template <class Flows, class Act>
+  static void for_each(Flows&& flows, const Act& act) {
+    act("work_loads", flows.loads);
+    act("work_script", flows.script);
+    act("dissipated_friction", flows.friction);
+    act("dissipated_adhesion", flows.adhesion);
+    act("dissipated_areas", flows.areas);
+    act("dissipated_numerics", flows.numerics);
+  }
+};
+
+}  // namespace tack

@@ -1,0 +1,219 @@
+// The balance of energy against closed forms.
+#include "framework/stepping/energy_balance.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "framework/core/incremental_potential.hpp"
+#include "framework/scene/energies.hpp"
+#include "tests/support/simulation.hpp"
+
+using namespace tack;
+
+namespace {
+
+std::string header(const std::string& integrator, double h) {
+  return fmt::format("time: {{step: {}, duration: 10, integrator: {}}}\n"
+                     "solver: {{type: projected_newton, linear: cholmod, tolerance: 1e-9, force_tolerance: 1e-10}}\n", h, integrator);
+}
+
+double stored(const StepReport& report) {
+  double sum = 0;
+  for (const auto& [term, energy] : report.energies)
+    if (is_stored(term)) sum += energy;
+  return sum;
+}
+
+double energy(const StepReport& report, const std::string& term) {
+  for (const auto& [name, joules] : report.energies)
+    if (name == term) return joules;
+  return 0;
+}
+
+double kinetic(const World& world, const VecX& v) {
+  double sum = 0;
+  for (int i = 0; i < world.mass.size(); ++i) sum += 0.5 * world.mass(i) * vertex(v, i).squaredNorm();
+  return sum;
+}
+
+EnergyFlows total(Simulation& run, int steps) {
+  EnergyFlows sum;
+  for (int i = 0; i < steps; ++i) sum += run.step().flows;
+  return sum;
+}
+
+const std::string block = "{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5}]";
+
+// Pushed over a floor by a sticky, rough slider that a script drives.
+const std::string driven =
+    "gravity: [0, -9.81, 0]\n"
+    "objects:\n"
+    "  - {name: floor, shape: {type: box, size: [0.5, 0.02, 0.5], cells: [7, 1, 7]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
+    "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.0505, 0]},\n"
+    "     energies: [{type: neo_hookean, young: 1e5}], loads: [{type: body_force, value: [0, 0, 0.3]}],\n"
+    "     motion: [{type: translate, velocity: [0.2, 0, 0], until: 0.055, select: {type: face, direction: [0, 1, 0]}}]}\n"
+    "contact:\n  distance: 1 mm\n"
+    "  pairs: [{between: [block, floor], friction: {mu: 0.4}, adhesion: {type: fang, peak_traction: 1 kPa},\n"
+    "           tangential_adhesion: {mu: 0.5, eps_a: 0.5}}]\n";
+
+}  // namespace
+
+TEST_CASE("the balance of energy adds up in every step, and every part of it is in play", "[energy_balance]") {
+  for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
+    INFO(integrator);
+    Simulation run(header(integrator, 0.01) + driven);
+    double before = 0;
+    EnergyFlows sum;
+    for (int i = 0; i < 10; ++i) {
+      const StepReport r = run.step();
+      const EnergyFlows& f = r.flows;
+      const double after = stored(r);
+      if (i > 0)
+        CHECK(after - before == Approx(f.loads + f.script - f.friction - f.adhesion - f.areas - f.numerics).margin(1e-13));
+      before = after;
+      CHECK(f.friction >= 0);
+      CHECK(f.adhesion >= 0);
+      sum += f;
+    }
+    EnergyFlows::for_each(sum, [](const char* name, double part) {
+      INFO(name);
+      CHECK(part != 0);
+    });
+    CHECK(sum.friction > 1e-4);
+    CHECK(sum.script > 1e-3);
+  }
+}
+
+TEST_CASE("free fall: implicit Euler loses 1/2 m (h g)^2 a step, Newmark nothing", "[energy_balance]") {
+  constexpr double h = 0.01, g = 9.81;
+  const std::string fall = "gravity: [0, -9.81, 0]\nobjects: [" + block + "}]\n";
+  Simulation euler(header("implicit_euler", h) + fall), newmark(header("newmark", h) + fall);
+  for (int i = 0; i < 5; ++i) {
+    CHECK(euler.step().flows.numerics == Approx(0.5 * euler.world->mass.sum() * h * h * g * g).epsilon(1e-6));
+    CHECK(newmark.step().flows.numerics == Approx(0).margin(1e-9));
+  }
+}
+
+// A held block that swings so little that it is a linear spring.
+TEST_CASE("what implicit Euler loses on a spring is 1/2 |dv|_M^2 + 1/2 |dx|_K^2", "[energy_balance]") {
+  Simulation run(header("implicit_euler", 1e-3) + "objects: [" + block +
+                 ", motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}], velocity: [1e-4, 2e-5, 0]}]\n");
+  for (int i = 0; i < 20; ++i) {
+    const State before = run.state();
+    const StepReport report = run.step();
+    const VecX dv = run.state().v - before.v, dx = run.state().x - before.x;
+    const double lost = kinetic(*run.world, dv) + run.world->elastic_terms[0]->value(run.world->rest + dx);
+    CHECK(report.flows.numerics == Approx(lost).epsilon(1e-3));
+    CHECK(report.flows.numerics > 1e-13);
+  }
+}
+
+TEST_CASE("a bouncing block's balance: what it has is what it had, less what numerics took", "[energy_balance]") {
+  Simulation run(header("newmark", 1e-3) +
+                 "gravity: [0, -9.81, 0]\nobjects:\n"
+                 "  - {name: floor, shape: {type: box, size: [0.5, 0.02, 0.5]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
+                 "  - " + block + ", place: {translate: [0, 0.06, 0]}, velocity: [0, -0.5, 0]}\ncontact: {distance: 1 mm}\n");
+  const double start = 0.5 * 0.25;  // J; gravity counts from the rest positions
+  EnergyFlows sum;
+  StepReport last;
+  bool touched = false;
+  for (int i = 0; i < 100; ++i) {
+    last = run.step();
+    sum += last.flows;
+    touched = touched || last.contacts > 0;
+  }
+  CHECK(touched);
+  CHECK(stored(last) == Approx(start - sum.numerics - sum.areas).epsilon(1e-9));
+  CHECK(sum.numerics >= 0);
+}
+
+TEST_CASE("friction that stops a block has dissipated 1/2 m v^2", "[energy_balance]") {
+  const auto stop = [](const std::string& integrator, double h) {
+    Simulation run(fmt::format(
+        "time: {{step: {}, duration: 10, integrator: {}}}\nsolver: {{type: projected_newton, linear: cholmod, tolerance: 1e-6}}\n"
+        "gravity: [0, -10, 0]\nobjects:\n"
+        "  - {{name: floor, shape: {{type: box, size: [2, 0.02, 0.3]}}, place: {{translate: [0.5, -0.01, 0]}}, motion: [fixed]}}\n"
+        "  - {{name: block, shape: {{type: box, size: [0.2, 0.05, 0.1], cells: [4, 1, 2]}}, place: {{translate: [0, 0.025943376, 0]}},\n"
+        "     velocity: [1, 0, 0], energies: [{{type: neo_hookean, young: 10 MPa, poisson: 0.3}}]}}\n"
+        "contact: {{distance: 1 mm, barrier: {{type: clamped_log, stiffness: 50 kPa}}, friction: {{mu: 0.5}}}}\n", h, integrator));
+    const double start = kinetic(*run.world, run.state().v);
+    const EnergyFlows sum = total(run, static_cast<int>(0.3 / h));
+    CHECK(kinetic(*run.world, run.state().v) <= 1e-4 * start);
+    return sum.friction / start;
+  };
+  CHECK(stop("newmark", 4e-3) == Approx(1).margin(0.02));
+  CHECK(stop("implicit_euler", 1e-3) == Approx(1).margin(0.02));
+}
+
+TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_balance]") {
+  SECTION("stretched slowly") {
+    Simulation run(header("quasi_static", 0.1) +
+                   "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]},\n"
+                   " energies: [{type: neo_hookean, young: 1e5}], motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}},\n"
+                   " {type: translate, velocity: [0, 0.01, 0], select: {type: face, direction: [0, 1, 0]}}]}]\n");
+    EnergyFlows sum;
+    StepReport last;
+    for (int i = 0; i < 10; ++i) sum += (last = run.step()).flows;
+    CHECK(energy(last, "neo_hookean") > 0.1);
+    CHECK(sum.script == Approx(energy(last, "neo_hookean")).epsilon(1e-3));
+    CHECK(std::abs(sum.numerics) <= 1e-3 * sum.script);
+  }
+  SECTION("pulled in free space by a growing force") {
+    Simulation run(header("newmark", 0.01) + "objects: [" + block + ", loads: [{type: body_force, value: [3, 0, 0], ramp: [[0, 0], [1, 10]]}]}]\n");
+    const EnergyFlows sum = total(run, 20);
+    CHECK(sum.loads == Approx(kinetic(*run.world, run.state().v)).epsilon(1e-6));
+    CHECK(sum.loads > 0.1);
+  }
+  SECTION("what is released takes its energy along") {
+    Simulation run(header("implicit_euler", 0.01) + "objects: [" + block +
+                   ", motion: [{type: translate, velocity: [2, 0, 0], until: 0.035}]}]\n");
+    const EnergyFlows sum = total(run, 6);
+    CHECK(sum.script == Approx(2.0).epsilon(1e-6));
+    CHECK(sum.numerics == Approx(0).margin(1e-6));
+  }
+}
+
+TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
+  Simulation run(header("implicit_euler", 0.01) + "objects: [" + block + ", velocity: [1, 0, 0]}]\n");
+  World& world = *run.world;
+  PhaseClock clock;
+  IncrementalPotential potential(world.terms, world.dofs, world.mass, clock, [](const VecX&) {});
+  EnergyBalance balance(world, run.config);
+  State state = world.start;
+  const auto step_to = [&](double speed) {
+    balance.begin(state, false);
+    state.x_before = state.x;
+    state.x += 0.01 * state.v;
+    for (int v = 0; v < world.mass.size(); ++v) vertex(state.v, v) = Vec3(speed, 0, 0);
+    return balance.close(state, energies_by_term(world, state), 0.01, false, potential);
+  };
+  CHECK_FALSE(step_to(1.003).gained);  // 0.6% more
+  CHECK(balance.warning().empty());
+  CHECK(step_to(1.006).gained);  // 1.2% together
+  CHECK(balance.warning().find("energy has grown by 0.00602 J, 1.2% of what is at play") != std::string::npos);
+  CHECK_FALSE(step_to(1.006).gained);
+  CHECK_FALSE(step_to(0.5).gained);
+  CHECK(step_to(0.6).gained);  // what was lost before is no credit
+}
+
+TEST_CASE("a step that would make energy is done again with implicit Euler", "[energy_balance]") {
+  // Newmark's rule turns this tumbling block inside out at large steps, in free flight.
+  Simulation run(fmt::format(
+      "time: {{step: 20 ms, duration: 10, integrator: newmark}}\n"
+      "solver: {{type: projected_newton, linear: cholmod, tolerance: 1 mm/s}}\n"
+      "objects:\n"
+      "  - {{name: floor, shape: {{type: box, size: [0.5, 0.02, 0.5]}}, place: {{translate: [0, -0.01, 0]}}, motion: [fixed]}}\n"
+      "  - {{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}}, place: {{translate: [0, 0.055, 0]}},\n"
+      "     velocity: [1, -1, 0.3], energies: [{{type: neo_hookean, young: 1e6}}]}}\n"
+      "contact: {{distance: 1 mm, friction: {{mu: 0.5}}}}\n"));
+  int damped = 0;
+  for (int i = 0; i < 10; ++i) {
+    const StepReport r = run.step();
+    damped += r.flows.damped;
+    CHECK_FALSE(r.flows.gained);
+    CHECK(stored(r) <= 1.01 * 0.5 * 2.09);
+  }
+  CHECK(damped > 0);
+  CHECK(run.state().whole_steps == 10);
+}
