@@ -7,7 +7,7 @@ namespace {
 
 // Contact is smooth while its accelerations change by less than a part of the largest in a step: from there
 // on Newmark's correction is gone, and BDF2 forgets its history.
-constexpr double newmark_change = 0.25, bdf2_change = 0.5;
+constexpr double newmark_change = 0.25, bdf2_change = 0.25;
 
 // Of the last step: 0, nothing has changed, to 1, contact was made, lost or changed by `whole` of it.
 double contact_change(const State& s, double whole) {
@@ -44,7 +44,6 @@ class Bdf2 : public TimeIntegrator {
     a = (3 * v - 4 * old.v + old.v_before) / (2 * h);
   }
   bool follows_contact() const override { return true; }
-  const TimeIntegrator* fallback() const override { return &euler_; }
 
  private:
   static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s, bdf2_change) < 1; }
@@ -73,7 +72,7 @@ class Newmark : public TimeIntegrator {
     v = 2 / h * (x - old.x) - old.v;
   }
   bool follows_contact() const override { return true; }
-  const TimeIntegrator* fallback() const override { return path_.fallback(); }
+  const TimeIntegrator* fallback() const override { return &euler_; }
   // A jump in a script's velocity would ring on for ever.
   void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {
@@ -93,6 +92,7 @@ class Newmark : public TimeIntegrator {
     return -0.5 * smoothness * (s.contact - s.contact_before);
   }
   Bdf2 path_;
+  ImplicitEuler euler_;
 };
 
 class QuasiStatic : public TimeIntegrator {
