@@ -116,6 +116,9 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
     flows.friction = world_.friction->dissipated(state.x, TangentialPart::friction);
     flows.adhesion = world_.friction->dissipated(state.x, TangentialPart::adhesion);
   }
+  // With the mean of both ends, a growing friction would have taken less.
+  jerk_ += std::max(0.0, flows.friction - friction_before_) / 2;
+  friction_before_ = flows.friction;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.script - flows.friction - flows.adhesion - flows.areas - stored(end);
