@@ -87,12 +87,16 @@ double EnergyBalance::load_work(const State& state, const VecX& way, double h) c
 }
 
 // gradient: of elastic and contact energy at x.
-double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) const {
+double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) {
   const VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient);
   const VecX friction = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
-  double work = 0;
-  for (int v = 0; v < world_.dofs.vertex_count(); ++v)
-    if (world_.dofs.block(v) < 0) work += (vertex(sum, v) / 2 - vertex(friction, v)).dot(vertex(way, v));
+  double work = 0, at_end = 0;
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
+    if (world_.dofs.block(v) >= 0) continue;
+    work += (vertex(sum, v) / 2 - vertex(friction, v)).dot(vertex(way, v));
+    at_end += (vertex(gradient, v) - vertex(friction, v)).dot(vertex(way, v));
+  }
+  jerk_ = std::max(0.0, at_end - work);
   return work;
 }
 
@@ -103,6 +107,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   EnergyFlows flows;
   flows.loads = load_work(state, way, h);
   flows.script = released_;
+  jerk_ = 0;
   if (script_moves) {
     end.gradient = potential.gradient_at_all_vertices(state.x, world_.friction.get());
     flows.script += script_work(way, end.gradient, state.x);
@@ -111,6 +116,9 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
     flows.friction = world_.friction->dissipated(state.x, TangentialPart::friction);
     flows.adhesion = world_.friction->dissipated(state.x, TangentialPart::adhesion);
   }
+  // With the mean of both ends, a growing friction would have taken less.
+  jerk_ += std::max(0.0, flows.friction - friction_before_) / 2;
+  friction_before_ = flows.friction;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.script - flows.friction - flows.adhesion - flows.areas - stored(end);
@@ -128,9 +136,10 @@ double EnergyBalance::solver_noise() const {
   return world_.mass.sum() * off * off;
 }
 
-// Growth counts from the lowest point, so that what was lost before is no credit.
+// Growth counts from the lowest point, so that what was lost before is no credit. A script that starts with a
+// jerk acts with the force of the end of the step, and that is no gain.
 bool EnergyBalance::watch(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
-  account.unexplained -= flows.numerics + flows.areas;
+  account.unexplained -= flows.numerics + flows.areas + jerk_;
   account.lowest = std::min(account.lowest, account.unexplained);
   account.at_play = std::max(account.at_play,
                              account.kinetic + std::abs(account.elastic) + std::abs(account.contact));

@@ -49,7 +49,7 @@ class EnergyBalance {
   void open(const State& state);
   double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
   double load_work(const State& state, const VecX& way, double h) const;
-  double script_work(const VecX& way, const VecX& gradient, const VecX& x) const;
+  double script_work(const VecX& way, const VecX& gradient, const VecX& x);
   bool watch(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;
 
@@ -58,6 +58,8 @@ class EnergyBalance {
   EnergyAccount start_;         // of the state that the step starts from
   double released_ = 0;         // J: the energy that a change of who is held brought along
   std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known
+  double jerk_ = 0;  // J: by how much the script's work is more with its forces at the end of the step
+  double friction_before_ = 0;  // J: dissipated by friction in the step before
   std::string warning_;
 };
 

@@ -5,15 +5,16 @@
 namespace tack {
 namespace {
 
-// Contact is smooth while its accelerations change by less than this part of the largest in a step.
-constexpr double smooth_change = 0.25;
+// Contact is smooth while its accelerations change by less than a part of the largest in a step: from there
+// on Newmark's correction is gone, and BDF2 forgets its history.
+constexpr double newmark_change = 0.25, bdf2_change = 0.25;
 
-// Of the last step: 0, nothing has changed, to 1, contact was made, lost or changed by a quarter.
-double contact_change(const State& s) {
+// Of the last step: 0, nothing has changed, to 1, contact was made, lost or changed by `whole` of it.
+double contact_change(const State& s, double whole) {
   if (s.contact.size() == 0 || s.contact_before.size() == 0) return 0;
-  const double now = s.contact.lpNorm<Eigen::Infinity>();
+  const double now = whole * s.contact.lpNorm<Eigen::Infinity>();
   const double change = (s.contact - s.contact_before).lpNorm<Eigen::Infinity>();
-  return change < smooth_change * now ? change / (smooth_change * now) : (change > 0 ? 1 : 0);
+  return change < now ? change / now : (change > 0 ? 1 : 0);
 }
 
 bool same_step(const State& s, double h) { return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h; }
@@ -43,10 +44,9 @@ class Bdf2 : public TimeIntegrator {
     a = (3 * v - 4 * old.v + old.v_before) / (2 * h);
   }
   bool follows_contact() const override { return true; }
-  const TimeIntegrator* fallback() const override { return &euler_; }
 
  private:
-  static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s) < 1; }
+  static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s, bdf2_change) < 1; }
   ImplicitEuler euler_;
 };
 
@@ -72,7 +72,7 @@ class Newmark : public TimeIntegrator {
     v = 2 / h * (x - old.x) - old.v;
   }
   bool follows_contact() const override { return true; }
-  const TimeIntegrator* fallback() const override { return path_.fallback(); }
+  const TimeIntegrator* fallback() const override { return &euler_; }
   // A jump in a script's velocity would ring on for ever.
   void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {
@@ -87,11 +87,12 @@ class Newmark : public TimeIntegrator {
 
  private:
   static VecX shift(const State& s, double h) {
-    const double smoothness = same_step(s, h) ? 1 - contact_change(s) : 0;
+    const double smoothness = same_step(s, h) ? 1 - contact_change(s, newmark_change) : 0;
     if (smoothness == 0 || s.contact_before.size() == 0) return {};
     return -0.5 * smoothness * (s.contact - s.contact_before);
   }
   Bdf2 path_;
+  ImplicitEuler euler_;
 };
 
 class QuasiStatic : public TimeIntegrator {
