@@ -71,7 +71,8 @@ MeshDigest digest_of(const Json& json) { return {json.at(0), json.at(1), json.at
 Json to_json(const EnergyAccount& a) {
   return {{"open", a.open},         {"kinetic", a.kinetic},         {"gravity", a.gravity},
           {"elastic", a.elastic},   {"contact", a.contact},         {"gradient", to_json(a.gradient)},
-          {"lowest", a.lowest},     {"unexplained", a.unexplained}, {"at_play", a.at_play}};
+          {"lowest", a.lowest},     {"unexplained", a.unexplained}, {"at_play", a.at_play},
+          {"friction", a.friction}};
 }
 
 EnergyAccount account_of(const Json& json) {
@@ -85,6 +86,7 @@ EnergyAccount account_of(const Json& json) {
   json.at("unexplained").get_to(a.unexplained);
   json.at("lowest").get_to(a.lowest);
   json.at("at_play").get_to(a.at_play);
+  a.friction = json.value("friction", 0.0);
   return a;
 }
 

@@ -116,9 +116,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
     flows.friction = world_.friction->dissipated(state.x, TangentialPart::friction);
     flows.adhesion = world_.friction->dissipated(state.x, TangentialPart::adhesion);
   }
-  // With the mean of both ends, a growing friction would have taken less.
-  jerk_ += std::max(0.0, flows.friction - friction_before_) / 2;
-  friction_before_ = flows.friction;
+  end.friction = start_.friction + flows.friction + flows.adhesion;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.script - flows.friction - flows.adhesion - flows.areas - stored(end);
@@ -144,7 +142,8 @@ bool EnergyBalance::watch(EnergyAccount& account, const State& state, const Ener
   account.at_play = std::max(account.at_play,
                              account.kinetic + std::abs(account.elastic) + std::abs(account.contact));
   const double gain = account.unexplained - account.lowest;
-  const bool gained = gain > tolerated_gain * account.at_play + solver_noise();
+  // What friction took is known to first order of the step only.
+  const bool gained = gain > tolerated_gain * (account.at_play + account.friction) + solver_noise();
   warning_.clear();
   if (!gained) return false;
   warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of what is at play, and "

@@ -59,7 +59,6 @@ class EnergyBalance {
   double released_ = 0;         // J: the energy that a change of who is held brought along
   std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known
   double jerk_ = 0;  // J: by how much the script's work is more with its forces at the end of the step
-  double friction_before_ = 0;  // J: dissipated by friction in the step before
   std::string warning_;
 };
 

@@ -96,20 +96,9 @@ TEST_CASE("a step from a problem's file has the bits of the run", "[state_file]"
 }
 
 TEST_CASE("a file of a program that knew neither contact's past nor a balance of energy is read", "[state_file]") {
-  const TemporaryFolder folder;
-  const fs::path path = folder.path() / "a.problem";
-  Stepped run(scene_text);
-  run.stepper->advance();
-  StateFile file = state_file_of(StateFile::Kind::problem, run.scene.config);
-  file.state = run.stepper->state();
-  write_state_file(path, file);
-  auto json = nlohmann::json::from_cbor(file_text(path));
-  for (const char* key : {"contact", "contact_before", "energy"}) CHECK(json["state"].erase(key) == 1);
-  const auto bytes = nlohmann::json::to_cbor(json);
-  write_file(path, {bytes.begin(), bytes.end()});
-  State read = read_state_file(path, StateFile::Kind::problem).state;
+  const State read = read_state_file(TACK_TEST_DATA "/problems/sliding.problem", StateFile::Kind::problem).state;
   CHECK((read.contact.size() == 0 && !read.energy.open));
-  CHECK((read.x == file.state.x && read.v_before == file.state.v_before));
+  CHECK((read.x.size() > 0 && read.v.size() == read.x.size()));
 }
 
 TEST_CASE("a problem carries the meshes that its scene reads from files", "[state_file]") {

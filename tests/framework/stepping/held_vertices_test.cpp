@@ -40,12 +40,12 @@ TEST_CASE("half turns a step are made in parts, which push what is in the way") 
   CHECK(parts("{type: formula, x: '-200 * X * t'}") == 1);  // walks if it has to
 }
 
-TEST_CASE("a paddle that makes half a turn a step hits what is in its way") {
+TEST_CASE("a paddle that turns by 135 degrees a step hits what is in its way") {
   Simulation run("time: {step: 0.01, duration: 1}\n"
                  "objects:\n"
                  "  - {name: paddle, shape: {type: box, size: [0.2, 0.01, 0.1], cells: [4, 1, 2]},\n"
-                 "     motion: [{type: rotate, axis: [0, 0, 1], angular_velocity: 314.159265358979}]}\n"
-                 "  - {name: block, shape: {type: box, size: [0.05, 0.05, 0.05]}, place: {translate: [0.08, 0.035, 0]},\n"
+                 "     motion: [{type: rotate, axis: [0, 0, 1], angular_velocity: 235.619449019234}]}\n"
+                 "  - {name: block, shape: {type: box, size: [0.03, 0.03, 0.03]}, place: {translate: [0.045, 0.025, 0]},\n"
                  "     energies: [{type: neo_hookean, young: 1e6}]}\n"
                  "contact: {distance: 1 mm}\n");
   run.step();
