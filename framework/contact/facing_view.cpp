@@ -92,12 +92,17 @@ FacingView FacingViewer::pieces() {
   return view;
 }
 
+// A surface that is seen goes on where it bends away: that the point is not in front of such a triangle now
+// does not matter. Only a sheet may be the point's own, or turn its other side.
 int FacingViewer::piece_of(const Viewpoint& from, const FacingView& view, int triangle) const {
+  if (view.count == 0) return -1;
+  const int corner = mesh_.triangles[triangle][0];
+  if (!held_.topology().two_sided(corner)) return view.piece_of(held_.normal(triangle));
   Vec3 normal;
   double height;
-  if (view.count == 0 || !turn(from, triangle, normal, height)) return -1;
+  turn(from, triangle, normal, height);
   const int piece = view.piece_of(normal);
-  if (piece < 0 || mesh_.vertex_object[mesh_.triangles[triangle][0]] != from.object) return piece;
+  if (piece < 0 || mesh_.vertex_object[corner] != from.object) return piece;
   const Triangle& t = mesh_.triangles[triangle];
   const double squared = point_triangle_distance(from.position, vertex(held_.x(), t[0]), vertex(held_.x(), t[1]),
                                                  vertex(held_.x(), t[2]));

