@@ -45,6 +45,10 @@ void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(s
 
 void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_groups(dissolved); }
 
+const std::vector<char>& ContactSystem::sides() const { return narrow_phase_->sides(); }
+
+void ContactSystem::set_sides_before(const std::vector<char>& sides) { narrow_phase_->set_sides_before(sides); }
+
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
 int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }

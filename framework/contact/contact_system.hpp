@@ -25,6 +25,10 @@ class ContactSystem {
   void dissolve_groups(bool dissolved);
   // Forgets what the steps so far have left: as if built anew.
   void forget();
+  // Which sides of pairs integrate in the present step, and which did in the one before the next (empty: none is
+  // known); they are part of the state.
+  const std::vector<char>& sides() const;
+  void set_sides_before(const std::vector<char>& sides);
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
   void begin_step(const VecX& x);
   // Makes x the current configuration: finds its active stencils.

@@ -5,7 +5,8 @@
 namespace tack {
 namespace {
 
-constexpr double as_much = 0.9;  // of the larger capture
+constexpr double as_much = 0.9;       // of the larger capture
+constexpr double nearly_as_much = 0.7;  // likewise, to keep a side
 
 }  // namespace
 
@@ -18,6 +19,10 @@ void IntegrationSides::clear() { std::fill(captures_.begin(), captures_.end(), C
 
 bool IntegrationSides::first_integrates(int a, int b) const {
   const Capture &first = captures_[a * objects_ + b], &second = captures_[b * objects_ + a];
+  if (!before_.empty()) {
+    const bool was_first = before_[a * objects_ + b] != 0;
+    if ((was_first ? first : second).area >= nearly_as_much * std::max(first.area, second.area)) return was_first;
+  }
   const double much = as_much * std::max(first.area, second.area);
   if (first.area < much) return false;
   if (second.area < much) return true;

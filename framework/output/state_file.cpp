@@ -96,7 +96,7 @@ Json to_json(const State& s) {
           {"x", to_json(s.x)},      {"v", to_json(s.v)},  {"a", to_json(s.a)},
           {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)},
           {"contact", to_json(s.contact)}, {"contact_before", to_json(s.contact_before)},
-          {"energy", to_json(s.energy)}};
+          {"sides", s.sides}, {"energy", to_json(s.energy)}};
 }
 
 State state_of(const Json& json) {
@@ -116,6 +116,7 @@ State state_of(const Json& json) {
   // Files of earlier programs are without these; nothing is known of them then.
   if (json.contains("contact")) s.contact = vector_of(json.at("contact"));
   if (json.contains("contact_before")) s.contact_before = vector_of(json.at("contact_before"));
+  if (json.contains("sides")) json.at("sides").get_to(s.sides);
   if (json.contains("energy")) s.energy = account_of(json.at("energy"));
   return s;
 }

@@ -207,7 +207,10 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
   hold(h);
   const TimeIntegrator::Prediction prediction = integrator_->predict(state_, h);
   inertia_ = prediction.inertia;
-  if (world_.contact) world_.contact->begin_step(state_.x);
+  if (world_.contact) {
+    world_.contact->set_sides_before(state_.sides);
+    world_.contact->begin_step(state_.x);
+  }
   if (world_.friction) {
     world_.contact->move_to(state_.x);
     world_.friction->begin_step(state_.x, h);
@@ -312,6 +315,7 @@ void TimeStepper::commit(const VecX& x, double h) {
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);
   state_.contact_before = std::exchange(state_.contact, std::move(contact));
+  if (world_.contact) state_.sides = world_.contact->sides();
   state_.h_before = h;
   state_.time += h;
   ++state_.step;
