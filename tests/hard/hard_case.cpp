@@ -24,6 +24,7 @@ std::string rest_of(const std::string& line, const std::string& key) {
 void read_results(const fs::path& results, HardOutcome& outcome) {
   const nlohmann::json summary = read_json(results / "summary.json");
   outcome.ran = true;
+  outcome.error = summary["error"];
   outcome.iterations = summary["totals"]["newton_iterations"];
   outcome.gains = summary["energy"]["gains"];
   outcome.intersections = summary["intersections"];

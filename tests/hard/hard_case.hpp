@@ -23,6 +23,7 @@ struct HardOutcome {
   int exit_code = -1;  // -1: ended by a signal, or not within a minute
   std::string told;    // what was printed
   bool ran = false;    // there are results, and the rest is from them
+  std::string error;   // what ended it
   int iterations = 0, gains = 0, intersections = 0, inverted = 0;
   std::vector<std::string> missed;  // expectations that do not hold
   double lost = 0, made = 0;        // energy that contact areas and integrator took, and made; of the largest in the run

@@ -7,7 +7,7 @@ namespace {
 
 std::string percent(double part) {
   if (part < 5e-5) return "0";
-  return fmt::format("{:.2g}%", 100 * part);
+  return part < 0.1 ? fmt::format("{:.2g}%", 100 * part) : fmt::format("{:.0f}%", 100 * part);
 }
 
 std::string ending(const HardOutcome& o) {
@@ -78,10 +78,29 @@ std::string what_fails(const std::vector<HardRow>& rows) {
   return text.empty() ? "None.\n" : text;
 }
 
+// Of `step ... failed with h = ... (REASON; what the last step was cut by); remedy`, or `step ...: REASON; ...`.
+std::string reason(const std::string& error) {
+  const bool failed = error.find(" failed with ") != std::string::npos;
+  const size_t start = error.find(failed ? " (" : ": ");
+  std::string text = start == std::string::npos ? error : error.substr(start + 2);
+  text = text.substr(0, text.find(';'));
+  if (failed && text.ends_with(')')) text.pop_back();
+  return text;
+}
+
+std::string who_gave_up(const std::vector<HardRow>& rows) {
+  std::string text;
+  for (const HardRow& row : rows)
+    for (size_t s = 0; s < row.outcomes.size(); ++s)
+      if (row.outcomes[s].exit_code == 3)
+        text += fmt::format("- `{}`, {}: {}\n", row.hard.name, hard_solvers()[s].name, reason(row.outcomes[s].error));
+  return text.empty() ? "None.\n" : text;
+}
+
 constexpr const char* introduction = R"(# Robustness
 
 What becomes of scenes that are hard, with several solvers: [experiments/hard](../experiments/hard), a few bodies and
-5 to 200 steps each. Every one ends: with what it must show, or with a message that says where and why not.
+5 to 100 steps each. Every one ends: with what it must show, or with a message that says where and why not.
 `./tack test -L hard` runs all with the default solver; this page is written by
 
 ```
@@ -107,6 +126,7 @@ blocks it.
 std::string robustness_page(const std::vector<HardRow>& rows) {
   return std::string(introduction) + counts(rows) + legend + how_they_end(rows) + "\n## What was missed\n\n" +
          what_fails(rows) +
+         "\n## What ended those that gave up\n\n" + who_gave_up(rows) +
          "\n## What is hard in each\n\nEnergy lost: what contact areas and time integration took with the default "
          "solver, implicit Euler's damping\nand the impacts that it does not resolve, of the largest energy in the run. "
          "Gains: steps in which energy grew by\nmore than a hundredth that nothing put in, each told by a warning.\n" +
