@@ -1,0 +1,103 @@
+#include "tests/hard/hard_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "tests/hard/judge_steps.hpp"
+#include "tests/support/json.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/silence.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The rest of a line that starts with `key`; "" if it does not.
+std::string rest_of(const std::string& line, const std::string& key) {
+  return line.rfind(key, 0) == 0 ? line.substr(key.size()) : "";
+}
+
+void read_results(const fs::path& results, HardOutcome& outcome) {
+  const nlohmann::json summary = read_json(results / "summary.json");
+  outcome.ran = true;
+  outcome.error = summary["error"];
+  outcome.iterations = summary["totals"]["newton_iterations"];
+  outcome.gains = summary["energy"]["gains"];
+  outcome.intersections = summary["intersections"];
+  outcome.inverted = summary["inverted_tets"];
+  for (const auto& e : summary["expect"])
+    if (!e["pass"]) outcome.missed.push_back(e["name"].get<std::string>() + " " + e["text"].get<std::string>());
+  if (!fs::exists(results / "steps.csv")) return;  // not one step was done
+  const StepsVerdict verdict = judge_steps(results / "steps.csv");
+  outcome.lost = verdict.lost;
+  outcome.made = verdict.made;
+  outcome.unbalanced = verdict.unbalanced;
+}
+
+}  // namespace
+
+HardCase read_hard_case(const fs::path& scene) {
+  HardCase c{scene, scene.stem().string(), "", 0, ""};
+  std::string name;
+  std::ifstream in(scene);
+  for (std::string line; std::getline(in, line);) {
+    if (const std::string text = rest_of(line, "name: "); !text.empty()) name = text;
+    if (const std::string text = rest_of(line, "about: "); !text.empty()) c.about = text;
+    if (const std::string text = rest_of(line, "# Ends with "); !text.empty()) {
+      c.exit_code = text.at(0) - '0';
+      c.diagnosis = text.substr(text.find(": ") + 2);
+    }
+  }
+  if (name != c.name || c.about.empty())
+    throw std::runtime_error(fmt::format("{}: needs 'name: {}' and an 'about'", scene.string(), c.name));
+  return c;
+}
+
+std::vector<HardCase> hard_cases() {
+  std::vector<HardCase> cases;
+  for (const auto& entry : fs::directory_iterator(TACK_SOURCE_DIR "/experiments/hard"))
+    if (entry.path().extension() == ".yaml") cases.push_back(read_hard_case(entry.path()));
+  std::sort(cases.begin(), cases.end(), [](const HardCase& a, const HardCase& b) { return a.name < b.name; });
+  return cases;
+}
+
+const std::vector<HardSolver>& hard_solvers() {
+  static const std::vector<HardSolver> solvers = {
+      {"projected_newton", {}},
+      {"filter: absolute", {"solver.filter=absolute"}},
+      {"linear: cholmod", {"solver.linear=cholmod"}},
+      {"newton_pcg", {"solver.type=newton_pcg"}},
+      {"lbfgs", {"solver.type=lbfgs"}},
+      {"ceres_trust_region", {"solver.type=ceres_trust_region"}},
+  };
+  return solvers;
+}
+
+HardOutcome run_hard_case(const HardCase& c, const HardSolver& solver) {
+  const TemporaryFolder folder;
+  Arguments arguments = {"run", c.scene.string(), "-q", "-o", "out", "--threads", "1"};
+  for (const std::string& text : solver.overrides) arguments.insert(arguments.end(), {"--set", text});
+  const ProgramResult result = run_tack(folder.path(), arguments);
+  HardOutcome outcome;
+  outcome.exit_code = result.exit_code;
+  outcome.told = result.out + result.err;
+  if (fs::exists(folder.path() / "out/summary.json")) read_results(folder.path() / "out", outcome);
+  return outcome;
+}
+
+std::string fault(const HardCase& c, const HardOutcome& o) {
+  if (o.intersections > 0 || o.inverted > 0)
+    return fmt::format("left {} intersections and {} inverted tets", o.intersections, o.inverted);
+  if (o.exit_code != c.exit_code) return fmt::format("ended with {} instead of {}", o.exit_code, c.exit_code);
+  if (!contains(o.told, c.diagnosis)) return fmt::format("did not tell '{}'", c.diagnosis);
+  if (c.exit_code == 0 && !o.ran) return "left no results";
+  if (c.exit_code == 0 && o.unbalanced > 1 + 1e-9)
+    return fmt::format("says done with {:.3g} times the unbalanced force that is tolerated", o.unbalanced);
+  return "";
+}
+
+}  // namespace tack

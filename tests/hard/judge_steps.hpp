@@ -1,0 +1,18 @@
+// How well energy and forces are in balance in the steps of a run.
+#pragma once
+
+#include <filesystem>
+
+namespace tack {
+
+struct StepsVerdict {
+  double lost = 0;        // energy that contact areas and the integrator took in all, of the largest energy in the run
+  double made = 0;        // what they made, in the steps in which they did
+  double unbalanced = 0;  // the largest force that nothing balances, over what is tolerated in its step
+};
+
+// From a run's steps.csv. The largest energy: that of all kinds but gravity, with gravity's way from its lowest to its
+// highest, and what was put in or taken out if that is more.
+StepsVerdict judge_steps(const std::filesystem::path& steps);
+
+}  // namespace tack

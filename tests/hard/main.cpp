@@ -1,0 +1,74 @@
+// Runs the scenes of experiments/hard.
+//   tack_hard check NAME             with the default solver; fails unless it ends as its scene says
+//   tack_hard table FILE [NAME...]   all, or those named, with every solver; writes the page
+//   tack_hard covers FILE            fails unless the page has a row for every scene
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <exception>
+#include <thread>
+
+#include "tests/hard/robustness_table.hpp"
+#include "tests/support/program.hpp"
+
+namespace tack {
+namespace {
+
+int check(const std::string& name) {
+  const HardCase c = read_hard_case(TACK_SOURCE_DIR "/experiments/hard/" + name + ".yaml");
+  const HardOutcome outcome = run_hard_case(c, hard_solvers().front());
+  const std::string wrong = fault(c, outcome);
+  fmt::print("{}{}: {}\n", outcome.told, name, wrong.empty() ? "ends as it must" : wrong);
+  return wrong.empty() ? 0 : 1;
+}
+
+// Two at a time: each runs on one thread.
+void run_all(std::vector<HardRow>& rows) {
+  const size_t solvers = hard_solvers().size();
+  std::atomic<size_t> next = 0;
+  const auto work = [&] {
+    for (size_t i; (i = next++) < rows.size() * solvers;) {
+      HardRow& row = rows[i / solvers];
+      row.outcomes[i % solvers] = run_hard_case(row.hard, hard_solvers()[i % solvers]);
+      fmt::print("{}, {}: {}\n", row.hard.name, hard_solvers()[i % solvers].name, row.outcomes[i % solvers].exit_code);
+      std::fflush(stdout);
+    }
+  };
+  std::jthread other(work);
+  work();
+}
+
+int table(const std::string& file, const std::vector<std::string>& names) {
+  std::vector<HardRow> rows;
+  for (const HardCase& c : hard_cases())
+    if (names.empty() || std::find(names.begin(), names.end(), c.name) != names.end())
+      rows.push_back({c, std::vector<HardOutcome>(hard_solvers().size())});
+  run_all(rows);
+  write_file(file, robustness_page(rows));
+  return 0;
+}
+
+int covers(const std::string& file) {
+  const std::vector<std::string> missing = missing_rows(file_text(file), hard_cases());
+  for (const std::string& name : missing) fmt::print("{} has no row for {}; write it anew with `table`\n", file, name);
+  return missing.empty() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace tack
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  try {
+    if (words.size() == 2 && words[0] == "check") return tack::check(words[1]);
+    if (words.size() >= 2 && words[0] == "table") return tack::table(words[1], {words.begin() + 2, words.end()});
+    if (words.size() == 2 && words[0] == "covers") return tack::covers(words[1]);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 2;
+  }
+  fmt::print(stderr, "usage: tack_hard check NAME | table FILE [NAME...] | covers FILE\n");
+  return 2;
+}

@@ -1,0 +1,21 @@
+// docs/robustness.md: every hard case with every solver.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/hard/hard_case.hpp"
+
+namespace tack {
+
+struct HardRow {
+  HardCase hard;
+  std::vector<HardOutcome> outcomes;  // of each of hard_solvers()
+};
+
+std::string robustness_page(const std::vector<HardRow>& rows);
+
+// The cases that have no row in a page.
+std::vector<std::string> missing_rows(const std::string& page, const std::vector<HardCase>& cases);
+
+}  // namespace tack
