@@ -8,7 +8,9 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_term.hpp"
+#include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/tet_body.hpp"
 
 using namespace tack;
 
@@ -263,4 +265,36 @@ TEST_CASE("contact integral: nothing is gained on a closed way", "[contact]") {
     INFO("ground cells " << cell);
     CHECK(std::abs(work_on_closed_way(cube, ground, "", 1e-4)) < 1e-3);
   }
+}
+
+TEST_CASE("contact integral: points inside triangles have the derivatives of their value", "[contact]") {
+  const Box upper{{0.03, 0.01, 0.01}, {1, 1, 1}, {-0.015, 0.9e-3, -0.005}};
+  const Box lower{{0.01, 0.01, 0.03}, {1, 1, 1}, {-0.005, -0.01, -0.015}};
+  TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
+                  contact("between: [upper, lower]" + sticks));
+  World& world = *scene.world;
+  RandomMotions random(5);
+  const VecX x = world.rest + 1e-4 * random.vectors(world.rest.size());
+  world.contact->begin_step(x);
+  world.contact->move_to(x);
+  const ContactSet& set = world.contact->contacts();
+  CHECK(set.sample_triangle.size() > 10);
+  const ContactTerm& term = *world.contact_term;
+  const VecX gradient = dense_gradient(term, x);
+  const MatX hessian = dense_hessian(term, x, SpdFilter::none);
+  const auto at = [&](const VecX& y, const auto& evaluate) {
+    world.contact->move_to(y);
+    return evaluate(y);
+  };
+  const VecX slopes = gradient_by_differences(
+      [&](const VecX& y) { return at(y, [&](const VecX& z) { return term.value(z); }); }, x, 1e-8);
+  const MatX curvatures = hessian_by_differences(
+      [&](const VecX& y) { return at(y, [&](const VecX& z) { return dense_gradient(term, z); }); }, x, 1e-8);
+  CHECK((slopes - gradient).lpNorm<Eigen::Infinity>() <= 1e-5 * gradient.lpNorm<Eigen::Infinity>());
+  CHECK((curvatures - hessian).cwiseAbs().maxCoeff() <= 1e-4 * hessian.cwiseAbs().maxCoeff());
+  world.contact->move_to(x);
+  for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute})
+    for_each_stencil_hessian(term, x, filter, [](const MatX& h, const int*) {
+      REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.cwiseAbs().maxCoeff());
+    });
 }

@@ -111,7 +111,7 @@ TEST_CASE("a heavy block does not stop in mid-air, whatever minimises", "[minimi
 TEST_CASE("a start a picometre away does not end in a force that nothing balances", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
-    Simulation s(picometre + "solver: {type: " + type + ", max_iterations: 100}\n");
+    Simulation s(picometre + "solver: {type: " + type + ", max_iterations: 100, balance_tolerance: 0.01}\n");
     CHECK(s.sample(0)[0] > 1e12);
     const bool newton = type == "projected_newton" || type == "newton_pcg";
     for (int i = 0; i < (newton ? 3 : 1); ++i) {

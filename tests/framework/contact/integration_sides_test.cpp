@@ -1,0 +1,50 @@
+#include "framework/contact/integration_sides.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tack;
+
+namespace {
+
+// Two objects; the points of the first are preferred where both capture the same.
+PairTable automatic_pair() {
+  PairTable pairs(2);
+  PairRole role{0, 1, 1e-3, true};
+  role.automatic = role.preferred = true;
+  pairs.point(0, 1) = role;
+  role.preferred = false;
+  pairs.point(1, 0) = role;
+  return pairs;
+}
+
+bool first_chosen(const PairTable& pairs, IntegrationSides::Capture first, IntegrationSides::Capture second,
+                  const std::vector<char>& before = {}) {
+  IntegrationSides sides(pairs);
+  sides.set_before(before);
+  sides.capture(0, 1) = first;
+  sides.capture(1, 0) = second;
+  sides.choose();
+  CHECK(sides.integrates(0, 1) != sides.integrates(1, 0));
+  return sides.integrates(0, 1);
+}
+
+}  // namespace
+
+TEST_CASE("integration sides: the side that captures more, the finer one where both capture as much", "[contact]") {
+  const PairTable pairs = automatic_pair();
+  CHECK(first_chosen(pairs, {}, {}));
+  CHECK(first_chosen(pairs, {1, 2}, {0.8, 200}));
+  CHECK_FALSE(first_chosen(pairs, {0.8, 200}, {1, 2}));
+  CHECK_FALSE(first_chosen(pairs, {1, 2}, {0.95, 200}));
+  CHECK(first_chosen(pairs, {0.95, 200}, {1, 2}));
+  CHECK(first_chosen(pairs, {1, 8}, {1, 8}));
+}
+
+TEST_CASE("integration sides: one is kept while it captures nearly as much", "[contact]") {
+  const PairTable pairs = automatic_pair();
+  const std::vector<char> second = {0, 0, 1, 0};
+  CHECK_FALSE(first_chosen(pairs, {1, 8}, {0.75, 8}, second));
+  CHECK(first_chosen(pairs, {1, 8}, {0.65, 8}, second));
+  CHECK_FALSE(first_chosen(pairs, {}, {}, second));
+  CHECK(first_chosen(pairs, {1, 8}, {1, 8}, {1}));  // of another scene
+}
