@@ -114,7 +114,7 @@ class Minimizer : public Component {
   Stopping stopping_ = Stopping::velocity;
   std::optional<double> tolerance_;    // m/s
   std::optional<double> force_floor_;  // N
-  double balance_tolerance_ = 0.3;
+  double balance_tolerance_ = 0.01;
   double force_tolerance_ = 1e-4;
   double acceleration_tolerance_ = 1;  // m/s^2
   std::optional<double> time_limit_;   // s
