@@ -26,7 +26,7 @@ struct PairRole {
   bool facing = false;  // pressure: of the point's area what faces the other surface, of that what faces the point
   int guard_law = -1;   // of what carries no pressure here; -1: none
   double guard_range = 0;    // m
-  bool automatic = false;    // pressure only while this side is the one that captures more (capture.hpp)
+  bool automatic = false;    // pressure only while this side is the one that captures more (integration_sides.hpp)
   bool preferred = false;    // the side that is taken where both capture as much
   bool covered = false;      // only where the other surface lies opposite: stated tractions end at its rim
 };
