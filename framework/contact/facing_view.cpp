@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/distance/point_triangle.hpp"
 
@@ -73,7 +74,7 @@ void FacingViewer::consider(const Viewpoint& from, int triangle) {
   const bool goes_on = type == PointTriangleType::P_T || (feature < 3 ? topology.smooth_vertex(t[feature])
                                                                      : topology.smooth_edge(triangle, feature - 3));
   const double beyond = goes_on ? 0 : std::sqrt(std::max(0.0, squared - height * height));
-  seen_.push_back({triangle, normal, area, squared, beyond});
+  seen_.push_back({normal, area, squared, beyond});
 }
 
 // Faces that meet in the closest point are equally near: the one that the point faces most leads.

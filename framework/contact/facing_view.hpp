@@ -8,7 +8,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "framework/contact/held_surface.hpp"
@@ -61,7 +60,6 @@ class FacingViewer {
 
  private:
   struct Seen {
-    int triangle;
     Vec3 normal;
     double area, squared, beyond;
   };
