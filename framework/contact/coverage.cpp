@@ -10,8 +10,6 @@
 namespace tack {
 namespace {
 
-constexpr double least_facing = 0.1;  // of a triangle's area, towards what it faces
-
 // By key; -1: none.
 int find_view(const std::vector<GroupView>& views, int point, int object) {
   const std::array key{point, object};
@@ -47,7 +45,7 @@ std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& 
     found[i] = {find_view(views, v, object), -1};
     if (found[i].view < 0) continue;
     const FacingView& view = views[found[i].view].view;
-    double most = least_facing;
+    double most = least_cosine;
     for (int k = 0; k < view.count; ++k) {
       const double cosine = held_.cosine(triangle, view.pieces[k].normal);
       if (cosine > most) most = cosine, found[i].piece = k;
@@ -65,8 +63,8 @@ bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const 
 
 // By their orientations alone.
 bool Coverage::may_face(int triangle, int other) const {
-  return held_.cosine(triangle, held_.normal(other)) > least_facing ||
-         held_.cosine(other, held_.normal(triangle)) > least_facing;
+  return held_.cosine(triangle, held_.normal(other)) > least_cosine ||
+         held_.cosine(other, held_.normal(triangle)) > least_cosine;
 }
 
 void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& sides) const {

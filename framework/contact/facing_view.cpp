@@ -10,7 +10,6 @@ namespace tack {
 namespace {
 
 const double one_piece = std::cos(50 * M_PI / 180);  // of the angle between normals within a piece
-constexpr double least_cosine = 0.1;   // between a triangle of the point and what it faces
 constexpr double own_front = 0.15;     // of the distance, that a point is in front of what faces it on its own object
 constexpr double same_distance = 1e-6; // relative: faces that meet in the closest point
 
@@ -74,7 +73,7 @@ void FacingViewer::consider(const Viewpoint& from, int triangle) {
   const bool goes_on = type == PointTriangleType::P_T || (feature < 3 ? topology.smooth_vertex(t[feature])
                                                                      : topology.smooth_edge(triangle, feature - 3));
   const double beyond = goes_on ? 0 : std::sqrt(std::max(0.0, squared - height * height));
-  seen_.push_back({normal, area, squared, beyond});
+  seen_.push_back({normal, area, squared, beyond, triangle});
 }
 
 // Faces that meet in the closest point are equally near: the one that the point faces most leads.
@@ -87,7 +86,7 @@ FacingView FacingViewer::pieces() {
     for (const Seen& s : seen_)
       if (s.squared <= nearest * (1 + same_distance) && (!leader || s.area > leader->area)) leader = &s;
     const Vec3 normal = leader->normal;
-    view.pieces[view.count++] = {normal, leader->area, std::sqrt(leader->squared), leader->beyond};
+    view.pieces[view.count++] = {normal, leader->area, std::sqrt(leader->squared), held_.cell(leader->triangle), leader->beyond};
     std::erase_if(seen_, [&](const Seen& s) { return s.normal.dot(normal) > one_piece; });
   }
   return view;

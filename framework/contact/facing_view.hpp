@@ -19,6 +19,7 @@ struct SeenPiece {
   Vec3 normal;      // unit, of that triangle, towards the point
   double area;      // of the point, towards it [m^2]
   double distance;  // m
+  double cell;      // area per vertex of what is seen, there [m^2]
   double beyond;    // how far the point lies beyond a crease or the boundary of the surface [m]; 0: above it
 };
 
@@ -62,6 +63,7 @@ class FacingViewer {
   struct Seen {
     Vec3 normal;
     double area, squared, beyond;
+    int triangle;
   };
   // Its normal towards the point; false if it does not face it.
   bool turn(const Viewpoint& from, int triangle, Vec3& normal, double& height) const;

@@ -27,6 +27,14 @@ double HeldSurface::whole(int vertex_index) const {
   return area;
 }
 
+double HeldSurface::cell(int vertex_index, const Vec3& n) const {
+  double area = 0;
+  int facing = 0;
+  for (const int t : topology_.triangles_at(vertex_index))
+    if (cosine(t, n) > least_cosine) area += cell(t), ++facing;
+  return facing > 0 ? area / facing : 0;
+}
+
 double HeldSurface::cosine(int triangle, const Vec3& n) const {
   const double cosine = -normals_[triangle].dot(n);
   return topology_.two_sided(mesh_.triangles[triangle][0]) ? std::abs(cosine) : cosine;

@@ -14,6 +14,9 @@
 
 namespace tack {
 
+// Between a triangle and what it faces.
+inline constexpr double least_cosine = 0.1;
+
 class HeldSurface {
  public:
   // The mesh must outlive this.
@@ -28,6 +31,9 @@ class HeldSurface {
   const SurfaceTopology& topology() const { return topology_; }
 
   double whole(int vertex_index) const;  // a third of the area around it [m^2]
+  // The area per vertex in a mesh of such triangles [m^2]; at a vertex the mean of those that face a surface of normal n.
+  double cell(int triangle) const { return 2 * areas_[triangle]; }
+  double cell(int vertex_index, const Vec3& n) const;
   double cosine(int triangle, const Vec3& n) const;  // -n_T . n, or |n_T . n| on sheets
 
  private:

@@ -28,6 +28,7 @@ struct PairRole {
   double guard_range = 0;    // m
   bool automatic = false;    // pressure only while this side is the one that captures more (integration_sides.hpp)
   bool preferred = false;    // the side that is taken where both capture as much
+  bool by_size = false;      // both sides press, with shares by the sizes of their cells; beyond a rim, nothing does
   bool covered = false;      // only where the other surface lies opposite: stated tractions end at its rim
 };
 

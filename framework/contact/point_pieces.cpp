@@ -1,6 +1,7 @@
 #include "framework/contact/point_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "framework/assembly/parallel.hpp"
@@ -75,9 +76,19 @@ class PieceMaker {
     return gap.maxCoeff() < range && point_triangle_distance(p, t0, t1, t2) < range * range;
   }
 
-  // What the point covers nothing of is only guarded against.
-  static int with_area(const FacingView& view, int piece) {
-    return piece >= 0 && view.pieces[piece].area > 0 ? piece : -1;
+  // Of a point whose cells have area a, opposite cells of area b: b^4 / (a^4 + b^4). Uniform meshes count the overlap
+  // once together, the finer one nearly all of it; a coarse point, which may stand for more than the overlap, little.
+  double share(const PairRole& role, int point, const SeenPiece& piece) const {
+    if (!role.by_size) return role.share;
+    const double own = r_.held.cell(point, piece.normal), opposite = piece.cell;
+    return opposite > 0 ? 1 / (1 + std::pow(own / opposite, 4)) : 0;
+  }
+
+  // What the point covers nothing of, or lies beyond the rim of, is only guarded against.
+  static int pressing(const FacingView& view, int piece, const PairRole& role) {
+    if (piece < 0 || !(view.pieces[piece].area > 0)) return -1;
+    const bool beside = role.by_size && view.pieces[piece].beyond > rim_slack * std::sqrt(view.pieces[piece].area);
+    return beside ? -1 : piece;
   }
 
   void add_pressure(int g, const PairRole& role) {
@@ -87,9 +98,9 @@ class PieceMaker {
     const Viewpoint from = viewer_.vertex_view(group.point);
     piece_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i)
-      piece_.push_back(with_area(known->view, viewer_.piece_of(from, known->view, triangle(i))));
+      piece_.push_back(pressing(known->view, viewer_.piece_of(from, known->view, triangle(i)), role));
     for (int k = 0; k < known->view.count; ++k) {
-      begin(g, {role.law, role.range, role.share * known->view.pieces[k].area}, false);
+      begin(g, {role.law, role.range, share(role, group.point, known->view.pieces[k]) * known->view.pieces[k].area}, false);
       for (size_t i = 0; i < piece_.size(); ++i)
         if (piece_[i] == k) out_.triangles.push_back(triangle(group.triangle_begin + static_cast<int>(i)));
       end();

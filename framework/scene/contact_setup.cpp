@@ -215,7 +215,8 @@ class PairBuilder {
     pressure.covered = a != b && config >= 0 && contact_.pairs[config].adhesion;
     const std::string& side = config >= 0 ? contact_.pairs[config].integrate : PairConfig().integrate;
     const bool first_finer = sizes[a].per_vertex() <= sizes[b].per_vertex();
-    if (a == b || side == "both") {
+    pressure.by_size = a != b && side == "automatic" && !pressure.covered;
+    if (a == b || side == "both" || pressure.by_size) {
       pressure.share = 0.5;
       table_.point(a, b) = table_.point(b, a) = pressure;
     } else if (side == "automatic") {

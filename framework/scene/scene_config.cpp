@@ -48,9 +48,10 @@ void PairConfig::fields(Fields& f) {
   f.optional_object("tangential_adhesion", tangential_adhesion,
                     "resistance to sliding within reach of the adhesion, which it needs");
   f.text("integrate", integrate,
-         "whose surface the pressure is integrated over: automatic (the side with more of its area opposite "
-         "the other; where both have as much, the one with more points there), finer (the side with the "
-         "finer surface), both (half each), or the name of one of the two objects");
+         "whose surface the pressure is integrated over: automatic (with adhesion the side with more of its area "
+         "opposite the other, or where both have as much the one with more points there; without adhesion both, by "
+         "the sizes of their cells), finer (the side with the finer surface), both (half each), or the name of one "
+         "of the two objects");
   f.check("between", [this]() -> std::string {
     return between.size() == 2 ? "" : "expects two object names";
   });

@@ -144,15 +144,29 @@ TEST_CASE("contact integral: a stretched plate adheres per present area, whichev
 }
 
 TEST_CASE("contact integral: what slides without friction feels nothing along its way", "[contact]") {
-  for (const double cell : {5e-3, 2.5e-3})
-    for (const double way : {0.0, 0.2, 0.4, 0.6, 0.8}) {
-      const int n = static_cast<int>(std::round(0.04 / cell));
-      const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005 + way * cell, 0.8e-3, -0.005 + 0.3 * way * cell}};
-      const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02, -0.01, -0.02}};
-      INFO("ground cells " << cell << ", way " << way);
-      const Vec3 f = force_between(cube, ground, "");
-      CHECK(f.y() < 0.0);
-      CHECK(std::hypot(f.x(), f.z()) < 0.02 * std::abs(f.y()));
+  for (const double height : {0.8e-3, 0.55e-3})  // above the range of guards
+    for (const double cell : {5e-3, 2.5e-3})
+      for (const double way : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+        const int n = static_cast<int>(std::round(0.04 / cell));
+        const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005 + way * cell, height, -0.005 + 0.3 * way * cell}};
+        const Box ground{{n * cell, 0.01, n * cell}, {n, 1, n}, {-0.02, -0.01, -0.02}};
+        INFO("gap " << height << ", ground cells " << cell << ", way " << way);
+        const Vec3 f = force_between(cube, ground, "");
+        CHECK(f.y() < 0.0);
+        CHECK(std::hypot(f.x(), f.z()) < 0.02 * std::abs(f.y()));
+      }
+}
+
+// Without adhesion both sides press, by the sizes of their cells.
+TEST_CASE("contact integral: plates press per area, whatever the sizes of their cells", "[contact]") {
+  for (const int upper : {2, 6, 16})
+    for (const int lower : {1, 6, 9}) {
+      const Box above{{0.048, 0.01, 0.048}, {upper, 1, upper}, {-0.024, 0.6e-3, -0.024}};
+      const Box below{{0.048, 0.01, 0.048}, {lower, 1, lower}, {-0.024, -0.01, -0.024}};
+      INFO("cells " << upper << " above, " << lower << " below");
+      const Vec3 f = force_between(above, below, "");
+      CHECK(f.y() == Approx(0.048 * 0.048 * traction(0.6e-3, false)).epsilon(1e-9));
+      CHECK(std::hypot(f.x(), f.z()) < 1e-6 * std::abs(f.y()));
     }
 }
 
