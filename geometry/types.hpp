@@ -24,4 +24,17 @@ using Tet = std::array<int, 4>;
 inline auto vertex(const VecX& x, int i) { return x.segment<3>(3 * i); }
 inline auto vertex(VecX& x, int i) { return x.segment<3>(3 * i); }
 
+// The vertices of an element.
+template <size_t N>
+std::array<Vec3, N> corners(const VecX& x, const std::array<int, N>& element) {
+  std::array<Vec3, N> c;
+  for (size_t i = 0; i < N; ++i) c[i] = vertex(x, element[i]);
+  return c;
+}
+
+// The point with the given barycentric coordinates.
+inline Vec3 point_inside(const VecX& x, const Triangle& t, const Vec3& coordinates) {
+  return coordinates[0] * vertex(x, t[0]) + coordinates[1] * vertex(x, t[1]) + coordinates[2] * vertex(x, t[2]);
+}
+
 }  // namespace tack

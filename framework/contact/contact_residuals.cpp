@@ -29,7 +29,7 @@ bool stencil_residuals(const VecX& x, const StencilOf<Kind>& stencil, const Pair
   Eigen::Map<Rows<Kind>> rows(jacobian);
   if (jacobian) rows.row(0) = weight * rho.slope / (2 * gap) * s.gradient.transpose();
   if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-    const auto c = detail::corners<4>(x, stencil.vertices);
+    const auto c = corners(x, stencil);
     const auto m = edge_edge_mollifier_gradient(c[0], c[1], c[2], c[3], eps_x);
     const double part = std::sqrt(m.value), missing = std::sqrt(std::max(1 - m.value, 0.0));
     const double well = weight * std::sqrt(2 * root.depth());

@@ -54,10 +54,9 @@ struct ContactSet {
 // What contact knows of the surfaces for the whole run.
 struct ContactSurface {
   CollisionMesh mesh;
-  std::vector<double> vertex_area;  // per global vertex [m^2]
-  std::vector<double> edge_area;    // per edge of the mesh [m^2]
-  std::vector<char> closed;         // per object: its surface encloses a volume
-  VecX rest;                        // rest configuration
+  std::vector<double> edge_area;  // per edge of the mesh [m^2]
+  std::vector<char> closed;       // per object: its surface encloses a volume
+  VecX rest;                      // rest configuration
 };
 
 // The candidates between objects a and b.

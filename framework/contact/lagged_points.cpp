@@ -90,7 +90,7 @@ class PointLag {
       f.law = s.law;
       f.weight = s.weight;
       f.object = object_[s.vertices[f.leading]];
-      fill_feature(detail::corners(request_.x, s), s.vertices, request_.barriers[s.law], f);
+      fill_feature(corners(request_.x, s), s.vertices, request_.barriers[s.law], f);
     });
   }
   template <int K>

@@ -5,6 +5,7 @@
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/contact/point_features.hpp"
+#include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 
@@ -28,20 +29,45 @@ struct Found {
   ContactStencils<4> edge_edge;
 };
 
-class PointSearch {
+// What looks for the stencils of points and of samples.
+class StencilSearch {
+ protected:
+  StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const std::vector<char>& free, const VecX& x,
+                Found& found)
+      : mesh_(mesh), pairs_(pairs), x_(x), found_(found), free_(free) {}
+
+  // Makes triangles_ those that a list of numbers holds from begin to end.
+  void list_triangles(const std::vector<int>& numbers, int begin, int end) {
+    triangles_.clear();
+    for (int i = begin; i < end; ++i) triangles_.push_back(mesh_.triangles[numbers[i]]);
+  }
+  template <class Stencil>
+  void keep(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
+    if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
+  }
+
+  const CollisionMesh& mesh_;
+  const PairTable& pairs_;
+  const VecX& x_;
+  Found& found_;
+  PointFeatures features_;
+  std::vector<Triangle> triangles_;
+
+ private:
+  const std::vector<char>& free_;
+};
+
+class PointSearch : StencilSearch {
  public:
   PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
               const PointGroups& groups, const PointPieces& pieces, const std::vector<char>& free, const VecX& x,
               Found& found)
-      : surface_(surface), pairs_(pairs), candidates_(candidates), groups_(groups), pieces_(pieces), free_(free),
-        x_(x), found_(found) {}
+      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), groups_(groups), pieces_(pieces) {}
 
   void search(const PointPiece& piece) {
-    triangles_.clear();
     edges_.clear();
     others_.clear();
-    for (int i = piece.triangle_begin; i < piece.triangle_end; ++i)
-      triangles_.push_back(surface_.mesh.triangles[pieces_.triangles[i]]);
+    list_triangles(pieces_.triangles, piece.triangle_begin, piece.triangle_end);
     if (piece.group >= 0) add_codim(groups_.groups[piece.group]);
     for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, edges_, others_, piece.range,
                                                   pairs_.plain_sums))
@@ -51,7 +77,7 @@ class PointSearch {
  private:
   void add_codim(const PointGroup& g) {
     for (int i = g.edge_begin; i < g.edge_end; ++i)
-      edges_.push_back(surface_.mesh.edges[candidates_.point_edge[i][1]]);
+      edges_.push_back(mesh_.edges[candidates_.point_edge[i][1]]);
     for (int i = g.other_begin; i < g.other_end; ++i) others_.push_back(groups_.particles[i][1]);
   }
   void add(int p, const PointFeature& f, int law, double weight) {
@@ -62,41 +88,26 @@ class PointSearch {
       default: keep(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
     }
   }
-  template <int K>
-  void keep(ContactStencils<K>& stencils, const std::type_identity_t<ContactStencil<K>>& stencil) {
-    if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
-  }
 
-  const ContactSurface& surface_;
-  const PairTable& pairs_;
   const Candidates& candidates_;
   const PointGroups& groups_;
   const PointPieces& pieces_;
-  const std::vector<char>& free_;
-  const VecX& x_;
-  Found& found_;
-  PointFeatures features_;
-  std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
   std::vector<int> others_;
 };
 
-// One that looks for the stencils of samples.
-class SampleSearch {
+class SampleSearch : StencilSearch {
  public:
   SampleSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<ContactSample>& samples,
                const SamplePieces& pieces, const std::vector<char>& free, const VecX& x, Found& found)
-      : mesh_(surface.mesh), pairs_(pairs), samples_(samples), pieces_(pieces), free_(free), x_(x), found_(found) {}
+      : StencilSearch(surface.mesh, pairs, free, x, found), samples_(samples), pieces_(pieces) {}
 
   void search(int i) {
     const ContactSample& sample = samples_[i];
     const Triangle& own = mesh_.triangles[sample.triangle];
     const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object);
-    triangles_.clear();
-    for (int k = pieces_.begin[i]; k < pieces_.begin[i + 1]; ++k)
-      triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
-    Vec3 p = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) p += sample.inside[k] * vertex(x_, own[k]);
+    list_triangles(pieces_.triangles, pieces_.begin[i], pieces_.begin[i + 1]);
+    const Vec3 p = point_inside(x_, own, sample.inside);
     for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
       const auto [a, b, c] = own;
       const auto& v = f.vertices;
@@ -110,26 +121,9 @@ class SampleSearch {
   }
 
  private:
-  template <int K>
-  void keep(SampleStencils<K>& stencils, const std::type_identity_t<SampleStencil<K>>& stencil) {
-    if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
-  }
-
-  const CollisionMesh& mesh_;
-  const PairTable& pairs_;
   const std::vector<ContactSample>& samples_;
   const SamplePieces& pieces_;
-  const std::vector<char>& free_;
-  const VecX& x_;
-  Found& found_;
-  PointFeatures features_;
-  std::vector<Triangle> triangles_;
 };
-
-// The largest distance along an axis between the boxes of two edges; below zero where they overlap [m].
-double box_gap(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  return (a0.cwiseMin(a1) - b0.cwiseMax(b1)).cwiseMax(b0.cwiseMin(b1) - a0.cwiseMax(a1)).maxCoeff();
-}
 
 // edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
@@ -140,9 +134,9 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     const auto [ia, ib] = candidates.edge_edge[edge_pairs[i]];
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
-    const Vec3 a0 = vertex(x, a[0]), a1 = vertex(x, a[1]), b0 = vertex(x, b[0]), b1 = vertex(x, b[1]);
-    if (box_gap(a0, a1, b0, b1) >= role.range) continue;  // their boxes are too far apart already
-    if (!(edge_edge_distance(a0, a1, b0, b1) < role.range * role.range)) continue;
+    const auto ca = corners(x, a), cb = corners(x, b);
+    if (box_gaps(ca, cb).maxCoeff() >= role.range) continue;  // their boxes are too far apart already
+    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
     if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
     const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
@@ -199,9 +193,9 @@ void NarrowPhase::choose_edges(const Candidates& candidates) {
     const PairRole& role = pairs_.edge(object, other);
     if (role.law < 0) return false;
     if (object != other || pairs_.plain_sums) return true;
-    const VecX& rest = surface_.rest;
-    const Vec3 a0 = vertex(rest, a[0]), a1 = vertex(rest, a[1]), b0 = vertex(rest, b[0]), b1 = vertex(rest, b[1]);
-    return box_gap(a0, a1, b0, b1) >= role.range || edge_edge_distance(a0, a1, b0, b1) >= role.range * role.range;
+    const auto ca = corners(surface_.rest, a), cb = corners(surface_.rest, b);
+    return box_gaps(ca, cb).maxCoeff() >= role.range ||
+           edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) >= role.range * role.range;
   };
   const int n = static_cast<int>(candidates.edge_edge.size());
   std::vector<char> wanted(n);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
 
@@ -35,12 +36,11 @@ PointFeature closest_feature(const Triangle& t, PointTriangleType type) {
 
 bool PointFeatures::add_triangle(const VecX& x, const Vec3& p, const Triangle& t,
                                  double range_squared) {
-  const Vec3 t0 = vertex(x, t[0]), t1 = vertex(x, t[1]), t2 = vertex(x, t[2]);
-  const Vec3 gap = (p - t0.cwiseMax(t1).cwiseMax(t2)).cwiseMax(t0.cwiseMin(t1).cwiseMin(t2) - p);
-  const double box_gap = gap.maxCoeff();
+  const auto c = corners(x, t);
+  const double box_gap = box_gaps(std::array{p}, c).maxCoeff();
   if (box_gap > 0 && box_gap * box_gap >= range_squared) return false;
-  const PointTriangleType type = point_triangle_type(p, t0, t1, t2);
-  if (!(point_triangle_distance(p, t0, t1, t2, type) < range_squared)) return false;
+  const PointTriangleType type = point_triangle_type(p, c[0], c[1], c[2]);
+  if (!(point_triangle_distance(p, c[0], c[1], c[2], type) < range_squared)) return false;
   features_.push_back(closest_feature(t, type));
   return true;
 }

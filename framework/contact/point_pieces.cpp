@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "framework/assembly/parallel.hpp"
+#include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/point_triangle.hpp"
 
 namespace tack {
@@ -69,11 +70,9 @@ class PieceMaker {
   // What already is closer at rest does not press: a body alone is without stress.
   bool rest_neighbour(const PointGroup& group, int t, double range) const {
     if (mesh_.vertex_object[group.point] != group.object) return false;
-    const VecX& rest = r_.surface.rest;
-    const Triangle& v = mesh_.triangles[t];
-    const Vec3 p = vertex(rest, group.point), t0 = vertex(rest, v[0]), t1 = vertex(rest, v[1]), t2 = vertex(rest, v[2]);
-    const Vec3 gap = (p - t0.cwiseMax(t1).cwiseMax(t2)).cwiseMax(t0.cwiseMin(t1).cwiseMin(t2) - p);
-    return gap.maxCoeff() < range && point_triangle_distance(p, t0, t1, t2) < range * range;
+    const Vec3 p = vertex(r_.surface.rest, group.point);
+    const auto v = corners(r_.surface.rest, mesh_.triangles[t]);
+    return box_gaps(std::array{p}, v).maxCoeff() < range && point_triangle_distance(p, v[0], v[1], v[2]) < range * range;
   }
 
   // Of a point whose cells have area a, opposite cells of area b: b^4 / (a^4 + b^4). Uniform meshes count the overlap

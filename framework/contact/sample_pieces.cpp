@@ -11,10 +11,8 @@ SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const
   for_each(n, [&](int i) {
     const ContactSample& s = samples[i];
     const Triangle& own = mesh.triangles[s.triangle];
-    Vec3 position = Vec3::Zero();
-    for (int k = 0; k < 3; ++k) position += s.inside[k] * vertex(held.x(), own[k]);
     FacingViewer viewer(mesh, held);
-    const Viewpoint from = viewer.inner_view(s.triangle, position, s.area);
+    const Viewpoint from = viewer.inner_view(s.triangle, point_inside(held.x(), own, s.inside), s.area);
     FacingView view;
     view.count = 1;
     view.pieces[0] = {s.normal, s.area, 0, 0};

@@ -8,28 +8,18 @@
 
 namespace tack {
 
-namespace detail {
-template <int K>
-std::array<Vec3, K> corners(const VecX& x, const std::array<int, K>& v) {
-  std::array<Vec3, K> c;
-  for (int i = 0; i < K; ++i) c[i] = vertex(x, v[i]);
-  return c;
-}
-
 // The point of a sample, then its feature.
 template <int K>
 std::array<Vec3, K - 2> corners(const VecX& x, const SampleStencil<K>& s) {
   std::array<Vec3, K - 2> c;
-  c[0] = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) c[0] += s.inside[i] * vertex(x, s.vertices[i]);
+  c[0] = point_inside(x, {s.vertices[0], s.vertices[1], s.vertices[2]}, s.inside);
   for (int i = 3; i < K; ++i) c[i - 2] = vertex(x, s.vertices[i]);
   return c;
 }
 template <int K>
 std::array<Vec3, K> corners(const VecX& x, const ContactStencil<K>& s) {
-  return corners<K>(x, s.vertices);
+  return corners(x, s.vertices);
 }
-}  // namespace detail
 
 template <class Kernels>
 auto distance_between(PointPointKind, const std::array<Vec3, 2>& c) {
@@ -53,7 +43,7 @@ auto distance_between(EdgeEdgeKind, const std::array<Vec3, 4>& c) {
 
 template <class Kernels, class Kind>
 auto stencil_distance(Kind, const VecX& x, const StencilOf<Kind>& s) {
-  const auto c = detail::corners(x, s);
+  const auto c = corners(x, s);
   if constexpr (is_sample<Kind>) {
     return chain_to_triangle(distance_between<Kernels>(typename Kind::PointKind{}, c), s.inside);
   } else {

@@ -22,7 +22,7 @@ struct StencilEnergy {
     const auto s = stencil_distance<GradientKernels>(Kind{}, x, stencil);
     const Vector phi = l.slope / (2 * gap) * s.gradient;
     if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-      const auto c = detail::corners<4>(x, stencil.vertices);
+      const auto c = corners(x, stencil);
       const auto m = edge_edge_mollifier_gradient(c[0], c[1], c[2], c[3], eps_x);
       return stencil.weight * (m.value * phi + l.value * m.gradient);
     } else {
@@ -39,7 +39,7 @@ struct StencilEnergy {
     hessian.noalias() = (curvature * s.gradient) * s.gradient.transpose();
     hessian += slope * s.hessian;
     if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-      const auto c = detail::corners<4>(x, stencil.vertices);
+      const auto c = corners(x, stencil);
       const auto m = edge_edge_mollifier_derivatives(c[0], c[1], c[2], c[3], eps_x);
       hessian = m.value * hessian + l.value * m.hessian + m.gradient * gradient.transpose() +
                 gradient * m.gradient.transpose();

@@ -81,7 +81,7 @@ void filter_stencil(const std::array<Vec3, Kind::arity>& c, double eps_x,
 template <class Kind>
 void filter_hessian(const VecX& x, const StencilOf<Kind>& s, double eps_x,
                     typename StencilEnergy<Kind>::Matrix& hessian, SpdFilter filter) {
-  const auto c = detail::corners(x, s);
+  const auto c = corners(x, s);
   if constexpr (is_sample<Kind>) {
     auto of_point = chain_to_point<3 * Kind::arity>(hessian, s.inside);
     filter_stencil<typename Kind::PointKind>(c, eps_x, of_point, filter);

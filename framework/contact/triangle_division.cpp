@@ -28,8 +28,7 @@ void TriangleDivision::divide(int triangle, int object, double reach, const std:
 }
 
 Vec3 TriangleDivision::place(const Vec3& inside) const {
-  const Triangle& t = mesh_.triangles[triangle_];
-  return inside[0] * vertex(held_.x(), t[0]) + inside[1] * vertex(held_.x(), t[1]) + inside[2] * vertex(held_.x(), t[2]);
+  return point_inside(held_.x(), mesh_.triangles[triangle_], inside);
 }
 
 TriangleDivision::Seen TriangleDivision::look(const Vec3& inside, const std::vector<int>& near) {

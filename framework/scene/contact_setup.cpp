@@ -43,7 +43,6 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactS
   const int first = body.first_vertex;
   SurfaceSize size{0, static_cast<int>(surface.vertices.size())};
   for (int v = 0; v < body.vertex_count; ++v) {
-    all.vertex_area.push_back(areas[v]);
     all.mesh.vertex_object.push_back(object);
     size.area += areas[v];
   }

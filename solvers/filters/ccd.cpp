@@ -10,6 +10,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/ccd/accd.hpp"
+#include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -19,15 +20,6 @@ namespace {
 
 constexpr double keep = 0.1;  // fraction of each gap that must remain
 constexpr double longer = 4;  // than the last stage of a fast step
-
-// Lower bound of the squared distance of two primitives: the gap between their boxes.
-template <size_t A, size_t B>
-double box_gap_squared(const std::array<Vec3, A>& a, const std::array<Vec3, B>& b) {
-  Vec3 low_a = a[0], high_a = a[0], low_b = b[0], high_b = b[0];
-  for (size_t i = 1; i < A; ++i) low_a = low_a.cwiseMin(a[i]), high_a = high_a.cwiseMax(a[i]);
-  for (size_t i = 1; i < B; ++i) low_b = low_b.cwiseMin(b[i]), high_b = high_b.cwiseMax(b[i]);
-  return (low_b - high_a).cwiseMax(low_a - high_b).cwiseMax(0.0).squaredNorm();
-}
 
 // Largest motion of a vertex of one relative to the other's, bounded through the mean of all.
 template <size_t A, size_t B>
@@ -42,23 +34,16 @@ double approach(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   return std::sqrt(a) + std::sqrt(b);
 }
 
-template <size_t N>
-std::array<Vec3, N> at(const VecX& x, const std::array<int, N>& v) {
-  std::array<Vec3, N> c;
-  for (size_t i = 0; i < N; ++i) c[i] = vertex(x, v[i]);
-  return c;
-}
-
 // The largest step up to t that one pair allows.
 template <size_t A, size_t B, class Accd>
 double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, const VecX& x, const VecX& p,
                double t, const Accd& accd) {
-  const auto a = at(x, va);
-  const auto b = at(x, vb);
-  const auto da = at(p, va);
-  const auto db = at(p, vb);
+  const auto a = corners(x, va);
+  const auto b = corners(x, vb);
+  const auto da = corners(p, va);
+  const auto db = corners(p, vb);
   const double motion = t * approach(da, db) / (1 - keep);
-  if (motion * motion < box_gap_squared(a, b)) return t;
+  if (motion * motion < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
   return std::min(t, accd(a, b, da, db, t));
 }
 
