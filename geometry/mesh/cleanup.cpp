@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/errors.hpp"
+#include "geometry/mesh/sorted.hpp"
 
 namespace tack {
 namespace {
@@ -74,17 +75,6 @@ class KeptVertices {
   std::vector<Vec3> kept_;
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
-
-void sort_unique(std::vector<int>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-template <class Element>
-Element sorted(Element element) {
-  std::sort(element.begin(), element.end());
-  return element;
-}
 
 template <class Element>
 void remap(std::vector<Element>& elements, const std::vector<int>& new_index) {

@@ -8,6 +8,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
+#include "geometry/mesh/sorted.hpp"
 
 namespace tack {
 namespace {
@@ -22,18 +23,7 @@ struct Face {
 // Face i is opposite corner i, and its normal points away from it in a positive tet.
 constexpr std::array<Triangle, 4> outward = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-Triangle sorted(Triangle t) {
-  std::sort(t.begin(), t.end());
-  return t;
-}
-
 Edge sorted_edge(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 std::vector<Face> sorted_faces(const std::vector<Tet>& tets) {
   std::vector<Face> faces;
@@ -41,7 +31,7 @@ std::vector<Face> sorted_faces(const std::vector<Tet>& tets) {
   for (int t = 0; t < static_cast<int>(tets.size()); ++t) {
     for (int f = 0; f < 4; ++f) {
       const auto& [i, j, k] = outward[f];
-      faces.push_back({sorted({tets[t][i], tets[t][j], tets[t][k]}), t, f});
+      faces.push_back({sorted(Triangle{tets[t][i], tets[t][j], tets[t][k]}), t, f});
     }
   }
   std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {

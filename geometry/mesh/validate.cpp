@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/errors.hpp"
 #include "geometry/mesh/overlaps.hpp"
 #include "geometry/mesh/quality.hpp"
+#include "geometry/mesh/sorted.hpp"
 
 namespace tack {
 namespace {
@@ -100,15 +102,40 @@ void check_overlaps(const Mesh& mesh, const std::string& name) {
   const auto pairs = overlapping_tets(mesh);
   if (pairs.empty()) return;
   const auto [s, t] = pairs.front();
-  Tet a = mesh.tets[s], b = mesh.tets[t];
+  const Tet &a = mesh.tets[s], &b = mesh.tets[t];
   Vec3 middle = Vec3::Zero();
   for (const int v : b) middle += mesh.vertices[v] / 4;
-  const std::string first = describe(name, "tet", s, a.data(), 4);
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
   throw InputError(fmt::format("{} and tet {} (vertices {}) {}, near ({:.6g}, {:.6g}, {:.6g}) m ({} such pairs): remove "
-                               "one of them or remesh", first, t, fmt::join(mesh.tets[t], " "),
-                               a == b ? "are the same" : "overlap", middle.x(), middle.y(), middle.z(), pairs.size()));
+                               "one of them or remesh", describe(name, "tet", s, a.data(), 4), t, fmt::join(b, " "),
+                               sorted(a) == sorted(b) ? "are the same" : "overlap", middle.x(), middle.y(), middle.z(),
+                               pairs.size()));
+}
+
+std::vector<Triangle> sorted_faces_of_tets(const Mesh& mesh) {
+  std::vector<Triangle> faces;
+  for (const Tet& tet : mesh.tets) {
+    const auto [a, b, c, d] = sorted(tet);
+    for (const Triangle& face : {Triangle{a, b, c}, Triangle{a, b, d}, Triangle{a, c, d}, Triangle{b, c, d}}) faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+// Of sheets: triangles on the faces of tets are no part of the surface, and may be there any number of times.
+void check_doubled_triangles(const Mesh& mesh, const std::string& name) {
+  std::vector<std::pair<Triangle, int>> found;  // by their vertices
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) found.emplace_back(sorted(mesh.triangles[t]), t);
+  std::sort(found.begin(), found.end());
+  std::optional<std::vector<Triangle>> faces;
+  for (size_t i = 1; i < found.size(); ++i) {
+    if (found[i].first != found[i - 1].first) continue;
+    if (!faces) faces = sorted_faces_of_tets(mesh);
+    if (std::binary_search(faces->begin(), faces->end(), found[i].first)) continue;
+    const int first = found[i - 1].second, second = found[i].second;
+    throw InputError(fmt::format("{} and triangle {} (vertices {}) are the same: remove one of them",
+                                 describe(name, "triangle", first, mesh.triangles[first].data(), 3), second,
+                                 fmt::join(mesh.triangles[second], " ")));
+  }
 }
 
 }  // namespace
@@ -152,6 +179,7 @@ void validate_mesh(const Mesh& mesh, const std::string& name) {
   check_triangles_and_edges(mesh, name);
   check_unused(mesh, name);
   check_overlaps(mesh, name);
+  check_doubled_triangles(mesh, name);
 }
 
 }  // namespace tack

@@ -58,6 +58,14 @@ TEST_CASE("each flaw of a mesh is named with the element and the remedy", "[mesh
                 "edge 0 (vertices 7 8) has no length");
   check_refused([](Mesh& m) { m.points.clear(); m.tags.clear(); },
                 "vertex 9 belongs to no element (1 such vertices): remove");
+  check_refused([](Mesh& m) { m.triangles.push_back({6, 5, 4}); },
+                "triangle 0 (vertices 4 5 6) and triangle 1 (vertices 6 5 4) are the same: remove one of them");
+}
+
+TEST_CASE("triangles on the faces of tets may be there twice", "[mesh]") {
+  Mesh mesh = valid();
+  mesh.triangles.insert(mesh.triangles.end(), {{2, 0, 1}, {0, 1, 2}, {3, 1, 2}});
+  CHECK_NOTHROW(validate_mesh(mesh, "part.msh"));
 }
 
 TEST_CASE("flatness is judged relative to the size of the element", "[mesh]") {

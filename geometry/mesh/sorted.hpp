@@ -1,0 +1,22 @@
+// Elements and lists in ascending order, by which the same one is known again.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+namespace tack {
+
+// Its vertices, whatever their order was.
+template <class Element>
+Element sorted(Element element) {
+  std::sort(element.begin(), element.end());
+  return element;
+}
+
+template <class T>
+void sort_unique(std::vector<T>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+}  // namespace tack
