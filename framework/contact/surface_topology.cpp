@@ -7,13 +7,7 @@
 namespace tack {
 namespace {
 
-const double crease = std::cos(40 * M_PI / 180);  // of the angle between the normals beyond which it is one
-
-// An edge of a triangle, with its vertices ascending.
-struct EdgeUse {
-  Edge edge;
-  int triangle, side;
-};
+constexpr double crease = 40 * M_PI / 180;  // the angle between the normals from which on it is one
 
 std::vector<EdgeUse> sorted_edge_uses(const std::vector<Triangle>& triangles) {
   std::vector<EdgeUse> uses;
@@ -28,6 +22,23 @@ std::vector<EdgeUse> sorted_edge_uses(const std::vector<Triangle>& triangles) {
 }
 
 }  // namespace
+
+void for_each_edge(const ContactSurface& surface,
+                   const std::function<void(std::span<const EdgeUse> uses, std::optional<double> angle)>& visit) {
+  const auto normal = [&](int t) {
+    const auto c = corners(surface.rest, surface.mesh.triangles[t]);
+    return Vec3((c[1] - c[0]).cross(c[2] - c[0]).normalized());
+  };
+  const std::vector<EdgeUse> uses = sorted_edge_uses(surface.mesh.triangles);
+  for (auto first = uses.begin(), last = first; first != uses.end(); first = last) {
+    last = std::find_if(first, uses.end(), [&](const EdgeUse& use) { return use.edge != first->edge; });
+    std::optional<double> angle;
+    if (last - first == 2)
+      angle = std::acos(std::clamp(normal(first->triangle).dot(normal((first + 1)->triangle)), -1.0, 1.0));
+    if (angle && *angle >= crease) angle.reset();
+    visit({first, last}, angle);
+  }
+}
 
 SurfaceTopology::SurfaceTopology(const ContactSurface& surface) {
   for (const int object : surface.mesh.vertex_object) two_sided_.push_back(!surface.closed[object]);
@@ -47,23 +58,13 @@ void SurfaceTopology::find_incident(const CollisionMesh& mesh, size_t vertices) 
 }
 
 void SurfaceTopology::find_creases(const ContactSurface& surface) {
-  const auto& triangles = surface.mesh.triangles;
-  const auto normal = [&](int t) {
-    const Vec3 a = vertex(surface.rest, triangles[t][0]);
-    return Vec3((vertex(surface.rest, triangles[t][1]) - a)
-                    .cross(vertex(surface.rest, triangles[t][2]) - a).normalized());
-  };
-  smooth_edges_.assign(triangles.size(), 0);
+  smooth_edges_.assign(surface.mesh.triangles.size(), 0);
   smooth_vertex_.assign(two_sided_.size(), 1);
-  const std::vector<EdgeUse> uses = sorted_edge_uses(triangles);
-  for (size_t first = 0, last = 0; first < uses.size(); first = last) {
-    while (last < uses.size() && uses[last].edge == uses[first].edge) ++last;
-    const bool smooth =
-        last - first == 2 && normal(uses[first].triangle).dot(normal(uses[first + 1].triangle)) > crease;
-    for (size_t i = first; smooth && i < last; ++i)
-      smooth_edges_[uses[i].triangle] |= static_cast<unsigned char>(1u << uses[i].side);
-    for (const int v : uses[first].edge) smooth_vertex_[v] = smooth_vertex_[v] && smooth;
-  }
+  for_each_edge(surface, [&](std::span<const EdgeUse> uses, const std::optional<double>& angle) {
+    for (const EdgeUse& use : uses)
+      if (angle) smooth_edges_[use.triangle] |= static_cast<unsigned char>(1u << use.side);
+    for (const int v : uses[0].edge) smooth_vertex_[v] = smooth_vertex_[v] && angle;
+  });
 }
 
 }  // namespace tack

@@ -4,12 +4,26 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "framework/contact/contact_set.hpp"
 
 namespace tack {
+
+// An edge of a triangle.
+struct EdgeUse {
+  Edge edge;  // its vertices ascending
+  int triangle;
+  int side;  // of the triangle: from its corner `side` to the next
+};
+
+// Calls visit(uses, angle) for every edge of the triangles: those that meet there, and the angle between their
+// normals at rest if the edge is smooth [rad], none otherwise.
+void for_each_edge(const ContactSurface& surface,
+                   const std::function<void(std::span<const EdgeUse> uses, std::optional<double> angle)>& visit);
 
 class SurfaceTopology {
  public:

@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/surface_topology.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
 
@@ -21,40 +21,20 @@ struct SurfaceMeasure {
   double thickness = 0;  // 2 V / A [m]; 0 for sheets
 };
 
-// Unit normals of the two triangles at each edge of the mesh that has two.
-std::vector<std::array<Vec3, 2>> edge_normals(const CollisionMesh& mesh, const VecX& x) {
-  std::vector<std::array<Vec3, 2>> normals(mesh.edges.size(), {Vec3::Zero(), Vec3::Zero()});
-  std::map<Edge, size_t> number;
-  for (size_t e = 0; e < mesh.edges.size(); ++e) number.emplace(mesh.edges[e], e);
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = vertex(x, t[0]);
-    const Vec3 n = Vec3(vertex(x, t[1]) - a).cross(Vec3(vertex(x, t[2]) - a)).normalized();
-    for (int i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(t[i], t[(i + 1) % 3]);
-      auto& both = normals[number.at({low, high})];
-      (both[0].isZero() ? both[0] : both[1]) = n;
-    }
-  }
-  return normals;
-}
-
 std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t objects) {
   const CollisionMesh& mesh = surface.mesh;
   const VecX& x = surface.rest;
   std::vector<SurfaceMeasure> all(objects);
   std::vector<int> triangles(objects, 0), smooth(objects, 0);
-  const auto normals = edge_normals(mesh, x);
-  for (size_t e = 0; e < mesh.edges.size(); ++e) {
-    const int object = mesh.vertex_object[mesh.edges[e][0]];
-    const double length = (vertex(x, mesh.edges[e][0]) - vertex(x, mesh.edges[e][1])).norm();
-    const double angle = std::acos(std::clamp(normals[e][0].dot(normals[e][1]), -1.0, 1.0));
-    if (normals[e][1].isZero() || angle > M_PI / 4.5) continue;  // a boundary or a crease
-    all[object].gap_change += length * angle / 2;
-    ++smooth[object];
-  }
+  for_each_edge(surface, [&](std::span<const EdgeUse> uses, const std::optional<double>& angle) {
+    if (!angle) return;
+    const auto [a, b] = uses[0].edge;
+    all[mesh.vertex_object[a]].gap_change += (vertex(x, a) - vertex(x, b)).norm() * *angle / 2;
+    ++smooth[mesh.vertex_object[a]];
+  });
   std::vector<double> volume(objects, 0), area(objects, 0);
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = vertex(x, t[0]), b = vertex(x, t[1]), c = vertex(x, t[2]);
+    const auto [a, b, c] = corners(x, t);
     const Vec3 twice = (b - a).cross(c - a);
     volume[mesh.vertex_object[t[0]]] += a.dot(twice) / 6;
     area[mesh.vertex_object[t[0]]] += twice.norm() / 2;
