@@ -16,18 +16,18 @@
 #include "geometry/exact/orientation.hpp"
 
 namespace tack {
-namespace {
-
-// Of the way that free vertices may move along with scripted ones: the last bit would leave no gap.
-constexpr double most_of_it = 0.9;
-
-}  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
       held_(world.script, world.rest), convergence_(world, *scene.solver), balance_(world, scene),
-      integrator_(scene.time.integrator.get()) {
+      integrator_(scene.time.integrator.get()),
+      follower_(world, *scene.solver, clock, held_,
+                [this](const VecX& x, const VecX& p) { return largest_step(x, p); },
+                [this](const VecX& x, const VecX& p) {
+                  tried_ = {x, p};
+                  return largest_step(x, p);
+                }) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   deadline_.limit_run(clock.begun(), scene.time.wall_limit);
   if (scene.solver->checks_iterates()) check_.emplace(world, clock);
@@ -44,7 +44,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
 void TimeStepper::hold(double h) {
   if (!held_.change(state_, state_.time + h / 2)) return;
   world_.dofs = DofMap(held_.free());
-  walk_.reset();
+  follower_.reset();
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
                      [this](const VecX& x) {
                        deadline_.check();
@@ -118,63 +118,6 @@ VecX TimeStepper::first_guess(double h) {
   return potential_->value() < staying ? guess : q;
 }
 
-// A feasible start with the scripted vertices at their places, to which they are moved in parts that turn
-// nothing too far.
-ScriptWalk::Result TimeStepper::follow_script(double h, const TimeIntegrator::Prediction& prediction) {
-  const int parts = held_.straight_parts(state_.time, h);
-  VecX along = VecX::Zero(state_.x.size()), q;
-  if (inertia_) {
-    world_.dofs.gather(h / parts * (state_.v + h * state_.a), q);
-    world_.dofs.scatter(q, along);
-  }
-  ScriptWalk::Result result{{}, state_.x, ""};
-  for (int i = 1; i <= parts; ++i) {
-    VecX places = result.x;
-    held_.place(state_.time + h * i / parts, places);
-    potential_->begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
-    const MinimizerResult before = result.solve;
-    result = move_scripted(result.x, places, along, prediction);
-    result.solve.add_work(before);
-    if (!result.failure.empty() || result.solve.status != MinimizerStatus::converged) break;
-  }
-  return result;
-}
-
-// From x to where the scripted vertices are at their places: the straight way, with the free ones moving
-// along as far as they may, or not at all, whichever is better; a walk if that is blocked.
-ScriptWalk::Result TimeStepper::move_scripted(const VecX& x, const VecX& places, const VecX& along,
-                                              const TimeIntegrator::Prediction& prediction) {
-  const VecX scripted = places - x;
-  VecX q;
-  ScriptWalk::Result best{{}, VecX(), ""};
-  double lowest = std::numeric_limits<double>::infinity();
-  const auto reach_of = [&](double part) {
-    const VecX p = scripted + part * along;
-    const double t = largest_step(x, p);
-    if (t < 1) return t;
-    world_.dofs.gather(x + p, q);
-    potential_->move_to(q);
-    if (potential_->value() < lowest) {
-      lowest = potential_->value();
-      best.x = places;
-      world_.dofs.scatter(q, best.x);
-    }
-    return t;
-  };
-  const bool predicted = !along.isZero();
-  const double t = predicted ? reach_of(1) : 0;
-  if (t > 0 && t < 1) reach_of(most_of_it * t);
-  reach_of(0);
-  if (best.x.size() > 0) return best;
-  if (!walk_)
-    walk_.emplace(world_, *scene_.solver, clock_, [this](const VecX& from, const VecX& p) {
-      tried_ = {from, p};
-      return largest_step(from, p);
-    });
-  if (check_) check_->begin(state_.step + 1, "the walk of what the script moves");
-  return walk_->run(x, places, prediction, walk_observer_);
-}
-
 double TimeStepper::next_step_size() const {
   // The last part ends exactly where the whole step would.
   const double whole = scene_.time.step, left = (state_.whole_steps + 1) * whole - state_.time;
@@ -228,7 +171,8 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
   } else if (places == state_.x) {
     q = first_guess(h);
   } else {
-    const ScriptWalk::Result start = follow_script(h, prediction);
+    const ScriptWalk::Result start =
+        follower_.follow(state_, h, prediction, *potential_, check_ ? &*check_ : nullptr, walk_observer_);
     attempt.result = start.solve;
     attempt.failure = start.failure;
     if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return;

@@ -2,7 +2,7 @@
 // A step whose solve fails, or whose result does not pass the exact check, leaves no trace: the state
 // is untouched, h is halved, and the halves run until the step's end is reached.
 // Scripted vertices are at their places at the end of every step: they are moved there together with
-// the first guess of the others if that is free, and walk there otherwise (script_walk.hpp).
+// the first guess of the others if that is free, and walk there otherwise (script_follower.hpp).
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@
 #include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/iterate_check.hpp"
-#include "framework/stepping/script_walk.hpp"
+#include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/step_report.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
@@ -73,9 +73,6 @@ class TimeStepper {
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
-  ScriptWalk::Result follow_script(double h, const TimeIntegrator::Prediction& prediction);
-  ScriptWalk::Result move_scripted(const VecX& x, const VecX& places, const VecX& along,
-                                   const TimeIntegrator::Prediction& prediction);
   void apply_loads(double t);
   VecX contact_accelerations(const VecX& x) const;
   double largest_step(const VecX& x, const VecX& p);
@@ -93,7 +90,7 @@ class TimeStepper {
   const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
   bool told_of_gain_ = false;
   std::optional<IncrementalPotential> potential_;
-  std::optional<ScriptWalk> walk_;  // made when it is first needed
+  ScriptFollower follower_;
   std::vector<std::unique_ptr<StepFilter>> filters_;
   struct Tried {
     VecX x, p;  // 3n
