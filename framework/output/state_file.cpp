@@ -44,6 +44,21 @@ VecX vector_of(const Json& json) {
   return Eigen::Map<const VecX>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
+template <class Field>
+void read(const Json& json, const char* key, Field& field) {
+  if constexpr (std::is_same_v<Field, VecX>) {
+    field = vector_of(json.at(key));
+  } else {
+    json.at(key).get_to(field);
+  }
+}
+
+// Files of earlier programs are without these; the field is what it is by default then.
+template <class Field>
+void read_if_known(const Json& json, const char* key, Field& field) {
+  if (json.contains(key)) read(json, key, field);
+}
+
 Json to_json(const Mesh& mesh) {
   Json vertices = Json::array();
   for (const Vec3& v : mesh.vertices) vertices.push_back({v.x(), v.y(), v.z()});
@@ -54,11 +69,11 @@ Json to_json(const Mesh& mesh) {
 Mesh mesh_of(const Json& json) {
   Mesh mesh;
   for (const Json& v : json.at("vertices")) mesh.vertices.emplace_back(v.at(0), v.at(1), v.at(2));
-  json.at("tets").get_to(mesh.tets);
-  json.at("triangles").get_to(mesh.triangles);
-  json.at("edges").get_to(mesh.edges);
-  json.at("points").get_to(mesh.points);
-  json.at("tags").get_to(mesh.tags);
+  read(json, "tets", mesh.tets);
+  read(json, "triangles", mesh.triangles);
+  read(json, "edges", mesh.edges);
+  read(json, "points", mesh.points);
+  read(json, "tags", mesh.tags);
   return mesh;
 }
 
@@ -77,16 +92,16 @@ Json to_json(const EnergyAccount& a) {
 
 EnergyAccount account_of(const Json& json) {
   EnergyAccount a;
-  json.at("open").get_to(a.open);
-  json.at("kinetic").get_to(a.kinetic);
-  json.at("gravity").get_to(a.gravity);
-  json.at("elastic").get_to(a.elastic);
-  json.at("contact").get_to(a.contact);
-  a.gradient = vector_of(json.at("gradient"));
-  json.at("unexplained").get_to(a.unexplained);
-  json.at("lowest").get_to(a.lowest);
-  json.at("at_play").get_to(a.at_play);
-  a.friction = json.value("friction", 0.0);
+  read(json, "open", a.open);
+  read(json, "kinetic", a.kinetic);
+  read(json, "gravity", a.gravity);
+  read(json, "elastic", a.elastic);
+  read(json, "contact", a.contact);
+  read(json, "gradient", a.gradient);
+  read(json, "unexplained", a.unexplained);
+  read(json, "lowest", a.lowest);
+  read(json, "at_play", a.at_play);
+  read_if_known(json, "friction", a.friction);
   return a;
 }
 
@@ -101,22 +116,21 @@ Json to_json(const State& s) {
 
 State state_of(const Json& json) {
   State s;
-  json.at("time").get_to(s.time);
-  json.at("step").get_to(s.step);
-  json.at("whole_steps").get_to(s.whole_steps);
-  json.at("h_before").get_to(s.h_before);
-  json.at("h_next").get_to(s.h_next);
-  json.at("held").get_to(s.held);
-  s.x = vector_of(json.at("x"));
-  s.v = vector_of(json.at("v"));
-  s.a = vector_of(json.at("a"));
-  s.anchor = vector_of(json.at("anchor"));
-  s.x_before = vector_of(json.at("x_before"));
-  s.v_before = vector_of(json.at("v_before"));
-  // Files of earlier programs are without these; nothing is known of them then.
-  if (json.contains("contact")) s.contact = vector_of(json.at("contact"));
-  if (json.contains("contact_before")) s.contact_before = vector_of(json.at("contact_before"));
-  if (json.contains("sides")) json.at("sides").get_to(s.sides);
+  read(json, "time", s.time);
+  read(json, "step", s.step);
+  read(json, "whole_steps", s.whole_steps);
+  read(json, "h_before", s.h_before);
+  read(json, "h_next", s.h_next);
+  read(json, "held", s.held);
+  read(json, "x", s.x);
+  read(json, "v", s.v);
+  read(json, "a", s.a);
+  read(json, "anchor", s.anchor);
+  read(json, "x_before", s.x_before);
+  read(json, "v_before", s.v_before);
+  read_if_known(json, "contact", s.contact);
+  read_if_known(json, "contact_before", s.contact_before);
+  read_if_known(json, "sides", s.sides);
   if (json.contains("energy")) s.energy = account_of(json.at("energy"));
   return s;
 }
@@ -181,15 +195,15 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     const Json json = content_of(path);
     if (const std::string found = json.at("kind"); found != name_of(kind))
       refuse_file(path, fmt::format("is a {}, and a {} is needed", found, name_of(kind)));
-    json.at("program").get_to(file.program);
-    json.at("commit").get_to(file.commit);
-    json.at("scene").get_to(file.scene);
+    read(json, "program", file.program);
+    read(json, "commit", file.commit);
+    read(json, "scene", file.scene);
     for (const auto& [object, mesh] : json.at("meshes").items()) file.meshes[object] = mesh_of(mesh);
     if (json.contains("file_meshes"))
       for (const auto& [object, digest] : json["file_meshes"].items()) file.file_meshes[object] = digest_of(digest);
     file.state = state_of(json.at("state"));
-    json.at("step_size").get_to(file.step_size);
-    json.at("totals").get_to(file.totals);
+    read(json, "step_size", file.step_size);
+    read(json, "totals", file.totals);
   } catch (const Json::exception& error) {
     refuse_file(path, fmt::format("is damaged ({}); write it anew", error.what()));
   }
