@@ -1,7 +1,6 @@
 #include "tests/support/step_problem.hpp"
 
 #include "framework/contact/friction_term.hpp"
-#include "framework/stepping/convergence.hpp"
 
 namespace tack {
 
@@ -45,12 +44,17 @@ double StepProblem::feasible_step(const VecX& from, const VecX& p) {
   return t;
 }
 
-MinimizerResult StepProblem::minimize(Minimizer& minimizer) {
+Convergence StepProblem::convergence(const Minimizer& minimizer) {
   Convergence convergence(*world, minimizer);
   convergence.begin_step(potential, config.time.step, prediction.inertia);
+  return convergence;
+}
+
+MinimizerResult StepProblem::minimize(Minimizer& minimizer) {
+  Convergence judge = convergence(minimizer);
   MinimizerProblem problem{
       potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock};
-  convergence.judge(problem);
+  judge.judge(problem);
   path.clear();
   const MinimizerResult result = minimizer.minimize(problem, q);
   path.push_back(q);

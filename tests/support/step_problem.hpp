@@ -4,6 +4,7 @@
 
 #include "framework/core/incremental_potential.hpp"
 #include "framework/core/step_filter.hpp"
+#include "framework/stepping/convergence.hpp"
 #include "framework/stepping/time_integrator.hpp"
 #include "tests/support/scene.hpp"
 
@@ -15,6 +16,8 @@ struct StepProblem : TestScene {
 
   VecX configuration(const VecX& unknowns) const;
   double feasible_step(const VecX& from, const VecX& p);
+  // What decides for this minimiser when the step has converged.
+  Convergence convergence(const Minimizer& minimizer);
   // From the start; q is where it ends, and `path` the points from which steps were tried, and the end.
   MinimizerResult minimize(Minimizer& minimizer);
 

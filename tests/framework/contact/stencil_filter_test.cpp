@@ -50,26 +50,26 @@ int compare(const Stencil& s, RandomStencils& random) {
   return changed;
 }
 
-}  // namespace
-
-TEST_CASE("points above triangles: five dimensions give the projection of twelve", "[contact]") {
-  RandomStencils random(5);
+template <class Kind, class Draw>
+void compare_many(unsigned seed, const Draw& draw) {
+  RandomStencils random(seed);
   int changed = 0;
-  for (int i = 0; i < 200; ++i) {
-    const Stencil s = random.above_triangle(random.log_uniform(1e-5, 1), random.log_uniform(0.05, 1));
-    changed += compare<PointTriangleKind>(s, random);
-  }
+  for (int i = 0; i < 200; ++i) changed += compare<Kind>(draw(random), random);
   CHECK(changed > 200);
 }
 
+}  // namespace
+
+TEST_CASE("points above triangles: five dimensions give the projection of twelve", "[contact]") {
+  compare_many<PointTriangleKind>(5, [](RandomStencils& random) {
+    return random.above_triangle(random.log_uniform(1e-5, 1), random.log_uniform(0.05, 1));
+  });
+}
+
 TEST_CASE("crossing edges: five dimensions give the projection of twelve", "[contact]") {
-  RandomStencils random(6);
-  int changed = 0;
-  for (int i = 0; i < 200; ++i) {
-    const Stencil s = random.crossing(random.log_uniform(1e-5, 1), random.uniform(0.1, 3));
-    changed += compare<EdgeEdgeKind>(s, random);
-  }
-  CHECK(changed > 200);
+  compare_many<EdgeEdgeKind>(6, [](RandomStencils& random) {
+    return random.crossing(random.log_uniform(1e-5, 1), random.uniform(0.1, 3));
+  });
 }
 
 TEST_CASE("the basis of a distance's Hessian is orthonormal and holds no translation", "[contact]") {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/component_variants.hpp"
+#include "tests/support/on_floor.hpp"
 #include "tests/support/random_blocks.hpp"
 #include "tests/support/simulation.hpp"
 #include "tests/support/step_problem.hpp"
@@ -13,11 +14,7 @@ using namespace tack;
 namespace {
 
 // Two blocks of very different stiffness and mass, the lower one in reach of the floor.
-const std::string blocks = R"(
-time: {step: 0.01, duration: 0.01}
-gravity: [0, -9.81, 0]
-objects:
-  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}
+const std::string blocks = step_on_floor(R"(
   - name: lower
     shape: {type: box, size: [0.2, 0.1, 0.2], cells: [2, 1, 2]}
     place: {translate: [0, 0.0501, 0]}
@@ -28,15 +25,14 @@ objects:
     velocity: [0, -1, 0]
     energies: [{type: neo_hookean, young: 1e4, poisson: 0.3, density: 100}]
 contact: {distance: 1 mm, friction: {mu: 0.5}}
-)";
+)");
 
 }  // namespace
 
 TEST_CASE("what a direction misses is bounded, whatever the residual", "[stepping]") {
   StepProblem step(blocks);
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.02}");
-  Convergence convergence(*step.world, *minimizer);
-  convergence.begin_step(step.potential, 0.01, true);
+  Convergence convergence = step.convergence(*minimizer);
   step.potential.move_to(step.q);
   const MatX hessian = dense(step.potential.hessian(SpdFilter::clamp));
   const Eigen::LDLT<MatX> factor(hessian);
@@ -65,8 +61,7 @@ TEST_CASE("forces that have a cause are the measure of what is not balanced", "[
   StepProblem step(blocks);
   const auto minimizer =
       component<Minimizer>("{type: projected_newton, balance_tolerance: 0.01, force_floor: 0.002}");
-  Convergence convergence(*step.world, *minimizer);
-  convergence.begin_step(step.potential, 0.01, true);
+  Convergence convergence = step.convergence(*minimizer);
   step.potential.move_to(step.q);
   const VecX gradient = step.potential.gradient();
   const double ratio = convergence.imbalance(gradient);

@@ -3,8 +3,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/stepping/convergence.hpp"
 #include "tests/support/component_variants.hpp"
+#include "tests/support/on_floor.hpp"
 #include "tests/support/random_blocks.hpp"
 #include "tests/support/step_problem.hpp"
 
@@ -13,18 +13,14 @@ using namespace tack;
 namespace {
 
 // A block that hits a floor at 1 m/s: the first Newton direction is 0.225 m/s times the step.
-const std::string approaching = R"(
-time: {step: 0.01, duration: 0.01}
-gravity: [0, -9.81, 0]
-objects:
-  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}
+const std::string approaching = step_on_floor(R"(
   - name: block
     shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}
     place: {translate: [0, 0.1003, 0]}
     velocity: [0, -1, 0]
     energies: [{type: neo_hookean, young: 1e6, poisson: 0.4, density: 1000}]
 contact: {distance: 1 mm}
-)";
+)");
 
 // Says that it has solved, and gives but a part of the solution.
 class Liar : public LinearSolver {
@@ -54,8 +50,7 @@ struct Judged {
 Judged judged(LinearSolver& linear, double tolerance) {
   StepProblem step(approaching);
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: " + std::to_string(tolerance) + "}");
-  Convergence convergence(*step.world, *minimizer);
-  convergence.begin_step(step.potential, step.config.time.step, true);
+  Convergence convergence = step.convergence(*minimizer);
   MinimizerProblem problem{step.potential, {}, {}, step.clock};
   convergence.judge(problem);
   step.potential.move_to(step.q);

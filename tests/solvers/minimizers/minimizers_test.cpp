@@ -7,6 +7,7 @@
 #include "framework/core/interrupt.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/component_variants.hpp"
+#include "tests/support/on_floor.hpp"
 #include "tests/support/simulation.hpp"
 #include "tests/support/step_problem.hpp"
 #include "tests/support/rms_difference.hpp"
@@ -16,11 +17,7 @@ using namespace tack;
 namespace {
 
 // A sticky block that falls on a floor, askew: adhesion, friction, elasticity and inertia.
-const std::string landing = R"(
-time: {step: 0.01, duration: 0.01}
-gravity: [0, -9.81, 0]
-objects:
-  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}
+const std::string landing = step_on_floor(R"(
   - name: block
     shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}
     place: {axis: [0.2, 0, 1], angle: 0.004, translate: [0, 0.1013, 0]}
@@ -30,7 +27,7 @@ contact:
   distance: 2 mm
   friction: {mu: 0.5, eps_v: 1 cm/s}
   pairs: [{between: [block, floor], adhesion: {type: fang, critical_strain: 0.01}}]
-)";
+)");
 
 // A block that is shot at a plate a hundredth as thick as the way it would go in the step.
 const std::string shot = R"(
