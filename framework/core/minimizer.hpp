@@ -37,8 +37,8 @@ struct MinimizerProblem {
   // Whether that norm is of p, which then must be the Newton direction: methods whose own direction is
   // something else ask solvers/minimizers/convergence_judge.hpp.
   bool norm_of_direction = true;
-  // If given, told of every iteration: its number, the stopping norm as far as it is known, the
-  // objective's value and the seconds since the minimisation began.
+  // If given, every minimiser tells it of every iteration: its number, the stopping norm as far as it is known,
+  // the objective's value and the seconds since the minimisation began.
   using Observer = std::function<void(int iteration, double residual, double value, double seconds)>;
   Observer observer = {};
   // Of a direction that leaves the residual r = -g - H p of its Newton system: how much the stopping norm of

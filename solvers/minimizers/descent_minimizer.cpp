@@ -1,11 +1,11 @@
 #include "solvers/minimizers/descent_minimizer.hpp"
 
-#include <chrono>
 #include <cmath>
 
 #include "framework/config/field.hpp"
 #include "framework/core/deadline.hpp"
 #include "framework/core/interrupt.hpp"
+#include "solvers/minimizers/tell_iteration.hpp"
 
 namespace tack {
 
@@ -33,12 +33,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   objective.move_to(q);
   judge_.begin();
   begin(problem, result);
-  const auto started = std::chrono::steady_clock::now();
-  const auto tell = [&] {
-    if (!problem.observer) return;
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - started;
-    problem.observer(result.iterations, result.residual, objective.value(), seconds.count());
-  };
+  const TellIteration tell(problem);
   VecX p;
   while (result.iterations < max_iterations_) {
     if (interrupt_requested) return end(MinimizerStatus::interrupted);
@@ -53,7 +48,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     if (newton_like()) result.residual = newton_norm(problem, p, result);
     const bool last = newton_like() && result.residual <= 1;
     const MinimizerStatus moved = advance(problem, p, q, result);
-    tell();
+    tell(result);
     // Below the tolerance the point is accepted as it is, whether or not the last step helped, if forces balance.
     if (last && balanced(problem, result)) return end(MinimizerStatus::converged);
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;

@@ -33,7 +33,7 @@ double extent(const VecX& q) {
 
 GuardedProblem::GuardedProblem(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
                                VecX& q, MinimizerResult& result)
-    : problem_(problem), judge_(judge), max_iterations_(max_iterations), q_(q), result_(result),
+    : problem_(problem), judge_(judge), tell_(problem), max_iterations_(max_iterations), q_(q), result_(result),
       trials_left_(trials_per_iteration * max_iterations) {
   problem.objective.move_to(q);
   judge_.begin();
@@ -142,6 +142,7 @@ bool GuardedProblem::accept(const double* z) {
   trial_usable_ = false;
   ++result_.iterations;
   look();
+  tell_(result_);
   return true;
 }
 

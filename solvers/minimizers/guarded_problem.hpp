@@ -15,6 +15,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
+#include "solvers/minimizers/tell_iteration.hpp"
 
 namespace tack {
 
@@ -61,6 +62,7 @@ class GuardedProblem {
 
   const MinimizerProblem& problem_;
   ConvergenceJudge& judge_;
+  const TellIteration tell_;
   const int max_iterations_;
   VecX& q_;
   MinimizerResult& result_;

@@ -50,10 +50,11 @@ Convergence StepProblem::convergence(const Minimizer& minimizer) {
   return convergence;
 }
 
-MinimizerResult StepProblem::minimize(Minimizer& minimizer) {
+MinimizerResult StepProblem::minimize(Minimizer& minimizer, MinimizerProblem::Observer observer) {
   Convergence judge = convergence(minimizer);
   MinimizerProblem problem{
       potential, [this](const VecX& from, const VecX& p) { return feasible_step(from, p); }, {}, clock};
+  problem.observer = std::move(observer);
   judge.judge(problem);
   path.clear();
   const MinimizerResult result = minimizer.minimize(problem, q);

@@ -19,7 +19,7 @@ struct StepProblem : TestScene {
   // What decides for this minimiser when the step has converged.
   Convergence convergence(const Minimizer& minimizer);
   // From the start; q is where it ends, and `path` the points from which steps were tried, and the end.
-  MinimizerResult minimize(Minimizer& minimizer);
+  MinimizerResult minimize(Minimizer& minimizer, MinimizerProblem::Observer observer = {});
 
   IncrementalPotential potential;
   std::vector<std::unique_ptr<StepFilter>> filters;

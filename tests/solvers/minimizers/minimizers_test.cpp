@@ -1,6 +1,7 @@
 // Every registered minimiser, with every option: the same minimum, never through anything, within its
 // budget, and with an honest status.
 #include <catch2/catch.hpp>
+#include <numeric>
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/deadline.hpp"
@@ -111,6 +112,28 @@ TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
       }
     }
     CHECK((result.status == MinimizerStatus::converged || result.status == MinimizerStatus::iteration_limit));
+  });
+}
+
+TEST_CASE("minimizers: all tell of every iteration", "[minimizer]") {
+  for_each_minimizer([&](const Variant& v) {
+    StepProblem problem(landing);
+    std::vector<int> told;
+    double value = 0, seconds = 0;
+    const auto observer = [&](int iteration, double residual, double lower, double later) {
+      told.push_back(iteration);
+      CHECK(residual >= 0);
+      CHECK(lower <= (told.size() == 1 ? lower : value + 1e-9 * std::abs(value)));
+      CHECK(later >= seconds);
+      value = lower;
+      seconds = later;
+    };
+    const MinimizerResult result = problem.minimize(*with(v, "tolerance: 0.01, max_iterations: 100"), observer);
+    REQUIRE(result.iterations > 0);
+    std::vector<int> expected(static_cast<size_t>(result.iterations));
+    std::iota(expected.begin(), expected.end(), 1);
+    CHECK(told == expected);
+    CHECK(value == problem.potential.value());
   });
 }
 
