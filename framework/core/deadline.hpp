@@ -1,6 +1,7 @@
 // Limits in wall time: of a solve (solver.time_limit) and of a run (time.wall_limit). Without a limit no
 // clock is read. Work that is spread over threads asks passed() and breaks off; the loops around it call
-// check(), whose exception ends the solve wherever it is. Minimisers report it as a status.
+// check(), whose exception ends the solve wherever it is. Minimisers report it as a status. What takes long and
+// cannot be broken off: factorisations and orderings of other libraries, and a single front of our own.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,7 @@ class Deadline {
 
   // Seconds from `begun` on; none: no limit.
   void limit_run(Clock::time_point begun, std::optional<double> seconds) {
-    if (seconds) run_end_ = begun + duration(*seconds);
-    end_ = run_end_;
+    end_ = run_end_ = seconds ? begun + duration(*seconds) : never;
   }
   void begin_solve(std::optional<double> seconds) {
     end_ = run_end_;

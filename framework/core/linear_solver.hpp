@@ -16,6 +16,8 @@ struct FactorCost {
   double entries = 0;     // of L
 };
 
+// Throws OutOfTime where the clock's deadline passes; what is kept from system to system then is as if there had been
+// none before.
 class LinearSolver : public Component {
  public:
   static constexpr const char* kind_name = "linear_solver";

@@ -1,12 +1,15 @@
 // Wall time by phase of a step (the paper's figure 17). Phases nest exclusively: entering one pauses
 // the phase around it, so the times of all phases add up to the time measured.
 // Only the driving thread enters phases; work inside a phase may run on all threads.
+// Whatever takes time has the clock, so it also holds the limits of that time.
 #pragma once
 
 #include <array>
 #include <chrono>
 #include <string_view>
 #include <utility>
+
+#include "framework/core/deadline.hpp"
 
 namespace tack {
 
@@ -26,6 +29,7 @@ class PhaseClock {
 
   PhaseClock() : begun_(Clock::now()), start_(begun_) {}
   Clock::time_point begun() const { return begun_; }
+  Deadline& deadline() { return deadline_; }
 
   // Charges the time since the last change to the current phase; returns that phase.
   Phase enter(Phase phase) {
@@ -44,6 +48,7 @@ class PhaseClock {
   Clock::time_point begun_, start_;
   Phase current_ = Phase::other;
   Seconds seconds_{};
+  Deadline deadline_;
 };
 
 // Enters a phase for the lifetime of a scope.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "framework/config/registry.hpp"
-#include "framework/core/deadline.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "geometry/types.hpp"
 
@@ -18,7 +17,6 @@ struct FeasibilityContext {
   ContactSystem* contact;        // null without contact
   const std::vector<Tet>& tets;  // of all solids
   PhaseClock& clock;
-  const Deadline* deadline = nullptr;  // null: no limit
 };
 
 // What bounds a step the most: two primitives (the vertices of each, global), or an element alone.

@@ -29,9 +29,9 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
                   return largest_step(x, p);
                 }) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
-  deadline_.limit_run(clock.begun(), scene.time.wall_limit);
+  clock_.deadline().limit_run(clock.begun(), scene.time.wall_limit);
   if (scene.solver->checks_iterates()) check_.emplace(world, clock);
-  const FeasibilityContext context{world.contact.get(), world.tets, clock, &deadline_};
+  const FeasibilityContext context{world.contact.get(), world.tets, clock};
   for (const std::string& name : Registry<StepFilter>::kind().names()) {
     auto filter = Registry<StepFilter>::make(name);
     if (filter->attach(context)) filters_.push_back(std::move(filter));
@@ -47,7 +47,7 @@ void TimeStepper::hold(double h) {
   follower_.reset();
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
                      [this](const VecX& x) {
-                       deadline_.check();
+                       clock_.deadline().check();
                        if (world_.contact) world_.contact->move_to(x);
                      });
   if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.free() : std::vector<char>());
@@ -88,10 +88,10 @@ double TimeStepper::largest_step(const VecX& x, const VecX& p) {
   if (check_) check_->at(x);
   double t = 1;
   for (const auto& filter : filters_) {
-    deadline_.check();
+    clock_.deadline().check();
     t = filter->largest_step(x, p, t);
   }
-  deadline_.check();
+  clock_.deadline().check();
   return t;
 }
 
@@ -134,13 +134,13 @@ double TimeStepper::potential_at(const VecX& x) {
 
 Attempt TimeStepper::solve(double h, const VecX* guess) {
   Attempt attempt{{}, state_.x};
-  deadline_.begin_solve(scene_.solver->time_limit());
+  clock_.deadline().begin_solve(scene_.solver->time_limit());
   try {
     attempt_step(h, guess, attempt);
   } catch (const OutOfTime&) {
     attempt.result.status = MinimizerStatus::time_limit;
   }
-  deadline_.end_solve();
+  clock_.deadline().end_solve();
   return attempt;
 }
 
@@ -216,7 +216,7 @@ void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Atte
 std::string TimeStepper::verdict(const Attempt& attempt) {
   if (!attempt.failure.empty()) return attempt.failure + blocker();
   if (attempt.result.status != MinimizerStatus::converged) {
-    const bool late = attempt.result.status == MinimizerStatus::time_limit && !deadline_.run_passed();
+    const bool late = attempt.result.status == MinimizerStatus::time_limit && !clock_.deadline().run_passed();
     const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *scene_.solver->time_limit()) : "";
     return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}", to_string(attempt.result.status),
                        limit, attempt.result.iterations, attempt.result.residual, blocker());
@@ -240,7 +240,7 @@ std::string TimeStepper::blocker() const {
 }
 
 void TimeStepper::check_wall_limit(const std::string& wrong) const {
-  if (!deadline_.run_passed()) return;
+  if (!clock_.deadline().run_passed()) return;
   throw SimulationError(fmt::format("step {} at t = {} s: the run's wall time is used up (time.wall_limit: {} s){}",
                                     state_.step + 1, state_.time, *scene_.time.wall_limit,
                                     wrong.empty() ? "" : "; " + wrong));

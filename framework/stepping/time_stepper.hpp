@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/deadline.hpp"
 #include "framework/core/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
@@ -95,7 +94,6 @@ class TimeStepper {
   struct Tried {
     VecX x, p;  // 3n
   } tried_;     // the last step that a minimiser wanted to take
-  Deadline deadline_;
   std::optional<IterateCheck> check_;
   bool inertia_ = true;
   MinimizerProblem::Observer observer_, walk_observer_;

@@ -60,7 +60,7 @@ class Ccd : public StepFilter {
   bool attach(const FeasibilityContext& context) override {
     contact_ = context.contact;
     clock_ = &context.clock;
-    deadline_ = context.deadline;
+    deadline_ = &context.clock.deadline();
     return contact_ != nullptr;
   }
 

@@ -7,7 +7,7 @@ namespace tack {
 
 class BlockJacobi : public Preconditioner {
  public:
-  bool update(const BlockMatrix& matrix) override {
+  bool update(const BlockMatrix& matrix, const Deadline&) override {
     inverse_.resize(matrix.columns());
     return min_chunks(matrix.columns(), 1, [&](int first, int last) {
       bool definite = true;

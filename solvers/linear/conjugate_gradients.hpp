@@ -17,7 +17,7 @@ class ConjugateGradients {
   };
 
   // precondition(r, z): z <- M^-1 r. Where the outcome is not `solved`, x is what was reached: the best
-  // in the Krylov space until then, a direction of descent of 1/2 x.A x - x.b unless it is zero.
+  // in the Krylov space until then, a direction of descent of 1/2 x.A x - x.b unless it is zero. Throws OutOfTime.
   template <class Precondition>
   Outcome solve(const BlockMatrix& matrix, const VecX& b, VecX& x, Goal goal, PhaseClock& clock,
                 const Precondition& precondition);
@@ -50,6 +50,7 @@ ConjugateGradients::Outcome ConjugateGradients::solve(const BlockMatrix& matrix,
   const double enough = goal.tolerance * goal.tolerance * rz;
   for (iterations_ = 0; rz > enough; ++iterations_) {
     if (iterations_ == goal.max_iterations) return Outcome::too_slow;
+    clock.deadline().check();
     operator_.multiply(matrix, direction_, product_);
     const double curvature = dot(direction_, product_);
     if (!(curvature > 0)) return Outcome::indefinite;

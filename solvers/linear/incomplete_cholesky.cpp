@@ -20,7 +20,7 @@ class IncompleteCholesky : public Preconditioner {
     f.integer("domain", domain_, "vertices of a domain, the unit of work of a thread").at_least(1);
   }
 
-  bool update(const BlockMatrix& matrix) override {
+  bool update(const BlockMatrix& matrix, const Deadline& deadline) override {
     if (version_ != matrix.version || rows_.size() != matrix.columns()) {
       rows_.build(matrix, domain_);
       version_ = matrix.version;
@@ -28,7 +28,7 @@ class IncompleteCholesky : public Preconditioner {
       factor_.resize(matrix.values.size());
     }
     for (double shift = 0; shift < largest_shift; shift = std::max(4 * shift, smallest_shift))
-      if (factorize(matrix, shift)) {
+      if (factorize(matrix, shift, deadline)) {
         for_each_chunk(static_cast<int>(factor_.size()), [&](int, int first, int last) {
           std::copy(exact_.begin() + first, exact_.begin() + last, factor_.begin() + first);
         }, 1 << 14);
@@ -64,14 +64,17 @@ class IncompleteCholesky : public Preconditioner {
   const float* factor(int k) const { return factor_.data() + 9 * std::ptrdiff_t(k); }
   double* part(int row) { return x_.data() + 3 * std::ptrdiff_t(row); }
 
-  bool factorize(const BlockMatrix& matrix, double shift) {
-    std::atomic<bool> definite = true;
+  bool factorize(const BlockMatrix& matrix, double shift, const Deadline& deadline) {
+    std::atomic<bool> definite = true, late = false;
     const auto rows = [&](int first, int last) {
-      for (int i = first; i < last && definite; ++i)
-        if (!eliminate(i, matrix, shift)) definite = false;
+      for (int i = first; i < last && definite && !late; ++i) {
+        if ((i - first) % rows_per_look == 0 && deadline.passed()) late = true;
+        else if (!eliminate(i, matrix, shift)) definite = false;
+      }
     };
     for_each_domain(rows);
     rows(rows_.separators(), rows_.size());
+    if (late) throw OutOfTime();
     return definite;
   }
 
@@ -128,6 +131,7 @@ class IncompleteCholesky : public Preconditioner {
   }
 
   static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix
+  static constexpr int rows_per_look = 64;  // at the deadline
   static constexpr double smallest_shift = 1e-3, largest_shift = 1e3;
 
   int domain_ = 2000;

@@ -65,8 +65,9 @@ class LaggedCholesky : public LinearSolver {
 
   bool refresh(PhaseClock& clock) {
     direct_->allow_approximation();
+    size_ = 0;  // until there is a new factor: time may run out
     fresh_ = direct_->factorize(*matrix_, clock);
-    size_ = fresh_ ? matrix_->size() : 0;
+    if (fresh_) size_ = matrix_->size();
     stale_ = false;
     return fresh_;
   }

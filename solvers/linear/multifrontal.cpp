@@ -27,12 +27,12 @@ class Multifrontal : public LinearSolver {
     const PhaseScope scope(clock, Phase::factorize);
     blas::set_threads(1);
     analyze(matrix);
-    if (approximate() && single_.factorize(*tree_, matrix)) {
+    if (approximate() && single_.factorize(*tree_, matrix, clock.deadline())) {
       exact_ = false;
       return true;
     }
     exact_ = true;
-    return double_.factorize(*tree_, matrix);
+    return double_.factorize(*tree_, matrix, clock.deadline());
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {

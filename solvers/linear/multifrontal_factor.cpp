@@ -21,7 +21,7 @@ std::unique_ptr<T[]> uninitialised(size_t n) {
 }  // namespace
 
 template <class T>
-bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatrix& matrix) {
+bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatrix& matrix, const Deadline& deadline) {
   tree_ = &tree;
   scale_.resize(matrix.size());
   for (int c = 0; c < matrix.columns(); ++c)
@@ -33,15 +33,20 @@ bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatr
   }
   updates_.clear();
   updates_.resize(tree.nodes());
-  std::atomic<bool> definite = true;
+  std::atomic<bool> definite = true, late = false;
+  const auto next = [&](int s, bool parallel) {
+    if (!definite || late) return false;
+    if (deadline.passed()) late = true;
+    else if (!process(s, matrix, parallel)) definite = false;
+    return true;
+  };
   for_each(static_cast<int>(tree.subtrees.size()), [&](int i) {
-    for (int s = tree.subtrees[i].first; s <= tree.subtrees[i].root && definite; ++s)
-      if (!process(s, matrix, false)) definite = false;
+    for (int s = tree.subtrees[i].first; s <= tree.subtrees[i].root; ++s)
+      if (!next(s, false)) return;
   }, 1);
   for (const std::vector<int>& level : tree.top_levels)
-    for_each(static_cast<int>(level.size()), [&](int k) {
-      if (definite && !process(level[k], matrix, true)) definite = false;
-    }, 1);
+    for_each(static_cast<int>(level.size()), [&](int k) { next(level[k], true); }, 1);
+  if (late) throw OutOfTime();
   return definite;
 }
 

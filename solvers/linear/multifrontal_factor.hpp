@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "framework/core/deadline.hpp"
 #include "geometry/types.hpp"
 #include "solvers/linear/supernode_tree.hpp"
 
@@ -14,8 +15,9 @@ namespace tack {
 template <class T>
 class MultifrontalFactor {
  public:
-  // False if A is not positive definite (in this arithmetic). The tree must outlive the factor.
-  bool factorize(const SupernodeTree& tree, const BlockMatrix& matrix);
+  // False if A is not positive definite (in this arithmetic). The tree must outlive the factor. Throws OutOfTime;
+  // there is no factor then.
+  bool factorize(const SupernodeTree& tree, const BlockMatrix& matrix, const Deadline& deadline);
   void solve(const VecX& b, VecX& x);  // x <- A^-1 b
 
  private:

@@ -26,7 +26,7 @@ class Pcg : public LinearSolver {
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
     matrix_ = &matrix;
-    return preconditioner_->update(matrix);
+    return preconditioner_->update(matrix, clock.deadline());
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override { correct(b, x, tolerance_, clock); }

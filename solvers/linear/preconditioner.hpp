@@ -4,6 +4,7 @@
 
 #include "framework/config/registry.hpp"
 #include "framework/core/block_matrix.hpp"
+#include "framework/core/deadline.hpp"
 
 namespace tack {
 
@@ -12,8 +13,9 @@ class Preconditioner : public Component {
   static constexpr const char* kind_name = "preconditioner";
   static constexpr const char* kind_doc = "Approximate inverse that speeds conjugate gradients up.";
 
-  // For this matrix; false where a 3x3 block on its diagonal is not positive definite, so neither is it.
-  virtual bool update(const BlockMatrix& matrix) = 0;
+  // For this matrix; false where a 3x3 block on its diagonal is not positive definite, so neither is it. May throw
+  // OutOfTime.
+  virtual bool update(const BlockMatrix& matrix, const Deadline& deadline) = 0;
   virtual void apply(const VecX& r, VecX& z) = 0;  // z <- M^-1 r
 };
 

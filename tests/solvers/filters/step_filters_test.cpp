@@ -150,9 +150,8 @@ TEST_CASE("filters tell what bounds a step", "[filters]") {
   const auto blocker = [&](const std::string& filter, const VecX& p) {
     PhaseClock clock;
     const auto f = Registry<StepFilter>::make(filter);
-    Deadline over;
-    over.limit_run(Deadline::Clock::now(), 0);  // a diagnosis is made when time is out
-    const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock, &over};
+    clock.deadline().limit_run(Deadline::Clock::now(), 0);  // a diagnosis is made when time is out
+    const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock};
     REQUIRE(f->attach(context));
     return f->blocker(fall.x, p);
   };
@@ -178,10 +177,9 @@ TEST_CASE("filters tell what bounds a step", "[filters]") {
 TEST_CASE("ccd breaks off when time is out", "[filters]") {
   Fall fall;
   PhaseClock clock;
-  Deadline over;
-  over.limit_run(Deadline::Clock::now(), 0);
+  clock.deadline().limit_run(Deadline::Clock::now(), 0);
   const auto f = Registry<StepFilter>::make("ccd");
-  const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock, &over};
+  const FeasibilityContext context{fall.world.contact.get(), fall.world.tets, clock};
   REQUIRE(f->attach(context));
   const int builds = fall.world.contact->broad_phase_builds();
   CHECK(f->largest_step(fall.x, fall.motion({0, 1000, 0}), 1) == 0);  // free, but nothing was looked at

@@ -53,6 +53,22 @@ TEST_CASE("linear solvers solve", "[linear]") {
   });
 }
 
+TEST_CASE("linear solvers of our own break off when time is out, and forget what they had", "[linear]") {
+  for_each_solver([](const std::string& type, LinearSolver& solver) {
+    if (type == "cholmod" || type == "eigen_ldlt") return;
+    RandomMotions random(3);
+    const BlockMatrix matrix = random_spd(60, random), other = random_spd(70, random);
+    CHECK(residual(solver, matrix, random) < accuracy(type));
+    PhaseClock clock;
+    clock.deadline().limit_run(Deadline::Clock::now(), 0);
+    VecX x;
+    CHECK_THROWS_AS([&] {
+      if (solver.factorize(other, clock)) solver.solve(random.vectors(other.size()), x, clock);
+    }(), OutOfTime);
+    CHECK(residual(solver, matrix, random) < accuracy(type));
+  });
+}
+
 TEST_CASE("linear solvers follow new values and new structures", "[linear]") {
   for_each_solver([](const std::string& type, LinearSolver& solver) {
     RandomMotions random(2);
