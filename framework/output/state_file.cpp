@@ -44,19 +44,79 @@ VecX vector_of(const Json& json) {
   return Eigen::Map<const VecX>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
+// Whether files of earlier programs are without a field, which is then what it is by default.
+enum class Since { first, later };
+
+template <class Account, class Act>
+  requires std::is_same_v<std::remove_const_t<Account>, EnergyAccount>
+void for_each_field(Account& a, const Act& act) {
+  act("open", a.open, Since::first);
+  act("kinetic", a.kinetic, Since::first);
+  act("gravity", a.gravity, Since::first);
+  act("elastic", a.elastic, Since::first);
+  act("contact", a.contact, Since::first);
+  act("gradient", a.gradient, Since::first);
+  act("lowest", a.lowest, Since::first);
+  act("unexplained", a.unexplained, Since::first);
+  act("at_play", a.at_play, Since::first);
+  act("friction", a.friction, Since::later);
+}
+
+template <class S, class Act>
+  requires std::is_same_v<std::remove_const_t<S>, State>
+void for_each_field(S& s, const Act& act) {
+  act("time", s.time, Since::first);
+  act("step", s.step, Since::first);
+  act("whole_steps", s.whole_steps, Since::first);
+  act("h_before", s.h_before, Since::first);
+  act("h_next", s.h_next, Since::first);
+  act("held", s.held, Since::first);
+  act("x", s.x, Since::first);
+  act("v", s.v, Since::first);
+  act("a", s.a, Since::first);
+  act("anchor", s.anchor, Since::first);
+  act("x_before", s.x_before, Since::first);
+  act("v_before", s.v_before, Since::first);
+  act("contact", s.contact, Since::later);
+  act("contact_before", s.contact_before, Since::later);
+  act("sides", s.sides, Since::later);
+  act("energy", s.energy, Since::later);
+}
+
+template <class Record>
+Json fields_to_json(const Record& record) {
+  Json json = Json::object();
+  for_each_field(record, [&]<class Field>(const char* key, const Field& field, Since) {
+    if constexpr (std::is_same_v<Field, EnergyAccount>) {
+      json[key] = fields_to_json(field);
+    } else if constexpr (std::is_same_v<Field, VecX>) {
+      json[key] = to_json(field);
+    } else {
+      json[key] = field;
+    }
+  });
+  return json;
+}
+
+template <class Field>
+void read(const Json& json, const char* key, Field& field);
+
+template <class Record>
+void read_fields(const Json& json, Record& record) {
+  for_each_field(record, [&](const char* key, auto& field, Since since) {
+    if (since == Since::first || json.contains(key)) read(json, key, field);
+  });
+}
+
 template <class Field>
 void read(const Json& json, const char* key, Field& field) {
   if constexpr (std::is_same_v<Field, VecX>) {
     field = vector_of(json.at(key));
+  } else if constexpr (std::is_same_v<Field, EnergyAccount>) {
+    read_fields(json.at(key), field);
   } else {
     json.at(key).get_to(field);
   }
-}
-
-// Files of earlier programs are without these; the field is what it is by default then.
-template <class Field>
-void read_if_known(const Json& json, const char* key, Field& field) {
-  if (json.contains(key)) read(json, key, field);
 }
 
 Json to_json(const Mesh& mesh) {
@@ -82,58 +142,6 @@ Json to_json(const MeshDigest& d) {
 }
 
 MeshDigest digest_of(const Json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3), json.at(4)}; }
-
-Json to_json(const EnergyAccount& a) {
-  return {{"open", a.open},         {"kinetic", a.kinetic},         {"gravity", a.gravity},
-          {"elastic", a.elastic},   {"contact", a.contact},         {"gradient", to_json(a.gradient)},
-          {"lowest", a.lowest},     {"unexplained", a.unexplained}, {"at_play", a.at_play},
-          {"friction", a.friction}};
-}
-
-EnergyAccount account_of(const Json& json) {
-  EnergyAccount a;
-  read(json, "open", a.open);
-  read(json, "kinetic", a.kinetic);
-  read(json, "gravity", a.gravity);
-  read(json, "elastic", a.elastic);
-  read(json, "contact", a.contact);
-  read(json, "gradient", a.gradient);
-  read(json, "unexplained", a.unexplained);
-  read(json, "lowest", a.lowest);
-  read(json, "at_play", a.at_play);
-  read_if_known(json, "friction", a.friction);
-  return a;
-}
-
-Json to_json(const State& s) {
-  return {{"time", s.time},         {"step", s.step},     {"whole_steps", s.whole_steps},
-          {"h_before", s.h_before}, {"h_next", s.h_next}, {"held", s.held},
-          {"x", to_json(s.x)},      {"v", to_json(s.v)},  {"a", to_json(s.a)},
-          {"anchor", to_json(s.anchor)}, {"x_before", to_json(s.x_before)}, {"v_before", to_json(s.v_before)},
-          {"contact", to_json(s.contact)}, {"contact_before", to_json(s.contact_before)},
-          {"sides", s.sides}, {"energy", to_json(s.energy)}};
-}
-
-State state_of(const Json& json) {
-  State s;
-  read(json, "time", s.time);
-  read(json, "step", s.step);
-  read(json, "whole_steps", s.whole_steps);
-  read(json, "h_before", s.h_before);
-  read(json, "h_next", s.h_next);
-  read(json, "held", s.held);
-  read(json, "x", s.x);
-  read(json, "v", s.v);
-  read(json, "a", s.a);
-  read(json, "anchor", s.anchor);
-  read(json, "x_before", s.x_before);
-  read(json, "v_before", s.v_before);
-  read_if_known(json, "contact", s.contact);
-  read_if_known(json, "contact_before", s.contact_before);
-  read_if_known(json, "sides", s.sides);
-  if (json.contains("energy")) s.energy = account_of(json.at("energy"));
-  return s;
-}
 
 [[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& why) {
   throw InputError(fmt::format("{}: {}", path.string(), why));
@@ -182,7 +190,7 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
   for (const auto& [object, digest] : file.file_meshes) file_meshes[object] = to_json(digest);
   const Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
                      {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes},
-                     {"state", to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals}};
+                     {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals}};
   std::string content;
   Json::to_cbor(json, content);
   replace_file(path, head_of(version, crc32_of(content.data(), content.size()), content.size()) + content);
@@ -201,7 +209,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     for (const auto& [object, mesh] : json.at("meshes").items()) file.meshes[object] = mesh_of(mesh);
     if (json.contains("file_meshes"))
       for (const auto& [object, digest] : json["file_meshes"].items()) file.file_meshes[object] = digest_of(digest);
-    file.state = state_of(json.at("state"));
+    read_fields(json.at("state"), file.state);
     read(json, "step_size", file.step_size);
     read(json, "totals", file.totals);
   } catch (const Json::exception& error) {
