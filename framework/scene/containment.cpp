@@ -1,5 +1,6 @@
 #include "framework/scene/containment.hpp"
 
+#include "framework/contact/contact_system.hpp"
 #include "geometry/broad_phase/overlap_pairs.hpp"
 #include "geometry/exact/orientation.hpp"
 
