@@ -149,7 +149,7 @@ class IncompleteCholesky : public Preconditioner {
   static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix
   static constexpr double smallest_shift = 1e-3, largest_shift = 1e3;
 
-  int domain_ = 600;
+  int domain_ = 2000;
   DomainRows rows_;
   std::uint64_t version_ = 0;
   std::vector<double> exact_;         // blocks of L, by rows
