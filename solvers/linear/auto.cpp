@@ -20,6 +20,7 @@ class AutomaticSolver : public LinearSolver {
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     matrix_ = &matrix;
+    iterating_ &= !tired_;
     if (matrix.size() > 1.25 * decided_for_ || 1.25 * matrix.size() < decided_for_) decide(clock);
     if (iterating_ && iterative_->factorize(matrix, clock)) return true;
     if (iterating_) stop_iterating("its preconditioner broke down");
@@ -32,9 +33,7 @@ class AutomaticSolver : public LinearSolver {
     if (!x.allFinite()) return give_up(b, x, clock);
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
-    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_)
-      stop_iterating(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_,
-                                 budget_));
+    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_) tire();
   }
 
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
@@ -57,6 +56,7 @@ class AutomaticSolver : public LinearSolver {
     solves_ = 0;
     average_ = 0;
     iterating_ = false;
+    tired_ = false;
     reason_ = direct_->describe();
     const auto cost = direct_->predict(*matrix_, clock);
     if (!cost) return;
@@ -68,6 +68,12 @@ class AutomaticSolver : public LinearSolver {
                           cost->entries, cost->operations, budget_, iterative_->describe());
   }
 
+  // The next system is another solver's; this one may still have to be corrected.
+  void tire() {
+    tired_ = true;
+    replaced(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_, budget_));
+  }
+
   void give_up(const VecX& b, VecX& x, PhaseClock& clock) {
     stop_iterating("it did not converge");
     if (direct_->factorize(*matrix_, clock)) direct_->solve(b, x, clock);
@@ -75,14 +81,18 @@ class AutomaticSolver : public LinearSolver {
 
   void stop_iterating(const std::string& why) {
     iterating_ = false;
+    replaced(why);
+  }
+
+  void replaced(const std::string& why) {
     reason_ = fmt::format("{} (in place of {}: {})", direct_->describe(), iterative_->describe(), why);
   }
 
   // In units of the time that it takes to read an entry of a factor of single precision.
   static constexpr double operation = 0.009;  // of a factorisation, which serves four or five systems
   static constexpr double reads = 13;         // passes through the factor for each system
-  static constexpr double per_block = 54;     // an iteration: product and incomplete factor
-  static constexpr double expected = 20;      // iterations that a system may well take
+  static constexpr double per_block = 30;     // an iteration: product and incomplete factor
+  static constexpr double expected = 14;      // iterations that a system may well take
   static constexpr int trial = 4;             // systems before iterations are judged
   static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell
   static constexpr int memory = 16;           // systems that their average goes over
@@ -92,6 +102,7 @@ class AutomaticSolver : public LinearSolver {
 
   const BlockMatrix* matrix_ = nullptr;
   bool iterating_ = false;
+  bool tired_ = false;      // of iterating, from the next system on
   double decided_for_ = 0;  // unknowns
   double budget_ = 0;       // iterations that cost as much as the factor
   double average_ = 0;      // iterations of recent systems

@@ -1,23 +1,62 @@
 #include "solvers/linear/domain_rows.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "framework/assembly/parallel.hpp"
 
 namespace tack {
+namespace {
+
+constexpr int smallest_group = 64;  // separators
+
+constexpr int largest_part = 6;     // of the vertices may be separators: one in so many
+
+int last_row(const BlockMatrix& matrix, int column) { return matrix.row[matrix.column_start[column + 1] - 1]; }
+
+// How many vertices before each place are coupled to those after it.
+std::vector<int> crossings(const BlockMatrix& matrix) {
+  std::vector<int> count(matrix.columns() + 2, 0);
+  for (int c = 0; c < matrix.columns(); ++c) {
+    ++count[c + 1];
+    --count[last_row(matrix, c) + 1];
+  }
+  std::partial_sum(count.begin(), count.end(), count.begin());
+  return count;
+}
+
+// The ends of domains of `size` to twice as many vertices, each at the place of its range that is crossed least.
+std::vector<int> cut(const std::vector<int>& crossing, int n, int size) {
+  std::vector<int> ends;
+  for (int first = 0; first < n; first = ends.back()) {
+    if (n - first < 2 * size) {
+      ends.push_back(n);
+    } else {
+      const auto begin = crossing.begin() + first + size, end = crossing.begin() + std::min(first + 2 * size, n - size);
+      ends.push_back(static_cast<int>(std::min_element(begin, end + 1) - crossing.begin()));
+    }
+  }
+  return ends;
+}
+
+int count_separators(const BlockMatrix& matrix, const std::vector<int>& cuts) {
+  int count = 0, first = 0;
+  for (const int last : cuts)
+    for (; first < last; ++first) count += last_row(matrix, first) >= last;
+  return count;
+}
+
+}  // namespace
 
 void DomainRows::build(const BlockMatrix& matrix, int domain_size) {
   const int n = matrix.columns();
-  vertex.clear();
-  domain_start.assign(1, 0);
-  std::vector<int> separating;
-  for (int first = 0; first < n; first += domain_size) {
-    const int last = std::min(n, first + domain_size);
-    for (int c = first; c < last; ++c)
-      (matrix.row[matrix.column_start[c + 1] - 1] < last ? vertex : separating).push_back(c);
-    domain_start.push_back(static_cast<int>(vertex.size()));
+  const std::vector<int> crossing = crossings(matrix);
+  std::vector<int> cuts = cut(crossing, n, domain_size);
+  while (largest_part * count_separators(matrix, cuts) > n) {
+    domain_size += (domain_size + 1) / 2;
+    cuts = cut(crossing, n, domain_size);
   }
-  vertex.insert(vertex.end(), separating.begin(), separating.end());
+  separate(matrix, cuts);
   std::vector<int> row_of(n);
   for (int k = 0; k < n; ++k) row_of[vertex[k]] = k;
 
@@ -28,14 +67,82 @@ void DomainRows::build(const BlockMatrix& matrix, int domain_size) {
         body(b, row_of[matrix.row[b]], row_of[c]);
   };
   for_each_block([&](int, int r, int c) { ++row_start[std::max(r, c) + 1]; });
-  for (int k = 0; k < n; ++k) row_start[k + 1] += row_start[k];
-  entries.resize(matrix.row.size());
+  std::partial_sum(row_start.begin(), row_start.end(), row_start.begin());
+  struct Entry {
+    int column;
+    Source source;
+  };
+  std::vector<Entry> entries(matrix.row.size());
   auto next = row_start;
-  for_each_block([&](int b, int r, int c) { entries[next[std::max(r, c)]++] = {std::min(r, c), b, r < c}; });
+  for_each_block([&](int b, int r, int c) { entries[next[std::max(r, c)]++] = {std::min(r, c), {b, r < c}}; });
+  column.resize(entries.size());
+  source.resize(entries.size());
   for_each(n, [&](int k) {
     std::sort(entries.begin() + row_start[k], entries.begin() + row_start[k + 1],
               [](const Entry& a, const Entry& b) { return a.column < b.column; });
+    for (int e = row_start[k]; e < row_start[k + 1]; ++e) {
+      column[e] = entries[e].column;
+      source[e] = entries[e].source;
+    }
   });
+  sort_columns();
+}
+
+void DomainRows::separate(const BlockMatrix& matrix, const std::vector<int>& cuts) {
+  vertex.clear();
+  domain_start.assign(1, 0);
+  std::vector<int> separating;
+  int c = 0;
+  for (const int last : cuts) {
+    for (; c < last; ++c) (last_row(matrix, c) >= last ? separating : vertex).push_back(c);
+    domain_start.push_back(static_cast<int>(vertex.size()));
+  }
+  group(matrix, separating);
+}
+
+void DomainRows::group(const BlockMatrix& matrix, const std::vector<int>& separating) {
+  std::vector<int> root(matrix.columns(), -1);  // -1: no separator
+  for (const int c : separating) root[c] = c;
+  const auto find = [&](int c) {
+    while (root[c] != c) c = root[c] = root[root[c]];
+    return c;
+  };
+  for (const int c : separating)
+    for (int b = matrix.column_start[c]; b < matrix.column_start[c + 1]; ++b)
+      if (root[matrix.row[b]] >= 0) {
+        const int one = find(c), other = find(matrix.row[b]);
+        root[std::max(one, other)] = std::min(one, other);
+      }
+  std::vector<int> size(matrix.columns(), 0);
+  for (const int c : separating) ++size[find(c)];
+  std::vector<int> group_of(matrix.columns(), 0);
+  group_start.assign(1, static_cast<int>(vertex.size()));
+  for (const int c : separating) {
+    if (find(c) != c) continue;
+    if (groups() == 0 || group_start.back() - group_start[groups() - 1] >= smallest_group)
+      group_start.push_back(group_start.back());
+    group_of[c] = groups() - 1;
+    group_start.back() += size[c];
+  }
+  auto next = group_start;
+  vertex.resize(vertex.size() + separating.size());
+  for (const int c : separating) vertex[next[group_of[find(c)]]++] = c;
+}
+
+void DomainRows::sort_columns() {
+  below_start.assign(size() + 1, 0);
+  for (int k = 0; k < size(); ++k)
+    for (int e = row_start[k]; e < diagonal(k); ++e) ++below_start[column[e] + 1];
+  std::partial_sum(below_start.begin(), below_start.end(), below_start.begin());
+  below_row.resize(below_start.back());
+  below_entry.resize(below_start.back());
+  auto next = below_start;
+  for (int k = 0; k < size(); ++k)
+    for (int e = row_start[k]; e < diagonal(k); ++e) {
+      const int at = next[column[e]]++;
+      below_row[at] = k;
+      below_entry[at] = e;
+    }
 }
 
 }  // namespace tack

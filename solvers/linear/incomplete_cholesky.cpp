@@ -17,52 +17,55 @@ namespace tack {
 class IncompleteCholesky : public Preconditioner {
  public:
   void fields(Fields& f) override {
-    f.integer("domain", domain_, "vertices of a domain, the unit of work of a thread").at_least(1);
+    f.integer("domain", domain_, "least number of vertices of a domain, the unit of work of a thread").at_least(1);
   }
 
   bool update(const BlockMatrix& matrix, const Deadline& deadline) override {
     if (version_ != matrix.version || rows_.size() != matrix.columns()) {
       rows_.build(matrix, domain_);
       version_ = matrix.version;
-      exact_.resize(matrix.values.size());
-      factor_.resize(matrix.values.size());
+      exact_.resize(matrix.values.size() + 1);
+      lower_.resize(matrix.values.size() + 1);
+      upper_.resize(matrix.values.size() + 1);
     }
     for (double shift = 0; shift < largest_shift; shift = std::max(4 * shift, smallest_shift))
       if (factorize(matrix, shift, deadline)) {
-        for_each_chunk(static_cast<int>(factor_.size()), [&](int, int first, int last) {
-          std::copy(exact_.begin() + first, exact_.begin() + last, factor_.begin() + first);
-        }, 1 << 14);
+        for_each(rows_.size(), [&](int i) { round(i); }, 512);
         return true;
       }
     return false;
   }
 
   void apply(const VecX& r, VecX& z) override {
-    x_.resize(r.size());
+    x_.resize(stride * std::ptrdiff_t(rows_.size()));
     z.resize(r.size());
-    for_each_domain([&](int first, int last) {
-      for (int i = first; i < last; ++i) x_.segment<3>(3 * i) = r.segment<3>(3 * rows_.vertex[i]);
+    const auto forward = [&](int first, int last) {
+      for (int i = first; i < last; ++i) store4(load3(r.data() + 3 * std::ptrdiff_t(rows_.vertex[i])), part(i));
+      for (int i = first; i < last; ++i) solve_lower(i);
+    };
+    const auto backward = [&](int first, int last) {
+      for (int i = last - 1; i >= first; --i) solve_upper(i);
+      for (int i = first; i < last; ++i) store3(load4(part(i)), z.data() + 3 * std::ptrdiff_t(rows_.vertex[i]));
+    };
+    for_each_part(rows_.domain_start, forward);
+    for_each_part(rows_.group_start, [&](int first, int last) {
       forward(first, last);
-    });
-    const int separators = rows_.separators();
-    for (int i = separators; i < rows_.size(); ++i) x_.segment<3>(3 * i) = r.segment<3>(3 * rows_.vertex[i]);
-    forward(separators, rows_.size());
-    backward(separators, rows_.size());
-    for (int i = separators; i < rows_.size(); ++i) z.segment<3>(3 * rows_.vertex[i]) = x_.segment<3>(3 * i);
-    for_each_domain([&](int first, int last) {
       backward(first, last);
-      for (int i = first; i < last; ++i) z.segment<3>(3 * rows_.vertex[i]) = x_.segment<3>(3 * i);
     });
+    for_each_part(rows_.domain_start, backward);
   }
 
  private:
+  static constexpr int stride = 4;  // numbers of x_ for each row
+
   template <class Body>
-  void for_each_domain(const Body& body) {
-    for_each(rows_.domains(), [&](int d) { body(rows_.domain_start[d], rows_.domain_start[d + 1]); }, 1);
+  static void for_each_part(const std::vector<int>& start, const Body& body) {
+    for_each(static_cast<int>(start.size()) - 1, [&](int d) { body(start[d], start[d + 1]); }, 1);
   }
-  Eigen::Map<Mat3> block(int k) { return Eigen::Map<Mat3>(exact_.data() + 9 * std::ptrdiff_t(k)); }
-  const float* factor(int k) const { return factor_.data() + 9 * std::ptrdiff_t(k); }
-  double* part(int row) { return x_.data() + 3 * std::ptrdiff_t(row); }
+  double* exact(int k) { return exact_.data() + 9 * std::ptrdiff_t(k); }
+  double* part(int row) { return x_.data() + stride * std::ptrdiff_t(row); }
+  // Row i of the transposed factor: its diagonal block, then the others.
+  float* upper(int i) { return upper_.data() + 9 * (std::ptrdiff_t(rows_.below_start[i]) + i); }
 
   bool factorize(const BlockMatrix& matrix, double shift, const Deadline& deadline) {
     std::atomic<bool> definite = true, late = false;
@@ -72,62 +75,78 @@ class IncompleteCholesky : public Preconditioner {
         else if (!eliminate(i, matrix, shift)) definite = false;
       }
     };
-    for_each_domain(rows);
-    rows(rows_.separators(), rows_.size());
+    for_each_part(rows_.domain_start, rows);
+    for_each_part(rows_.group_start, rows);
     if (late) throw OutOfTime();
     return definite;
   }
 
   // Row i of L, with the inverse of its diagonal block; false if that is not positive definite.
   bool eliminate(int i, const BlockMatrix& matrix, double shift) {
-    const auto& entries = rows_.entries;
+    const std::vector<int>& column = rows_.column;
     const int first = rows_.row_start[i], diagonal = rows_.diagonal(i);
-    Mat3 pivot = (1 + shift) * matrix.block(entries[diagonal].block);
+    Mat3 pivot = (1 + shift) * matrix.block(rows_.source[diagonal].block);
     const Vec3 scale = pivot.diagonal();
+    BlockLanes rest(pivot.data());
     for (int k = first; k < diagonal; ++k) {
-      const auto source = matrix.block(entries[k].block);
-      Mat3 sum = entries[k].transposed ? Mat3(source.transpose()) : Mat3(source);
-      const int row = entries[k].column, end = rows_.diagonal(row);
+      const auto source = matrix.block(rows_.source[k].block);
+      const Mat3 start = rows_.source[k].transposed ? Mat3(source.transpose()) : Mat3(source);
+      BlockLanes sum(start.data());
+      const int row = column[k], end = rows_.diagonal(row);
       int mine = first, other = rows_.row_start[row];
       while (mine < k && other < end) {  // the columns that both rows have
-        const int a = entries[mine].column, b = entries[other].column;
-        if (a == b) sum.noalias() -= block(mine) * block(other).transpose();
+        const int a = column[mine], b = column[other];
+        if (a == b) sum -= BlockLanes::padded(exact(mine)).times_transposed(exact(other));
         mine += a <= b;
         other += b <= a;
       }
-      block(k).noalias() = sum * block(end).transpose();
-      pivot.noalias() -= block(k) * block(k).transpose();
+      sum = sum.times_transposed(exact(end));
+      sum.store(exact(k));
+      rest -= sum.times_transposed(exact(k));
     }
+    rest.store(pivot.data());
     const Eigen::LLT<Mat3> root(pivot);
     if (root.info() != Eigen::Success) return false;
     if ((root.matrixLLT().diagonal().array().square() <= smallest_pivot * scale.array()).any()) return false;
-    block(diagonal) = root.matrixL().solve(Mat3::Identity());
+    Eigen::Map<Mat3> inverse(exact(diagonal));
+    inverse = root.matrixL().solve(Mat3::Identity());
     return true;
   }
 
-  // x <- L^-1 x
-  void forward(int first, int last) {
-    for (int i = first; i < last; ++i) {
-      const int diagonal = rows_.diagonal(i);
-      Lanes sum = load3(part(i));
-      for (int k = rows_.row_start[i]; k < diagonal; ++k)
-        sum -= BlockLanes(factor(k)).times(part(rows_.entries[k].column));
-      store3(sum, part(i));
-      store3(BlockLanes(factor(diagonal)).times(part(i)), part(i));
-    }
+  // Row i of L and of L^T in single precision.
+  void round(int i) {
+    const int first = rows_.row_start[i], diagonal = rows_.diagonal(i);
+    std::copy(exact(first), exact(diagonal + 1), lower_.data() + 9 * std::ptrdiff_t(first));
+    float* to = upper(i);
+    const auto transpose = [&](int entry) {
+      Eigen::Map<Eigen::Matrix3f> block(to);
+      block = Eigen::Map<const Mat3>(exact(entry)).transpose().cast<float>();
+      to += 9;
+    };
+    transpose(diagonal);
+    for (int k = rows_.below_start[i]; k < rows_.below_start[i + 1]; ++k) transpose(rows_.below_entry[k]);
   }
 
-  // x <- L^-T x
-  void backward(int first, int last) {
-    for (int i = last - 1; i >= first; --i) {
-      const int diagonal = rows_.diagonal(i);
-      const Lanes own = BlockLanes(factor(diagonal)).transposed_times(load3(part(i)));
-      store3(own, part(i));
-      for (int k = rows_.row_start[i]; k < diagonal; ++k) {
-        double* to = part(rows_.entries[k].column);
-        store3(load3(to) - BlockLanes(factor(k)).transposed_times(own), to);
-      }
-    }
+  // Row i of x <- L^-1 x.
+  void solve_lower(int i) {
+    const int diagonal = rows_.diagonal(i);
+    const float* block = lower_.data() + 9 * std::ptrdiff_t(rows_.row_start[i]);
+    Lanes sum = load4(part(i));
+    for (int k = rows_.row_start[i]; k < diagonal; ++k, block += 9)
+      sum -= BlockLanes::padded(block).times(part(rows_.column[k]));
+    store4(sum, part(i));
+    store4(BlockLanes::padded(block).times(part(i)), part(i));
+  }
+
+  // Row i of x <- L^-T x.
+  void solve_upper(int i) {
+    const float* const inverse = upper(i);
+    const float* block = inverse;
+    Lanes sum = load4(part(i));
+    for (int k = rows_.below_start[i]; k < rows_.below_start[i + 1]; ++k)
+      sum -= BlockLanes::padded(block += 9).times(part(rows_.below_row[k]));
+    store4(sum, part(i));
+    store4(BlockLanes::padded(inverse).times(part(i)), part(i));
   }
 
   static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix
@@ -137,9 +156,9 @@ class IncompleteCholesky : public Preconditioner {
   int domain_ = 2000;
   DomainRows rows_;
   std::uint64_t version_ = 0;
-  std::vector<double> exact_;  // blocks of L, by rows
-  std::vector<float> factor_;  // the same
-  VecX x_;                     // by rows
+  std::vector<double> exact_;         // blocks of L, by rows
+  std::vector<float> lower_, upper_;  // blocks of L and of L^T, by rows
+  VecX x_;                            // by rows
 };
 
 TACK_REGISTER(Preconditioner, IncompleteCholesky, "incomplete_cholesky",

@@ -11,9 +11,9 @@ namespace {
 
 bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
-// Conjugate gradients stop at 0.1% in the norm of their preconditioner, which a stiff matrix weighs differently;
+// Conjugate gradients stop at 1% in the norm of their preconditioner, which a stiff matrix weighs differently;
 // a factor that was made for the matrix is one of single precision.
-constexpr double accuracy = 0.01;
+constexpr double accuracy = 0.1;
 
 // What it says after some systems of the matrix.
 std::string chosen(LinearSolver& solver, const BlockMatrix& matrix, RandomMotions& random, int systems = 1) {
@@ -45,6 +45,12 @@ TEST_CASE("auto gives iterations up that take too many or fail", "[linear]") {
   const auto patient = component<LinearSolver>("{type: auto, iterative: {type: pcg, preconditioner: block_jacobi}}");
   CHECK(starts_with(chosen(*patient, mild, random), "pcg"));
   CHECK(starts_with(chosen(*patient, stiff, random, 4), "lagged_cholesky (in place of pcg: it took "));
+  const VecX b = random.vectors(stiff.size());
+  VecX x, product;
+  PhaseClock clock;
+  patient->correct(b, x, 1e-9, clock);
+  stiff.multiply(x, product);
+  CHECK((product - b).norm() < 1e-3 * b.norm());
   const auto strict = component<LinearSolver>("{type: auto, iterative: {type: pcg, max_iterations: 1}}");
   CHECK(starts_with(chosen(*strict, stiff, random), "lagged_cholesky (in place of pcg: it did not converge"));
 }

@@ -147,25 +147,45 @@ TEST_CASE("an incomplete factor is complete where none of it fills in", "[linear
   CHECK(iterations("block_jacobi") >= 25);
 }
 
-TEST_CASE("domains are coupled through their separators only", "[linear]") {
+TEST_CASE("domains are coupled through their separators only, and groups of these not at all", "[linear]") {
   RandomMotions random(5);
+  const BlockMatrix matrix = grid(20, random);
+  DomainRows rows;
+  rows.build(matrix, 100);
+  CHECK(rows.domains() == 4);
+  CHECK(rows.groups() >= 3);
+  CHECK(rows.size() == matrix.columns());
+  CHECK(rows.group_start.front() == rows.domain_start.back());
+  CHECK(rows.group_start.back() == rows.size());
+  CHECK(6 * (rows.size() - rows.group_start.front()) <= rows.size());
+  for (int d = 0; d < rows.domains(); ++d)
+    for (int i = rows.domain_start[d]; i < rows.domain_start[d + 1]; ++i)
+      REQUIRE(rows.column[rows.row_start[i]] >= rows.domain_start[d]);
+  for (int g = 0; g < rows.groups(); ++g)
+    for (int i = rows.group_start[g]; i < rows.group_start[g + 1]; ++i)
+      for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k)
+        REQUIRE((rows.column[k] < rows.group_start.front() || rows.column[k] >= rows.group_start[g]));
+}
+
+TEST_CASE("the rows of domains are those of the matrix, and so are their columns", "[linear]") {
+  RandomMotions random(6);
   const BlockMatrix matrix = grid(8, random);
   DomainRows rows;
   rows.build(matrix, 100);
-  CHECK(rows.domains() == 6);
-  CHECK(rows.size() == matrix.columns());
   size_t blocks = 0;
-  for (int d = 0; d < rows.domains(); ++d)
-    for (int i = rows.domain_start[d]; i < rows.domain_start[d + 1]; ++i)
-      CHECK(rows.entries[rows.row_start[i]].column >= rows.domain_start[d]);
   for (int i = 0; i < rows.size(); ++i) {
-    CHECK(rows.entries[rows.diagonal(i)].column == i);
+    CHECK(rows.column[rows.diagonal(i)] == i);
     for (int k = rows.row_start[i]; k < rows.row_start[i + 1]; ++k, ++blocks) {
-      const DomainRows::Entry& e = rows.entries[k];
-      const int r = rows.vertex[i], c = rows.vertex[e.column];
-      CHECK(matrix.find(std::max(r, c), std::min(r, c)) == e.block);
-      CHECK(e.transposed == (r < c));
+      const int r = rows.vertex[i], c = rows.vertex[rows.column[k]];
+      CHECK(matrix.find(std::max(r, c), std::min(r, c)) == rows.source[k].block);
+      CHECK(rows.source[k].transposed == (r < c));
+    }
+    for (int k = rows.below_start[i]; k < rows.below_start[i + 1]; ++k) {
+      const int row = rows.below_row[k], entry = rows.below_entry[k];
+      CHECK(rows.column[entry] == i);
+      CHECK((entry >= rows.row_start[row] && entry < rows.diagonal(row)));
     }
   }
   CHECK(blocks == matrix.row.size());
+  CHECK(rows.below_row.size() == blocks - static_cast<size_t>(rows.size()));
 }
