@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/broad_phase/clearances.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -64,6 +65,7 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
   set_safe_boxes(x, p, 0.5 * skin + rounding);
   finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
+  find_clearances(mesh_, safe_boxes_, range + skin, candidates_);
   range_ = range;
   edge_range_ = edge_range;
   ++builds_;
