@@ -39,21 +39,29 @@ void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   first_gradient.clear();
   first_hessian.clear();
   int gradient_slot = 0, hessian_slot = 0;
+  std::vector<int> wanted;
   for (const Term* term : terms) {
     first_gradient.push_back(gradient_slot);
     first_hessian.push_back(hessian_slot);
     for (const StencilBatch& batch : term->batches()) {
       batches.push_back({batch, gradient_slot, hessian_slot});
       batch_terms.push_back(term);
+      wanted.insert(wanted.end(), {batch.arity, batch.count});
+      wanted.insert(wanted.end(), batch.vertices, batch.vertices + static_cast<size_t>(batch.arity) * batch.count);
       gradient_slot += batch.arity * batch.count;
       hessian_slot += hessian_blocks(batch.arity) * batch.count;
     }
   }
   gradient_slots.resize(3 * static_cast<size_t>(gradient_slot));
-  gradient_map = tack::gradient_map(batches, dofs);
-  if (!with_hessian) return;
-  hessian_slots.resize(9 * static_cast<size_t>(hessian_slot));
+  if (with_hessian) hessian_slots.resize(9 * static_cast<size_t>(hessian_slot));
+  if (wanted != mapped || batches.empty()) {
+    gradient_map = tack::gradient_map(batches, dofs);
+    hessian_mapped = false;
+    mapped = std::move(wanted);
+  }
+  if (!with_hessian || hessian_mapped) return;
   hessian_map = tack::hessian_map(batches, dofs);
+  hessian_mapped = true;
 }
 
 void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessian) {

@@ -1,6 +1,6 @@
 // Sums the terms of the potential into one gradient and one block matrix.
 // Every stencil writes its own slots; one gather then sums the slots of each target. The maps of
-// static terms are made once, those of dynamic terms whenever the configuration is linearised.
+// static terms are made once, those of dynamic terms whenever a configuration with other stencils is linearised.
 #pragma once
 
 #include <memory>
@@ -45,6 +45,8 @@ class Assembler {
     std::vector<int> first_gradient, first_hessian;  // per term
     std::vector<double> gradient_slots, hessian_slots;
     GatherMap gradient_map, hessian_map;
+    std::vector<int> mapped;      // the batches that the maps are for: arity, count and vertices of each
+    bool hessian_mapped = false;  // whether the Hessian's map is made too
 
     double largest_force() const;
     void place(const DofMap& dofs, bool with_hessian);

@@ -12,43 +12,50 @@
 namespace tack {
 
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b) {
-  const auto keep = [&](const auto& all, const auto& first_of, const auto& second_of) {
-    std::vector<std::array<int, 2>> kept;
-    for (const auto& pair : all) {
+  Candidates found;
+  const auto keep = [&](auto list, auto clearance, const auto& first_of, const auto& second_of) {
+    for (size_t k = 0; k < (candidates.*list).size(); ++k) {
+      const auto& pair = (candidates.*list)[k];
       const int i = mesh.vertex_object[first_of(pair[0])], j = mesh.vertex_object[second_of(pair[1])];
-      if ((i == a && j == b) || (i == b && j == a)) kept.push_back(pair);
+      if (!((i == a && j == b) || (i == b && j == a))) continue;
+      (found.*list).push_back(pair);
+      (found.clearances.*clearance).push_back((candidates.clearances.*clearance)[k]);
     }
-    return kept;
   };
   const auto self = [](int v) { return v; };
   const auto edge = [&](int e) { return mesh.edges[e][0]; };
   const auto triangle = [&](int t) { return mesh.triangles[t][0]; };
-  return {keep(candidates.point_triangle, self, triangle), keep(candidates.edge_edge, edge, edge),
-          keep(candidates.point_edge, self, edge), keep(candidates.point_point, self, self)};
+  keep(&Candidates::point_triangle, &Clearances::point_triangle, self, triangle);
+  keep(&Candidates::edge_edge, &Clearances::edge_edge, edge, edge);
+  keep(&Candidates::point_edge, &Clearances::point_edge, self, edge);
+  keep(&Candidates::point_point, &Clearances::point_point, self, self);
+  return found;
 }
 
 double smallest_distance(const CollisionMesh& mesh, const Candidates& candidates, const VecX& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto smallest = [&](const auto& pairs, const auto& squared) {
+  const auto smallest = [&](const auto& pairs, const auto& clearance, const auto& squared) {
     return min_chunks(static_cast<int>(pairs.size()), infinity, [&](int first, int last) {
       double s = infinity;
-      for (int i = first; i < last; ++i) s = std::min(s, squared(pairs[i][0], pairs[i][1]));
+      for (int i = first; i < last; ++i)
+        if (clearance[i] * clearance[i] < s) s = std::min(s, squared(pairs[i][0], pairs[i][1]));
       return s;
     });
   };
   const auto at = [&](int v) { return Vec3(vertex(x, v)); };
-  const double points = smallest(candidates.point_triangle, [&](int p, int t) {
+  const Clearances& clearances = candidates.clearances;
+  const double points = smallest(candidates.point_triangle, clearances.point_triangle, [&](int p, int t) {
     const Triangle& f = mesh.triangles[t];
     return point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2]));
   });
-  const double edges = smallest(candidates.edge_edge, [&](int i, int j) {
+  const double edges = smallest(candidates.edge_edge, clearances.edge_edge, [&](int i, int j) {
     const Edge &a = mesh.edges[i], &b = mesh.edges[j];
     return edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1]));
   });
-  const double rods = smallest(candidates.point_edge, [&](int p, int e) {
+  const double rods = smallest(candidates.point_edge, clearances.point_edge, [&](int p, int e) {
     return point_edge_closest(at(p), at(mesh.edges[e][0]), at(mesh.edges[e][1])).s;
   });
-  const double particles = smallest(candidates.point_point,
+  const double particles = smallest(candidates.point_point, clearances.point_point,
                                     [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
   return std::sqrt(std::min({points, edges, rods, particles}));
 }

@@ -187,11 +187,12 @@ void NarrowPhase::look(const Candidates& candidates) {
 // Edges of one object that are close at rest are neighbours: they are watched, but do not press.
 void NarrowPhase::choose_edges(const Candidates& candidates) {
   const CollisionMesh& mesh = surface_.mesh;
-  const auto presses = [&](const std::array<int, 2>& pair) {
-    const Edge &a = mesh.edges[pair[0]], &b = mesh.edges[pair[1]];
+  const auto presses = [&](int i) {
+    const auto [ia, ib] = candidates.edge_edge[i];
+    const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
     const PairRole& role = pairs_.edge(object, other);
-    if (role.law < 0) return false;
+    if (role.law < 0 || candidates.clearances.edge_edge[i] >= role.range) return false;
     if (object != other || pairs_.plain_sums) return true;
     const auto ca = corners(surface_.rest, a), cb = corners(surface_.rest, b);
     return box_gaps(ca, cb).maxCoeff() >= role.range ||
@@ -199,7 +200,7 @@ void NarrowPhase::choose_edges(const Candidates& candidates) {
   };
   const int n = static_cast<int>(candidates.edge_edge.size());
   std::vector<char> wanted(n);
-  for_each(n, [&](int i) { wanted[i] = presses(candidates.edge_edge[i]); });
+  for_each(n, [&](int i) { wanted[i] = presses(i); });
   edge_pairs_.clear();
   for (int i = 0; i < n; ++i)
     if (wanted[i]) edge_pairs_.push_back(i);

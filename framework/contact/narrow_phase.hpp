@@ -47,7 +47,7 @@ class NarrowPhase {
   std::vector<GroupView> views_;  // of this step, by key
   PointPieces pieces_;
   SamplePieces sample_pieces_;    // of the coverage's samples
-  std::vector<int> edge_pairs_;   // the candidates between edges that have a law
+  std::vector<int> edge_pairs_;   // the candidates between edges that may press
 };
 
 }  // namespace tack

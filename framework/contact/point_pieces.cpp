@@ -37,8 +37,13 @@ class PieceMaker {
     int law;
     double range, area;
   };
+  struct NearTriangle {
+    int candidate, piece;  // of the group's view; -1: none
+  };
 
   int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
+  // Whether the pair may come within a range [m] while the candidates hold.
+  bool reaches(int i, double range) const { return r_.candidates.clearances.point_triangle[i] < range; }
 
   void begin(int g, const Acting& acting, bool with_codim) {
     out_.pieces.push_back({r_.groups.groups[g].point, acting.law, acting.area, acting.range,
@@ -57,7 +62,8 @@ class PieceMaker {
     const PointGroup& group = r_.groups.groups[g];
     begin(g, acting, true);
     for (int i = group.triangle_begin; i < group.triangle_end; ++i)
-      if (!without_rest_neighbours || !rest_neighbour(group, triangle(i), acting.range))
+      if (reaches(i, acting.range) &&
+          (!without_rest_neighbours || !rest_neighbour(group, triangle(i), acting.range)))
         out_.triangles.push_back(triangle(i));
     end();
   }
@@ -95,13 +101,15 @@ class PieceMaker {
     const auto known = std::lower_bound(r_.views.begin(), r_.views.end(), group.key(),
                                         [](const GroupView& v, const std::array<int, 2>& key) { return v.key() < key; });
     const Viewpoint from = viewer_.vertex_view(group.point);
-    piece_.clear();
+    const double reach = std::max(role.range, role.guard_law >= 0 ? role.guard_range : 0);
+    near_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i)
-      piece_.push_back(pressing(known->view, viewer_.piece_of(from, known->view, triangle(i)), role));
+      if (reaches(i, reach))
+        near_.push_back({i, pressing(known->view, viewer_.piece_of(from, known->view, triangle(i)), role)});
     for (int k = 0; k < known->view.count; ++k) {
       begin(g, {role.law, role.range, share(role, group.point, known->view.pieces[k]) * known->view.pieces[k].area}, false);
-      for (size_t i = 0; i < piece_.size(); ++i)
-        if (piece_[i] == k) out_.triangles.push_back(triangle(group.triangle_begin + static_cast<int>(i)));
+      for (const NearTriangle& t : near_)
+        if (t.piece == k) out_.triangles.push_back(triangle(t.candidate));
       end();
     }
     if (has_codim(group)) {
@@ -110,10 +118,10 @@ class PieceMaker {
     }
     if (role.guard_law < 0) return;
     begin(g, {role.guard_law, role.guard_range, r_.held.whole(group.point)}, false);
-    for (size_t i = 0; i < piece_.size(); ++i) {
-      const int t = triangle(group.triangle_begin + static_cast<int>(i));
-      if (piece_[i] < 0 && !rest_neighbour(group, t, role.guard_range)) out_.triangles.push_back(t);
-    }
+    for (const NearTriangle& t : near_)
+      if (t.piece < 0 && reaches(t.candidate, role.guard_range) &&
+          !rest_neighbour(group, triangle(t.candidate), role.guard_range))
+        out_.triangles.push_back(triangle(t.candidate));
     end();
   }
 
@@ -121,7 +129,7 @@ class PieceMaker {
   const CollisionMesh& mesh_;
   FacingViewer viewer_;
   PointPieces out_;
-  std::vector<int> piece_;  // of each triangle of a group
+  std::vector<NearTriangle> near_;  // of a group
 };
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/broad_phase/clearances.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -17,6 +18,7 @@ namespace {
 
 using Range = tbb::blocked_range<std::size_t>;
 constexpr std::size_t kGrain = 4096;
+constexpr double kTight = 0.05;  // of the skin: how far vertices may move in tight boxes
 
 template <class Predicate>
 bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
@@ -54,20 +56,41 @@ BroadPhase::BroadPhase(const CollisionMesh& mesh, ObjectPairFilter filter)
 bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_range,
                         double skin) {
   check(x, p, range, skin);
-  const auto moved_inside = [&](int v) {
-    return safe_boxes_[v].contains(vertex(x, v) + vertex(p, v));
-  };
-  if (range <= range_ && edge_range <= edge_range_ && covers(x) && (p.size() == 0 || all_of(mesh_.vertices, moved_inside)))
-    return false;
+  if (range <= range_ && edge_range <= edge_range_ && covers(x) && inside(safe_boxes_, x, p))
+    return renew_clearances(x, p, range, skin);
 
   const double reach = largest(x) + largest(p) + range + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
-  set_safe_boxes(x, p, 0.5 * skin + rounding);
+  safe_boxes_ = boxes_around(x, p, 0.5 * skin + rounding);
   finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
+  find_clearances(mesh_, safe_boxes_, range + skin, candidates_);
+  tight_boxes_.clear();
+  served_ = 0;
   range_ = range;
   edge_range_ = edge_range;
   ++builds_;
   return true;
+}
+
+// After a while in which the safe boxes served, clearances are found in tight ones; where those are left too soon,
+// that takes longer the next time.
+bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double range, double skin) {
+  const double stray = kTight * skin;
+  const bool tighten = ++served_ >= patience_ && largest(p) <= stray;
+  if (tight_boxes_.empty() ? !tighten : inside(tight_boxes_, x, p)) return false;
+  if (!tight_boxes_.empty() && !tighten) patience_ *= 4;
+  tight_boxes_.clear();
+  if (tighten) tight_boxes_ = boxes_around(x, p, stray);
+  find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, range + skin, candidates_);
+  served_ = 0;
+  return true;
+}
+
+bool BroadPhase::inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const {
+  const auto inside = [&](int v) {
+    return boxes[v].contains(vertex(x, v)) && (p.size() == 0 || boxes[v].contains(vertex(x, v) + vertex(p, v)));
+  };
+  return all_of(mesh_.vertices, inside);
 }
 
 void BroadPhase::dissolve_groups(bool dissolved) {
@@ -111,8 +134,8 @@ void BroadPhase::check(const VecX& x, const VecX& p, double range, double skin) 
   check_finite(p, "the displacement");
 }
 
-void BroadPhase::set_safe_boxes(const VecX& x, const VecX& p, double inflation) {
-  safe_boxes_.resize(mesh_.vertex_object.size());
+std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double inflation) const {
+  std::vector<Aabb> boxes(mesh_.vertex_object.size());
   tbb::parallel_for(Range(0, mesh_.vertices.size(), kGrain), [&](const Range& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const int v = mesh_.vertices[i];
@@ -120,9 +143,10 @@ void BroadPhase::set_safe_boxes(const VecX& x, const VecX& p, double inflation) 
       box.include(Vec3(vertex(x, v)));
       if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
       box.inflate(inflation);
-      safe_boxes_[v] = box;
+      boxes[v] = box;
     }
   });
+  return boxes;
 }
 
 }  // namespace tack

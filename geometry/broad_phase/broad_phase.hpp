@@ -8,6 +8,8 @@
 // primitive box, by convexity; hence, as long as every vertex lies in its safe box, every pair
 // closer than `range` is among the candidates, during minimisation, line search and CCD alike. (All
 // boxes are a few rounding errors larger than said, so that this holds in floating point.)
+// Most candidates are far apart all the same, so each has a clearance (clearances.hpp). It holds in the safe boxes,
+// or, where vertices hardly moved for a while, in much smaller ones, and is found anew when a vertex leaves those.
 #pragma once
 
 #include <vector>
@@ -23,7 +25,7 @@ class BroadPhase {
 
   // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if range grew since
   // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty
-  // (zero). range, skin: [m], >= 0. Returns true if rebuilt. Throws InputError for wrong sizes or a
+  // (zero). range, skin: [m], >= 0. Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
   // negative range or skin, SimulationError if a coordinate is not finite.
   bool update(const VecX& x, const VecX& p, double range, double skin) {
     return update(x, p, range, range, skin);
@@ -47,12 +49,17 @@ class BroadPhase {
 
  private:
   void check(const VecX& x, const VecX& p, double range, double skin) const;
-  void set_safe_boxes(const VecX& x, const VecX& p, double inflation);
+  std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double inflation) const;
+  bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
+  bool renew_clearances(const VecX& x, const VecX& p, double range, double skin);
 
   const CollisionMesh& mesh_;
   CandidateFinder finder_;
   std::vector<Aabb> safe_boxes_;  // by global vertex; empty boxes for interior vertices
+  std::vector<Aabb> tight_boxes_;  // likewise, in which clearances hold; empty: they hold in the safe boxes
   Candidates candidates_;
+  int served_ = 0;     // updates since clearances were found
+  int patience_ = 16;  // updates before boxes are tightened
   double range_ = 0.0, edge_range_ = 0.0;
   int builds_ = 0;
   bool dissolved_ = false;

@@ -9,6 +9,12 @@
 
 namespace tack {
 
+// How far apart the two primitives of each candidate stay at least while the candidates hold; parallel to the lists
+// of candidates [m]. Most candidates are neighbours in one body, whose boxes overlap though they are far apart.
+struct Clearances {
+  std::vector<double> point_triangle, edge_edge, point_edge, point_point;
+};
+
 struct Candidates {
   // (global vertex, triangle), by vertex, then by the triangle's object, then by triangle.
   std::vector<std::array<int, 2>> point_triangle;
@@ -18,6 +24,7 @@ struct Candidates {
   std::vector<std::array<int, 2>> point_edge;
   // (global vertex, global vertex) of two codimensional points, first < second, sorted.
   std::vector<std::array<int, 2>> point_point;
+  Clearances clearances;
 
   std::size_t size() const {
     return point_triangle.size() + edge_edge.size() + point_edge.size() + point_point.size();

@@ -122,6 +122,7 @@ double safe_step(MovingPair<A, B> pair, const Separation& separation, double kee
 
     const double rounding = kRounding * (scale.position + t * scale.speed);
     const double by_speed = (gap - aim - rounding) / (speed + kRounding * scale.speed);
+    if (t + by_speed >= t_max) return t_max;
     const double by_slab = slab_time(pair, shortest / distance, t, min_distance + aim, scale);
     const double step = std::max(by_speed, by_slab);
     if (!(step > 0.0)) return t;

@@ -1,6 +1,6 @@
 // Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of
-// its gap on the way. Pairs whose boxes are further apart than their motion can bridge are skipped;
-// the others are handed to additive CCD.
+// its gap on the way. Pairs that stay further apart than their motion can bridge, by their clearance or the gap of
+// their boxes, are skipped; the others are handed to additive CCD.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -19,6 +19,7 @@ namespace tack {
 namespace {
 
 constexpr double keep = 0.1;  // fraction of each gap that must remain
+constexpr double spare = 0.02;  // of the way that a clearance allows: additive CCD stops 1-2% short
 constexpr double longer = 4;  // than the last stage of a fast step
 
 // Largest motion of a vertex of one relative to the other's, bounded through the mean of all.
@@ -34,17 +35,23 @@ double approach(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   return std::sqrt(a) + std::sqrt(b);
 }
 
-// The largest step up to t that one pair allows.
+// The largest step up to t that one pair allows; clearance: a lower bound of its distance [m].
 template <size_t A, size_t B, class Accd>
-double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, const VecX& x, const VecX& p,
-               double t, const Accd& accd) {
-  const auto a = corners(x, va);
-  const auto b = corners(x, vb);
+double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double clearance, const VecX& x,
+               const VecX& p, double t, const Accd& accd) {
   const auto da = corners(p, va);
   const auto db = corners(p, vb);
   const double motion = t * approach(da, db) / (1 - keep);
+  if (motion < (1 - spare) * clearance) return t;
+  const auto a = corners(x, va);
+  const auto b = corners(x, vb);
   if (motion * motion < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
   return std::min(t, accd(a, b, da, db, t));
+}
+
+// Of a vertex [m].
+double largest_motion(const VecX& p) {
+  return std::sqrt(Eigen::Map<const Eigen::Matrix3Xd>(p.data(), 3, p.size() / 3).colwise().squaredNorm().maxCoeff());
 }
 
 double gap_between(const std::vector<int>& a, const std::vector<int>& b, const VecX& x) {
@@ -84,10 +91,10 @@ class Ccd : public StepFilter {
     t = std::min(2 * t + 1e-300, 1.0);  // the candidates are those of the stage in which the pair was found
     const PhaseScope scope(*clock_, Phase::ccd);
     std::optional<Blocker> worst;
-    for_each_kind([&](const auto& pairs, const auto& primitives, const auto& accd) {
-      for (const auto& pair : pairs) {
-        const auto [a, b] = primitives(pair);
-        const double bound = bounded(a, b, x, p, t, accd);
+    for_each_kind([&](const auto& pairs, const auto& clearances, const auto& primitives, const auto& accd) {
+      for (size_t i = 0; i < pairs.size(); ++i) {
+        const auto [a, b] = primitives(pairs[i]);
+        const double bound = bounded(a, b, clearances[i], x, p, t, accd);
         if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
       }
     });
@@ -100,13 +107,15 @@ class Ccd : public StepFilter {
     contact_->cover(x, t_max * p);
     const PhaseScope scope(*clock_, Phase::ccd);
     double t = t_max;
-    for_each_kind([&](const auto& pairs, const auto& primitives, const auto& accd) {
+    const double most = 2 * largest_motion(p) / ((1 - keep) * (1 - spare));  // of one vertex to another
+    for_each_kind([&](const auto& pairs, const auto& clearances, const auto& primitives, const auto& accd) {
       t = min_chunks(static_cast<int>(pairs.size()), t, [&, limit = t](int first, int last) {
         double least = limit;
         if (out_of_time()) return 0.0;
         for (int i = first; i < last; ++i) {
+          if (least * most < clearances[i]) continue;
           const auto [a, b] = primitives(pairs[i]);
-          least = bounded(a, b, x, p, least, accd);
+          least = bounded(a, b, clearances[i], x, p, least, accd);
         }
         return least;
       });
@@ -114,28 +123,28 @@ class Ccd : public StepFilter {
     return t;
   }
 
-  // Calls visit(pairs, primitives of a pair, ACCD of both) for the kinds of candidates.
+  // Calls visit(pairs, their clearances, primitives of a pair, ACCD of both) for the kinds of candidates.
   template <class Visit>
   void for_each_kind(const Visit& visit) const {
     const Candidates& c = contact_->candidates();
     const CollisionMesh& mesh = contact_->surface().mesh;
     const auto point = [](int v) { return std::array{v}; };
-    visit(c.edge_edge,
+    visit(c.edge_edge, c.clearances.edge_edge,
           [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
           [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
             return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit);
           });
-    visit(c.point_triangle,
+    visit(c.point_triangle, c.clearances.point_triangle,
           [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
           [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
             return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit);
           });
-    visit(c.point_edge,
+    visit(c.point_edge, c.clearances.point_edge,
           [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
           [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
             return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit);
           });
-    visit(c.point_point,
+    visit(c.point_point, c.clearances.point_point,
           [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
           [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
             return point_point_accd(a[0], b[0], da[0], db[0], keep, limit);

@@ -4,9 +4,11 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/step_filter.hpp"
+#include "geometry/ccd/accd.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
+#include "tests/support/three_boxes.hpp"
 
 using namespace tack;
 
@@ -126,6 +128,34 @@ TEST_CASE("ccd finds the same step in stages as in one search", "[filters]") {
       CHECK(largest_step("ccd", fall.world, fall.x, p) == expected);
     }
   }
+}
+
+TEST_CASE("ccd skips no pair that would have stopped the step", "[filters]") {
+  TestScene scene(three_boxes(3) + "contact: {distance: 2 mm}\n");
+  World& world = *scene.world;
+  const CollisionMesh& mesh = world.contact->surface().mesh;
+  RandomMotions random(31);
+  int cut = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const VecX x = world.rest + 1e-3 * random.vectors(world.rest.size());
+    const VecX p = std::pow(10.0, random.uniform(-3.5, -1)) * random.vectors(x.size());
+    const auto at = [&](int v) { return Vec3(vertex(x, v)); };
+    const auto by = [&](int v) { return Vec3(vertex(p, v)); };
+    double expected = 1;
+    for (const int v : mesh.vertices)
+      for (const auto& [a, b, c] : mesh.triangles)
+        if (v != a && v != b && v != c)
+          expected = point_triangle_accd(at(v), at(a), at(b), at(c), by(v), by(a), by(b), by(c), 0.1, expected);
+    for (const auto& [a, b] : mesh.edges)
+      for (const auto& [c, d] : mesh.edges)
+        if (a != c && a != d && b != c && b != d)
+          expected = edge_edge_accd(at(a), at(b), at(c), at(d), by(a), by(b), by(c), by(d), 0.1, expected);
+    const double t = largest_step("ccd", world, x, p);
+    CHECK(t == Approx(expected).epsilon(0.02));  // pairs that only just pass may be left to their bounds
+    cut += t < 1;
+  }
+  CHECK(cut > 10);
+  CHECK(cut < 30);
 }
 
 TEST_CASE("ccd does not search all of the way that a fast step would go", "[filters]") {

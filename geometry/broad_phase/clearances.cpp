@@ -1,0 +1,99 @@
+#include "geometry/broad_phase/clearances.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/distance/edge_edge.hpp"
+#include "geometry/distance/point_edge.hpp"
+#include "geometry/distance/point_triangle.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double accuracy = 1e-6;  // of a distance, far above its rounding error
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of coordinates
+
+double squared_distance(const std::array<Vec3, 1>& p, const std::array<Vec3, 3>& t) {
+  return point_triangle_distance(p[0], t[0], t[1], t[2]);
+}
+double squared_distance(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
+  return edge_edge_distance(a[0], a[1], b[0], b[1]);
+}
+double squared_distance(const std::array<Vec3, 1>& p, const std::array<Vec3, 2>& e) {
+  return point_edge_distance(p[0], e[0], e[1]);
+}
+double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b) {
+  return (a[0] - b[0]).squaredNorm();
+}
+
+template <size_t A, size_t B>
+double squared_box_distance(const std::array<Vec3, A>& a, const std::array<Vec3, B>& b) {
+  Aabb of_a, of_b;
+  for (const Vec3& p : a) of_a.include(p);
+  for (const Vec3& p : b) of_b.include(p);
+  return (of_b.lo - of_a.hi).cwiseMax(of_a.lo - of_b.hi).cwiseMax(0.0).squaredNorm();
+}
+
+// A vertex moves in the ball around the centre of its box.
+struct Ball {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0;
+};
+
+template <size_t N>
+std::array<Vec3, N> centres(const std::vector<Ball>& balls, const std::array<int, N>& v) {
+  std::array<Vec3, N> c;
+  for (size_t i = 0; i < N; ++i) c[i] = balls[v[i]].centre;
+  return c;
+}
+
+template <size_t N>
+double largest_radius(const std::vector<Ball>& balls, const std::array<int, N>& v) {
+  double radius = 0;
+  for (const int i : v) radius = std::max(radius, balls[i].radius);
+  return radius;
+}
+
+template <size_t A, size_t B>
+double clearance(const std::vector<Ball>& balls, const std::array<int, A>& a, const std::array<int, B>& b,
+                 double enough) {
+  const auto ca = centres(balls, a);
+  const auto cb = centres(balls, b);
+  const double motion = largest_radius(balls, a) + largest_radius(balls, b);
+  const auto left = [&](double squared) { return (1 - accuracy) * std::sqrt(squared) - motion; };
+  const double by_boxes = left(squared_box_distance(ca, cb));
+  return by_boxes > enough ? by_boxes : std::max(0.0, left(squared_distance(ca, cb)));
+}
+
+}  // namespace
+
+void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, double enough,
+                     Candidates& candidates) {
+  std::vector<Ball> balls(vertex_boxes.size());
+  for (const int v : mesh.vertices) {
+    const Aabb& box = vertex_boxes[v];
+    const double error = rounding * (box.lo.cwiseAbs().maxCoeff() + box.hi.cwiseAbs().maxCoeff());
+    balls[v] = {0.5 * (box.lo + box.hi), 0.5 * (box.hi - box.lo).norm() * (1 + accuracy) + error};
+  }
+  const auto find = [&](const auto& pairs, const auto& first, const auto& second, std::vector<double>& found) {
+    found.resize(pairs.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, pairs.size(), 512), [&](const auto& range) {
+      for (size_t i = range.begin(); i < range.end(); ++i)
+        found[i] = clearance(balls, first(pairs[i][0]), second(pairs[i][1]), enough);
+    });
+  };
+  const auto point = [](int v) { return std::array{v}; };
+  const auto edge = [&](int e) { return mesh.edges[e]; };
+  const auto triangle = [&](int t) { return mesh.triangles[t]; };
+  Clearances& clearances = candidates.clearances;
+  find(candidates.point_triangle, point, triangle, clearances.point_triangle);
+  find(candidates.edge_edge, edge, edge, clearances.edge_edge);
+  find(candidates.point_edge, point, edge, clearances.point_edge);
+  find(candidates.point_point, point, point, clearances.point_point);
+}
+
+}  // namespace tack

@@ -1,0 +1,78 @@
+#include "framework/contact/narrow_phase.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framework/contact/contact_system.hpp"
+#include "framework/contact/stencil_kinds.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/tet_body.hpp"
+#include "tests/support/three_boxes.hpp"
+
+using namespace tack;
+
+namespace {
+
+// Everything that a list of contacts holds, bit by bit.
+std::vector<double> written_out(const ContactSet& set) {
+  std::vector<double> all = set.mollifier_threshold;
+  for_each_kind(set, [&](auto kind, const auto& stencils, const double*) {
+    all.push_back(static_cast<double>(stencils.size()));
+    for (const auto& s : stencils) {
+      all.insert(all.end(), s.vertices.begin(), s.vertices.end());
+      all.insert(all.end(), {static_cast<double>(s.law), s.weight});
+      if constexpr (is_sample<decltype(kind)>) all.insert(all.end(), s.inside.begin(), s.inside.end());
+    }
+  });
+  return all;
+}
+
+// The boxes of three_boxes above a sheet.
+std::string crowd(const std::string& contact) {
+  return three_boxes(3) +
+         "  - {name: sheet, shape: {type: grid, size: [0.4, 0.4], cells: [6, 6]}, place: {translate: [0.05, -0.055, 0]}, "
+         "motion: [fixed]}\n"
+         "contact: {distance: 0.012, " + contact +
+         "pairs: [{between: [a, b], adhesion: {type: fang, young: 1e3, critical_strain: 0.5}}]}\n";
+}
+
+}  // namespace
+
+TEST_CASE("contacts are the same whether or not anything is known of the distances of candidates", "[contact]") {
+  for (const char* contact : {"weights: area, guard: 1, ", "weights: area, ", "weights: pair, "}) {
+    TestScene scene(crowd(contact));
+    const ContactSystem& system = *scene.world->contact;
+    RandomMotions random(23);
+    BroadPhase broad_phase(system.surface().mesh, system.filter());
+    const NearTriangles near = [&](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
+      broad_phase.triangles_near(t, inside, out);
+    };
+    NarrowPhase culled(system.surface(), system.pairs(), near), whole(system.surface(), system.pairs(), near);
+    const double range = system.range(), skin = range;
+    size_t contacts = 0, known = 0;
+    VecX x = scene.world->rest;
+    for (int step = 0; step < 8; ++step) {
+      const VecX p = (step % 2 ? 0.02 : 0.001) * random.vectors(x.size());
+      for (const double s : {0.0, 0.4, 1.0}) {
+        const VecX y = x + s * p;
+        const bool renewed = broad_phase.update(x, p, range, skin);
+        Candidates unknown = broad_phase.candidates();
+        Clearances& c = unknown.clearances;
+        for (auto* list : {&c.point_triangle, &c.edge_edge, &c.point_edge, &c.point_point})
+          for (double& clearance : *list) known += clearance >= range, clearance = 0;
+        const auto found = [&](NarrowPhase& narrow_phase, const Candidates& candidates) {
+          if (renewed) narrow_phase.set_candidates(candidates, x);
+          if (s == 0) narrow_phase.begin_step(candidates, x);
+          ContactSet set;
+          narrow_phase.find(candidates, y, set);
+          contacts += set.size();
+          return written_out(set);
+        };
+        REQUIRE(found(culled, broad_phase.candidates()) == found(whole, unknown));
+      }
+      x = scene.world->rest + 0.002 * random.vectors(x.size());
+    }
+    CHECK(contacts > 1000);
+    CHECK(known > 1000);
+  }
+}

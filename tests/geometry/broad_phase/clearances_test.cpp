@@ -1,0 +1,97 @@
+#include "geometry/broad_phase/broad_phase.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/distance/edge_edge.hpp"
+#include "geometry/distance/point_edge.hpp"
+#include "geometry/distance/point_triangle.hpp"
+#include "tests/geometry/broad_phase/scenes.hpp"
+
+using namespace tack;
+using namespace tack::scenes;
+
+namespace {
+
+constexpr double range = 0.0213, skin = 0.0107;
+
+struct Count {
+  int all = 0, apart = 0;  // pairs, and those that are known to stay out of range
+};
+
+// Every pair is at least as far apart as its clearance.
+Count check_clearances(const CollisionMesh& mesh, const Candidates& c, const VecX& x) {
+  Count count;
+  const auto at = [&](int v) { return Vec3(vertex(x, v)); };
+  const auto check = [&](const auto& pairs, const std::vector<double>& clearances, const auto& squared) {
+    REQUIRE(pairs.size() == clearances.size());
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      REQUIRE(clearances[i] >= 0);
+      REQUIRE(std::sqrt(squared(pairs[i][0], pairs[i][1])) >= clearances[i]);
+      ++count.all;
+      count.apart += clearances[i] >= range;
+    }
+  };
+  check(c.point_triangle, c.clearances.point_triangle, [&](int p, int t) {
+    const Triangle& f = mesh.triangles[t];
+    return point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2]));
+  });
+  check(c.edge_edge, c.clearances.edge_edge, [&](int i, int j) {
+    const Edge &a = mesh.edges[i], &b = mesh.edges[j];
+    return edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1]));
+  });
+  check(c.point_edge, c.clearances.point_edge, [&](int p, int e) {
+    return point_edge_distance(at(p), at(mesh.edges[e][0]), at(mesh.edges[e][1]));
+  });
+  check(c.point_point, c.clearances.point_point, [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
+  return count;
+}
+
+std::vector<Scene> all_scenes() {
+  return {triangle_soup(150), two_sheets(12, 0.01), folded_sheet(20, 0.02), mixed(12, 60)};
+}
+
+// Anywhere in the boxes of the way x + s p and half a skin about it, their corners above all.
+VecX inside_boxes(std::mt19937& random, const VecX& x, const VecX& p, double stray) {
+  const auto sign = [](double u) { return u > 0 ? 1.0 : -1.0; };
+  const VecX corner = random_motion(random, x.size(), 1.0).unaryExpr(sign);
+  return x + (0.5 * (corner.array() + 1)).matrix().cwiseProduct(p) + (stray * corner.cwiseProduct(p.unaryExpr(sign)));
+}
+
+}  // namespace
+
+TEST_CASE("clearances: no move inside the safe boxes brings a pair closer", "[broad_phase]") {
+  std::mt19937 random(13);
+  for (const Scene& scene : all_scenes())
+    for (const double motion : {1e-9, 0.02})
+      for (const double offset : {0.0, 1e5}) {
+        const VecX x = scene.x().array() + offset, p = random_motion(random, x.size(), motion);
+        BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+        broad_phase.update(x, p, range, skin);
+        for (int trial = 0; trial < 5; ++trial) {
+          const VecX y = inside_boxes(random, x, p, 0.4999 * skin);
+          REQUIRE(broad_phase.covers(y));
+          const Count count = check_clearances(scene.mesh, broad_phase.candidates(), y);
+          if (motion < skin) CHECK(count.apart > count.all / 10);
+        }
+      }
+}
+
+TEST_CASE("clearances: they grow where hardly anything moves, and hold when it does again", "[broad_phase]") {
+  std::mt19937 random(17);
+  for (const Scene& scene : all_scenes()) {
+    const VecX x = scene.x();
+    BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+    broad_phase.update(x, VecX(), range, skin);
+    const int loose = check_clearances(scene.mesh, broad_phase.candidates(), x).apart;
+    int tight = loose, renewed = 0;
+    for (int i = 0; i < 300; ++i) {
+      const VecX y = x + random_motion(random, x.size(), i % 100 < 60 ? 0.02 * skin : 0.49 * skin);
+      renewed += broad_phase.update(y, VecX(), range, skin);
+      tight = std::max(tight, check_clearances(scene.mesh, broad_phase.candidates(), y).apart);
+    }
+    CHECK(tight > loose);
+    CHECK(renewed >= 2);
+    CHECK(renewed < 10);
+    CHECK(broad_phase.builds() == 1);
+  }
+}
