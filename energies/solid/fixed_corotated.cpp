@@ -1,8 +1,6 @@
 // Fixed corotated elasticity: psi = mu sum (s_i - 1)^2 + lambda/2 (J - 1)^2.
 #include "energies/solid/isotropic_solid.hpp"
 
-#include <limits>
-
 #include <Eigen/LU>
 
 namespace tack {
@@ -10,23 +8,24 @@ namespace tack {
 struct FixedCorotated {
   Lame lame;
 
-  double energy(const Mat3& f) const {
-    const double j = f.determinant();
-    if (!(j > 0)) return std::numeric_limits<double>::infinity();
-    const Vec3 s = svd3(f).s;
-    return lame.mu * (s.array() - 1).square().sum() + lame.lambda / 2 * (j - 1) * (j - 1);
+  Pack energy(const PackMat3& f) const {
+    const Pack growth = f.determinant() - 1;
+    const PackVec3 s = svd3(f).s;
+    Pack squares = 0;
+    for (int i = 0; i < 3; ++i) squares += (s(i) - 1) * (s(i) - 1);
+    return select(growth > -1, lame.mu * squares + lame.lambda / 2 * growth * growth, infinity);
   }
 
-  PrincipalDerivatives derivatives(const Vec3& s) const {
-    const double j = s.prod();
-    const Vec3 cofactor(s(1) * s(2), s(0) * s(2), s(0) * s(1));
+  PrincipalDerivatives derivatives(const PackVec3& s) const {
+    const Pack pressure = lame.lambda * (s.prod() - 1);
+    const PackVec3 cofactor(s(1) * s(2), s(0) * s(2), s(0) * s(1));
     PrincipalDerivatives d;
-    d.gradient = 2 * lame.mu * (s.array() - 1).matrix() + lame.lambda * (j - 1) * cofactor;
-    d.hessian = lame.lambda * cofactor * cofactor.transpose();
     for (int i = 0; i < 3; ++i) {
-      d.hessian(i, i) += 2 * lame.mu;
-      for (int k = 0; k < 3; ++k)
-        if (k != i) d.hessian(i, k) += lame.lambda * (j - 1) * s(3 - i - k);
+      d.gradient(i) = 2 * lame.mu * (s(i) - 1) + pressure * cofactor(i);
+      for (int k = 0; k < 3; ++k) {
+        d.hessian(i, k) = lame.lambda * cofactor(i) * cofactor(k);
+        d.hessian(i, k) += k == i ? Pack(2 * lame.mu) : pressure * s(3 - i - k);
+      }
     }
     return d;
   }

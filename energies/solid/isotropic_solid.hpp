@@ -2,11 +2,16 @@
 // one file: its density, its derivatives, and a TACK_REGISTER of IsotropicSolid<Material>.
 #pragma once
 
+#include <limits>
+
 #include "energies/solid/solid_term.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"
 
 namespace tack {
+
+// The energy of an inverted tet.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Lame parameters [Pa].
 struct Lame {

@@ -1,7 +1,6 @@
 // Compressible neo-Hookean solid: psi = mu/2 (|F|^2 - 3) - mu ln J + lambda/2 (ln J)^2. It resists
 // inversion: psi grows without bound as J goes to 0.
 #include <cmath>
-#include <limits>
 
 #include <Eigen/LU>
 
@@ -14,25 +13,33 @@ struct NeoHookean {
 
   // In H = F - I, with J - 1 = tr H + minors + det H: near the rest shape the terms of first order
   // cancel on paper, not in floating point.
-  double energy(const Mat3& f) const {
-    const Mat3 h = f - Mat3::Identity();
-    const double minors = h(0, 0) * h(1, 1) - h(0, 1) * h(1, 0) + h(1, 1) * h(2, 2) -
-                          h(1, 2) * h(2, 1) + h(2, 2) * h(0, 0) - h(2, 0) * h(0, 2);
-    const double higher = minors + h.determinant(), growth = h.trace() + higher;
-    const double j = growth > -0.5 ? 1 + growth : f.determinant();
-    if (!(j > 0)) return std::numeric_limits<double>::infinity();
-    const double log_j = growth > -0.5 ? std::log1p(growth) : std::log(j);
-    return lame.mu * (h.squaredNorm() / 2 - higher + (growth - log_j)) + lame.lambda / 2 * log_j * log_j;
+  Pack energy(const PackMat3& f) const {
+    PackMat3 h = f;
+    for (int i = 0; i < 3; ++i) h(i, i) -= 1;
+    const Pack minors = h(0, 0) * h(1, 1) - h(0, 1) * h(1, 0) + h(1, 1) * h(2, 2) -
+                        h(1, 2) * h(2, 1) + h(2, 2) * h(0, 0) - h(2, 0) * h(0, 2);
+    const Pack higher = minors + h.determinant(), growth = h.trace() + higher;
+    Pack j = 1 + growth, log_j = log1p(growth);
+    if (const PackMask small = growth < -0.5; any(small)) {
+      j = select(small, f.determinant(), j);
+      log_j = select(small, log(j), log_j);
+    }
+    const Pack psi = lame.mu * (h.squaredNorm() / 2 - higher + (growth - log_j)) + lame.lambda / 2 * log_j * log_j;
+    return select(j > 0, psi, infinity);
   }
 
-  PrincipalDerivatives derivatives(const Vec3& s) const {
-    const double log_j = std::log(s.prod());
-    const double pressure = lame.lambda * log_j - lame.mu;
-    const Vec3 inverse = s.cwiseInverse();
+  PrincipalDerivatives derivatives(const PackVec3& s) const {
+    const Pack pressure = lame.lambda * log(s.prod()) - lame.mu;
     PrincipalDerivatives d;
-    d.gradient = lame.mu * s + pressure * inverse;
-    d.hessian = lame.lambda * inverse * inverse.transpose();
-    for (int i = 0; i < 3; ++i) d.hessian(i, i) += lame.mu - pressure * inverse(i) * inverse(i);
+    PackVec3 inverse;
+    for (int i = 0; i < 3; ++i) {
+      inverse(i) = 1 / s(i);
+      d.gradient(i) = lame.mu * s(i) + pressure * inverse(i);
+    }
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k) d.hessian(i, k) = lame.lambda * inverse(i) * inverse(k);
+      d.hessian(i, i) += lame.mu - pressure * inverse(i) * inverse(i);
+    }
     return d;
   }
 

@@ -25,9 +25,9 @@ inline constexpr int tet_residual_count = 10;
 
 // r: 10; jacobian: 10 x 12, row-major, or null. False if the tet is inverted.
 template <class Material>
-bool tet_residuals(const Material& material, const TetRest& rest, const Mat3& f, double* r, double* jacobian) {
+bool tet_residuals(const Material& material, const TetRest<double>& rest, const Mat3& f, double* r, double* jacobian) {
   if (!(f.determinant() > 0)) return false;
-  const Svd3 svd = svd3(f);
+  const Svd3<double> svd = svd3(f);
   const Vec3& s = svd.s;
   const double root_volume = std::sqrt(rest.volume), det = s.prod();
   Vec3 g, slope;

@@ -1,9 +1,10 @@
 // sum over tets of volume * psi(F), for an isotropic material given in principal stretches.
 // A material has
-//   double energy(const Mat3& f) const;                           psi [J/m^3]
-//   PrincipalDerivatives derivatives(const Vec3& stretches) const;
+//   Pack energy(const PackMat3& f) const;                             psi [J/m^3], infinite unless det F > 0
+//   PrincipalDerivatives derivatives(const PackVec3& stretches) const;
 //   RootSample stretch_root(double s) const, volume_root(double j) const;   see solid_residuals.hpp
-// The Hessian is filtered in the principal frame, in closed form but for one 3x3 matrix.
+// Tets are computed pack_width at a time, one per lane. The Hessian is filtered in the principal frame, in
+// closed form but for one 3x3 matrix.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 
 #include "energies/solid/principal.hpp"
 #include "energies/solid/solid_residuals.hpp"
-#include "energies/solid/svd3_batch.hpp"
 #include "energies/solid/tet_geometry.hpp"
 #include "framework/assembly/parallel.hpp"
 #include "framework/core/residual_view.hpp"
@@ -23,13 +23,17 @@ template <class Material>
 class SolidTerm : public Term, public ResidualView {
  public:
   SolidTerm(std::string name, const Material& material, const Body& body, const VecX& rest)
-      : Term(std::move(name)), material_(material), tets_(body.tets), rest_(tet_rest_data(body, rest)) {}
+      : Term(std::move(name)), material_(material), tets_(body.tets), rest_(packed(tet_rest_data(body, rest))) {}
 
   double value(const VecX& x) const override {
     return sum_chunks(count(), [&](int first, int last) {
       double sum = 0;
-      for (int t = first; t < last; ++t)
-        sum += rest_[t].volume * material_.energy(deformation_gradient(rest_[t], tets_[t], x));
+      for (int t = first; t < last; t += pack_width) {
+        const int n = std::min(pack_width, last - t);
+        const TetRest<Pack>& rest = rest_[t / pack_width];
+        const Pack energy = rest.volume * material_.energy(deformation_gradient(rest, &tets_[t], n, x));
+        for (int l = 0; l < n; ++l) sum += energy[l];
+      }
       return sum;
     });
   }
@@ -41,8 +45,9 @@ class SolidTerm : public Term, public ResidualView {
   void derivatives(const VecX& x, SpdFilter filter, double* gradient,
                    double* hessian) const override {
     for_each_chunk(count(), [&](int, int first, int last) {
-      for (int t = first; t < last; t += lanes)
-        elements(t, std::min(t + lanes, last), x, filter, gradient, hessian);
+      for (int t = first; t < last; t += pack_width)
+        elements(t, std::min(pack_width, last - t), x, filter, gradient + 12 * static_cast<size_t>(t),
+                 hessian ? hessian + 90 * static_cast<size_t>(t) : nullptr);
     });
   }
 
@@ -57,7 +62,10 @@ class SolidTerm : public Term, public ResidualView {
     std::atomic<bool> finite = true;
     for_each(count(), [&](int t) {
       const size_t at = static_cast<size_t>(t) * tet_residual_count;
-      if (!tet_residuals(material_, rest_[t], deformation_gradient(rest_[t], tets_[t], x), r + at,
+      const TetRest<Pack>& pack = rest_[t / pack_width];
+      const int lane = t % pack_width;
+      const TetRest<double> rest{get_lane<3, 3>(pack.shape, lane), pack.volume[lane]};
+      if (!tet_residuals(material_, rest, deformation_gradient(rest, tets_[t], x), r + at,
                          jacobian ? jacobian + 12 * at : nullptr))
         finite = false;
     });
@@ -65,68 +73,75 @@ class SolidTerm : public Term, public ResidualView {
   }
 
  private:
-  static constexpr int lanes = 8;  // tets whose decompositions are computed side by side
+  static_assert(chunk_size % pack_width == 0);
+
+  // The last lanes repeat the last tet.
+  static std::vector<TetRest<Pack>> packed(const std::vector<TetRest<double>>& rest) {
+    const size_t packs = (rest.size() + pack_width - 1) / pack_width;
+    std::vector<TetRest<Pack>> out(packs);
+    for (size_t t = 0; t < packs * pack_width; ++t) {
+      const TetRest<double>& tet = rest[std::min(t, rest.size() - 1)];
+      TetRest<Pack>& pack = out[t / pack_width];
+      set_lane<3, 3>(pack.shape, t % pack_width, tet.shape);
+      pack.volume.set(t % pack_width, tet.volume);
+    }
+    return out;
+  }
 
   int count() const { return static_cast<int>(tets_.size()); }
 
-  void elements(int first, int last, const VecX& x, SpdFilter filter, double* gradient,
-                double* hessian) const {
-    Svd3Batch<lanes> svd;
-    for (int l = 0; l < lanes; ++l) {
-      const int t = std::min(first + l, last - 1);
-      svd.set(l, deformation_gradient(rest_[t], tets_[t], x));
-    }
-    svd.decompose();
-    for (int t = first; t < last; ++t) {
-      const size_t at = static_cast<size_t>(t);
-      element(rest_[t], svd.get(t - first), filter, gradient + 12 * at,
-              hessian ? hessian + 90 * at : nullptr);
-    }
-  }
-
-  void element(const TetRest& rest, const Svd3& svd, SpdFilter filter, double* gradient,
-               double* hessian) const {
+  // Slots of the tets first .. first + n.
+  void elements(int first, int n, const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+    const TetRest<Pack>& rest = rest_[first / pack_width];
+    const Svd3<Pack> svd = svd3(deformation_gradient(rest, &tets_[first], n, x));
     const PrincipalDerivatives d = material_.derivatives(svd.s);
-    const Mat3 shape = rest.shape * svd.v;  // row a-1: V^T grad N_a
-    Eigen::Map<Eigen::Matrix<double, 3, 4>> g(gradient);
+    const PackMat3 shape = rest.shape * svd.v;  // row a-1: V^T grad N_a
+    PackMatrix<3, 4> g;
     for (int a = 0; a < 3; ++a)
       g.col(a + 1) = rest.volume * (svd.u * d.gradient.cwiseProduct(shape.row(a).transpose()));
     g.col(0) = -(g.col(1) + g.col(2) + g.col(3));
-    if (hessian) blocks(svd.u, shape, principal_hessian(svd.s, d, filter), rest.volume, hessian);
+    store_lanes(g.data(), 12, gradient, n);
+    if (!hessian) return;
+    alignas(64) Pack slots[90];
+    blocks(svd.u, shape, principal_hessian(svd.s, d, filter), rest.volume, slots);
+    store_lanes(slots, 90, hessian, n);
   }
 
   // K_ab = volume U K^_ab U^T for a, b = 1..3; the rows and columns of vertex 0 make sums vanish.
-  static void blocks(const Mat3& u, const Mat3& shape, const PrincipalHessian& h, double volume,
-                     double* out) {
-    const auto slot = [&](int k) { return Eigen::Map<Mat3>(out + 9 * k); };
+  static void blocks(const PackMat3& u, const PackMat3& shape, const PrincipalHessian& h, const Pack& volume,
+                     Pack* out) {
+    const auto slot = [&](int k) { return Eigen::Map<PackMat3>(out + 9 * k); };
     constexpr int lower[3][3] = {{2, -1, -1}, {4, 5, -1}, {7, 8, 9}};
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b <= a; ++b)
-        slot(lower[a][b]).noalias() = u * local_block(shape.row(a), shape.row(b), h, volume) * u.transpose();
+    for (int a = 0; a < 3; ++a) {
+      const PackVec3 p = volume * shape.row(a).transpose();
+      for (int b = 0; b <= a; ++b) {
+        const PackMat3 half = u * local_block(p, shape.row(b).transpose(), h);
+        slot(lower[a][b]).noalias() = half * u.transpose();
+      }
+    }
     slot(1) = -(slot(2) + slot(4).transpose() + slot(7).transpose());
     slot(3) = -(slot(4) + slot(5) + slot(8).transpose());
     slot(6) = -(slot(7) + slot(8) + slot(9));
     slot(0) = -(slot(1) + slot(3) + slot(6));
   }
 
-  static Mat3 local_block(const Eigen::RowVector3d& p, const Eigen::RowVector3d& q,
-                          const PrincipalHessian& h, double volume) {
-    Mat3 k;
+  static PackMat3 local_block(const PackVec3& p, const PackVec3& q, const PrincipalHessian& h) {
+    PackMat3 k;
     for (int i = 0; i < 3; ++i) {
+      Pack sum = h.diagonal(i, i) * p(i) * q(i);
       for (int j = 0; j < 3; ++j) {
         if (i == j) continue;
-        k(i, j) = volume * (h.diagonal(i, j) * p(i) * q(j) + h.cross(i, j) * p(j) * q(i));
+        k(i, j) = h.diagonal(i, j) * p(i) * q(j) + h.cross(i, j) * p(j) * q(i);
+        sum += h.same(i, j) * p(j) * q(j);
       }
-      double sum = h.diagonal(i, i) * p(i) * q(i);
-      for (int j = 0; j < 3; ++j) sum += h.same(i, j) * p(j) * q(j);
-      k(i, i) = volume * sum;
+      k(i, i) = sum;
     }
     return k;
   }
 
   Material material_;
   std::vector<Tet> tets_;
-  std::vector<TetRest> rest_;
+  std::vector<TetRest<Pack>> rest_;  // of pack_width tets each
 };
 
 }  // namespace tack

@@ -2,8 +2,6 @@
 // psi = mu |e|^2 + lambda/2 (tr e)^2.
 #include "energies/solid/isotropic_solid.hpp"
 
-#include <limits>
-
 #include <Eigen/LU>
 
 namespace tack {
@@ -11,19 +9,25 @@ namespace tack {
 struct StvkHencky {
   Lame lame;
 
-  double energy(const Mat3& f) const {
-    if (!(f.determinant() > 0)) return std::numeric_limits<double>::infinity();
-    const Vec3 e = svd3(f).s.array().log();
-    return lame.mu * e.squaredNorm() + lame.lambda / 2 * e.sum() * e.sum();
+  Pack energy(const PackMat3& f) const {
+    const PackVec3 s = svd3(f).s;
+    const PackVec3 e(log(s(0)), log(s(1)), log(s(2)));
+    const Pack trace = e.sum();
+    return select(f.determinant() > 0, lame.mu * e.squaredNorm() + lame.lambda / 2 * trace * trace, infinity);
   }
 
-  PrincipalDerivatives derivatives(const Vec3& s) const {
-    const Vec3 e = s.array().log(), inverse = s.cwiseInverse();
-    const Vec3 tau = (2 * lame.mu * e).array() + lame.lambda * e.sum();  // Kirchhoff stress
+  PrincipalDerivatives derivatives(const PackVec3& s) const {
+    const PackVec3 e(log(s(0)), log(s(1)), log(s(2)));
+    const Pack pressure = lame.lambda * e.sum();
     PrincipalDerivatives d;
-    d.gradient = tau.cwiseProduct(inverse);
-    d.hessian = lame.lambda * inverse * inverse.transpose();
-    for (int i = 0; i < 3; ++i) d.hessian(i, i) += (2 * lame.mu - tau(i)) * inverse(i) * inverse(i);
+    PackVec3 inverse;
+    for (int i = 0; i < 3; ++i) inverse(i) = 1 / s(i);
+    for (int i = 0; i < 3; ++i) {
+      const Pack tau = 2 * lame.mu * e(i) + pressure;  // Kirchhoff stress
+      d.gradient(i) = tau * inverse(i);
+      for (int k = 0; k < 3; ++k) d.hessian(i, k) = lame.lambda * inverse(i) * inverse(k);
+      d.hessian(i, i) += (2 * lame.mu - tau) * inverse(i) * inverse(i);
+    }
     return d;
   }
 

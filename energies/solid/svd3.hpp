@@ -1,52 +1,64 @@
 // Singular value decomposition F = U diag(s) V^T of a 3x3 matrix with det F > 0 by one-sided Jacobi
 // rotations: columns of F V are made orthogonal. High relative accuracy also for small singular
-// values; U and V are rotations.
+// values; U and V are rotations. T: double, or Pack for several matrices at once, each of whose
+// results does not depend on the others.
 #pragma once
 
 #include <cmath>
 
-#include "geometry/types.hpp"
+#include "geometry/pack.hpp"
 
 namespace tack {
 
+template <class T>
 struct Svd3 {
-  Mat3 u, v;
-  Vec3 s;
+  Eigen::Matrix<T, 3, 3> u, v;
+  Eigen::Matrix<T, 3, 1> s;
 };
 
 namespace detail {
 
-// Rotates columns p and q of a (and v) to orthogonality. Returns false if they were orthogonal.
-inline bool jacobi_rotate(Mat3& a, Mat3& v, int p, int q) {
-  const double app = a.col(p).squaredNorm(), aqq = a.col(q).squaredNorm();
-  const double apq = a.col(p).dot(a.col(q));
-  if (apq * apq <= 1e-31 * app * aqq) return false;
-  const double tau = (aqq - app) / (2 * apq);
-  const double t = (tau >= 0 ? 1 : -1) / (std::abs(tau) + std::sqrt(1 + tau * tau));
-  const double c = 1 / std::sqrt(1 + t * t), s = t * c;
-  for (Mat3* m : {&a, &v}) {
-    const Vec3 old = m->col(p);
-    m->col(p) = c * old - s * m->col(q);
-    m->col(q) = s * old + c * m->col(q);
+// Rotates columns p and q of a (and v) to orthogonality. Returns false if all were orthogonal.
+template <int p, int q, class T>
+bool jacobi_rotate(Eigen::Matrix<T, 3, 3>& a, Eigen::Matrix<T, 3, 3>& v) {
+  using std::abs, std::sqrt;
+  const T pp = a.col(p).squaredNorm(), qq = a.col(q).squaredNorm(), pq = a.col(p).dot(a.col(q));
+  const auto turn = pq * pq > T(1e-31) * pp * qq;
+  if (!any(turn)) return false;
+  // tan of the angle: the smaller root of t^2 + (qq - pp) / pq t - 1 = 0
+  const T difference = qq - pp, twice = T(2) * pq;
+  const T adjacent = abs(difference) + sqrt(difference * difference + twice * twice);
+  const T opposite = select(difference < T(0), -twice, twice);
+  const T inverse = T(1) / sqrt(adjacent * adjacent + opposite * opposite);
+  const T c = select(turn, adjacent * inverse, T(1)), s = select(turn, opposite * inverse, T(0));
+  for (auto* m : {&a, &v}) {
+    for (int r = 0; r < 3; ++r) {
+      const T old = (*m)(r, p);
+      (*m)(r, p) = c * old - s * (*m)(r, q);
+      (*m)(r, q) = s * old + c * (*m)(r, q);
+    }
   }
   return true;
 }
 
 }  // namespace detail
 
-inline Svd3 svd3(const Mat3& f) {
-  Svd3 r;
+template <class T>
+Svd3<T> svd3(const Eigen::Matrix<T, 3, 3>& f) {
+  using std::sqrt;
+  Svd3<T> r;
   r.u = f;
-  r.v.setIdentity();
+  for (int i = 0; i < 9; ++i) r.v(i) = T(i % 4 == 0);
   for (int sweep = 0; sweep < 12; ++sweep) {
-    bool rotated = detail::jacobi_rotate(r.u, r.v, 0, 1);
-    rotated |= detail::jacobi_rotate(r.u, r.v, 0, 2);
-    rotated |= detail::jacobi_rotate(r.u, r.v, 1, 2);
+    bool rotated = detail::jacobi_rotate<0, 1>(r.u, r.v);
+    rotated |= detail::jacobi_rotate<0, 2>(r.u, r.v);
+    rotated |= detail::jacobi_rotate<1, 2>(r.u, r.v);
     if (!rotated) break;
   }
   for (int i = 0; i < 3; ++i) {
-    r.s(i) = r.u.col(i).norm();
-    r.u.col(i) /= r.s(i);
+    r.s(i) = sqrt(T(r.u.col(i).squaredNorm()));
+    const T inverse = T(1) / r.s(i);
+    for (int k = 0; k < 3; ++k) r.u(k, i) *= inverse;
   }
   return r;
 }

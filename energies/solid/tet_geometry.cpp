@@ -8,16 +8,15 @@
 
 namespace tack {
 
-std::vector<TetRest> tet_rest_data(const Body& body, const VecX& rest) {
+std::vector<TetRest<double>> tet_rest_data(const Body& body, const VecX& rest) {
   if (body.tets.empty())
     throw InputError(fmt::format("object '{}': a solid energy needs tetrahedra, and its shape has "
                                  "none; use a tet mesh or shape", body.name));
-  std::vector<TetRest> data;
+  std::vector<TetRest<double>> data;
   data.reserve(body.tets.size());
   for (size_t t = 0; t < body.tets.size(); ++t) {
     const Tet& tet = body.tets[t];
-    Mat3 edges;
-    for (int a = 0; a < 3; ++a) edges.col(a) = vertex(rest, tet[a + 1]) - vertex(rest, tet[0]);
+    const Mat3 edges = edges_of(tet, rest);
     const double volume = edges.determinant() / 6;
     if (!(volume > 0))
       throw InputError(fmt::format("object '{}': tet {} has volume {} m^3 at rest; repair the mesh "

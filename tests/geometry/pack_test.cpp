@@ -1,0 +1,49 @@
+#include "geometry/pack.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <vector>
+
+using namespace tack;
+
+namespace {
+Pack ramp(double start) {
+  Pack p;
+  for (int l = 0; l < pack_width; ++l) p.set(l, start + l);
+  return p;
+}
+}  // namespace
+
+TEST_CASE("packs compute every lane by itself", "[geometry]") {
+  const Pack a = ramp(-1.5), b = ramp(2);
+  for (int l = 0; l < pack_width; ++l) {
+    const double x = l - 1.5, y = l + 2;
+    CHECK((a * b + 3 - a / b)[l] == Approx(x * y + 3 - x / y));
+    CHECK(abs(a)[l] == std::abs(x));
+    CHECK(sqrt(b)[l] == std::sqrt(y));
+    CHECK(log(b)[l] == std::log(y));
+    CHECK(log1p(b)[l] == std::log1p(y));
+    CHECK(select(a > 0, a, b)[l] == (x > 0 ? x : y));
+    CHECK(select(a < 0, a, b)[l] == (x < 0 ? x : y));
+  }
+  CHECK(any(a < -1));
+  CHECK(!any(a < -1.5));
+  Pack nan = a;
+  nan.set(1, std::numeric_limits<double>::quiet_NaN());
+  CHECK(select(nan < 0, Pack(1), Pack(2))[1] == 2);
+}
+
+TEST_CASE("packs are stored one lane after the other, whatever their number", "[geometry]") {
+  for (const int count : {1, 3, 6, 8, 9, 12, 27, 90}) {
+    std::vector<Pack> packs;
+    for (int i = 0; i < count; ++i) packs.push_back(ramp(100 * i));
+    for (int lanes = 1; lanes <= pack_width; ++lanes) {
+      std::vector<double> out(count * lanes + 1, -1);
+      store_lanes(packs.data(), count, out.data(), lanes);
+      bool same = out.back() == -1;
+      for (int l = 0; l < lanes; ++l)
+        for (int i = 0; i < count; ++i) same = same && out[count * l + i] == 100 * i + l;
+      CHECK(same);
+    }
+  }
+}
