@@ -92,7 +92,6 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter
 
 template void project_psd<2>(Eigen::Matrix<double, 2, 2>&, SpdFilter);
 template void project_psd<3>(Mat3&, SpdFilter);
-template void project_psd<5>(Eigen::Matrix<double, 5, 5>&, SpdFilter);
 template void project_psd<6>(Eigen::Matrix<double, 6, 6>&, SpdFilter);
 template void project_psd<9>(Mat9&, SpdFilter);
 template void project_stencil_psd<2>(Eigen::Matrix<double, 6, 6>&, SpdFilter);

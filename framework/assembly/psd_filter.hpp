@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// N = 2, 3, 5, 6, 9: plain eigenvalue projection.
+// N = 2, 3, 6, 9: plain eigenvalue projection.
 template <int N>
 void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter);
 

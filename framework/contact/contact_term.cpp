@@ -56,16 +56,25 @@ double kind_value(const VecX& x, const std::vector<PairLaw>& laws,
   });
 }
 
-// Body gets (stencil index, gap, sample) for every stencil of a kind, in parallel.
+// Body gets (first, last, samples) for every chunk of stencils of a kind, in parallel.
 template <class Kind, class Body>
-void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
-                     const StencilsOf<Kind>& stencils, const Body& body) {
+void for_each_sampled_chunk(const VecX& x, const std::vector<PairLaw>& laws, const StencilsOf<Kind>& stencils,
+                            const Body& body) {
   for_each_chunk(static_cast<int>(stencils.size()), [&](int, int first, int last) {
     ChunkSamples<Kind> chunk;
     chunk.gaps(x, stencils, first, last);
     chunk.runs(stencils, first, last, [&](int law, int at, int n) {
       laws[law].samples(n, chunk.gap.data() + at, chunk.sample.data() + at);
     });
+    body(first, last, chunk);
+  });
+}
+
+// Body gets (stencil index, gap, sample) for every stencil of a kind, in parallel.
+template <class Kind, class Body>
+void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
+                     const StencilsOf<Kind>& stencils, const Body& body) {
+  for_each_sampled_chunk<Kind>(x, laws, stencils, [&](int first, int last, const ChunkSamples<Kind>& chunk) {
     for (int i = first; i < last; ++i) body(i, chunk.gap[i - first], chunk.sample[i - first]);
   });
 }
@@ -83,8 +92,8 @@ std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
 
 }  // namespace
 
-ContactTerm::ContactTerm(const ContactSystem& system, PhaseClock& clock)
-    : Term("contact"), system_(system), clock_(clock),
+ContactTerm::ContactTerm(const ContactSystem& system)
+    : Term("contact"), system_(system),
       barrier_laws_(parts_of(system.pairs().laws(), false)),
       adhesion_laws_(parts_of(system.pairs().laws(), true)), residuals_(system) {}
 
@@ -120,24 +129,27 @@ void ContactTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
     using K = decltype(kind);
     using Energy = StencilEnergy<K>;
     constexpr int n = Energy::n, slots = 9 * hessian_blocks(K::arity);
-    for_each_sample<K>(x, laws(LawPart::all), stencils, [&](int i, double gap, const LawSample& l) {
-      const double eps_x = thresholds ? thresholds[i] : 0;
-      Eigen::Map<typename Energy::Vector> g(gradient + n * static_cast<size_t>(i));
-      if (!hessian) {
-        g = Energy::gradient(x, stencils[i], l, gap, eps_x);
-        return;
-      }
-      typename Energy::Vector full_g;
-      typename Energy::Matrix full_h;
-      Energy::derivatives(x, stencils[i], l, gap, eps_x, full_g, full_h);
-      g = full_g;
-      store_blocks<K::arity>(full_h, hessian + slots * static_cast<size_t>(i));
-    });
-    const int count = static_cast<int>(stencils.size());
     if (hessian && filter != SpdFilter::none) {
-      const PhaseScope scope(clock_, Phase::filter);
-      filter_slots<K>(x, stencils, thresholds, filter, hessian);
+      for_each_sampled_chunk<K>(x, laws(LawPart::all), stencils, [&](int first, int last, const ChunkSamples<K>& chunk) {
+        filtered_derivatives<K>(x, stencils, first, last, thresholds, chunk.gap.data(), chunk.sample.data(), filter,
+                                gradient, hessian);
+      });
+    } else {
+      for_each_sample<K>(x, laws(LawPart::all), stencils, [&](int i, double gap, const LawSample& l) {
+        const double eps_x = thresholds ? thresholds[i] : 0;
+        Eigen::Map<typename Energy::Vector> g(gradient + n * static_cast<size_t>(i));
+        if (!hessian) {
+          g = Energy::gradient(x, stencils[i], l, gap, eps_x);
+          return;
+        }
+        typename Energy::Vector full_g;
+        typename Energy::Matrix full_h;
+        Energy::derivatives(x, stencils[i], l, gap, eps_x, full_g, full_h);
+        g = full_g;
+        store_blocks<K::arity>(full_h, hessian + slots * static_cast<size_t>(i));
+      });
     }
+    const int count = static_cast<int>(stencils.size());
     gradient += n * static_cast<size_t>(count);
     if (hessian) hessian += slots * static_cast<size_t>(count);
   });

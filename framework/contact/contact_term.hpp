@@ -22,7 +22,7 @@ struct ObjectPair {
 
 class ContactTerm : public Term {
  public:
-  ContactTerm(const ContactSystem& system, PhaseClock& clock);
+  explicit ContactTerm(const ContactSystem& system);
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
@@ -41,7 +41,6 @@ class ContactTerm : public Term {
 
  private:
   const ContactSystem& system_;
-  PhaseClock& clock_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;
   ContactResiduals residuals_;
   mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;

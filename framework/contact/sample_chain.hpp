@@ -1,5 +1,5 @@
 // The chain rule for a point p = sum_i b_i a_i inside a triangle (a_0, a_1, a_2): derivatives by (p, rest) become
-// derivatives by (a_0, a_1, a_2, rest), and back.
+// derivatives by (a_0, a_1, a_2, rest).
 #pragma once
 
 #include "geometry/distance/stencil_derivatives.hpp"
@@ -36,20 +36,6 @@ StencilGradient<N + 6> chain_to_triangle(const StencilGradient<N>& s, const Vec3
 template <int N>
 StencilDerivatives<N + 6> chain_to_triangle(const StencilDerivatives<N>& s, const Vec3& b) {
   return {s.value, chain_to_triangle<N>(s.gradient, b), chain_to_triangle<N>(s.hessian, b)};
-}
-
-// The matrix that chain_to_triangle made such a one of.
-template <int M>
-Eigen::Matrix<double, M - 6, M - 6> chain_to_point(const Eigen::Matrix<double, M, M>& h, const Vec3& b) {
-  constexpr int rest = M - 9;
-  Eigen::Index i = 0;
-  const double most = b.maxCoeff(&i);
-  Eigen::Matrix<double, M - 6, M - 6> out;
-  out.template topLeftCorner<3, 3>() = h.template block<3, 3>(3 * i, 3 * i) / (most * most);
-  out.template topRightCorner<3, rest>() = h.template block<3, rest>(3 * i, 9) / most;
-  out.template bottomLeftCorner<rest, 3>() = h.template block<rest, 3>(9, 3 * i) / most;
-  out.template bottomRightCorner<rest, rest>() = h.template bottomRightCorner<rest, rest>();
-  return out;
 }
 
 }  // namespace tack

@@ -1,107 +1,168 @@
-// Makes the Hessians of contact stencils positive semi-definite. The Hessian of a point-plane or
-// line-line distance lives in five dimensions: with the normal n, tangents t1 and t2 and the weights c
-// of the closest points (sum c_i x_i = d n), it is spanned by R^4 (x) n without translations (three)
-// and c (x) t1, c (x) t2. There the eigenvalue problem is 5x5 instead of 12x12, with the same result.
+// Derivatives of contact stencils with positive semi-definite Hessians, for several stencils side by side.
+//     H = phi'' grad d grad d^T + phi' d2d
+// lives in five dimensions (distance_frame.hpp): R^K (x) n without translations and what neither w nor the duals
+// reach (three), w (x) t1 and w (x) t2. There the eigenvalue problem is 5x5 instead of 3K x 3K, with the same
+// result.
 #pragma once
 
-#include <Eigen/Geometry>
-
-#include "framework/assembly/parallel.hpp"
+#include "framework/assembly/pack_filter.hpp"
 #include "framework/assembly/psd_filter.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
+#include "framework/contact/distance_frame.hpp"
 #include "framework/contact/stencil_energy.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
-using DistanceBasis = Eigen::Matrix<double, 12, 5>;
+template <int K>
+class StencilPack {
+ public:
+  static constexpr int blocks = K * (K + 1) / 2;
 
-// c: weights of the four vertices; n: unit normal. Columns are orthonormal.
-inline DistanceBasis distance_basis(const Eigen::Vector4d& c, const Vec3& n) {
-  const Eigen::Vector4d unit = c.normalized();
-  // Complete (1,1,1,1)/2 and unit (they are orthogonal: sum c = 0) to a basis of R^4.
-  int smallest = 0;
-  unit.cwiseAbs().minCoeff(&smallest);
-  Eigen::Vector4d a = Eigen::Vector4d::Unit(smallest);
-  a.array() -= 0.25;
-  a = (a - a.dot(unit) * unit).normalized();
-  Eigen::Vector4d b;
-  const auto minor = [&](int i, int j, int k) {
-    Mat3 m;
-    m << 1, 1, 1, unit(i), unit(j), unit(k), a(i), a(j), a(k);
-    return m.determinant();
-  };
-  b << minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2);
-  b.normalize();
-  const Vec3 t1 = n.unitOrthogonal(), t2 = n.cross(t1);
-  DistanceBasis basis;
-  basis << stacked<4>(unit, n), stacked<4>(a, n), stacked<4>(b, n), stacked<4>(unit, t1),
-      stacked<4>(unit, t2);
-  return basis;
-}
+  // gap: the length of the frame's residual; weight: times the law.
+  void set(int lane, const DistanceFrame<K>& frame, const LawSample& law, double gap, double weight) {
+    set_lane<K, 1>(w_, lane, frame.weights);
+    set_lane<3, 1>(n_, lane, frame.residual / gap);
+    set_lane<3, 1>(along_, lane, frame.along);
+    set_lane<3, K>(duals_, lane, frame.duals);
+    set_lane<2, 1>(free_, lane, frame.free);
+    gap_.set(lane, gap);
+    slope_.set(lane, weight * law.slope);
+    curvature_.set(lane, weight * law.curvature);
+  }
 
-inline void project_in_basis(const DistanceBasis& basis, Mat12& hessian, SpdFilter filter) {
-  using Mat5 = Eigen::Matrix<double, 5, 5>;
-  const Mat5 before = basis.transpose() * hessian * basis;
-  Mat5 after = before;
-  project_psd<5>(after, filter);
-  if (after == before) return;
-  hessian.noalias() += basis * (after - before) * basis.transpose();
-}
+  // Slots of each stencil: see Term.
+  void derivatives(SpdFilter filter, Pack* gradient, Pack* hessian) const {
+    for (int i = 0; i < K; ++i)
+      for (int d = 0; d < 3; ++d) gradient[3 * i + d] = slope_ * w_(i) * n_(d);
 
-// The weights and normal of a stencil from the gradient of its squared distance, 2 c (x) r.
-inline void filter_plane_like(const StencilGradient<12>& s, Mat12& hessian, SpdFilter filter) {
-  Eigen::Index strongest = 0;
-  Eigen::Map<const Eigen::Matrix<double, 3, 4>> columns(s.gradient.data());
-  columns.colwise().squaredNorm().maxCoeff(&strongest);
-  const Vec3 n = columns.col(strongest).normalized();
-  project_in_basis(distance_basis(columns.transpose() * n, n), hessian, filter);
-}
-
-// c: the stencil's points (corners(x, stencil)); eps_x of an edge-edge stencil, else unused.
-template <class Kind>
-void filter_stencil(const std::array<Vec3, Kind::arity>& c, double eps_x,
-                    typename StencilEnergy<Kind>::Matrix& hessian, SpdFilter filter) {
-  if constexpr (std::is_same_v<Kind, PointTriangleKind>) {
-    filter_plane_like(distance_between<GradientKernels>(Kind{}, c), hessian, filter);
-  } else if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) {
-    const bool inside = edge_edge_type(c[0], c[1], c[2], c[3]) == EdgeEdgeType::EA_EB;
-    const bool mollified = edge_edge_cross_squared(c[0], c[1], c[2], c[3]) < eps_x;
-    if (inside && !mollified) {
-      filter_plane_like(GradientKernels::line_line(c[0], c[1], c[2], c[3]), hessian, filter);
-    } else {
-      project_stencil_psd<4>(hessian, filter);
+    // Orthonormal e_0 = w / |w|, e_1, e_2 and the tilts t_k . sum_i q_i (u_i . n) = sum_m tilt(k, m) e_m . u_n.
+    const PackMatrix<3, 2> tangents = tangent_vectors();
+    const PackMatrix<K, 2> duals = duals_.transpose() * tangents;
+    PackMatrix<K, 3> e;
+    PackMatrix<2, 3> tilt;
+    const Pack length = sqrt(Pack(w_.squaredNorm()));
+    e.col(0) = w_ * Pack(1 / length);
+    for (int k = 0; k < 2; ++k) {
+      PackMatrix<K> rest = duals.col(k);
+      const Pack size = rest.squaredNorm();
+      tilt(k, 2) = 0;
+      for (int m = 0; m <= k; ++m) {
+        tilt(k, m) = e.col(m).dot(duals.col(k));
+        rest -= e.col(m) * tilt(k, m);
+      }
+      const Pack left = rest.squaredNorm();
+      const PackMask some = left > 1e-28 * size;
+      tilt(k, k + 1) = select(some, sqrt(left), 0);
+      e.col(k + 1) = rest * select(some, 1 / sqrt(left), 0);
     }
-  } else {
-    project_stencil_psd<Kind::arity>(hessian, filter);
+
+    // In (e_0, e_1, e_2) (x) n, e_0 (x) t1, e_0 (x) t2.
+    PackMatrix<5, 5> form;
+    for (int m = 0; m < 3; ++m) {
+      for (int l = 0; l < 3; ++l)
+        form(m, l) = -slope_ * gap_ * (tilt(0, m) * tilt(0, l) + tilt(1, m) * tilt(1, l));
+      for (int k = 0; k < 2; ++k) form(m, 3 + k) = form(3 + k, m) = -slope_ * length * tilt(k, m);
+    }
+    form(0, 0) += curvature_ * length * length;
+    const Pack turn = slope_ / gap_ * length * length;
+    form(3, 3) = turn * free_(0);
+    form(4, 4) = turn * free_(1);
+    form(3, 4) = form(4, 3) = 0;
+    project_psd<5>(form, filter);
+
+    const PackMat3 within = tangents * PackMatrix<2, 2>(form.template bottomRightCorner<2, 2>()) * tangents.transpose();
+    const PackMatrix<K, 3> half = e * PackMat3(form.template topLeftCorner<3, 3>());
+    const PackMatrix<K, 2> coupling = e * PackMatrix<3, 2>(form.template topRightCorner<3, 2>());
+    const PackMatrix<3, K> mixed = tangents * coupling.transpose();
+    for (int i = 0; i < K; ++i) {
+      for (int j = 0; j <= i; ++j, hessian += 9) {
+        const Pack normal = half(i, 0) * e(j, 0) + half(i, 1) * e(j, 1) + half(i, 2) * e(j, 2);
+        const PackVec3 row = n_ * normal + mixed.col(i) * e(j, 0);
+        const Pack both = e(i, 0) * e(j, 0);
+        for (int c = 0; c < 3; ++c)
+          for (int r = 0; r < 3; ++r)
+            hessian[3 * c + r] = n_(r) * row(c) + e(i, 0) * mixed(r, j) * n_(c) + both * within(r, c);
+      }
+    }
   }
+
+ private:
+  PackMatrix<3, 2> tangent_vectors() const {
+    PackMatrix<3, 2> t;
+    t.col(0) = along_;
+    for (int d = 0; d < 3; ++d)
+      t(d, 1) = n_((d + 1) % 3) * along_((d + 2) % 3) - n_((d + 2) % 3) * along_((d + 1) % 3);
+    return t;
+  }
+
+  PackMatrix<K> w_;
+  PackVec3 n_, along_;
+  PackMatrix<3, K> duals_;
+  PackMatrix<2> free_;
+  Pack gap_, slope_, curvature_;
+};
+
+// A stencil whose Hessian is no function of the distance alone: an edge-edge one with m < 1.
+template <class Kind>
+bool is_mollified(const std::array<Vec3, Kind::arity>& c, double eps_x) {
+  if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) return edge_edge_cross_squared(c[0], c[1], c[2], c[3]) < eps_x;
+  return false;
 }
 
-// A sample's Hessian is filtered as that of its point.
+// Slots of the stencils [first, last), Hessians filtered. gap and law: of the first and so on; thresholds:
+// eps_x of all edge-edge stencils, else null.
 template <class Kind>
-void filter_hessian(const VecX& x, const StencilOf<Kind>& s, double eps_x,
-                    typename StencilEnergy<Kind>::Matrix& hessian, SpdFilter filter) {
-  const auto c = corners(x, s);
-  if constexpr (is_sample<Kind>) {
-    auto of_point = chain_to_point<3 * Kind::arity>(hessian, s.inside);
-    filter_stencil<typename Kind::PointKind>(c, eps_x, of_point, filter);
-    hessian = chain_to_triangle<3 * Kind::arity - 6>(of_point, s.inside);
-  } else {
-    filter_stencil<Kind>(c, eps_x, hessian, filter);
+void filtered_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last, const double* thresholds,
+                          const double* gap, const LawSample* law, SpdFilter filter, double* gradient,
+                          double* hessian) {
+  using Energy = StencilEnergy<Kind>;
+  constexpr int n = Energy::n, slots = 9 * hessian_blocks(Kind::arity);
+  constexpr int points = is_sample<Kind> ? Kind::arity - 2 : Kind::arity;
+  using PointKind = typename PointKindOf<Kind>::type;
+  StencilPack<points> pack;
+  for (int at = first; at < last; at += pack_width) {
+    const int lanes = std::min(pack_width, last - at);
+    unsigned mollified = 0;
+    for (int l = 0; l < pack_width; ++l) {
+      const int i = at + std::min(l, lanes - 1);
+      const auto c = corners(x, stencils[i]);
+      pack.set(l, distance_between<FrameKernels>(PointKind{}, c), law[i - first], gap[i - first], stencils[i].weight);
+      if (thresholds && is_mollified<PointKind>(c, thresholds[i])) mollified |= 1u << l;
+    }
+    Pack g[3 * points], h[9 * StencilPack<points>::blocks];
+    pack.derivatives(filter, g, h);
+    double* const g_out = gradient + n * static_cast<size_t>(at);
+    double* const h_out = hessian + slots * static_cast<size_t>(at);
+    if constexpr (is_sample<Kind>) {
+      constexpr int point_slots = 9 * StencilPack<points>::blocks;
+      double point_g[pack_width * 3 * points], point_h[pack_width * point_slots];
+      store_lanes(g, 3 * points, point_g, lanes);
+      store_lanes(h, point_slots, point_h, lanes);
+      for (int l = 0; l < lanes; ++l) {
+        const Vec3& inside = stencils[at + l].inside;
+        Eigen::Matrix<double, 3 * points, 3 * points> of_point;
+        load_blocks<points>(point_h + point_slots * l, of_point);
+        store_blocks<Kind::arity>(chain_to_triangle<3 * points>(of_point, inside), h_out + slots * l);
+        Eigen::Map<typename Energy::Vector>(g_out + n * l) = chain_to_triangle<3 * points>(
+            Eigen::Matrix<double, 3 * points, 1>(Eigen::Map<Eigen::Matrix<double, 3 * points, 1>>(point_g + 3 * points * l)),
+            inside);
+      }
+    } else {
+      store_lanes(g, n, g_out, lanes);
+      store_lanes(h, slots, h_out, lanes);
+    }
+    for (int l = 0; l < lanes; ++l) {
+      if (!(mollified >> l & 1u)) continue;
+      const int i = at + l;
+      typename Energy::Vector full_g;
+      typename Energy::Matrix full_h;
+      Energy::derivatives(x, stencils[i], law[i - first], gap[i - first], thresholds[i], full_g, full_h);
+      project_stencil_psd<Kind::arity>(full_h, filter);
+      Eigen::Map<typename Energy::Vector>(g_out + n * l) = full_g;
+      store_blocks<Kind::arity>(full_h, h_out + slots * l);
+    }
   }
-}
-
-template <class Kind>
-void filter_slots(const VecX& x, const StencilsOf<Kind>& stencils, const double* thresholds,
-                  SpdFilter filter, double* hessian) {
-  constexpr int slots = 9 * hessian_blocks(Kind::arity);
-  for_each(static_cast<int>(stencils.size()), [&](int i) {
-    typename StencilEnergy<Kind>::Matrix h;
-    double* at = hessian + slots * static_cast<size_t>(i);
-    load_blocks<Kind::arity>(at, h);
-    filter_hessian<Kind>(x, stencils[i], thresholds ? thresholds[i] : 0, h, filter);
-    store_blocks<Kind::arity>(h, at);
-  }, 16);
 }
 
 }  // namespace tack

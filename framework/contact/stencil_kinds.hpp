@@ -34,6 +34,16 @@ inline constexpr bool is_sample = false;
 template <class Point>
 inline constexpr bool is_sample<SampleKind<Point>> = true;
 
+// What a stencil is once the points inside triangles are taken for vertices.
+template <class Kind>
+struct PointKindOf {
+  using type = Kind;
+};
+template <class Point>
+struct PointKindOf<SampleKind<Point>> {
+  using type = Point;
+};
+
 template <class Kind>
 using StencilOf = std::conditional_t<is_sample<Kind>, SampleStencil<Kind::arity>, ContactStencil<Kind::arity>>;
 template <class Kind>

@@ -274,7 +274,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.filter(), clock);
-  world.contact_term = std::make_unique<ContactTerm>(*world.contact, clock);
+  world.contact_term = std::make_unique<ContactTerm>(*world.contact);
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
 }

@@ -1,4 +1,4 @@
-// The projection in five dimensions against that of the whole 12x12 Hessian.
+// The projection in five dimensions, of several stencils side by side, against that of the whole Hessian.
 #include "framework/contact/stencil_filter.hpp"
 
 #include <catch2/catch.hpp>
@@ -10,79 +10,133 @@ using namespace tack;
 
 namespace {
 
-VecX configuration(const Stencil& s) { return Eigen::Map<const VecX>(s.data(), 12); }
-
-// The Hessian of a stencil at a law of the given slope and curvature, and both projections of it.
+// Random stencils with random laws of either sign, more than a pack holds and no multiple of it.
 template <class Kind>
-struct Filtered {
-  Mat12 exact, fast;
-  MatX whole;
+struct Batch {
+  static constexpr int count = 21, n = 3 * Kind::arity, slots = 9 * hessian_blocks(Kind::arity);
 
-  Filtered(const Stencil& s, const LawSample& law, SpdFilter filter) {
-    const VecX x = configuration(s);
-    ContactStencil<4> stencil{};
-    stencil.vertices = {0, 1, 2, 3};
-    stencil.weight = 0.7;
-    Vec12 gradient;
-    const double gap = std::sqrt(stencil_distance<DerivativeKernels>(Kind{}, x, stencil).value);
-    StencilEnergy<Kind>::derivatives(x, stencil, law, gap, 0, gradient, exact);
-    fast = exact;
-    filter_hessian<Kind>(x, stencil, 0, fast, filter);
-    whole = projected(exact, filter);
+  VecX x;
+  StencilsOf<Kind> stencils;
+  std::vector<double> gap, thresholds;
+  std::vector<LawSample> law;
+
+  // corners(i): Kind::arity columns.
+  template <class Corners>
+  Batch(RandomStencils& random, double threshold, const Corners& corners) : x(n * count) {
+    for (int i = 0; i < count; ++i) {
+      StencilOf<Kind> s{};
+      const auto c = corners(i);
+      for (int k = 0; k < Kind::arity; ++k) {
+        s.vertices[k] = Kind::arity * i + k;
+        vertex(x, s.vertices[k]) = c.col(k);
+      }
+      s.weight = random.uniform(-0.3, 1);
+      if constexpr (is_sample<Kind>) s.inside = Vec3(0.2, 0.5, 0.3);
+      stencils.push_back(s);
+      gap.push_back(std::sqrt(stencil_distance<ValueKernels>(Kind{}, x, s)));
+      law.push_back({random.uniform(-1, 1), random.uniform(-1e3, 1e3), random.uniform(-1e6, 1e6)});
+      thresholds.push_back(threshold);
+    }
+  }
+
+  // Counts the stencils whose Hessians the filter changes.
+  int check(double tolerance) const {
+    int changed = 0;
+    for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute}) {
+      std::vector<double> gradient(n * count), hessian(slots * count);
+      filtered_derivatives<Kind>(x, stencils, 0, count, thresholds.data(), gap.data(), law.data(), filter,
+                                 gradient.data(), hessian.data());
+      for (int i = 0; i < count; ++i) {
+        typename StencilEnergy<Kind>::Vector g;
+        typename StencilEnergy<Kind>::Matrix exact, fast;
+        StencilEnergy<Kind>::derivatives(x, stencils[i], law[i], gap[i], thresholds[i], g, exact);
+        load_blocks<Kind::arity>(hessian.data() + slots * i, fast);
+        const double scale = exact.norm();
+        // A sample's Hessian is filtered as that of its point: semi-definite and above, but no projection.
+        if constexpr (is_sample<Kind>) {
+          REQUIRE(smallest_eigenvalue(fast) >= -1e-12 * scale);
+          REQUIRE(smallest_eigenvalue(fast - exact) >= -1e-9 * scale);
+        } else {
+          REQUIRE((fast - projected(exact, filter)).norm() <= tolerance * scale);
+        }
+        REQUIRE((Eigen::Map<const VecX>(gradient.data() + n * i, n) - g).norm() <= tolerance * g.norm());
+        changed += (fast - exact).norm() > 1e-6 * scale;
+      }
+    }
+    return changed;
   }
 };
 
-// Counts how often the filter had to do something.
-template <class Kind>
-int compare(const Stencil& s, RandomStencils& random) {
-  int changed = 0;
-  for (int trial = 0; trial < 4; ++trial) {
-    const LawSample law{random.uniform(-1, 1), random.uniform(-1e3, 1e3), random.uniform(-1e6, 1e6)};
-    for (const SpdFilter filter : {SpdFilter::none, SpdFilter::clamp, SpdFilter::absolute}) {
-      const Filtered<Kind> f(s, law, filter);
-      const double scale = f.exact.norm();
-      INFO("slope " << law.slope << ", curvature " << law.curvature);
-      REQUIRE((f.fast - f.whole).norm() <= 1e-9 * scale);
-      if (filter == SpdFilter::none) REQUIRE(f.fast == f.exact);
-      changed += (f.fast - f.exact).norm() > 1e-6 * scale;
-    }
-  }
-  return changed;
-}
-
-template <class Kind, class Draw>
-void compare_many(unsigned seed, const Draw& draw) {
-  RandomStencils random(seed);
-  int changed = 0;
-  for (int i = 0; i < 200; ++i) changed += compare<Kind>(draw(random), random);
-  CHECK(changed > 200);
+template <int K>
+Eigen::Matrix<double, 3, K> points(RandomStencils& random) {
+  Eigen::Matrix<double, 3, K> c;
+  for (int k = 0; k < K; ++k) c.col(k) = random.vector();
+  return c;
 }
 
 }  // namespace
 
-TEST_CASE("points above triangles: five dimensions give the projection of twelve", "[contact]") {
-  compare_many<PointTriangleKind>(5, [](RandomStencils& random) {
-    return random.above_triangle(random.log_uniform(1e-5, 1), random.log_uniform(0.05, 1));
-  });
+TEST_CASE("filtered stencils: points and points, lines, planes", "[contact]") {
+  RandomStencils random(5);
+  int changed = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    changed += Batch<PointPointKind>(random, 0, [&](int) { return points<2>(random); }).check(1e-13);
+    changed += Batch<PointEdgeKind>(random, 0, [&](int) { return points<3>(random); }).check(1e-11);
+    changed += Batch<PointTriangleKind>(random, 0, [&](int) {
+                 return random.above_triangle(random.log_uniform(1e-5, 1), random.log_uniform(0.05, 1));
+               }).check(1e-9);
+  }
+  CHECK(changed > 1000);
 }
 
-TEST_CASE("crossing edges: five dimensions give the projection of twelve", "[contact]") {
-  compare_many<EdgeEdgeKind>(6, [](RandomStencils& random) {
-    return random.crossing(random.log_uniform(1e-5, 1), random.uniform(0.1, 3));
-  });
+TEST_CASE("filtered stencils: edges that cross, and whose ends are closest", "[contact]") {
+  RandomStencils random(6);
+  int changed = 0, ends = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    changed += Batch<EdgeEdgeKind>(random, 0, [&](int) {
+                 return random.crossing(random.log_uniform(1e-5, 1), random.uniform(0.1, 3));
+               }).check(1e-9);
+    changed += Batch<EdgeEdgeKind>(random, 0, [&](int) {
+                 const Stencil s = random.any();
+                 ends += edge_edge_type(s.col(0), s.col(1), s.col(2), s.col(3)) != EdgeEdgeType::EA_EB;
+                 return s;
+               }).check(1e-9);
+  }
+  CHECK(changed > 1000);
+  CHECK(ends > 100);
 }
 
-TEST_CASE("the basis of a distance's Hessian is orthonormal and holds no translation", "[contact]") {
+TEST_CASE("filtered stencils: mollified edges among others", "[contact]") {
   RandomStencils random(7);
-  for (int i = 0; i < 100; ++i) {
-    Eigen::Vector4d c(1, random.uniform(-1, 0), random.uniform(-1, 0), 0);
-    c(3) = -c.sum();
-    const DistanceBasis basis = distance_basis(c, random.vector().normalized());
-    CHECK((basis.transpose() * basis - Eigen::Matrix<double, 5, 5>::Identity()).norm() < 1e-12);
-    for (int k = 0; k < 3; ++k) {
-      Vec12 translation = Vec12::Zero();
-      for (int v = 0; v < 4; ++v) translation(3 * v + k) = 1;
-      CHECK((basis.transpose() * translation).norm() < 1e-12);
+  const auto corners = [&](int i) { return random.crossing(0.01, i % 3 == 0 ? 0.01 : 1.0); };
+  CHECK(Batch<EdgeEdgeKind>(random, 0.1, corners).check(1e-9) > 10);
+}
+
+TEST_CASE("filtered stencils: points inside triangles", "[contact]") {
+  RandomStencils random(8);
+  CHECK(Batch<SampleKind<PointPointKind>>(random, 0, [&](int) { return points<4>(random); }).check(1e-9) > 5);
+  CHECK(Batch<SampleKind<PointEdgeKind>>(random, 0, [&](int) { return points<5>(random); }).check(1e-9) > 5);
+  CHECK(Batch<SampleKind<PointTriangleKind>>(random, 0, [&](int) { return points<6>(random); }).check(1e-9) > 5);
+}
+
+TEST_CASE("filtered stencils: tiny gaps and slivers stay semi-definite and free of translations", "[contact]") {
+  RandomStencils random(9);
+  constexpr int slots = Batch<PointTriangleKind>::slots;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Batch<PointTriangleKind> b(random, 0, [&](int) {
+      return random.above_triangle(random.log_uniform(1e-12, 1e-6), random.log_uniform(1e-5, 1));
+    });
+    std::vector<double> gradient(12 * b.count), hessian(slots * b.count);
+    filtered_derivatives<PointTriangleKind>(b.x, b.stencils, 0, b.count, nullptr, b.gap.data(), b.law.data(),
+                                            SpdFilter::clamp, gradient.data(), hessian.data());
+    for (int i = 0; i < b.count; ++i) {
+      Mat12 h;
+      load_blocks<4>(hessian.data() + slots * i, h);
+      REQUIRE(h.allFinite());
+      REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.norm());
+      Eigen::Matrix<double, 12, 3> translations;
+      for (int v = 0; v < 4; ++v) translations.middleRows<3>(3 * v).setIdentity();
+      REQUIRE((h * translations).norm() <= 1e-10 * h.norm());
     }
   }
 }
