@@ -99,15 +99,20 @@ void Assembler::Group::gather_gradient(double scale, VecX& gradient) const {
 void Assembler::Group::gather_hessian(double scale, const std::vector<int>& positions,
                                       BlockMatrix& matrix) const {
   const GatherMap& map = hessian_map;
+  const int entries = static_cast<int>(map.slot.size());
+  const auto block = [&](int e) { return hessian_slots.data() + 9 * static_cast<size_t>(map.slot[e] >> 1); };
   for_each(map.targets(), [&](int k) {
     Mat3 sum = Mat3::Zero();
     for (int e = map.start[k]; e < map.start[k + 1]; ++e) {
-      const Eigen::Map<const Mat3> block(hessian_slots.data() +
-                                         9 * static_cast<size_t>(map.slot[e] >> 1));
+      // Slots lie anywhere: those that come next are asked for in time.
+      constexpr int ahead = 24;
+      const double* next = block(std::min(e + ahead, entries - 1));
+      __builtin_prefetch(next);
+      __builtin_prefetch(next + 8);
       if (map.slot[e] & 1) {
-        sum += block.transpose();
+        sum += Eigen::Map<const Mat3>(block(e)).transpose();
       } else {
-        sum += block;
+        sum += Eigen::Map<const Mat3>(block(e));
       }
     }
     matrix.block(positions[k]) += scale * sum;
