@@ -68,6 +68,13 @@ class PieceMaker {
     end();
   }
 
+  void add_piece(int g, const Acting& acting, int piece) {
+    begin(g, acting, false);
+    for (const NearTriangle& t : near_)
+      if (t.piece == piece) out_.triangles.push_back(triangle(t.candidate));
+    end();
+  }
+
   void add_guard(int g, int law, double range) {
     if (law < 0) return;
     add_all(g, {law, range, r_.held.whole(r_.groups.groups[g].point)}, true);
@@ -107,10 +114,11 @@ class PieceMaker {
       if (reaches(i, reach))
         near_.push_back({i, pressing(known->view, viewer_.piece_of(from, known->view, triangle(i)), role)});
     for (int k = 0; k < known->view.count; ++k) {
-      begin(g, {role.law, role.range, share(role, group.point, known->view.pieces[k]) * known->view.pieces[k].area}, false);
-      for (const NearTriangle& t : near_)
-        if (t.piece == k) out_.triangles.push_back(triangle(t.candidate));
-      end();
+      const double part = share(role, group.point, known->view.pieces[k]);
+      add_piece(g, {role.law, role.range, part * known->view.pieces[k].area}, k);
+      // What presses little must not come through, either.
+      if (role.by_size && role.guard_law >= 0)
+        add_piece(g, {role.guard_law, role.guard_range, (1 - part) * r_.held.whole(group.point)}, k);
     }
     if (has_codim(group)) {
       begin(g, {role.law, role.range, role.share * r_.held.whole(group.point)}, true);

@@ -92,7 +92,7 @@ class AutomaticSolver : public LinearSolver {
   static constexpr double operation = 0.009;  // of a factorisation, which serves four or five systems
   static constexpr double reads = 13;         // passes through the factor for each system
   static constexpr double per_block = 30;     // an iteration: product and incomplete factor
-  static constexpr double expected = 14;      // iterations that a system may well take
+  static constexpr double expected = 20;      // iterations that a system may well take
   static constexpr int trial = 4;             // systems before iterations are judged
   static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell
   static constexpr int memory = 16;           // systems that their average goes over

@@ -47,7 +47,7 @@ class Pcg : public LinearSolver {
 
  private:
   std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
-  double tolerance_ = 1e-2;
+  double tolerance_ = 1e-3;
   int max_iterations_ = 1000;
   bool truncate_ = false;
 

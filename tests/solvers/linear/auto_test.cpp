@@ -11,9 +11,9 @@ namespace {
 
 bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 
-// Conjugate gradients stop at 1% in the norm of their preconditioner, which a stiff matrix weighs differently;
+// Conjugate gradients stop at 0.1% in the norm of their preconditioner, which a stiff matrix weighs differently;
 // a factor that was made for the matrix is one of single precision.
-constexpr double accuracy = 0.1;
+constexpr double accuracy = 0.01;
 
 // What it says after some systems of the matrix.
 std::string chosen(LinearSolver& solver, const BlockMatrix& matrix, RandomMotions& random, int systems = 1) {
