@@ -16,6 +16,12 @@
 
 int tack_main(int argc, char** argv);  // that of framework/app/main.cpp
 
+#ifdef __SANITIZE_ADDRESS__
+// A limit of the address space is none for the address sanitizer, whose shadow is larger than any: it limits what is
+// asked for at once.
+extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1:max_allocation_size_mb=8192"; }
+#endif
+
 namespace tack {
 namespace {
 

@@ -12,6 +12,7 @@
 #include "tests/fuzz/corpus.hpp"
 #include "tests/fuzz/forked_run.hpp"
 #include "tests/fuzz/mutate.hpp"
+#include "tests/fuzz/sanitizer_report.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/silence.hpp"
 
@@ -28,8 +29,8 @@ std::string fault(const ForkedResult& result, const Sample& sample, bool damaged
   if (result.signal != 0) return fmt::format("ended by signal {}", result.signal);
   if (result.exit_code < 0 || result.exit_code > 3) return fmt::format("ended with {}", result.exit_code);
   if (result.printed.find("internal error") != std::string::npos) return "ended with an internal error";
-  for (const char* sanitizer : {"runtime error:", "ERROR: AddressSanitizer"})
-    if (result.printed.find(sanitizer) != std::string::npos) return "was stopped by a sanitizer";
+  const bool refused = result.exit_code == 2;  // whatever happened to the fork that read it
+  if (refused ? has_report_of_ours(result.printed) : has_sanitizer_report(result.printed)) return "was stopped by a sanitizer";
   if (sample.must_refuse && damaged && result.exit_code != 2)
     return fmt::format("did not refuse it, but ended with {}", result.exit_code);
   return "";
