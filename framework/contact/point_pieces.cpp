@@ -71,7 +71,7 @@ class PieceMaker {
   void add_piece(int g, const Acting& acting, int piece) {
     begin(g, acting, false);
     for (const NearTriangle& t : near_)
-      if (t.piece == piece) out_.triangles.push_back(triangle(t.candidate));
+      if (t.piece == piece && reaches(t.candidate, acting.range)) out_.triangles.push_back(triangle(t.candidate));
     end();
   }
 

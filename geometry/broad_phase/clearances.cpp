@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -28,14 +29,6 @@ double squared_distance(const std::array<Vec3, 1>& p, const std::array<Vec3, 2>&
 }
 double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b) {
   return (a[0] - b[0]).squaredNorm();
-}
-
-template <size_t A, size_t B>
-double squared_box_distance(const std::array<Vec3, A>& a, const std::array<Vec3, B>& b) {
-  Aabb of_a, of_b;
-  for (const Vec3& p : a) of_a.include(p);
-  for (const Vec3& p : b) of_b.include(p);
-  return (of_b.lo - of_a.hi).cwiseMax(of_a.lo - of_b.hi).cwiseMax(0.0).squaredNorm();
 }
 
 // A vertex moves in the ball around the centre of its box.
@@ -65,7 +58,7 @@ double clearance(const std::vector<Ball>& balls, const std::array<int, A>& a, co
   const auto cb = centres(balls, b);
   const double motion = largest_radius(balls, a) + largest_radius(balls, b);
   const auto left = [&](double squared) { return (1 - accuracy) * std::sqrt(squared) - motion; };
-  const double by_boxes = left(squared_box_distance(ca, cb));
+  const double by_boxes = left(box_gaps(ca, cb).cwiseMax(0.0).squaredNorm());
   return by_boxes > enough ? by_boxes : std::max(0.0, left(squared_distance(ca, cb)));
 }
 
