@@ -53,6 +53,7 @@ struct MinimizerResult {
   MinimizerStatus status = MinimizerStatus::converged;
   int iterations = 0;
   int linear_solves = 0;
+  long linear_iterations = 0;  // of linear solvers that iterate
   int line_search_evaluations = 0;  // values in search of a step length, or of a foreign minimiser
   double residual = 0;  // the last stopping norm, in units of the tolerance
 
@@ -60,6 +61,7 @@ struct MinimizerResult {
   void add_work(const MinimizerResult& other) {
     iterations += other.iterations;
     linear_solves += other.linear_solves;
+    linear_iterations += other.linear_iterations;
     line_search_evaluations += other.line_search_evaluations;
   }
 };

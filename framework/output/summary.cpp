@@ -49,6 +49,7 @@ OrderedJson expect_json(const std::vector<ExpectationResult>& results) {
 OrderedJson totals_json(const RunSummary& s) {
   return {{"newton_iterations", s.newton_iterations},
           {"linear_solves", s.linear_solves},
+          {"linear_iterations", s.linear_iterations},
           {"line_search_evaluations", s.line_search_evaluations},
           {"broad_phase_builds", s.broad_phase_builds}};
 }
@@ -110,6 +111,7 @@ void RunSummary::add(const StepReport& report) {
   unconverged_lags += report.lag_converged ? 0 : 1;
   newton_iterations += report.solve.iterations;
   linear_solves += report.solve.linear_solves;
+  linear_iterations += report.solve.linear_iterations;
   line_search_evaluations += report.solve.line_search_evaluations;
   broad_phase_builds += report.broad_phase_builds;
   max_contacts = std::max(max_contacts, report.contacts);

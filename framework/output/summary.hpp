@@ -1,7 +1,7 @@
 // What remains of a run in one place: summary.json, and the tables at the end on the terminal.
 //
 // Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
-// unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves,
+// unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], intersections,
 // inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_areas,
 // dissipated_numerics [J] (stepping/energy_balance.hpp), damped_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
@@ -42,6 +42,7 @@ struct RunSummary {
   PhaseClock::Seconds phases{};
   long newton_iterations = 0;
   long linear_solves = 0;
+  long linear_iterations = 0;  // of solvers that iterate
   long line_search_evaluations = 0;
   long broad_phase_builds = 0;
   int max_contacts = 0;

@@ -15,6 +15,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("unconverged_lags", s.unconverged_lags);
   act("newton_iterations", s.newton_iterations);
   act("linear_solves", s.linear_solves);
+  act("linear_iterations", s.linear_iterations);
   act("line_search_evaluations", s.line_search_evaluations);
   act("broad_phase_builds", s.broad_phase_builds);
   act("max_contacts", s.max_contacts);

@@ -36,7 +36,7 @@ class LaggedCholesky : public LinearSolver {
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
-  int iterations() const override { return cg_.iterations(); }
+  int iterations() const override { return iterations_; }
   int analyses() const override { return direct_->analyses(); }
   std::optional<FactorCost> predict(const BlockMatrix& matrix, PhaseClock& clock) override {
     return direct_->predict(matrix, clock);
@@ -46,6 +46,7 @@ class LaggedCholesky : public LinearSolver {
   // Whether conjugate gradients did it.
   bool iterate(const VecX& b, VecX& x, double tolerance, PhaseClock& clock) {
     using Outcome = ConjugateGradients::Outcome;
+    iterations_ = 0;
     for (;;) {
       if (fresh_ && direct_->exact()) {
         direct_->solve(b, x, clock);
@@ -54,6 +55,7 @@ class LaggedCholesky : public LinearSolver {
       const Outcome outcome = cg_.solve(
           *matrix_, b, x, {tolerance, max_iterations_}, clock,
           [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
+      iterations_ += cg_.iterations();
       if (outcome == Outcome::solved) return true;
       const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
       if (hopeless || !refresh(clock)) {
@@ -77,6 +79,7 @@ class LaggedCholesky : public LinearSolver {
   int max_iterations_ = 12;
 
   const BlockMatrix* matrix_ = nullptr;
+  int iterations_ = 0;  // of the last solve, with every factor that it tried
   int size_ = 0;        // of the factor; 0: there is none
   bool fresh_ = false;  // the factor is that of matrix_
   bool stale_ = false;  // the last solve took so long that the next deserves a new factor

@@ -31,6 +31,7 @@ double DirectionCheck::norm(LinearSolver& linear, const BlockMatrix& hessian, co
     ++result.linear_solves;
     linear.correct(residual_, correction_, std::clamp(margin * (1 - norm) / error, tightest, loosest),
                    problem.clock);
+    result.linear_iterations += linear.iterations();
     if (!correction_.allFinite()) return norm + error;
     p += correction_;
     norm = problem.stopping_norm(p, gradient);

@@ -21,6 +21,7 @@ bool newton_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& 
   ++result.linear_solves;
   if (!linear.factorize(hessian, clock)) return false;
   linear.solve(-gradient, p, clock);
+  result.linear_iterations += linear.iterations();
   return p.allFinite();
 }
 

@@ -61,7 +61,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   REQUIRE(place.run({"-q"}).exit_code == 0);
   const CsvTable steps = place.table("results/tiny/steps.csv");
   const std::vector<std::string> columns = {
-      "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves",
+      "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves", "linear_iterations",
       "line_search_evaluations", "contacts", "candidates", "min_distance", "energy_kinetic",
       "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "work_loads", "work_script",
       "dissipated_friction", "dissipated_adhesion", "dissipated_areas", "dissipated_numerics", "residual",
@@ -71,8 +71,8 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   CHECK(steps.columns == columns);
   REQUIRE(steps.rows.size() == 5);
   for (const auto& row : steps.rows) {
-    CHECK(row[9] > 0);                 // min_distance
-    CHECK(row[9] < 1e-3);              // the block stays within reach of the floor
+    CHECK(row[10] > 0);                 // min_distance
+    CHECK(row[10] < 1e-3);              // the block stays within reach of the floor
     CHECK(row[22] <= row[23]);         // forces balance
     CHECK(row[24] == 1);               // converged
   }

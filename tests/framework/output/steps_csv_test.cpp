@@ -37,7 +37,7 @@ StepReport report(int step, double time) {
 }
 
 const std::string header =
-    "step,time,step_size,halvings,newton_iterations,linear_solves,line_search_evaluations,contacts,"
+    "step,time,step_size,halvings,newton_iterations,linear_solves,linear_iterations,line_search_evaluations,contacts,"
     "candidates,min_distance,energy_kinetic,energy_barrier,work_loads,work_script,dissipated_friction,"
     "dissipated_adhesion,dissipated_areas,dissipated_numerics,residual,unbalanced_force,tolerated_force,converged,"
     "lag_iterations,friction_residual,wall_seconds,"
@@ -45,10 +45,10 @@ const std::string header =
     "seconds_broad_phase,seconds_narrow_phase,seconds_ccd,seconds_line_search,seconds_check,"
     "seconds_io\n";
 const std::string first =
-    "1,0.01,0.01,1,4,5,6,7,80,0.0001,0.5,0.001,1,2,3,4,5,6,0.25,0.5,2,1,3,0.0625,0.125,"
+    "1,0.01,0.01,1,4,5,11,6,7,80,0.0001,0.5,0.001,1,2,3,4,5,6,0.25,0.5,2,1,3,0.0625,0.125,"
     "0,1,2,3,4,5,6,7,8,9,10\n";
 const std::string second =
-    "2,0.02,0.01,1,4,5,6,7,80,0.0001,0.5,0.001,1,2,3,4,5,6,0.25,0.5,2,0,3,0.0625,0.125,"
+    "2,0.02,0.01,1,4,5,11,6,7,80,0.0001,0.5,0.001,1,2,3,4,5,6,0.25,0.5,2,0,3,0.0625,0.125,"
     "0,1,2,3,4,5,6,7,8,9,10\n";
 
 }  // namespace

@@ -125,6 +125,7 @@ TEST_CASE("a summary counts the steps in") {
   CHECK(json["unconverged_lags"] == 1);
   CHECK(json["totals"] == nlohmann::json({{"newton_iterations", 9},
                                           {"linear_solves", 12},
+                                          {"linear_iterations", 27},
                                           {"line_search_evaluations", 15},
                                           {"broad_phase_builds", 3}}));
   CHECK(json["max_contacts"] == 9);
