@@ -30,10 +30,18 @@ class AutomaticSolver : public LinearSolver {
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
     if (!iterating_) return direct_->solve(b, x, clock);
     iterative_->solve(b, x, clock);
-    if (!x.allFinite()) return give_up(b, x, clock);
-    solves_ = std::min(solves_ + 1, memory);
-    average_ += (iterative_->iterations() - average_) / solves_;
-    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_) tire();
+    judge(b, x, clock);
+  }
+  void solve_early(const VecX& b, VecX& x, PhaseClock& clock) override {
+    if (!iterating_) return direct_->solve_early(b, x, clock);
+    iterative_->solve_early(b, x, clock);
+    judge(b, x, clock);
+  }
+  bool finish(const VecX& residual, VecX& correction, PhaseClock& clock) override {
+    if (!iterating_) return direct_->finish(residual, correction, clock);
+    if (!iterative_->finish(residual, correction, clock)) return false;
+    if (!correction.allFinite()) give_up(residual, correction, clock);
+    return true;
   }
 
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
@@ -66,6 +74,14 @@ class AutomaticSolver : public LinearSolver {
                           "{:.0f} iterations of {})",
                           iterating_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
                           cost->entries, cost->operations, budget_, iterative_->describe());
+  }
+
+  // What it took to find x.
+  void judge(const VecX& b, VecX& x, PhaseClock& clock) {
+    if (!x.allFinite()) return give_up(b, x, clock);
+    solves_ = std::min(solves_ + 1, memory);
+    average_ += (iterative_->iterations() - average_) / solves_;
+    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_) tire();
   }
 
   // The next system is another solver's; this one may still have to be corrected.

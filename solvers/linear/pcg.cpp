@@ -1,5 +1,6 @@
 // Preconditioned conjugate gradients: memory and work of an iteration grow in proportion to the mesh,
 // the number of iterations with its fineness and, per time step h, with h sqrt(stiffness / mass).
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -16,6 +17,9 @@ class Pcg : public LinearSolver {
     f.component("preconditioner", preconditioner_, "approximate inverse");
     f.number("tolerance", tolerance_, units::none,
              "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
+    f.number("early_tolerance", early_tolerance_, units::none,
+             "the same for directions of projected_newton that do not end a minimisation, if it is larger")
+        .range(1e-14, 0.5);
     f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
         .at_least(1);
     f.flag("truncate", truncate_,
@@ -29,7 +33,20 @@ class Pcg : public LinearSolver {
     return preconditioner_->update(matrix, clock.deadline());
   }
 
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override { correct(b, x, tolerance_, clock); }
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+    left_ = tolerance_;
+    correct(b, x, tolerance_, clock);
+  }
+  void solve_early(const VecX& b, VecX& x, PhaseClock& clock) override {
+    left_ = std::max(tolerance_, early_tolerance_);
+    correct(b, x, left_, clock);
+  }
+  bool finish(const VecX& residual, VecX& correction, PhaseClock& clock) override {
+    if (left_ <= tolerance_) return false;
+    correct(residual, correction, tolerance_ / left_, clock);
+    left_ = tolerance_;
+    return true;
+  }
 
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     using Outcome = ConjugateGradients::Outcome;
@@ -48,10 +65,12 @@ class Pcg : public LinearSolver {
  private:
   std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
   double tolerance_ = 1e-3;
+  double early_tolerance_ = 1e-2;
   int max_iterations_ = 1000;
   bool truncate_ = false;
 
   const BlockMatrix* matrix_ = nullptr;
+  double left_ = 0;  // by the last solve
   ConjugateGradients cg_;
 };
 
