@@ -20,7 +20,7 @@
 namespace tack {
 
 template <class Material>
-class SolidTerm : public Term, public ResidualView {
+class SolidTerm : public Term, public StencilRanges, public ResidualView {
  public:
   SolidTerm(std::string name, const Material& material, const Body& body, const VecX& rest)
       : Term(std::move(name)), material_(material), tets_(body.tets), rest_(packed(tet_rest_data(body, rest))) {}
@@ -45,10 +45,19 @@ class SolidTerm : public Term, public ResidualView {
   void derivatives(const VecX& x, SpdFilter filter, double* gradient,
                    double* hessian) const override {
     for_each_chunk(count(), [&](int, int first, int last) {
-      for (int t = first; t < last; t += pack_width)
-        elements(t, std::min(pack_width, last - t), x, filter, gradient + 12 * static_cast<size_t>(t),
-                 hessian ? hessian + 90 * static_cast<size_t>(t) : nullptr);
+      range_derivatives(x, filter, first, last, gradient + 12 * static_cast<size_t>(first),
+                        hessian ? hessian + 90 * static_cast<size_t>(first) : nullptr);
     });
+  }
+
+  const StencilRanges* ranges() const override { return this; }
+
+  void range_derivatives(const VecX& x, SpdFilter filter, int first, int last, double* gradient,
+                         double* hessian) const override {
+    for (int t = first; t < last; t += pack_width, gradient += 12 * pack_width) {
+      elements(t, std::min(pack_width, last - t), x, filter, gradient, hessian);
+      if (hessian) hessian += 90 * pack_width;
+    }
   }
 
   // A negative lambda is no sum of squares.
@@ -73,7 +82,7 @@ class SolidTerm : public Term, public ResidualView {
   }
 
  private:
-  static_assert(chunk_size % pack_width == 0);
+  static_assert(chunk_size % pack_width == 0 && grain % pack_width == 0);
 
   // The last lanes repeat the last tet.
   static std::vector<TetRest<Pack>> packed(const std::vector<TetRest<double>>& rest) {

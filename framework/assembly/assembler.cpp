@@ -2,36 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <iterator>
 
 #include "framework/assembly/parallel.hpp"
-#include "framework/assembly/psd_filter.hpp"
-#include "framework/assembly/stencil_blocks.hpp"
+#include "framework/assembly/stencil_clamp.hpp"
 
 namespace tack {
-namespace {
-
-template <int K>
-void clamp_slots(double* slots) {
-  Eigen::Matrix<double, 3 * K, 3 * K> hessian;
-  load_blocks<K>(slots, hessian);
-  project_stencil_psd<K>(hessian, SpdFilter::clamp);
-  store_blocks<K>(hessian, slots);
-}
-
-// Clamps one stencil's Hessian in its slots. Every stencil feels only relative motion.
-void clamp_slots(int arity, double* slots) {
-  switch (arity) {
-    case 2: return clamp_slots<2>(slots);
-    case 3: return clamp_slots<3>(slots);
-    case 4: return clamp_slots<4>(slots);
-    case 5: return clamp_slots<5>(slots);
-    case 6: return clamp_slots<6>(slots);
-  }
-  throw std::logic_error("no stencil filter of this arity");
-}
-
-}  // namespace
 
 void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   batches.clear();
@@ -81,7 +57,7 @@ void Assembler::Group::clamp_at(const std::vector<char>& block, const DofMap& do
       const int* v = b.vertices + static_cast<size_t>(b.arity) * s;
       if (std::none_of(v, v + b.arity, flagged)) return;
       const int blocks = hessian_blocks(b.arity);
-      clamp_slots(b.arity, hessian_slots.data() + 9 * (static_cast<size_t>(placed.hessian_slot) + static_cast<size_t>(blocks) * s));
+      clamp_stencil(b.arity, hessian_slots.data() + 9 * (static_cast<size_t>(placed.hessian_slot) + static_cast<size_t>(blocks) * s));
     });
   }
 }
@@ -121,9 +97,19 @@ void Assembler::Group::gather_hessian(double scale, const std::vector<int>& posi
 
 Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseClock& clock)
     : dofs_(dofs), clock_(clock), terms_(std::move(terms)) {
-  for (const Term* term : terms_) (term->dynamic() ? dynamic_ : static_).terms.push_back(term);
+  std::vector<const StencilRanges*> ranges;
+  for (const Term* term : terms_) {
+    const bool ranged = !term->dynamic() && term->ranges();
+    (ranged ? ranged_ : term->dynamic() ? dynamic_ : static_).terms.push_back(term);
+    if (ranged) ranges.push_back(term->ranges());
+  }
+  ranged_.place(dofs_, false);
+  ranged_sums_.place(ranges, ranged_.batches, dofs_);
   static_.place(dofs_, true);
-  pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), static_.hessian_map.target);
+  std::vector<BlockKey> keys;
+  std::set_union(ranged_sums_.targets().begin(), ranged_sums_.targets().end(), static_.hessian_map.target.begin(),
+                 static_.hessian_map.target.end(), std::back_inserter(keys));
+  pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), std::move(keys));
 }
 
 void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
@@ -136,7 +122,7 @@ void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
 void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& gradient) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, false);
-  for (Group* group : {&static_, &dynamic_}) {
+  for (Group* group : groups()) {
     group->evaluate(x, SpdFilter::none, false);
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
@@ -144,7 +130,7 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
 }
 
 void Assembler::add_last_gradients(const Term* without, VecX& gradient) const {
-  for (const Group* group : {&static_, &dynamic_}) {
+  for (const Group* group : {&ranged_, &static_, &dynamic_}) {
     for (size_t i = 0; i < group->batches.size(); ++i) {
       if (group->batch_terms[i] == without) continue;
       const PlacedBatch& placed = group->batches[i];
@@ -162,19 +148,23 @@ double Assembler::Group::largest_force() const {
 }
 
 double Assembler::largest_stencil_force() const {
-  return std::max(static_.largest_force(), dynamic_.largest_force());
+  return std::max(largest_static_force(), dynamic_.largest_force());
 }
 
-double Assembler::largest_static_force() const { return static_.largest_force(); }
+double Assembler::largest_static_force() const { return std::max(ranged_.largest_force(), static_.largest_force()); }
 
-// The pattern's static keys are those of the static map and the diagonals.
+// The pattern's static keys are those of both maps and the diagonals.
 void Assembler::locate_static_blocks() {
-  static_positions_.resize(static_.hessian_map.targets());
-  size_t k = 0;
-  for (size_t t = 0; t < static_positions_.size(); ++t) {
-    while (pattern_->static_keys()[k] != static_.hessian_map.target[t]) ++k;
-    static_positions_[t] = pattern_->static_positions()[k];
-  }
+  const auto locate = [&](const std::vector<BlockKey>& targets, std::vector<int>& positions) {
+    positions.resize(targets.size());
+    size_t k = 0;
+    for (size_t t = 0; t < targets.size(); ++t) {
+      while (pattern_->static_keys()[k] != targets[t]) ++k;
+      positions[t] = pattern_->static_positions()[k];
+    }
+  };
+  locate(ranged_sums_.targets(), ranged_positions_);
+  locate(static_.hessian_map.target, static_positions_);
 }
 
 void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
@@ -187,13 +177,18 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
   for (int b = 0; b < dofs_.block_count(); ++b)
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
 
-  for (Group* group : {&static_, &dynamic_}) {
-    group->evaluate(x, options.filter, true);
+  for (Group* group : groups()) {
+    if (group == &ranged_) {
+      ranged_sums_.evaluate(x, options.filter, options.clamp_at, ranged_.gradient_slots.data());
+    } else {
+      group->evaluate(x, options.filter, true);
+    }
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
-    if (!options.clamp_at) continue;
+    if (!options.clamp_at || group == &ranged_) continue;
     const PhaseScope filtering(clock_, Phase::filter);
     group->clamp_at(*options.clamp_at, dofs_);
   }
+  ranged_sums_.gather(scales.body, ranged_positions_, matrix);
   static_.gather_hessian(scales.body, static_positions_, matrix);
   if (!options.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
   add_linear(x, scales.body, gradient);

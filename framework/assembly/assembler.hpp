@@ -1,12 +1,13 @@
 // Sums the terms of the potential into one gradient and one block matrix.
-// Every stencil writes its own slots; one gather then sums the slots of each target. The maps of
-// static terms are made once, those of dynamic terms whenever a configuration with other stencils is linearised.
+// Every stencil writes its own slots; one gather then sums the slots of each target, and Hessians of ranged terms are
+// summed chunk by chunk before (local_sums.hpp). The maps of static terms are made once, those of dynamic terms whenever a configuration with other stencils is linearised.
 #pragma once
 
 #include <memory>
 #include <vector>
 
 #include "framework/assembly/gather_map.hpp"
+#include "framework/assembly/local_sums.hpp"
 #include "framework/assembly/term_scales.hpp"
 #include "framework/core/phase_clock.hpp"
 
@@ -56,15 +57,18 @@ class Assembler {
     void gather_hessian(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
   };
 
+  std::vector<Group*> groups() { return {&ranged_, &static_, &dynamic_}; }
   void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;
 
   const DofMap& dofs_;
   PhaseClock& clock_;
   std::vector<const Term*> terms_;
+  Group ranged_;           // terms that give their lasting stencils by ranges,
+  LocalSums ranged_sums_;  // and their Hessians
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
-  std::vector<int> static_positions_;  // in the matrix, of the static map's targets
+  std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 
 }  // namespace tack

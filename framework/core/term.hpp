@@ -25,6 +25,21 @@ struct StencilBatch {
   const int* vertices = nullptr;
 };
 
+// What terms of one batch of lasting stencils may offer: stencils a few at a time, so that their Hessians are summed
+// before they leave the cache. Called from several threads.
+class StencilRanges {
+ public:
+  // `first` is a multiple of this, and so is `last` but for the end of the batch.
+  static constexpr int grain = 32;
+
+  // Writes the slots of the stencils first .. last - 1; those of `first` are at the beginning.
+  virtual void range_derivatives(const VecX& x, SpdFilter filter, int first, int last, double* gradient,
+                                 double* hessian) const = 0;
+
+ protected:
+  ~StencilRanges() = default;
+};
+
 class Term {
  public:
   explicit Term(std::string name) : name_(std::move(name)) {}
@@ -41,6 +56,9 @@ class Term {
   // Writes every gradient slot, and every Hessian slot unless `hessian` is null.
   virtual void derivatives(const VecX& x, SpdFilter filter, double* gradient,
                            double* hessian) const;
+
+  // The term's stencils by ranges; null if it gives them only all at once.
+  virtual const StencilRanges* ranges() const { return nullptr; }
 
   // Adds a gradient that is not worth slots: linear potentials.
   virtual void add_linear_gradient(VecX& /*gradient*/) const {}

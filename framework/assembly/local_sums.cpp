@@ -1,0 +1,141 @@
+#include "framework/assembly/local_sums.hpp"
+
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "framework/assembly/parallel.hpp"
+#include "framework/assembly/stencil_clamp.hpp"
+
+namespace tack {
+namespace {
+
+constexpr int chunk_length = 512;  // stencils
+static_assert(chunk_length % StencilRanges::grain == 0);
+
+using Block = Eigen::Map<Eigen::Matrix<double, 9, 1>>;
+
+void add_block(const double* block, bool transposed, double* sum) {
+  if (transposed) {
+    Eigen::Map<Mat3>{sum} += Eigen::Map<const Mat3>(block).transpose();
+  } else {
+    Block{sum} += Eigen::Map<const Eigen::Matrix<double, 9, 1>>(block);
+  }
+}
+
+}  // namespace
+
+void LocalSums::place(const std::vector<const StencilRanges*>& terms, const std::vector<PlacedBatch>& batches,
+                      const DofMap& dofs) {
+  dofs_ = &dofs;
+  chunks_.clear();
+  size_t blocks = 0;
+  for (size_t t = 0; t < terms.size(); ++t) {
+    const StencilBatch& batch = batches[t].batch;
+    for (int first = 0; first < batch.count; first += chunk_length) {
+      const int last = std::min(first + chunk_length, batch.count);
+      chunks_.push_back({terms[t], batch, first, last,
+                         static_cast<size_t>(batches[t].gradient_slot) + static_cast<size_t>(batch.arity) * first, blocks});
+      blocks += static_cast<size_t>(hessian_blocks(batch.arity)) * (last - first);
+    }
+  }
+  sum_of_.resize(blocks);
+
+  std::vector<std::vector<BlockKey>> keys(chunks_.size());
+  for_each(static_cast<int>(chunks_.size()), [&](int c) { keys[c] = number_sums(chunks_[c], dofs); }, 1);
+  std::vector<std::pair<BlockKey, int>> all;
+  for (size_t c = 0; c < chunks_.size(); ++c) {
+    chunks_[c].sum = all.size();
+    chunks_[c].sums = keys[c].size();
+    for (const BlockKey key : keys[c]) all.emplace_back(key, static_cast<int>(all.size()));
+  }
+  sums_.resize(9 * all.size());
+
+  tbb::parallel_sort(all);
+  targets_.clear();
+  start_.clear();
+  source_.clear();
+  for (const auto& [key, sum] : all) {
+    if (targets_.empty() || targets_.back() != key) {
+      targets_.push_back(key);
+      start_.push_back(static_cast<int>(source_.size()));
+    }
+    source_.push_back(sum);
+  }
+  start_.push_back(static_cast<int>(source_.size()));
+}
+
+// The keys of the chunk's sums, sorted; each block of its stencils learns which of them is its own.
+std::vector<BlockKey> LocalSums::number_sums(Chunk& chunk, const DofMap& dofs) {
+  std::vector<BlockKey> keys;
+  const auto for_each_block = [&](const auto& body) {
+    size_t block = chunk.block;
+    for (int s = chunk.first; s < chunk.last; ++s) {
+      const int* v = chunk.batch.vertices + static_cast<size_t>(chunk.batch.arity) * s;
+      for (int i = 0; i < chunk.batch.arity; ++i) {
+        const int r = dofs.block(v[i]);
+        for (int j = 0; j <= i; ++j, ++block) {
+          const int c = dofs.block(v[j]);
+          body(block, r >= 0 && c >= 0, block_key(std::max(r, c), std::min(r, c)), r < c);
+        }
+      }
+    }
+  };
+  for_each_block([&](size_t, bool free, BlockKey key, bool) {
+    if (free) keys.push_back(key);
+  });
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  for_each_block([&](size_t block, bool free, BlockKey key, bool transposed) {
+    const auto sum = std::lower_bound(keys.begin(), keys.end(), key) - keys.begin();
+    sum_of_[block] = free ? 2 * static_cast<int>(sum) + transposed : -1;
+  });
+  return keys;
+}
+
+bool LocalSums::flagged(const StencilBatch& batch, int stencil, const std::vector<char>& flags) const {
+  const int* v = batch.vertices + static_cast<size_t>(batch.arity) * stencil;
+  return std::any_of(v, v + batch.arity, [&](int vertex) {
+    const int block = dofs_->block(vertex);
+    return block >= 0 && flags[block];
+  });
+}
+
+void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+                         double* gradient_slots) {
+  constexpr int grain = StencilRanges::grain;
+  const int arity = chunk.batch.arity, blocks = hessian_blocks(arity);
+  static thread_local std::vector<double> slots;
+  slots.resize(9 * static_cast<size_t>(blocks) * grain);
+  double* const sums = sums_.data() + 9 * chunk.sum;
+  std::fill(sums, sums + 9 * chunk.sums, 0.0);
+  const int* sum = sum_of_.data() + chunk.block;
+  double* gradient = gradient_slots + 3 * chunk.gradient_slot;
+  for (int first = chunk.first; first < chunk.last; first += grain, gradient += 3 * grain * arity) {
+    const int last = std::min(first + grain, chunk.last);
+    chunk.term->range_derivatives(x, filter, first, last, gradient, slots.data());
+    const double* block = slots.data();
+    for (int s = first; clamp_at && s < last; ++s)
+      if (flagged(chunk.batch, s, *clamp_at)) clamp_stencil(arity, slots.data() + 9 * static_cast<size_t>(blocks) * (s - first));
+    for (int k = 0; k < blocks * (last - first); ++k, ++sum, block += 9)
+      if (*sum >= 0) add_block(block, *sum & 1, sums + 9 * static_cast<size_t>(*sum >> 1));
+  }
+}
+
+void LocalSums::evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at, double* gradient_slots) {
+  for_each(static_cast<int>(chunks_.size()),
+           [&](int c) { evaluate(chunks_[c], x, filter, clamp_at, gradient_slots); }, 1);
+}
+
+void LocalSums::gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const {
+  for_each(static_cast<int>(targets_.size()), [&](int k) {
+    Mat3 total = Mat3::Zero();
+    for (int e = start_[k]; e < start_[k + 1]; ++e)
+      total += Eigen::Map<const Mat3>(sums_.data() + 9 * static_cast<size_t>(source_[e]));
+    matrix.block(positions[k]) += scale * total;
+  });
+}
+
+}  // namespace tack

@@ -1,0 +1,52 @@
+// Hessians of lasting stencils, summed in two stages. The stencils of a chunk are neighbours in the mesh: their blocks
+// are added up while they are in the cache, and what a chunk leaves is a third of its slots or less. Then the sums of all
+// chunks are gathered, in their order: the same bits for any number of threads.
+#pragma once
+
+#include <vector>
+
+#include "framework/assembly/gather_map.hpp"
+
+namespace tack {
+
+class LocalSums {
+ public:
+  // One batch of stencils for each term.
+  void place(const std::vector<const StencilRanges*>& terms, const std::vector<PlacedBatch>& batches,
+             const DofMap& dofs);
+
+  // The blocks of the matrix that the stencils touch, sorted.
+  const std::vector<BlockKey>& targets() const { return targets_; }
+
+  // Sums the Hessians, and writes all gradient slots. Stencils that touch an unknown block with a flag are clamped
+  // after `filter`, if flags are given.
+  void evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at, double* gradient_slots);
+
+  // Adds scale * sums to the matrix, where target k is at positions[k].
+  void gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
+
+ private:
+  struct Chunk {
+    const StencilRanges* term;
+    StencilBatch batch;
+    int first, last;       // stencils of the batch
+    size_t gradient_slot;  // of the first [3-vectors]
+    size_t block;          // of the first, in `sum_of_`
+    size_t sum = 0;        // the first of the chunk's sums
+    size_t sums = 0;
+  };
+
+  std::vector<BlockKey> number_sums(Chunk& chunk, const DofMap& dofs);
+  void evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+                double* gradient_slots);
+  bool flagged(const StencilBatch& batch, int stencil, const std::vector<char>& flags) const;
+
+  const DofMap* dofs_ = nullptr;
+  std::vector<Chunk> chunks_;
+  std::vector<int> sum_of_;    // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
+  std::vector<double> sums_;   // 9 each
+  std::vector<BlockKey> targets_;
+  std::vector<int> start_, source_;  // target k gathers sums_ source_[start_[k] .. start_[k+1])
+};
+
+}  // namespace tack
