@@ -4,6 +4,7 @@
 // runs repeat bit for bit; the constants are measured, see docs/performance.md.
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "framework/config/field.hpp"
@@ -20,20 +21,28 @@ class AutomaticSolver : public LinearSolver {
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     matrix_ = &matrix;
-    iterating_ &= !tired_;
-    if (matrix.size() > 1.25 * decided_for_ || 1.25 * matrix.size() < decided_for_) decide(clock);
+    if (matrix.size() > 1.25 * decided_for_ || 1.25 * matrix.size() < decided_for_) {
+      begin(clock);
+    } else {
+      iterating_ = next_iterates_;
+    }
     if (iterating_ && iterative_->factorize(matrix, clock)) return true;
     if (iterating_) stop_iterating("its preconditioner broke down");
-    return direct_->factorize(matrix, clock);
+    const bool definite = direct_->factorize(matrix, clock);
+    weigh_anew(clock);
+    return definite;
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
-    if (!iterating_) return direct_->solve(b, x, clock);
+    if (!iterating_) {
+      direct_->solve(b, x, clock);
+      return weigh_anew(clock);
+    }
     iterative_->solve(b, x, clock);
     judge(b, x, clock);
   }
   void solve_early(const VecX& b, VecX& x, PhaseClock& clock) override {
-    if (!iterating_) return direct_->solve_early(b, x, clock);
+    if (!iterating_) return solve(b, x, clock);
     iterative_->solve_early(b, x, clock);
     judge(b, x, clock);
   }
@@ -59,21 +68,33 @@ class AutomaticSolver : public LinearSolver {
   std::string describe() const override { return reason_; }
 
  private:
-  void decide(PhaseClock& clock) {
+  // For a system of another size.
+  void begin(PhaseClock& clock) {
     decided_for_ = matrix_->size();
-    solves_ = 0;
-    average_ = 0;
-    iterating_ = false;
-    tired_ = false;
+    needed_ = expected;
+    experience_.clear();
     reason_ = direct_->describe();
-    const auto cost = direct_->predict(*matrix_, clock);
+    weigh(direct_->predict(*matrix_, clock));
+    iterating_ = next_iterates_;
+  }
+
+  // Contacts fill a factor: whenever it was analysed anew, what it costs is known anew.
+  void weigh_anew(PhaseClock& clock) {
+    if (direct_->analyses() != analyses_ && direct_->analyses() > 0) weigh(direct_->predict(*matrix_, clock));
+  }
+
+  void weigh(const std::optional<FactorCost>& cost) {
+    analyses_ = direct_->analyses();
+    next_iterates_ = false;
     if (!cost) return;
     budget_ = (operation * cost->operations + reads * cost->entries) / (per_block * matrix_->blocks());
-    iterating_ = budget_ > expected;
+    next_iterates_ = budget_ > needed_;
+    solves_ = 0;
+    average_ = 0;
     reason_ = fmt::format("{} ({} unknowns; a factor has {:.2g} entries and takes {:.2g} operations, as much as "
-                          "{:.0f} iterations of {})",
-                          iterating_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
-                          cost->entries, cost->operations, budget_, iterative_->describe());
+                          "{:.0f} iterations of {}{})",
+                          next_iterates_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
+                          cost->entries, cost->operations, budget_, iterative_->describe(), experience_);
   }
 
   // What it took to find x.
@@ -86,8 +107,11 @@ class AutomaticSolver : public LinearSolver {
 
   // The next system is another solver's; this one may still have to be corrected.
   void tire() {
-    tired_ = true;
-    replaced(fmt::format("it took {:.0f} iterations a system, a factor costs as much as {:.0f}", average_, budget_));
+    next_iterates_ = false;
+    needed_ = std::max(needed_, again * average_);
+    experience_ = fmt::format("; they were {:.0f} a system", average_);
+    reason_ = fmt::format("{} (in place of {}: it took {:.0f} iterations a system, a factor costs as much as {:.0f})",
+                          direct_->describe(), iterative_->describe(), average_, budget_);
   }
 
   void give_up(const VecX& b, VecX& x, PhaseClock& clock) {
@@ -95,20 +119,20 @@ class AutomaticSolver : public LinearSolver {
     if (direct_->factorize(*matrix_, clock)) direct_->solve(b, x, clock);
   }
 
+  // For good, or until there is a system of another size.
   void stop_iterating(const std::string& why) {
-    iterating_ = false;
-    replaced(why);
-  }
-
-  void replaced(const std::string& why) {
+    iterating_ = next_iterates_ = false;
+    needed_ = std::numeric_limits<double>::infinity();
+    experience_ = "; " + why;
     reason_ = fmt::format("{} (in place of {}: {})", direct_->describe(), iterative_->describe(), why);
   }
 
   // In units of the time that it takes to read an entry of a factor of single precision.
   static constexpr double operation = 0.009;  // of a factorisation, which serves four or five systems
   static constexpr double reads = 13;         // passes through the factor for each system
-  static constexpr double per_block = 30;     // an iteration: product and incomplete factor
+  static constexpr double per_block = 20;     // an iteration: product and incomplete factor
   static constexpr double expected = 20;      // iterations that a system may well take
+  static constexpr double again = 1.5;        // times the iterations that were too many: a budget to try them again
   static constexpr int trial = 4;             // systems before iterations are judged
   static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell
   static constexpr int memory = 16;           // systems that their average goes over
@@ -118,7 +142,10 @@ class AutomaticSolver : public LinearSolver {
 
   const BlockMatrix* matrix_ = nullptr;
   bool iterating_ = false;
-  bool tired_ = false;      // of iterating, from the next system on
+  bool next_iterates_ = false;  // from the next system on
+  double needed_ = expected;    // the least budget to iterate
+  int analyses_ = -1;           // of the direct solver, when it was weighed
+  std::string experience_;      // with iterating, if it was not good
   double decided_for_ = 0;  // unknowns
   double budget_ = 0;       // iterations that cost as much as the factor
   double average_ = 0;      // iterations of recent systems

@@ -7,6 +7,7 @@
 extern "C" {
 void openblas_set_num_threads(int threads);
 #define TACK_DECLARE_KERNELS(p, T)                                                                   \
+  void p##trtri_(const char*, const char*, const int*, T*, const int*, int*);                        \
   void p##potrf_(const char*, const int*, T*, const int*, int*);                                     \
   void p##trsm_(const char*, const char*, const char*, const char*, const int*, const int*, const T*, \
                 const T*, const int*, T*, const int*);                                               \
@@ -32,6 +33,11 @@ inline void set_threads(int threads) { openblas_set_num_threads(threads); }
     p##potrf_("L", &n, a, &lda, &info);                                                             \
     return info == 0;                                                                               \
   }                                                                                                 \
+  /* L <- L^-1 in place, n x n, with a diagonal without zeros. */                                    \
+  inline void invert_lower(int n, T* l, int ldl) {                                                  \
+    int info = 0;                                                                                   \
+    p##trtri_("L", "N", &n, l, &ldl, &info);                                                        \
+  }                                                                                                 \
   /* B <- B L^-T; B is m x n. */                                                                    \
   inline void solve_right(int m, int n, const T* l, int ldl, T* b, int ldb) {                       \
     const T one = 1;                                                                                \
@@ -54,6 +60,12 @@ inline void set_threads(int threads) { openblas_set_num_threads(threads); }
     const int one = 1;                                                                              \
     p##gemv_("N", &m, &n, &alpha, a, &lda, x, &one, &beta, y, &one);                                \
   }                                                                                                 \
+  /* y <- y - A x; A is m x n. */                                                                   \
+  inline void subtract(int m, int n, const T* a, int lda, const T* x, T* y) {                       \
+    const T minus = -1, beta = 1;                                                                   \
+    const int one = 1;                                                                              \
+    p##gemv_("N", &m, &n, &minus, a, &lda, x, &one, &beta, y, &one);                                \
+  }                                                                                                 \
   /* y <- y - A^T x; A is m x n. */                                                                 \
   inline void subtract_transposed(int m, int n, const T* a, int lda, const T* x, T* y) {            \
     const T minus = -1, beta = 1;                                                                   \
@@ -63,30 +75,5 @@ inline void set_threads(int threads) { openblas_set_num_threads(threads); }
 TACK_DEFINE_KERNELS(s, float)
 TACK_DEFINE_KERNELS(d, double)
 #undef TACK_DEFINE_KERNELS
-
-// x <- L^-1 x. By columns; in place of trsv, which costs more in calls than in sums when L is small.
-template <class T>
-void solve_lower(int n, const T* l, int ldl, T* x) {
-  for (int j = 0; j < n; ++j, l += ldl) {
-    const T xj = x[j] /= l[j];
-    for (int i = j + 1; i < n; ++i) x[i] -= xj * l[i];
-  }
-}
-
-// x <- L^-T x. Sums in a fixed order that vectorises.
-template <class T>
-void solve_lower_transposed(int n, const T* l, int ldl, T* x) {
-  constexpr int lanes = 16;
-  for (int j = n - 1; j >= 0; --j) {
-    const T* column = l + static_cast<std::ptrdiff_t>(j) * ldl;
-    T part[lanes] = {}, sum = x[j];
-    int i = j + 1;
-    for (; i + lanes <= n; i += lanes)
-      for (int k = 0; k < lanes; ++k) part[k] += column[i + k] * x[i + k];
-    for (; i < n; ++i) sum -= column[i] * x[i];
-    for (int k = 0; k < lanes; ++k) sum -= part[k];
-    x[j] = sum / column[j];
-  }
-}
 
 }  // namespace tack::blas

@@ -6,6 +6,7 @@
 
 #include "framework/assembly/parallel.hpp"
 #include "solvers/linear/dense_kernels.hpp"
+#include "solvers/linear/triangle_products.hpp"
 
 namespace tack {
 namespace {
@@ -16,6 +17,47 @@ constexpr std::ptrdiff_t parallel_entries = 1 << 15;  // smaller panels are not 
 template <class T>
 std::unique_ptr<T[]> uninitialised(size_t n) {
   return std::unique_ptr<T[]>(new T[n]);
+}
+
+// The triangle of a node's own columns, in parts: body(first, last).
+template <class T, class Body>
+void for_each_triangle(int columns, const Body& body) {
+  for (int first = 0; first < columns; first += triangle_columns<T>)
+    body(first, std::min(first + triangle_columns<T>, columns));
+}
+
+// Puts the inverses of the triangles in their places.
+template <class T>
+void invert_triangles(int columns, T* panel, int height) {
+  for_each_triangle<T>(columns, [&](int first, int last) {
+    T* triangle = panel + first + std::ptrdiff_t(first) * height;
+    blas::invert_lower(last - first, triangle, height);
+    for (int j = 1; j < last - first; ++j) std::fill_n(triangle + std::ptrdiff_t(j) * height, j, T(0));
+  });
+}
+
+// x <- L^-1 x.
+template <class T>
+void solve_lower(int columns, const T* panel, int height, T* x) {
+  for_each_triangle<T>(columns, [&](int first, int last) {
+    const T* triangle = panel + first + std::ptrdiff_t(first) * height;
+    lower_times(last - first, triangle, height, x + first);
+    if (last < columns)
+      blas::subtract(columns - last, last - first, triangle + (last - first), height, x + first, x + last);
+  });
+}
+
+// x <- L^-T x.
+template <class T>
+void solve_lower_transposed(int columns, const T* panel, int height, T* x) {
+  for (int last = columns; last > 0;) {
+    const int first = (last - 1) / triangle_columns<T> * triangle_columns<T>;
+    const T* triangle = panel + first + std::ptrdiff_t(first) * height;
+    if (last < columns)
+      blas::subtract_transposed(columns - last, last - first, triangle + (last - first), height, x + last, x + first);
+    lower_transposed_times(last - first, triangle, height, x + first);
+    last = first;
+  }
 }
 
 }  // namespace
@@ -29,8 +71,9 @@ bool MultifrontalFactor<T>::factorize(const SupernodeTree& tree, const BlockMatr
   if (!scale_.allFinite()) return false;  // a diagonal entry is not positive
   if (capacity_ < tree.panel.back()) {
     capacity_ = tree.panel.back() + tree.panel.back() / 8;
-    values_ = uninitialised<T>(capacity_);
+    values_ = uninitialised<T>(capacity_ + triangle_overrun<T>);
   }
+  std::fill_n(values_.get() + tree.panel.back(), triangle_overrun<T>, T(0));
   updates_.clear();
   updates_.resize(tree.nodes());
   std::atomic<bool> definite = true, late = false;
@@ -64,13 +107,13 @@ bool MultifrontalFactor<T>::process(int s, const BlockMatrix& matrix, bool paral
   for (int k = tree.child_start[s]; k < tree.child_start[s + 1]; ++k)
     add_child(s, tree.children[k], parallel);
   if (!blas::cholesky(columns, panel, height)) return false;
-  if (below == 0) return true;
   if (parallel && std::ptrdiff_t(below) * height > parallel_entries) {
     eliminate_parallel(columns, below, panel, height, updates_[s].get(), !leaf);
-    return true;
+  } else if (below > 0) {
+    blas::solve_right(below, columns, panel, height, panel + columns, height);
+    blas::rank_update(below, columns, panel + columns, height, !leaf, updates_[s].get(), below);
   }
-  blas::solve_right(below, columns, panel, height, panel + columns, height);
-  blas::rank_update(below, columns, panel + columns, height, !leaf, updates_[s].get(), below);
+  invert_triangles(columns, panel, height);
   return true;
 }
 
@@ -146,7 +189,7 @@ void MultifrontalFactor<T>::forward(int s, const int* rows, T* x, T* scratch, bo
   const int columns = tree_->columns(s), height = tree_->height(s), below = tree_->below(s);
   const T* panel = values_.get() + tree_->panel[s];
   T* own = x + rows[0];
-  blas::solve_lower(columns, panel, height, own);
+  solve_lower(columns, panel, height, own);
   const auto rest = [&](int, int first, int last) {
     blas::multiply(last - first, columns, panel + columns + first, height, own, scratch + first);
     for (int k = first; k < last; ++k) x[rows[columns + k]] -= scratch[k];
@@ -173,7 +216,7 @@ void MultifrontalFactor<T>::backward(int s, const int* rows, T* x, T* scratch, b
   } else if (below > 0) {
     rest(0, 0, columns);
   }
-  blas::solve_lower_transposed(columns, panel, height, own);
+  solve_lower_transposed(columns, panel, height, own);
 }
 
 template <class T>

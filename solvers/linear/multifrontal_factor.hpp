@@ -34,7 +34,7 @@ class MultifrontalFactor {
 
   const SupernodeTree* tree_ = nullptr;
   VecX scale_;                   // D's diagonal, before the permutation
-  Buffer values_;                // the panels
+  Buffer values_;                // the panels; small triangles on the diagonal are inverted
   std::ptrdiff_t capacity_ = 0;
   std::vector<Buffer> updates_;  // Schur complements that wait for the parent
   std::vector<T> x_;             // permuted right side, then solution

@@ -73,8 +73,8 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   for (const auto& row : steps.rows) {
     CHECK(row[10] > 0);                 // min_distance
     CHECK(row[10] < 1e-3);              // the block stays within reach of the floor
-    CHECK(row[22] <= row[23]);         // forces balance
-    CHECK(row[24] == 1);               // converged
+    CHECK(row[23] <= row[24]);         // forces balance
+    CHECK(row[25] == 1);               // converged
   }
 }
 

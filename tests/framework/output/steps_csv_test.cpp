@@ -20,7 +20,7 @@ StepReport report(int step, double time) {
   r.time = time;
   r.step_size = 0.01;
   r.halvings = 1;
-  r.solve = {MinimizerStatus::converged, 4, 5, 6, 0.25};
+  r.solve = {MinimizerStatus::converged, 4, 5, 11, 6, 0.25};
   r.converged = true;
   r.unbalanced_force = 0.5;
   r.tolerated_force = 2;

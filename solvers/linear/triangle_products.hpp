@@ -1,0 +1,90 @@
+// x <- L x and x <- L^T x for small lower triangular matrices, stored by columns with zeros above the diagonal. The
+// calls of a BLAS cost more than these sums; in triangular solves, with L^-1 for L, columns do not wait for each other.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+
+namespace tack {
+
+namespace detail {
+
+template <class T>
+struct VectorOf;
+template <>
+struct VectorOf<float> {
+  using Type = float __attribute__((vector_size(32)));
+};
+template <>
+struct VectorOf<double> {
+  using Type = double __attribute__((vector_size(32)));
+};
+
+template <class T>
+struct Lane {
+  static constexpr int count = 32 / sizeof(T);
+  using Vector = typename VectorOf<T>::Type;
+  static Vector load(const T* p) {
+    Vector v;
+    std::memcpy(&v, p, sizeof v);
+    return v;
+  }
+};
+
+// n in ((vectors - 1) * lanes, vectors * lanes].
+template <int vectors, class T>
+void lower_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
+  using L = Lane<T>;
+  typename L::Vector sum[vectors] = {};
+  for (int j = 0; j < n; ++j, l += ldl)
+    for (int k = 0; k < vectors; ++k) sum[k] += L::load(l + k * L::count) * x[j];
+  T out[vectors * L::count];
+  std::memcpy(out, sum, sizeof out);
+  std::memcpy(x, out, n * sizeof(T));
+}
+
+template <int vectors, class T>
+void lower_transposed_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
+  using L = Lane<T>;
+  T padded[vectors * L::count] = {};
+  std::memcpy(padded, x, n * sizeof(T));
+  typename L::Vector in[vectors];
+  std::memcpy(in, padded, sizeof in);
+  for (int j = 0; j < n; ++j, l += ldl) {
+    typename L::Vector sum = L::load(l) * in[0];
+    for (int k = 1; k < vectors; ++k) sum += L::load(l + k * L::count) * in[k];
+    T total = 0;
+    for (int i = 0; i < L::count; ++i) total += sum[i];
+    x[j] = total;
+  }
+}
+
+}  // namespace detail
+
+// Columns of a triangle, at most, and numbers that may be read after its last (they count as zeros, but have to be finite).
+template <class T>
+inline constexpr int triangle_columns = 4 * detail::Lane<T>::count;
+template <class T>
+inline constexpr int triangle_overrun = detail::Lane<T>::count - 1;
+
+template <class T>
+void lower_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
+  switch ((n - 1) / detail::Lane<T>::count) {
+    case 0: return detail::lower_times<1>(n, l, ldl, x);
+    case 1: return detail::lower_times<2>(n, l, ldl, x);
+    case 2: return detail::lower_times<3>(n, l, ldl, x);
+    default: return detail::lower_times<4>(n, l, ldl, x);
+  }
+}
+
+template <class T>
+void lower_transposed_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
+  switch ((n - 1) / detail::Lane<T>::count) {
+    case 0: return detail::lower_transposed_times<1>(n, l, ldl, x);
+    case 1: return detail::lower_transposed_times<2>(n, l, ldl, x);
+    case 2: return detail::lower_transposed_times<3>(n, l, ldl, x);
+    default: return detail::lower_transposed_times<4>(n, l, ldl, x);
+  }
+}
+
+}  // namespace tack
