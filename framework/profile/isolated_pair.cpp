@@ -168,7 +168,7 @@ double ContactSeconds::total() const {
   return broad_phase + narrow_phase + ccd + normal_stencils() + friction_stencils();
 }
 
-ContactSeconds seconds_of_pair(const World& world, ObjectIds pair, const State& state) {
+IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
   const Cut cut(world, pair);
   const VecX before = cut.part(state.x_before, 3), now = cut.part(state.x, 3);
   std::vector<char> free(world.rest.size() / 3);
@@ -191,14 +191,16 @@ ContactSeconds seconds_of_pair(const World& world, ObjectIds pair, const State& 
   bound_step(contact, before, now - before, clock);
   contact.move_to(now);
 
-  ContactSeconds seconds;
+  IsolatedPair alone;
+  for (const auto& [ids, count] : count_pairs(contact, friction ? &*friction : nullptr)) alone.count += count;
+  ContactSeconds& seconds = alone.seconds;
   const PhaseClock::Seconds& phases = clock.seconds();
   seconds.broad_phase = phases[static_cast<int>(Phase::broad_phase)];
   seconds.narrow_phase = phases[static_cast<int>(Phase::narrow_phase)];
   seconds.ccd = phases[static_cast<int>(Phase::ccd)];
   seconds.normal = seconds_of_stencils(term, now);
   if (friction) seconds.friction = seconds_of_stencils(*friction, now);
-  return seconds;
+  return alone;
 }
 
 }  // namespace tack

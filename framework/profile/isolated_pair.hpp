@@ -32,7 +32,12 @@ struct ContactSeconds {
   double total() const;
 };
 
-// Of one start of a step, one search each, one way to the end of the step and one evaluation of each kind.
-ContactSeconds seconds_of_pair(const World& world, ObjectIds pair, const State& state);
+struct IsolatedPair {
+  PairCount count;         // as at the end of the step
+  ContactSeconds seconds;  // of one start of a step, the searches, one way to its end and one evaluation of each kind
+};
+
+// `state`: after a step.
+IsolatedPair isolate(const World& world, ObjectIds pair, const State& state);
 
 }  // namespace tack

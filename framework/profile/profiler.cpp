@@ -86,7 +86,7 @@ void Profiler::share(const State& state) {
   });
   std::map<ObjectIds, ContactSeconds> each;
   for (const auto& [ids, count] : count_pairs(*world_.contact, world_.friction.get())) {
-    ContactSeconds& seconds = each[ids] = seconds_of_pair(world_, ids, state);
+    ContactSeconds& seconds = each[ids] = isolate(world_, ids, state).seconds;
     ContactSeconds::for_each(alone, seconds, [](double& sum, double part) { sum += part; });
   }
   ContactSeconds ratio = taken;
