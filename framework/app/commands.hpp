@@ -24,6 +24,7 @@ struct RunOptions {
   bool quiet = false, verbose = false;
   bool resume = false;                     // from the newest checkpoint of the results folder
   std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
+  bool profile = false;                    // tell what the run cost; no frames unless overrides ask for them
 };
 // Simulates an experiment. Throws InputError before anything is written.
 int run_command(const RunOptions& options);

@@ -39,6 +39,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer("`./tack test` runs the tests.");
     add_run();
+    add_profile();
     add_compare();
     add_check();
     add_list();
@@ -57,18 +58,24 @@ class CommandLine {
  private:
   void add_run() {
     CLI::App* run = app_.add_subcommand("run", "Simulate an experiment");
-    add_scene_options(*run, run_.scene);
-    add_output(*run, run_.output, run_.threads);
-    run->add_option("--steps", run_.steps, "stop after this many steps")->check(CLI::PositiveNumber);
+    add_run_options(*run, run_);
     run->add_flag("--resume", run_.resume, "go on from the newest checkpoint of the results folder");
     run->add_option("--dump-problem", run_.dump_problems,
                     "store a step to minimise it again: step=K, or hardest=N for those with most iterations (repeatable)")
         ->take_all()->allow_extra_args(false);
-    run->add_flag("-q,--quiet", run_.quiet, "print errors only");
-    run->add_flag("-v,--verbose", run_.verbose, "print a line for every step");
     run->callback([this] {
       settle(run_.scene);
       exit_code_ = run_command(run_);
+    });
+  }
+
+  void add_profile() {
+    CLI::App* profile = app_.add_subcommand("profile", "Simulate an experiment and tell what costs what, and what to change");
+    add_run_options(*profile, profile_);
+    profile->callback([this] {
+      settle(profile_.scene);
+      profile_.profile = true;
+      exit_code_ = run_command(profile_);
     });
   }
 
@@ -110,13 +117,21 @@ class CommandLine {
     info->callback([this] { exit_code_ = mesh_info_command(mesh_file_); });
   }
 
+  static void add_run_options(CLI::App& command, RunOptions& options) {
+    add_scene_options(command, options.scene);
+    add_output(command, options.output, options.threads);
+    command.add_option("--steps", options.steps, "stop after this many steps")->check(CLI::PositiveNumber);
+    command.add_flag("-q,--quiet", options.quiet, "print errors only");
+    command.add_flag("-v,--verbose", options.verbose, "print a line for every step");
+  }
+
   static void add_output(CLI::App& command, std::string& output, int& threads) {
     command.add_option("-o,--output", output, "results folder (default: results/NAME)");
     command.add_option("--threads", threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
   }
 
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
-  RunOptions run_;
+  RunOptions run_, profile_;
   CompareOptions compare_;
   SceneOptions check_;
   ListOptions list_;

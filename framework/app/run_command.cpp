@@ -18,6 +18,7 @@
 #include "framework/output/progress.hpp"
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
+#include "framework/profile/profiler.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/resolution.hpp"
 #include "framework/scene/tolerances.hpp"
@@ -58,11 +59,18 @@ RunFolder folder_of(const RunOptions& options, const SceneConfig& scene) {
   return options.resume ? RunFolder::open(root) : RunFolder::create(root);
 }
 
+// What is to be measured writes no frames, unless it is told to.
+std::vector<std::string> overrides_of(const RunOptions& options) {
+  std::vector<std::string> overrides = options.scene.overrides;
+  if (options.profile) overrides.insert(overrides.begin(), "output.frames=false");
+  return overrides;
+}
+
 // A run under way: what the loop needs and what remains of it.
 class Run {
  public:
   Run(const RunOptions& options, int threads)
-      : options_(options), dump_(options.dump_problems), scene_(load_scene(options.scene.file, options.scene.overrides)),
+      : options_(options), dump_(options.dump_problems), scene_(load_scene(options.scene.file, overrides_of(options))),
         world_(build_world(scene_.config, scene_.root, clock_)),
         columns_(prepare_probes(scene_, *world_)),
         folder_(folder_of(options, scene_.config)), checkpoint_(checkpoint()),
@@ -77,6 +85,7 @@ class Run {
     summary_.threads = threads;
     summary_.dofs = world_->dofs.size();
     summary_.adhesion = world_->adhesion;
+    if (options.profile) profiler_.emplace(*world_, scene_.config, clock_);
   }
 
   int execute() {
@@ -121,6 +130,8 @@ class Run {
       progress_.iteration(stepper_->state().step + 1, stepper_->state().time, iteration, residual);
     };
     stepper_->observe(tell, tell);
+    if (profiler_)
+      stepper_->observe_steps([this](const VecX& x, const VecX& p, double feasible) { profiler_->tried(x, p, feasible); });
   }
 
   void simulate(Recorder& recorder) {
@@ -141,6 +152,7 @@ class Run {
         summary_.status = RunStatus::interrupted;
         return;
       }
+      if (profiler_) profiler_->step(stepper_->state(), report);
       dump_.after(report.solve.iterations);
       recorder.step(stepper_->state(), report);
       summary_.add(report);
@@ -215,6 +227,12 @@ class Run {
     for (int i = 0; i < phase_count; ++i) summary_.phases[i] = phases_before_[i] + seconds[i];
   }
 
+  std::string profile_of_run() {
+    const Profile profile = profiler_->finish(stepper_->state(), summary_);
+    write_profile(folder_.profile(), profile);
+    return profile_tables(profile);
+  }
+
   int finish(Recorder& recorder) {
     const bool complete = summary_.status == RunStatus::done && options_.steps == 0;
     if (complete) {
@@ -228,7 +246,7 @@ class Run {
     for (const double s : summary_.phases) summary_.wall_seconds += s;
     write_summary(folder_.summary(), summary_);
     progress_.finish();
-    progress_.message(phase_table(summary_));
+    progress_.message(profiler_ && stepper_ ? profile_of_run() : phase_table(summary_));
     if (complete) progress_.message(expect_table(summary_.expect));
     progress_.message(fmt::format("{}: {} steps, {} Newton iterations, smallest gap {:.4g} m; results in {}",
                                   to_string(summary_.status), summary_.steps, summary_.newton_iterations,
@@ -254,6 +272,7 @@ class Run {
   Progress progress_;
   RunSummary summary_;
   PhaseClock::Seconds phases_before_{};  // of the run that is resumed
+  std::optional<Profiler> profiler_;
   std::optional<TimeStepper> stepper_;
   double next_checkpoint_ = 0;  // s
 };

@@ -6,6 +6,7 @@
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/assembly/stencil_clamp.hpp"
+#include "framework/core/term_times.hpp"
 
 namespace tack {
 
@@ -40,10 +41,11 @@ void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   hessian_mapped = true;
 }
 
-void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessian) {
+void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessian, TermTimes* times) {
   for (size_t t = 0; t < terms.size(); ++t) {
     double* hessian =
         with_hessian ? hessian_slots.data() + 9 * static_cast<size_t>(first_hessian[t]) : nullptr;
+    const TermScope scope(times, terms[t], with_hessian ? Evaluation::hessian : Evaluation::gradient);
     terms[t]->derivatives(x, filter, gradient_slots.data() + 3 * static_cast<size_t>(first_gradient[t]),
                           hessian);
   }
@@ -123,7 +125,7 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, false);
   for (Group* group : groups()) {
-    group->evaluate(x, SpdFilter::none, false);
+    group->evaluate(x, SpdFilter::none, false, clock_.term_times());
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
   add_linear(x, scales.body, gradient);
@@ -167,6 +169,14 @@ void Assembler::locate_static_blocks() {
   locate(static_.hessian_map.target, static_positions_);
 }
 
+void Assembler::evaluate_ranged(const VecX& x, const HessianOptions& options) {
+  double* const gradients = ranged_.gradient_slots.data();
+  TermTimes* const times = clock_.term_times();
+  if (!times) return ranged_sums_.evaluate(x, options.filter, options.clamp_at, gradients);
+  const std::vector<double> seconds = ranged_sums_.timed_evaluate(x, options.filter, options.clamp_at, gradients);
+  for (size_t t = 0; t < seconds.size(); ++t) times->add(ranged_.terms[t], Evaluation::hessian, seconds[t]);
+}
+
 void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
                          const VecX& block_mass, VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
@@ -179,9 +189,9 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
 
   for (Group* group : groups()) {
     if (group == &ranged_) {
-      ranged_sums_.evaluate(x, options.filter, options.clamp_at, ranged_.gradient_slots.data());
+      evaluate_ranged(x, options);
     } else {
-      group->evaluate(x, options.filter, true);
+      group->evaluate(x, options.filter, true, clock_.term_times());
     }
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
     if (!options.clamp_at || group == &ranged_) continue;

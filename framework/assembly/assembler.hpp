@@ -51,13 +51,14 @@ class Assembler {
 
     double largest_force() const;
     void place(const DofMap& dofs, bool with_hessian);
-    void evaluate(const VecX& x, SpdFilter filter, bool with_hessian);
+    void evaluate(const VecX& x, SpdFilter filter, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
     void gather_gradient(double scale, VecX& gradient) const;
     void gather_hessian(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
   };
 
   std::vector<Group*> groups() { return {&ranged_, &static_, &dynamic_}; }
+  void evaluate_ranged(const VecX& x, const HessianOptions& options);
   void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;
 

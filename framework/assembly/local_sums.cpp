@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 
 #include "framework/assembly/parallel.hpp"
@@ -30,13 +31,14 @@ void add_block(const double* block, bool transposed, double* sum) {
 void LocalSums::place(const std::vector<const StencilRanges*>& terms, const std::vector<PlacedBatch>& batches,
                       const DofMap& dofs) {
   dofs_ = &dofs;
+  terms_ = static_cast<int>(terms.size());
   chunks_.clear();
   size_t blocks = 0;
   for (size_t t = 0; t < terms.size(); ++t) {
     const StencilBatch& batch = batches[t].batch;
     for (int first = 0; first < batch.count; first += chunk_length) {
       const int last = std::min(first + chunk_length, batch.count);
-      chunks_.push_back({terms[t], batch, first, last,
+      chunks_.push_back({terms[t], static_cast<int>(t), batch, first, last,
                          static_cast<size_t>(batches[t].gradient_slot) + static_cast<size_t>(batch.arity) * first, blocks});
       blocks += static_cast<size_t>(hessian_blocks(batch.arity)) * (last - first);
     }
@@ -127,6 +129,24 @@ void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, co
 void LocalSums::evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at, double* gradient_slots) {
   for_each(static_cast<int>(chunks_.size()),
            [&](int c) { evaluate(chunks_[c], x, filter, clamp_at, gradient_slots); }, 1);
+}
+
+std::vector<double> LocalSums::timed_evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+                                              double* gradient_slots) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  std::vector<double> of_chunk(chunks_.size()), of_term(terms_);
+  const auto start = Clock::now();
+  for_each(static_cast<int>(chunks_.size()), [&](int c) {
+    const auto begun = Clock::now();
+    evaluate(chunks_[c], x, filter, clamp_at, gradient_slots);
+    of_chunk[c] = since(begun);
+  }, 1);
+  const double all = since(start);
+  double sum = 0;
+  for (size_t c = 0; c < chunks_.size(); ++c) of_term[chunks_[c].number] += of_chunk[c], sum += of_chunk[c];
+  for (double& seconds : of_term) seconds *= sum > 0 ? all / sum : 0;
+  return of_term;
 }
 
 void LocalSums::gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const {

@@ -22,12 +22,17 @@ class LocalSums {
   // after `filter`, if flags are given.
   void evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at, double* gradient_slots);
 
+  // The same, and how long it took, by term [s]: the time of all, shared as their chunks took it.
+  std::vector<double> timed_evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+                                     double* gradient_slots);
+
   // Adds scale * sums to the matrix, where target k is at positions[k].
   void gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
 
  private:
   struct Chunk {
     const StencilRanges* term;
+    int number;            // of the term
     StencilBatch batch;
     int first, last;       // stencils of the batch
     size_t gradient_slot;  // of the first [3-vectors]
@@ -42,6 +47,7 @@ class LocalSums {
   bool flagged(const StencilBatch& batch, int stencil, const std::vector<char>& flags) const;
 
   const DofMap* dofs_ = nullptr;
+  int terms_ = 0;
   std::vector<Chunk> chunks_;
   std::vector<int> sum_of_;    // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
   std::vector<double> sums_;   // 9 each

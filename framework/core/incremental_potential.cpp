@@ -5,6 +5,7 @@
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/core/residual_view.hpp"
+#include "framework/core/term_times.hpp"
 
 namespace tack {
 namespace {
@@ -18,7 +19,7 @@ constexpr double sum_noise = 1e-10;
 IncrementalPotential::IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs,
                                            const VecX& mass, PhaseClock& clock,
                                            std::function<void(const VecX&)> on_move)
-    : terms_(terms), dofs_(dofs), on_move_(std::move(on_move)), assembler_(terms, dofs, clock) {
+    : terms_(terms), dofs_(dofs), on_move_(std::move(on_move)), clock_(clock), assembler_(terms, dofs, clock) {
   set_mass(mass);
 }
 
@@ -54,6 +55,11 @@ double IncrementalPotential::inertia_value() const {
   });
 }
 
+double IncrementalPotential::value_of(const Term& term) const {
+  const TermScope scope(clock_.term_times(), &term, Evaluation::value);
+  return term.value(x_);
+}
+
 double IncrementalPotential::value() {
   if (value_known_) return value_;
   ++value_count_;
@@ -62,7 +68,7 @@ double IncrementalPotential::value() {
   const bool first = first_x_.size() == 0;
   if (first) first_x_ = x_, first_parts_.clear();
   for (const Term* term : terms_) {
-    const double potential = term->value(x_), part = scales_.of(*term) * potential;
+    const double potential = value_of(*term), part = scales_.of(*term) * potential;
     if (first) first_parts_.push_back(potential);
     value_ += part;
     noise_ += std::abs(part);

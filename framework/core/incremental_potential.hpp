@@ -51,6 +51,7 @@ class IncrementalPotential : public Objective {
 
  private:
   double inertia_value() const;
+  double value_of(const Term& term) const;
   void start_gradient();
   const BlockMatrix& assemble(const Assembler::HessianOptions& options);
 
@@ -58,6 +59,7 @@ class IncrementalPotential : public Objective {
   const DofMap& dofs_;
   VecX block_mass_, free_mass_;  // per free block [kg]; block_mass_ is zero when quasi-static
   std::function<void(const VecX&)> on_move_;
+  PhaseClock& clock_;
   Assembler assembler_;
 
   VecX x_, prediction_, q_;

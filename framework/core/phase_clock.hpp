@@ -13,6 +13,8 @@
 
 namespace tack {
 
+class TermTimes;
+
 enum class Phase { other, assembly, filter, factorize, solve, broad_phase, narrow_phase, ccd,
                    line_search, check, io, count };
 
@@ -43,12 +45,23 @@ class PhaseClock {
     enter(current_);
     return seconds_;
   }
+  // What passed since the last change belongs to no phase.
+  void skip() { start_ = Clock::now(); }
+
+  // Numeric ones, and preconditioners that are made.
+  void count_factorization() { ++factorizations_; }
+  long factorizations() const { return factorizations_; }
+  // The table that terms are timed in; null, as a rule: they are not (term_times.hpp).
+  TermTimes* term_times() const { return term_times_; }
+  void time_terms(TermTimes* times) { term_times_ = times; }
 
  private:
   Clock::time_point begun_, start_;
   Phase current_ = Phase::other;
   Seconds seconds_{};
   Deadline deadline_;
+  long factorizations_ = 0;
+  TermTimes* term_times_ = nullptr;
 };
 
 // Enters a phase for the lifetime of a scope.
@@ -62,6 +75,18 @@ class PhaseScope {
  private:
   PhaseClock& clock_;
   Phase outer_;
+};
+
+// Leaves the lifetime of a scope, in which no phase may be entered, out of all phases.
+class ClockPause {
+ public:
+  explicit ClockPause(PhaseClock& clock) : clock_(clock) { clock.seconds(); }
+  ~ClockPause() { clock_.skip(); }
+  ClockPause(const ClockPause&) = delete;
+  ClockPause& operator=(const ClockPause&) = delete;
+
+ private:
+  PhaseClock& clock_;
 };
 
 }  // namespace tack

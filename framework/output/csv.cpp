@@ -15,16 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
-  std::string out = "\"";
-  for (const char c : name) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 std::string header(const std::vector<std::string>& columns) {
   std::string line;
-  for (const std::string& name : columns) line += (line.empty() ? "" : ",") + quoted(name);
+  for (const std::string& name : columns) line += (line.empty() ? "" : ",") + csv_cell(name);
   return line + "\n";
 }
 
@@ -77,6 +70,13 @@ std::vector<double> numbers(const std::vector<std::string>& cells, std::size_t c
 }
 
 }  // namespace
+
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
 
 std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   const auto found = std::find(columns.begin(), columns.end(), name);

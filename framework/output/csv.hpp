@@ -20,6 +20,9 @@ struct CsvTable {
   std::optional<std::size_t> column(std::string_view name) const;
 };
 
+// Text as a cell: quoted where it has to be.
+std::string csv_cell(const std::string& text);
+
 // Ignores a last line without its line end: what an interrupted run leaves. Throws InputError
 // naming file and line for anything that is no such table.
 CsvTable read_csv(const std::filesystem::path& path);

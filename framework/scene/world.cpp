@@ -18,4 +18,10 @@ int World::body_index(const std::string& name) const {
   return -1;
 }
 
+int World::body_of(int vertex) const {
+  int body = 0;
+  while (vertex >= bodies[body].first_vertex + bodies[body].vertex_count) ++body;
+  return body;
+}
+
 }  // namespace tack

@@ -44,6 +44,7 @@ struct World {
   void forget();
 
   int body_index(const std::string& name) const;  // -1 if there is none
+  int body_of(int vertex) const;                  // whose vertex (global) that is
   SelectionContext selection_context(int body) const { return {bodies[body], rest}; }
 };
 

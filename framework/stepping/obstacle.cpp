@@ -24,17 +24,11 @@ int nearest_object(const ContactSystem& contact, const VecX& x, int a) {
   return nearest;
 }
 
-int body_of(const World& world, int v) {
-  int body = 0;
-  while (v >= world.bodies[body].first_vertex + world.bodies[body].vertex_count) ++body;
-  return body;
-}
-
 }  // namespace
 
 std::string describe_primitive(const World& world, const std::vector<int>& vertices) {
   static constexpr std::array<const char*, 4> kinds = {"vertex", "edge", "triangle", "tet"};
-  const Body& body = world.bodies[body_of(world, vertices[0])];
+  const Body& body = world.bodies[world.body_of(vertices[0])];
   std::vector<int> own;
   for (const int v : vertices) own.push_back(v - body.first_vertex);
   const std::string numbers = fmt::format("{}", fmt::join(own, ", "));
@@ -47,14 +41,14 @@ std::string describe_blocker(const World& world, const std::vector<std::unique_p
   for (const auto& filter : filters)
     if (auto found = filter->blocker(x, p); found && !(worst && worst->step <= found->step)) worst = std::move(found);
   if (!worst) return "";
-  const std::string cut = fmt::format("the last step was cut to {:.2g} of its length ({:.2g} m) by {}", worst->step,
+  const std::string cut = fmt::format("cut to {:.2g} of its length ({:.2g} m) by {}", worst->step,
                                       p.lpNorm<Eigen::Infinity>(), describe_primitive(world, worst->first));
   if (worst->second.empty()) return cut + ", which it would crush";
   return fmt::format("{} and {}, {:.2g} m apart", cut, describe_primitive(world, worst->second), worst->gap);
 }
 
 std::string describe_obstacle(const World& world, const VecX& x, int v, double distance) {
-  const int a = body_of(world, v);
+  const int a = world.body_of(v);
   const std::string& name = world.bodies[a].name;
   const std::string rest = fmt::format("vertex {} of '{}' is still {:.3g} m short of its place",
                                        v - world.bodies[a].first_vertex, name, distance);

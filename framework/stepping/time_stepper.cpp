@@ -26,7 +26,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
                 [this](const VecX& x, const VecX& p) { return largest_step(x, p); },
                 [this](const VecX& x, const VecX& p) {
                   tried_ = {x, p};
-                  return largest_step(x, p);
+                  return largest_tried_step();
                 }) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   clock_.deadline().limit_run(clock.begun(), scene.time.wall_limit);
@@ -95,12 +95,18 @@ double TimeStepper::largest_step(const VecX& x, const VecX& p) {
   return t;
 }
 
+double TimeStepper::largest_tried_step() {
+  const double feasible = largest_step(tried_.x, tried_.p);
+  if (step_observer_) step_observer_(tried_.x, tried_.p, feasible);
+  return feasible;
+}
+
 double TimeStepper::feasible_step(const VecX& q, const VecX& p) {
   tried_.x = potential_->configuration();
   world_.dofs.scatter(q, tried_.x);
   tried_.p.setZero();
   world_.dofs.scatter(p, tried_.p);
-  return largest_step(tried_.x, tried_.p);
+  return largest_tried_step();
 }
 
 // Where the motion would go with the acceleration of the last step, as far as that is feasible and
@@ -236,7 +242,7 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
 std::string TimeStepper::blocker() const {
   if (tried_.x.size() == 0) return "";
   const std::string what = describe_blocker(world_, filters_, tried_.x, tried_.p);
-  return what.empty() ? "" : "; " + what;
+  return what.empty() ? "" : "; the last step was " + what;
 }
 
 void TimeStepper::check_wall_limit(const std::string& wrong) const {

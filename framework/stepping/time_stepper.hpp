@@ -63,6 +63,9 @@ class TimeStepper {
     observer_ = std::move(observer);
     walk_observer_ = std::move(walk);
   }
+  // Is told of every step from x to x + p (3n) that a minimiser wants to take, and the part of it that is feasible.
+  using StepObserver = std::function<void(const VecX& x, const VecX& p, double feasible)>;
+  void observe_steps(StepObserver observer) { step_observer_ = std::move(observer); }
 
  private:
   void attempt_step(double h, const VecX* guess, Attempt& attempt);
@@ -75,6 +78,7 @@ class TimeStepper {
   void apply_loads(double t);
   VecX contact_accelerations(const VecX& x) const;
   double largest_step(const VecX& x, const VecX& p);
+  double largest_tried_step();
   double feasible_step(const VecX& q, const VecX& p);
   StepReport report(const Attempt& attempt, double h, int halvings) const;
 
@@ -97,6 +101,7 @@ class TimeStepper {
   std::optional<IterateCheck> check_;
   bool inertia_ = true;
   MinimizerProblem::Observer observer_, walk_observer_;
+  StepObserver step_observer_;
   struct Found {
     int intersections = 0, inverted_tets = 0;
   } found_;  // by the exact check, in the solves of the present step

@@ -20,6 +20,7 @@ class Cholmod : public LinearSolver {
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
+    clock.count_factorization();
     blas::set_threads(blas_threads_);
     // CHOLMOD's own OpenMP loops ask for four threads and spin: twice as slow as none.
     omp_set_max_active_levels(0);

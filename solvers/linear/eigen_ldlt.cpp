@@ -10,6 +10,7 @@ class EigenLdlt : public LinearSolver {
  public:
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
+    clock.count_factorization();
     const bool changed = matrix.version != version_;
     if (changed) csc_.set_structure(matrix);
     csc_.set_values(matrix);

@@ -25,6 +25,7 @@ class Multifrontal : public LinearSolver {
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
+    clock.count_factorization();
     blas::set_threads(1);
     analyze(matrix);
     if (approximate() && single_.factorize(*tree_, matrix, clock.deadline())) {

@@ -29,6 +29,7 @@ class Pcg : public LinearSolver {
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
+    clock.count_factorization();
     matrix_ = &matrix;
     return preconditioner_->update(matrix, clock.deadline());
   }

@@ -31,6 +31,24 @@ contact:
 constexpr const char* adhesion_text =
     "      adhesion: {type: fang, peak_traction: 1 kPa, peak_distance: 1 mm, range: 2 mm}\n";
 
+constexpr const char* plates_text = R"(
+name: plates
+time: {step: 0.01 s, duration: 1 s}
+objects:
+  - name: lower
+    shape: {type: box, size: [1, 0.01, 1], cells: [75, 1, 75]}
+    motion: [fixed]
+  - name: middle
+    shape: {type: box, size: [1, 0.01, 1], cells: [75, 1, 75]}
+    place: {axis: [0, 1, 0], angle: 7 deg, translate: [0, 10.25 mm, 0]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.4, density: 1000}]
+  - name: upper
+    shape: {type: box, size: [1, 0.01, 1], cells: [75, 1, 75]}
+    place: {axis: [0, 1, 0], angle: 14 deg, translate: [0, 20.5 mm, 0]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.4, density: 1000}]
+contact: {distance: 1 mm, friction: {mu: 0.5, eps_v: 1 cm/s}}
+)";
+
 // An open sheet as a body of the world; it has no energy, so build_world() would refuse it.
 void add_sheet(const ObjectConfig& object, World& world) {
   Mesh mesh = object.shape->make();
@@ -67,6 +85,16 @@ std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
   world.terms = {world.contact_term.get()};
   world.contact->begin_step(world.rest);
   world.contact->move_to(world.rest);
+  return scene;
+}
+
+std::unique_ptr<Scene> plates() {
+  auto scene = std::make_unique<Scene>();
+  scene->loaded.root = parse_string(plates_text, "plates");
+  bind(scene->loaded.root, scene->loaded.config, "the scene");
+  scene->world = build_world(scene->loaded.config, scene->loaded.root, scene->clock);
+  scene->world->contact->begin_step(scene->world->rest);
+  scene->world->contact->move_to(scene->world->rest);
   return scene;
 }
 

@@ -25,6 +25,10 @@ enum class Laws { barrier, barrier_and_adhesion };
 // energy, contact only. weights: "area" or "pair".
 std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws);
 
+// Three plates of 1 x 0.01 x 1 m, 75x1x75 cells each, above each other with gaps of 0.25 mm and turned by 0, 7 and
+// 14 degrees in their plane; the lowest is fixed. dhat_b = 1 mm, friction of 0.5. 127 000 active contacts.
+std::unique_ptr<Scene> plates();
+
 // A file in experiments/, without frames. Overrides: "a.b=c".
 std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides = {});
 inline std::unique_ptr<Scene> two_blocks() { return experiment("stack/two_blocks.yaml"); }

@@ -1,0 +1,206 @@
+#include "framework/profile/isolated_pair.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+#include "framework/core/step_filter.hpp"
+
+namespace tack {
+namespace {
+
+// The bodies of a pair, with vertices and objects numbered anew.
+class Cut {
+ public:
+  Cut(const World& world, ObjectIds pair) : world_(world), bodies_{pair.first} {
+    if (pair.second != pair.first) bodies_.push_back(pair.second);
+    for (const int body : bodies_) {
+      offsets_.push_back(vertices_ - world.bodies[body].first_vertex);
+      vertices_ += world.bodies[body].vertex_count;
+    }
+  }
+
+  int objects() const { return static_cast<int>(bodies_.size()); }
+  int body(int object) const { return bodies_[object]; }
+  // -1 for a vertex of another body.
+  int object_of(int v) const {
+    for (int i = 0; i < objects(); ++i) {
+      const Body& body = world_.bodies[bodies_[i]];
+      if (v >= body.first_vertex && v < body.first_vertex + body.vertex_count) return i;
+    }
+    return -1;
+  }
+  int number_of(int v) const { return v + offsets_[object_of(v)]; }
+
+  // Their part of what there is `each` times for every vertex.
+  template <class Numbers>
+  Numbers part(const Numbers& all, int each = 1) const {
+    Numbers numbers(static_cast<size_t>(each) * vertices_);
+    auto out = numbers.begin();
+    for (const int i : bodies_) {
+      const Body& body = world_.bodies[i];
+      out = std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(each) * body.first_vertex,
+                        static_cast<size_t>(each) * body.vertex_count, out);
+    }
+    return numbers;
+  }
+  // Their part of a list of elements, numbered anew. keep(i) is told which.
+  template <class Element, class Keep>
+  std::vector<Element> elements(const std::vector<Element>& all, const Keep& keep) const {
+    std::vector<Element> own;
+    for (size_t i = 0; i < all.size(); ++i) {
+      if (object_of(all[i][0]) < 0) continue;
+      Element& element = own.emplace_back(all[i]);
+      for (int& v : element) v = number_of(v);
+      keep(static_cast<int>(i));
+    }
+    return own;
+  }
+  std::vector<int> numbers(const std::vector<int>& vertices) const {
+    std::vector<int> own;
+    for (const int v : vertices)
+      if (object_of(v) >= 0) own.push_back(number_of(v));
+    return own;
+  }
+
+ private:
+  const World& world_;
+  std::vector<int> bodies_, offsets_;
+  int vertices_ = 0;
+};
+
+ContactSurface surface_of(const ContactSurface& all, const Cut& cut) {
+  ContactSurface own;
+  own.mesh.vertices = cut.numbers(all.mesh.vertices);
+  own.mesh.codim_points = cut.numbers(all.mesh.codim_points);
+  std::vector<int> edges;
+  own.mesh.edges = cut.elements(all.mesh.edges, [&](int e) { edges.push_back(e); });
+  for (size_t e = 0; e < edges.size(); ++e) {
+    own.edge_area.push_back(all.edge_area[edges[e]]);
+    if (std::binary_search(all.mesh.codim_edges.begin(), all.mesh.codim_edges.end(), edges[e]))
+      own.mesh.codim_edges.push_back(static_cast<int>(e));
+  }
+  own.mesh.triangles = cut.elements(all.mesh.triangles, [](int) {});
+  for (const int object : cut.part(all.mesh.vertex_object))
+    own.mesh.vertex_object.push_back(object == cut.body(0) ? 0 : 1);
+  own.mesh.vertex_movable = cut.part(all.mesh.vertex_movable);
+  if (!all.mesh.vertex_group.empty()) own.mesh.vertex_group = cut.part(all.mesh.vertex_group);
+  for (int i = 0; i < cut.objects(); ++i) own.closed.push_back(all.closed[cut.body(i)]);
+  own.rest = cut.part(all.rest, 3);
+  return own;
+}
+
+// Calls act(i, j) for the pair in both orders.
+template <class Act>
+void both_ways(const Cut& cut, const Act& act) {
+  const int last = cut.objects() - 1;
+  act(0, last);
+  act(last, 0);
+}
+
+PairTable table_of(const PairTable& all, const Cut& cut) {
+  PairTable own(cut.objects());
+  own.plain_sums = all.plain_sums;
+  for (size_t law = 0; law < all.laws().size(); ++law)
+    own.add_law(all.laws()[law], all.tangential(static_cast<int>(law)));
+  both_ways(cut, [&](int i, int j) {
+    own.point(i, j) = all.point(cut.body(i), cut.body(j));
+    own.set_edge(i, j, all.edge(cut.body(i), cut.body(j)));
+  });
+  return own;
+}
+
+ObjectPairFilter filter_of(const Cut& cut) {
+  ObjectPairFilter filter(false);
+  both_ways(cut, [&](int i, int j) { filter.set(i, j, true); });
+  return filter;
+}
+
+// The sides that integrated, of which there is one for each ordered pair of objects.
+std::vector<char> sides_of(const std::vector<char>& all, int objects, const Cut& cut) {
+  if (all.empty()) return {};
+  std::vector<char> own(static_cast<size_t>(cut.objects()) * cut.objects());
+  for (int i = 0; i < cut.objects(); ++i)
+    for (int j = 0; j < cut.objects(); ++j)
+      own[i * cut.objects() + j] = all[static_cast<size_t>(cut.body(i)) * objects + cut.body(j)];
+  return own;
+}
+
+// The shorter one of two evaluations: the first may have to fetch memory.
+template <class Evaluate>
+double seconds_of(const Evaluate& evaluate) {
+  using Clock = std::chrono::steady_clock;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i) {
+    const auto start = Clock::now();
+    evaluate();
+    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  return least;
+}
+
+std::array<double, evaluation_count> seconds_of_stencils(const Term& term, const VecX& x) {
+  size_t vertices = 0, blocks = 0;
+  for (const StencilBatch& batch : term.batches()) {
+    vertices += static_cast<size_t>(batch.arity) * batch.count;
+    blocks += static_cast<size_t>(hessian_blocks(batch.arity)) * batch.count;
+  }
+  if (vertices == 0) return {};
+  std::vector<double> gradient(3 * vertices), hessian(9 * blocks);
+  return {seconds_of([&] { term.value(x); }),
+          seconds_of([&] { term.derivatives(x, SpdFilter::none, gradient.data(), nullptr); }),
+          seconds_of([&] { term.derivatives(x, SpdFilter::clamp, gradient.data(), hessian.data()); })};
+}
+
+void bound_step(ContactSystem& contact, const VecX& x, const VecX& p, PhaseClock& clock) {
+  const std::vector<Tet> no_tets;
+  for (const std::string& name : Registry<StepFilter>::kind().names()) {
+    const auto filter = Registry<StepFilter>::make(name);
+    if (filter->attach({&contact, no_tets, clock})) filter->largest_step(x, p, 1);
+  }
+}
+
+}  // namespace
+
+double ContactSeconds::normal_stencils() const { return std::accumulate(normal.begin(), normal.end(), 0.0); }
+double ContactSeconds::friction_stencils() const { return std::accumulate(friction.begin(), friction.end(), 0.0); }
+double ContactSeconds::total() const {
+  return broad_phase + narrow_phase + ccd + normal_stencils() + friction_stencils();
+}
+
+IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
+  const Cut cut(world, pair);
+  const VecX before = cut.part(state.x_before, 3), now = cut.part(state.x, 3);
+  std::vector<char> free(world.rest.size() / 3);
+  for (size_t v = 0; v < free.size(); ++v) free[v] = world.dofs.block(static_cast<int>(v)) >= 0;
+
+  PhaseClock clock;
+  ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),
+                        filter_of(cut), clock);
+  contact.set_free(cut.part(free));
+  contact.set_sides_before(sides_of(state.sides, world.contact->pairs().objects(), cut));
+  const ContactTerm term(contact);
+  std::optional<FrictionTerm> friction;
+  if (world.friction) friction.emplace(contact, term);
+
+  contact.begin_step(before);
+  if (friction) {
+    contact.move_to(before);
+    friction->begin_step(before, state.h_before);
+  }
+  bound_step(contact, before, now - before, clock);
+  contact.move_to(now);
+
+  IsolatedPair alone;
+  for (const auto& [ids, count] : count_pairs(contact, friction ? &*friction : nullptr)) alone.count += count;
+  ContactSeconds& seconds = alone.seconds;
+  const PhaseClock::Seconds& phases = clock.seconds();
+  seconds.broad_phase = phases[static_cast<int>(Phase::broad_phase)];
+  seconds.narrow_phase = phases[static_cast<int>(Phase::narrow_phase)];
+  seconds.ccd = phases[static_cast<int>(Phase::ccd)];
+  seconds.normal = seconds_of_stencils(term, now);
+  if (friction) seconds.friction = seconds_of_stencils(*friction, now);
+  return alone;
+}
+
+}  // namespace tack

@@ -1,0 +1,84 @@
+#include "framework/profile/pair_counts.hpp"
+
+#include <algorithm>
+
+namespace tack {
+namespace {
+
+class Counter {
+ public:
+  explicit Counter(const CollisionMesh& mesh) : mesh_(mesh) {}
+
+  // Of the objects of two vertices (global). Neighbours in a list are mostly of the same pair.
+  PairCount& of(int v, int w) {
+    const ObjectIds pair = std::minmax({mesh_.vertex_object[v], mesh_.vertex_object[w]});
+    if (!last_ || pair != last_pair_) last_ = &counts_[pair], last_pair_ = pair;
+    return *last_;
+  }
+  std::map<ObjectIds, PairCount> take() { return std::move(counts_); }
+
+ private:
+  const CollisionMesh& mesh_;
+  std::map<ObjectIds, PairCount> counts_;
+  PairCount* last_ = nullptr;
+  ObjectIds last_pair_;
+};
+
+void count_candidates(const CollisionMesh& mesh, const Candidates& candidates, Counter& counter) {
+  for (const auto& [p, t] : candidates.point_triangle) ++counter.of(p, mesh.triangles[t][0]).candidates;
+  for (const auto& [i, j] : candidates.edge_edge) ++counter.of(mesh.edges[i][0], mesh.edges[j][0]).candidates;
+  for (const auto& [p, e] : candidates.point_edge) ++counter.of(p, mesh.edges[e][0]).candidates;
+  for (const auto& [p, q] : candidates.point_point) ++counter.of(p, q).candidates;
+}
+
+// The edges of a pair have the law of its guards, unless all pairs of primitives simply add up.
+bool guards(const PairTable& pairs, int a, int b, int law) {
+  return !pairs.plain_sums && law == pairs.edge(a, b).law;
+}
+
+void count_stencils(const ContactSystem& contact, Counter& counter) {
+  const auto& object = contact.surface().mesh.vertex_object;
+  for_each_kind(contact.contacts(), [&](auto kind, const auto& stencils, const double*) {
+    using Kind = decltype(kind);
+    for (const auto& s : stencils) {
+      const int v = s.vertices[0], w = s.vertices[Kind::first_vertices];
+      PairCount& count = counter.of(v, w);
+      if constexpr (is_sample<Kind>) ++count.samples;
+      else if constexpr (std::is_same_v<Kind, EdgeEdgeKind>) ++count.edges;
+      else ++(guards(contact.pairs(), object[v], object[w], s.law) ? count.guards : count.points);
+    }
+  });
+}
+
+void count_friction(const LaggedContacts& lagged, Counter& counter) {
+  const auto count = [&](const auto& contacts) {
+    for (const auto& c : contacts) ++counter.of(c.vertices[0], c.vertices[c.first_vertices]).friction;
+  };
+  count(lagged.twos);
+  count(lagged.threes);
+  count(lagged.fours);
+  count(lagged.fives);
+  count(lagged.sixes);
+}
+
+}  // namespace
+
+PairCount& PairCount::operator+=(const PairCount& other) {
+  candidates += other.candidates;
+  points += other.points;
+  samples += other.samples;
+  guards += other.guards;
+  edges += other.edges;
+  friction += other.friction;
+  return *this;
+}
+
+std::map<ObjectIds, PairCount> count_pairs(const ContactSystem& contact, const FrictionTerm* friction) {
+  Counter counter(contact.surface().mesh);
+  count_candidates(contact.surface().mesh, contact.candidates(), counter);
+  count_stencils(contact, counter);
+  if (friction) count_friction(friction->contacts(), counter);
+  return counter.take();
+}
+
+}  // namespace tack

@@ -1,0 +1,28 @@
+// How many candidates and active stencils each pair of objects has at present. A pair (a, a) is an object with itself.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "framework/contact/friction_term.hpp"
+
+namespace tack {
+
+using ObjectIds = std::pair<int, int>;  // ascending
+
+struct PairCount {
+  long candidates = 0;
+  long points = 0;    // stencils of points that carry pressure
+  long samples = 0;   // of points inside triangles (coverage.hpp)
+  long guards = 0;    // of points that only guard
+  long edges = 0;     // of pairs of edges
+  long friction = 0;  // contacts that friction or tangential adhesion holds
+
+  long stencils() const { return points + samples + guards + edges; }  // `contacts` of steps.csv
+  PairCount& operator+=(const PairCount& other);
+};
+
+// friction: may be null.
+std::map<ObjectIds, PairCount> count_pairs(const ContactSystem& contact, const FrictionTerm* friction);
+
+}  // namespace tack

@@ -1,0 +1,86 @@
+// What a run cost and why, as `tack profile` tells it: tables, and remarks on what to change. How each number comes
+// about: docs/profiling.md.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "framework/profile/isolated_pair.hpp"
+
+namespace tack {
+
+struct PairCost {
+  std::string first, second;  // objects; the same for one with itself
+  PairCount count;            // sums over the steps, each as it stood at its end
+  int touching_steps = 0;     // at whose end it had active stencils
+  ContactSeconds seconds;
+
+  bool is_self() const { return first == second; }
+};
+
+struct TermCost {
+  std::string name;  // "neo_hookean of 'block'"
+  double elements = 0;  // stencils; of contact and friction the mean over the steps
+  TermTime time;
+  double seconds() const { return time.seconds[0] + time.seconds[1] + time.seconds[2]; }
+};
+
+struct HardStep {
+  int step = 0;
+  double time = 0;  // at its end [s]
+  int iterations = 0;
+  std::string blocker;  // what cut its most shortened Newton step: describe_blocker(); empty if nothing did
+};
+
+struct LinearCost {
+  std::string description;  // what solved and why; empty for minimisers without
+  long systems = 0, iterations = 0, factorizations = 0;
+  bool automatic = false;  // the scene left the choice to `auto`
+};
+
+// The steps that minimisers wanted to take, and how many of them contact or inversion cut to less than 0.9.
+struct StepCuts {
+  long tried = 0, cut = 0;
+  double left = 0;  // sum over those that were cut: the part of them that was allowed
+};
+
+// How far contact reaches in an object's mesh.
+struct Reach {
+  std::string object;
+  double edge = 0;   // mean length of its surface's edges [m]
+  double range = 0;  // the largest of the laws between it and others [m]
+};
+
+struct Profile {
+  int steps = 0;
+  long iterations = 0;
+  int most_iterations = 0;  // of a step
+  long line_search_evaluations = 0, searches = 0;  // searches: of candidates
+  int failed_solves = 0;
+  long lag_iterations = 0;
+  PhaseClock::Seconds phases{};
+  std::vector<PairCost> pairs;  // most expensive first
+  ContactSeconds unshared;      // of contact, while no pair had candidates
+  std::vector<TermCost> terms;  // most expensive first
+  double gather_seconds = 0;    // what assembly takes beside the terms
+  LinearCost linear;
+  std::vector<HardStep> hardest;  // most iterations first
+  StepCuts cuts;
+  std::vector<Reach> reaches;  // of objects that move, longest in edges first
+
+  double seconds() const;
+  double contact_seconds() const;  // of all pairs, and what is unshared
+  double phase(Phase phase) const { return phases[static_cast<int>(phase)]; }
+};
+
+// At most five, the most expensive first: what was measured, and which key to change.
+std::vector<std::string> remarks_on(const Profile& profile);
+
+// All of it as text for a terminal.
+std::string profile_tables(const Profile& profile);
+
+// All of it as a table with the columns table, row, quantity, value; the last one may hold text. Throws InputError when the file cannot be written.
+void write_profile(const std::filesystem::path& path, const Profile& profile);
+
+}  // namespace tack

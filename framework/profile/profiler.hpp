@@ -1,0 +1,69 @@
+// Watches a run and adds up what it costs. Terms are timed at every evaluation, phases by the run's own clock. What
+// contact took is shared among the pairs of objects in proportion to what each takes alone (isolated_pair.hpp),
+// at the end of a step when ten iterations have gone by since the last time. The run's state is only read: a
+// profiled run has the bits of another one. The time that all this takes is in no phase.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "framework/output/summary.hpp"
+#include "framework/profile/profile.hpp"
+#include "framework/scene/scene_config.hpp"
+
+namespace tack {
+
+class Profiler {
+ public:
+  // All three must outlive it.
+  Profiler(const World& world, const SceneConfig& scene, PhaseClock& clock);
+  ~Profiler() { clock_.time_terms(nullptr); }
+  Profiler(const Profiler&) = delete;
+  Profiler& operator=(const Profiler&) = delete;
+
+  // A minimiser wanted to step from x to x + p (3n), and the part `feasible` of it is allowed.
+  void tried(const VecX& x, const VecX& p, double feasible);
+  // The state after an accepted step.
+  void step(const State& state, const StepReport& report);
+  // At the end of the run, whose contact system is moved; `state`: its last.
+  Profile finish(const State& state, const RunSummary& summary);
+
+ private:
+  struct CutStep {
+    VecX x, p;  // 3n; empty: nothing was cut
+    double feasible = 1;
+  };
+  struct Hard {
+    HardStep step;
+    CutStep cut;
+  };
+
+  ContactSeconds contact_seconds() const;
+  void share(const State& state);
+  void keep_if_hard(const StepReport& report);
+  std::vector<TermCost> terms() const;
+  std::vector<PairCost> pairs() const;
+  std::vector<Reach> reaches() const;
+  std::vector<HardStep> hardest();
+  LinearCost linear(const RunSummary& summary) const;
+
+  const World& world_;
+  const SceneConfig& scene_;
+  PhaseClock& clock_;
+  TermTimes times_;
+  struct Pair {
+    PairCount count;
+    int touching_steps = 0;
+    ContactSeconds seconds;
+  };
+  std::map<ObjectIds, Pair> pairs_;
+  ContactSeconds shared_;    // that pairs have been charged with, or nobody
+  ContactSeconds unshared_;  // that nobody has
+  int unshared_iterations_ = 0;  // since contact was shared last
+  StepCuts cuts_;
+  CutStep cut_;  // of the step under way, the one that was cut the most
+  std::vector<Hard> hardest_;
+  Profile totals_;
+};
+
+}  // namespace tack

@@ -1,0 +1,104 @@
+// Every phase of contact on three plates with 127 000 active contacts, of solids and with friction: what the
+// two sheets do not have.
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/core/step_filter.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "tests/bench/registered.hpp"
+#include "tests/bench/scenes.hpp"
+
+namespace tack::bench {
+namespace {
+
+constexpr double h = 0.01;  // s
+
+void plates_broad_phase(benchmark::State& state) {
+  const auto scene = plates();
+  const ContactSystem& contact = *scene->world->contact;
+  size_t candidates = 0;
+  for (auto _ : state) {
+    BroadPhase broad_phase(contact.surface().mesh, contact.filter());
+    broad_phase.update(scene->world->rest, VecX(), contact.range(), contact.range() / 2);
+    candidates = broad_phase.candidates().size();
+  }
+  state.counters["candidates"] = static_cast<double>(candidates);
+}
+
+void plates_begin_step(benchmark::State& state) {
+  const auto scene = plates();
+  for (auto _ : state) scene->world->contact->begin_step(scene->world->rest);
+}
+
+void plates_narrow_phase(benchmark::State& state) {
+  const auto scene = plates();
+  for (auto _ : state) scene->world->contact->move_to(scene->world->rest);
+  state.counters["stencils"] = static_cast<double>(scene->world->contact->contacts().size());
+}
+
+void plates_lag_friction(benchmark::State& state) {
+  const auto scene = plates();
+  for (auto _ : state) scene->world->friction->begin_step(scene->world->rest, h);
+}
+
+// A potential of the plates, with friction held at rest.
+struct Held {
+  Held() : scene(plates()), potential(*scene) { scene->world->friction->begin_step(scene->world->rest, h); }
+  std::unique_ptr<Scene> scene;
+  StepPotential potential;
+};
+
+void plates_value(benchmark::State& state) {
+  Held held;
+  const World& world = *held.scene->world;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(world.contact_term->value(world.rest) + world.friction->value(world.rest));
+}
+
+void plates_assembled_gradient(benchmark::State& state) {
+  Held held;
+  for (auto _ : state) {
+    state.PauseTiming();
+    held.potential.move_to(held.scene->world->rest);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(held.potential->gradient().data());
+  }
+}
+
+void plates_assembled_hessian(benchmark::State& state) {
+  Held held;
+  held.potential->hessian(SpdFilter::clamp);
+  for (auto _ : state) benchmark::DoNotOptimize(held.potential->hessian(SpdFilter::clamp).values.data());
+  state.counters["blocks"] = held.potential->hessian(SpdFilter::clamp).blocks();
+}
+
+void plates_ccd(benchmark::State& state) {
+  const auto scene = plates();
+  World& world = *scene->world;
+  const auto filter = Registry<StepFilter>::make("ccd");
+  filter->attach({world.contact.get(), world.tets, scene->clock});
+  const VecX p = random_motion(world.rest.size() / 3, 1e-4);
+  double t = filter->largest_step(world.rest, p, 1.0);
+  for (auto _ : state) benchmark::DoNotOptimize(t = filter->largest_step(world.rest, p, 1.0));
+  state.counters["step"] = t;
+}
+
+void plates_exact_check(benchmark::State& state) {
+  const auto scene = plates();
+  const ContactSystem& contact = *scene->world->contact;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(find_intersections(contact.surface().mesh, scene->world->rest, contact.filter(), 1).size());
+}
+
+BENCHMARK(plates_broad_phase)->Apply(in_milliseconds);
+BENCHMARK(plates_begin_step)->Apply(in_milliseconds);
+BENCHMARK(plates_narrow_phase)->Apply(in_milliseconds);
+BENCHMARK(plates_lag_friction)->Apply(in_milliseconds);
+BENCHMARK(plates_value)->Apply(in_milliseconds);
+BENCHMARK(plates_assembled_gradient)->Apply(in_milliseconds);
+BENCHMARK(plates_assembled_hessian)->Apply(in_milliseconds);
+BENCHMARK(plates_ccd)->Apply(in_milliseconds);
+BENCHMARK(plates_exact_check)->Apply(in_milliseconds);
+
+}  // namespace
+}  // namespace tack::bench
