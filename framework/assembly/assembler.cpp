@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/assembly/stencil_clamp.hpp"
@@ -112,6 +113,7 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
   std::set_union(ranged_sums_.targets().begin(), ranged_sums_.targets().end(), static_.hessian_map.target.begin(),
                  static_.hessian_map.target.end(), std::back_inserter(keys));
   pattern_ = std::make_unique<BlockPattern>(dofs_.block_count(), std::move(keys));
+  number_parts();
 }
 
 void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
@@ -155,6 +157,23 @@ double Assembler::largest_stencil_force() const {
 
 double Assembler::largest_static_force() const { return std::max(ranged_.largest_force(), static_.largest_force()); }
 
+// Unknown blocks that stencils connect are of one part.
+void Assembler::number_parts() {
+  std::vector<int> root(dofs_.block_count());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int b) {
+    while (root[b] != b) b = root[b] = root[root[b]];
+    return b;
+  };
+  for (const BlockKey key : pattern_->static_keys()) {
+    const int one = find(key_row(key)), other = find(key_column(key));
+    root[std::max(one, other)] = std::min(one, other);
+  }
+  part_.resize(root.size());
+  int parts = 0;
+  for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = find(b) == b ? parts++ : part_[find(b)];
+}
+
 // The pattern's static keys are those of both maps and the diagonals.
 void Assembler::locate_static_blocks() {
   const auto locate = [&](const std::vector<BlockKey>& targets, std::vector<int>& positions) {
@@ -183,6 +202,7 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
   dynamic_.place(dofs_, true);
   std::vector<int> dynamic_positions;
   if (pattern_->cover(dynamic_.hessian_map.target, matrix, dynamic_positions)) locate_static_blocks();
+  if (matrix.part.size() != part_.size()) matrix.part = part_;
   std::fill(matrix.values.begin(), matrix.values.end(), 0.0);
   for (int b = 0; b < dofs_.block_count(); ++b)
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));

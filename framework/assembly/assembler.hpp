@@ -59,6 +59,7 @@ class Assembler {
 
   std::vector<Group*> groups() { return {&ranged_, &static_, &dynamic_}; }
   void evaluate_ranged(const VecX& x, const HessianOptions& options);
+  void number_parts();
   void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;
 
@@ -69,6 +70,7 @@ class Assembler {
   LocalSums ranged_sums_;  // and their Hessians
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
+  std::vector<int> part_;  // of each unknown block, see BlockMatrix
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 

@@ -31,11 +31,6 @@ class LinearSolver : public Component {
   // The same once more for another b, leaving at most `relative` of it: what corrects a solution that
   // iterations stopped short of. Direct solvers need no such leave.
   virtual void correct(const VecX& b, VecX& x, double /*relative*/, PhaseClock& clock) { solve(b, x, clock); }
-  // The same as solve() for a direction that is hardly the last of a minimisation: solvers that iterate may stop
-  // earlier. finish() then gives what corrects x up to what solve() leaves, for the residual b - A x; false if there is
-  // nothing to correct.
-  virtual void solve_early(const VecX& b, VecX& x, PhaseClock& clock) { solve(b, x, clock); }
-  virtual bool finish(const VecX& /*residual*/, VecX& /*correction*/, PhaseClock&) { return false; }
   virtual int analyses() const = 0;  // symbolic analyses so far
 
   // The relative residual that solves may leave from now on, for solvers that iterate; direct ones

@@ -41,18 +41,6 @@ class AutomaticSolver : public LinearSolver {
     iterative_->solve(b, x, clock);
     judge(b, x, clock);
   }
-  void solve_early(const VecX& b, VecX& x, PhaseClock& clock) override {
-    if (!iterating_) return solve(b, x, clock);
-    iterative_->solve_early(b, x, clock);
-    judge(b, x, clock);
-  }
-  bool finish(const VecX& residual, VecX& correction, PhaseClock& clock) override {
-    if (!iterating_) return direct_->finish(residual, correction, clock);
-    if (!iterative_->finish(residual, correction, clock)) return false;
-    if (!correction.allFinite()) give_up(residual, correction, clock);
-    return true;
-  }
-
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     if (!iterating_) return direct_->correct(b, x, relative, clock);
     iterative_->correct(b, x, relative, clock);
@@ -91,6 +79,7 @@ class AutomaticSolver : public LinearSolver {
     next_iterates_ = budget_ > needed_;
     solves_ = 0;
     average_ = 0;
+    if (!next_iterates_ && !experience_.empty()) return;  // the reason stands
     reason_ = fmt::format("{} ({} unknowns; a factor has {:.2g} entries and takes {:.2g} operations, as much as "
                           "{:.0f} iterations of {}{})",
                           next_iterates_ ? iterative_->describe() : direct_->describe(), matrix_->size(),

@@ -1,12 +1,12 @@
 // Preconditioned conjugate gradients: memory and work of an iteration grow in proportion to the mesh,
 // the number of iterations with its fineness and, per time step h, with h sqrt(stiffness / mass).
-#include <algorithm>
 #include <limits>
 #include <memory>
 
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
 #include "solvers/linear/conjugate_gradients.hpp"
+#include "solvers/linear/part_translations.hpp"
 #include "solvers/linear/preconditioner.hpp"
 
 namespace tack {
@@ -17,9 +17,8 @@ class Pcg : public LinearSolver {
     f.component("preconditioner", preconditioner_, "approximate inverse");
     f.number("tolerance", tolerance_, units::none,
              "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
-    f.number("early_tolerance", early_tolerance_, units::none,
-             "the same for directions of projected_newton that do not end a minimisation, if it is larger")
-        .range(1e-14, 0.5);
+    f.flag("translations", with_translations_,
+           "let the preconditioner know the translations of whole bodies: what moves a body is then solved as well as the rest");
     f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
         .at_least(1);
     f.flag("truncate", truncate_,
@@ -31,32 +30,17 @@ class Pcg : public LinearSolver {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     matrix_ = &matrix;
-    return preconditioner_->update(matrix, clock.deadline());
-  }
-
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
-    left_ = tolerance_;
-    correct(b, x, tolerance_, clock);
-  }
-  void solve_early(const VecX& b, VecX& x, PhaseClock& clock) override {
-    left_ = std::max(tolerance_, early_tolerance_);
-    correct(b, x, left_, clock);
-  }
-  bool finish(const VecX& residual, VecX& correction, PhaseClock& clock) override {
-    if (left_ <= tolerance_) return false;
-    correct(residual, correction, tolerance_ / left_, clock);
-    left_ = tolerance_;
+    if (!preconditioner_->update(matrix, clock.deadline())) return false;
+    if (with_translations_) translations_.update(matrix);
     return true;
   }
 
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) override { correct(b, x, tolerance_, clock); }
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     using Outcome = ConjugateGradients::Outcome;
-    const Outcome outcome =
-        cg_.solve(*matrix_, b, x, {relative, max_iterations_}, clock,
-                          [&](const VecX& r, VecX& z) { preconditioner_->apply(r, z); });
+    const Outcome outcome = cg_.solve(*matrix_, b, x, {relative, max_iterations_}, clock, Apply{*this});
     const bool reached = truncate_ && cg_.iterations() > 0;
-    if (outcome != Outcome::solved && !reached)
-      x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+    if (outcome != Outcome::solved && !reached) x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
@@ -64,14 +48,22 @@ class Pcg : public LinearSolver {
   int analyses() const override { return 0; }
 
  private:
+  struct Apply {
+    void operator()(const VecX& r, VecX& z) const {
+      pcg.preconditioner_->apply(r, z);
+      if (pcg.with_translations_) pcg.translations_.add(r, z);
+    }
+    Pcg& pcg;
+  };
+
   std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
-  double tolerance_ = 1e-3;
-  double early_tolerance_ = 1e-2;
+  double tolerance_ = 1e-2;
   int max_iterations_ = 1000;
   bool truncate_ = false;
+  bool with_translations_ = true;
+  PartTranslations translations_;
 
   const BlockMatrix* matrix_ = nullptr;
-  double left_ = 0;  // by the last solve
   ConjugateGradients cg_;
 };
 

@@ -17,33 +17,24 @@ double DirectionCheck::norm(LinearSolver& linear, const BlockMatrix& hessian, co
                             VecX& p, MinimizerResult& result) {
   const VecX& gradient = problem.objective.gradient();
   double norm = problem.stopping_norm(p, gradient);
-  const auto take_residual = [&] {
-    const PhaseScope scope(problem.clock, Phase::solve);
-    product_.multiply(hessian, p, residual_);
-    residual_ = -gradient - residual_;
-  };
-  // False if there is none.
-  const auto add_correction = [&] {
-    result.linear_iterations += linear.iterations();
-    if (!correction_.allFinite()) return false;
-    p += correction_;
-    norm = problem.stopping_norm(p, gradient);
-    return true;
-  };
-  if (!(norm <= 1)) return norm;
-  take_residual();
-  if (linear.finish(residual_, correction_, problem.clock) && add_correction() && norm <= 1) take_residual();
   if (!problem.norm_of_direction || !problem.direction_error) return norm;
   double before = std::numeric_limits<double>::infinity();
   for (int i = 0; norm <= 1; ++i) {
+    {
+      const PhaseScope scope(problem.clock, Phase::solve);
+      product_.multiply(hessian, p, residual_);
+      residual_ = -gradient - residual_;
+    }
     const double error = problem.direction_error(residual_);
     if (norm + error <= 1 || i == most_corrections || !(error <= slowest * before)) return norm + error;
     before = error;
     ++result.linear_solves;
     linear.correct(residual_, correction_, std::clamp(margin * (1 - norm) / error, tightest, loosest),
                    problem.clock);
-    if (!add_correction()) return norm + error;
-    if (norm <= 1) take_residual();
+    result.linear_iterations += linear.iterations();
+    if (!correction_.allFinite()) return norm + error;
+    p += correction_;
+    norm = problem.stopping_norm(p, gradient);
   }
   return norm;
 }

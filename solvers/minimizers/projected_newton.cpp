@@ -71,16 +71,11 @@ class ProjectedNewton : public DescentMinimizer {
     }
   }
 
-  // Close to the end, the next direction may well be the last.
-  static Accuracy accuracy(const MinimizerResult& result) {
-    return result.iterations > 0 && result.residual < close ? Accuracy::full : Accuracy::early;
-  }
-
   // p <- -H^-1 g. False if H shows a negative curvature, or p does not descend.
   bool solve(const BlockMatrix& hessian, const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     const VecX& gradient = problem.objective.gradient();
     hessian_ = &hessian;
-    return newton_solve(*linear_, hessian, gradient, p, problem.clock, result, accuracy(result)) && p.dot(gradient) < 0;
+    return newton_solve(*linear_, hessian, gradient, p, problem.clock, result) && p.dot(gradient) < 0;
   }
 
   // On demand: after a few failures in one minimisation, all further systems are filtered at once.
@@ -111,7 +106,7 @@ class ProjectedNewton : public DescentMinimizer {
   bool solve_shifted(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     hessian_ = &problem.objective.hessian(spd_filter());
     const auto shift =
-        shifted_solve(*linear_, *hessian_, problem.objective.gradient(), p, problem.clock, result, accuracy(result));
+        shifted_solve(*linear_, *hessian_, problem.objective.gradient(), p, problem.clock, result);
     shift_ = shift.value_or(0);
     return shift.has_value();
   }
@@ -126,7 +121,6 @@ class ProjectedNewton : public DescentMinimizer {
 
   // Of the decrease that the quadratic model predicts, the part that may miss where it fits.
   static constexpr double fit = 0.01;
-  static constexpr double close = 5;  // tolerances
 
   Filter filter_ = Filter::clamp;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");

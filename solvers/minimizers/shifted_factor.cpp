@@ -17,22 +17,18 @@ double largest_diagonal(const BlockMatrix& matrix) {
 }  // namespace
 
 bool newton_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
-                  PhaseClock& clock, MinimizerResult& result, Accuracy accuracy) {
+                  PhaseClock& clock, MinimizerResult& result) {
   ++result.linear_solves;
   if (!linear.factorize(hessian, clock)) return false;
-  if (accuracy == Accuracy::early) {
-    linear.solve_early(-gradient, p, clock);
-  } else {
-    linear.solve(-gradient, p, clock);
-  }
+  linear.solve(-gradient, p, clock);
   result.linear_iterations += linear.iterations();
   return p.allFinite();
 }
 
 std::optional<double> shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
-                   PhaseClock& clock, MinimizerResult& result, Accuracy accuracy) {
+                   PhaseClock& clock, MinimizerResult& result) {
   const auto solved = [&](const BlockMatrix& matrix) {
-    return newton_solve(linear, matrix, gradient, p, clock, result, accuracy) && !(p.dot(gradient) > 0);
+    return newton_solve(linear, matrix, gradient, p, clock, result) && !(p.dot(gradient) > 0);
   };
   if (solved(hessian)) return 0.0;
   BlockMatrix shifted = hessian;

@@ -10,17 +10,14 @@
 
 namespace tack {
 
-// How far solvers that iterate go: as far as they should, or LinearSolver::solve_early.
-enum class Accuracy { full, early };
-
 // p <- -H^-1 g; false if H cannot be factorised or p is not finite. Counts as a linear solve.
 bool newton_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
-                  PhaseClock& clock, MinimizerResult& result, Accuracy accuracy = Accuracy::full);
+                  PhaseClock& clock, MinimizerResult& result);
 
 // p <- -(H + shift)^-1 g. The shift, in units of the largest diagonal entry: 0 if H itself would do, and
 // nothing if even a shift of 100 fails. A shifted direction is short: its length says little about how far
 // the minimum is.
 std::optional<double> shifted_solve(LinearSolver& linear, const BlockMatrix& hessian, const VecX& gradient, VecX& p,
-                   PhaseClock& clock, MinimizerResult& result, Accuracy accuracy = Accuracy::full);
+                   PhaseClock& clock, MinimizerResult& result);
 
 }  // namespace tack

@@ -7,12 +7,18 @@
 
 namespace tack {
 
-class PolynomialTerm : public Term {
+class PolynomialTerm : public Term, public StencilRanges {
  public:
   PolynomialTerm(int arity, std::vector<int> vertices, bool dynamic = false)
       : Term("polynomial"), arity_(arity), vertices_(std::move(vertices)), dynamic_(dynamic) {}
 
+  PolynomialTerm& by_ranges() {
+    by_ranges_ = true;
+    return *this;
+  }
+  const StencilRanges* ranges() const override { return by_ranges_ ? this : nullptr; }
   void set_vertices(std::vector<int> vertices) { vertices_ = std::move(vertices); }
+  const std::vector<int>& vertex_list() const { return vertices_; }
   int count() const { return static_cast<int>(vertices_.size()) / arity_; }
   bool dynamic() const override { return dynamic_; }
   std::vector<StencilBatch> batches() const override { return {{arity_, count(), vertices_.data()}}; }
@@ -22,8 +28,12 @@ class PolynomialTerm : public Term {
     for (int s = 0; s < count(); ++s) sum += std::pow(u(x, s).squaredNorm(), 2) / 4;
     return sum;
   }
-  void derivatives(const VecX& x, SpdFilter, double* gradient, double* hessian) const override {
-    for (int s = 0; s < count(); ++s) {
+  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override {
+    range_derivatives(x, filter, 0, count(), gradient, hessian);
+  }
+  void range_derivatives(const VecX& x, SpdFilter, int first, int last, double* gradient,
+                         double* hessian) const override {
+    for (int s = first; s < last; ++s) {
       const Vec3 us = u(x, s);
       const Mat3 h = us.squaredNorm() * Mat3::Identity() + 2 * us * us.transpose();
       for (int i = 0; i < arity_; ++i, gradient += 3)
@@ -46,6 +56,7 @@ class PolynomialTerm : public Term {
   int arity_;
   std::vector<int> vertices_;
   bool dynamic_;
+  bool by_ranges_ = false;
 };
 
 }  // namespace tack

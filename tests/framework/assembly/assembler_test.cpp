@@ -102,6 +102,32 @@ TEST_CASE("assembly: the sum of all stencils over the free vertices", "[assembly
   p.check(assembler, matrix);
 }
 
+TEST_CASE("assembly: stencils that are summed chunk by chunk", "[assembly]") {
+  Problem p;
+  p.triples.by_ranges();
+  PolynomialTerm many = PolynomialTerm(4, stencils(4, 1100, p.random)).by_ranges();
+  PolynomialTerm none = PolynomialTerm(3, {}).by_ranges();
+  p.terms.insert(p.terms.begin() + 1, {&many, &none});
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  BlockMatrix matrix;
+  p.check(assembler, matrix);
+  p.contact.set_vertices(stencils(4, 40, p.random));
+  p.check(assembler, matrix);
+
+  // Flags clamp the same stencils as where slots are gathered at once.
+  std::vector<char> flags(p.dofs.block_count(), 0);
+  flags[3] = flags[11] = 1;
+  VecX gradient = VecX::Zero(p.dofs.size());
+  assembler.assemble(p.x, {}, {SpdFilter::none, &flags}, p.mass, gradient, matrix);
+  PolynomialTerm slots(4, many.vertex_list());
+  p.terms[1] = &slots;
+  Assembler other(p.terms, p.dofs, p.clock);
+  BlockMatrix expected;
+  other.assemble(p.x, {}, {SpdFilter::none, &flags}, p.mass, gradient, expected);
+  CHECK((dense(matrix) - dense(expected)).norm() <= 1e-13 * dense(expected).norm());
+  CHECK(assembler.largest_static_force() == other.largest_static_force());
+}
+
 TEST_CASE("assembly: contact that comes and goes", "[assembly]") {
   Problem p;
   Assembler assembler(p.terms, p.dofs, p.clock);

@@ -1,0 +1,103 @@
+#include "solvers/linear/part_translations.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "framework/assembly/parallel.hpp"
+
+namespace tack {
+namespace {
+
+constexpr int longest_run = 512;   // columns
+constexpr int smallest_part = 24;  // vertices: incomplete factors solve what is smaller nearly as well as a whole one
+
+// The columns first .. last - 1 of vectors, 3 numbers each.
+template <class Matrix, class Number>
+Eigen::Map<Matrix> of_run(Number* vectors, int first, int last) {
+  return {vectors + 3 * static_cast<size_t>(first), 3, last - first};
+}
+
+}  // namespace
+
+void PartTranslations::index(const BlockMatrix& matrix) {
+  columns_ = matrix.columns();
+  version_ = matrix.version;
+  parts_ = 0;
+  part_of_.assign(columns_, -1);
+  if (static_cast<int>(matrix.part.size()) != columns_) return;
+  const int last = columns_ > 0 ? *std::max_element(matrix.part.begin(), matrix.part.end()) : -1;
+  std::vector<int> size(last + 1, 0), number(last + 1, -1);
+  for (const int part : matrix.part) ++size[part];
+  for (int p = 0; p <= last; ++p)
+    if (size[p] >= smallest_part) number[p] = parts_++;
+  for (int c = 0; c < columns_; ++c) part_of_[c] = number[matrix.part[c]];
+
+  runs_.clear();
+  for (int c = 0; c < columns_; ++c) {
+    if (part_of_[c] < 0) continue;
+    const bool longer = !runs_.empty() && runs_.back().last == c && runs_.back().part == part_of_[c] &&
+                        c - runs_.back().first < longest_run;
+    if (longer) {
+      runs_.back().last = c + 1;
+    } else {
+      runs_.push_back({c, c + 1, part_of_[c], Vec3::Zero()});
+    }
+  }
+
+  coarse_.clear();
+  coarse_of_.assign(matrix.row.size(), -1);
+  std::map<std::pair<int, int>, int> found;  // by column, row
+  for (int c = 0; c < columns_; ++c) {
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      const auto [column, row] = std::minmax(part_of_[c], part_of_[matrix.row[k]]);
+      if (column < 0) continue;
+      const auto [at, added] = found.try_emplace({column, row}, static_cast<int>(coarse_.size()));
+      if (added) coarse_.push_back({row, column, Mat3::Zero()});
+      coarse_of_[k] = at->second;
+    }
+  }
+}
+
+void PartTranslations::update(const BlockMatrix& matrix) {
+  const bool changed = matrix.version != version_ || matrix.columns() != columns_;
+  if (changed) index(matrix);
+  if (parts_ == 0) return;
+  for (Coarse& block : coarse_) block.sum.setZero();
+  for (int c = 0; c < columns_; ++c) {
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      if (coarse_of_[k] < 0) continue;
+      Coarse& block = coarse_[coarse_of_[k]];
+      // Blocks of the matrix stand below its diagonal: where both ends are of one part, their transposes count too.
+      const bool below = part_of_[matrix.row[k]] >= part_of_[c];
+      if (below) block.sum += matrix.block(k);
+      if (!below || (block.row == block.column && matrix.row[k] != c)) block.sum += matrix.block(k).transpose();
+    }
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Coarse& block : coarse_)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (3 * block.row + i >= 3 * block.column + j)
+          entries.emplace_back(3 * block.row + i, 3 * block.column + j, block.sum(i, j));
+  Sparse sum(3 * parts_, 3 * parts_);
+  sum.setFromTriplets(entries.begin(), entries.end());
+  if (changed) factor_.analyzePattern(sum);
+  factor_.factorize(sum);
+  usable_ = factor_.info() == Eigen::Success;
+}
+
+void PartTranslations::add(const VecX& r, VecX& z) {
+  if (parts_ == 0 || !usable_) return;
+  const int runs = static_cast<int>(runs_.size());
+  for_each(runs, [&](int i) {
+    runs_[i].sum = of_run<const Eigen::Matrix3Xd>(r.data(), runs_[i].first, runs_[i].last).rowwise().sum();
+  }, 8);
+  sums_.setZero(3 * parts_);
+  for (const Run& run : runs_) sums_.segment<3>(3 * run.part) += run.sum;
+  sums_ = factor_.solve(sums_).eval();
+  for_each(runs, [&](int i) {
+    of_run<Eigen::Matrix3Xd>(z.data(), runs_[i].first, runs_[i].last).colwise() += sums_.segment<3>(3 * runs_[i].part);
+  }, 8);
+}
+
+}  // namespace tack
