@@ -162,7 +162,7 @@ TEST_CASE("a minimum where forces do not balance is none", "[minimizer]") {
 TEST_CASE("an indefinite Hessian leads on to a minimum, not to a claim of one", "[minimizer]") {
   const Curve wells = {[](double x) { return x * x * (x * x / 4 - 0.5); }, [](double x) { return x * (x * x - 1); },
                        [](double x) { return 3 * x * x - 1; }};
-  for (const char* filter : {"none", "clamp", "absolute", "on_demand", "progressive", "adaptive"}) {
+  for (const char* filter : {"none", "clamp", "contacts", "absolute", "on_demand", "progressive", "adaptive"}) {
     INFO(filter);
     const Ended e = minimize(std::string("projected_newton, filter: ") + filter, wells, 1, 300, Vec3(1e-7, 1e-7, 1e-7));
     CHECK(e.result.status == MinimizerStatus::converged);
