@@ -208,12 +208,14 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
     matrix.block(matrix.column_start[b]).diagonal().setConstant(block_mass(b));
 
   for (Group* group : groups()) {
+    const bool dynamic = group == &dynamic_;
     if (group == &ranged_) {
       evaluate_ranged(x, options);
     } else {
-      group->evaluate(x, options.filter, true, clock_.term_times());
+      const SpdFilter filter = dynamic ? options.dynamic_filter.value_or(options.filter) : options.filter;
+      group->evaluate(x, filter, true, clock_.term_times());
     }
-    group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
+    group->gather_gradient(dynamic ? scales.contact : scales.body, gradient);
     if (!options.clamp_at || group == &ranged_) continue;
     const PhaseScope filtering(clock_, Phase::filter);
     group->clamp_at(*options.clamp_at, dofs_);

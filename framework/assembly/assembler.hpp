@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "framework/assembly/gather_map.hpp"
@@ -22,6 +23,7 @@ class Assembler {
 
   struct HessianOptions {
     SpdFilter filter = SpdFilter::none;
+    std::optional<SpdFilter> dynamic_filter = {};  // of the dynamic terms, if it is another
     // Clamps the stencils that touch an unknown block with a flag, after `filter`.
     const std::vector<char>* clamp_at = nullptr;
     bool without_dynamic = false;  // the Hessian leaves dynamic terms out; the gradient does not

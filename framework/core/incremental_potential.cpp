@@ -128,14 +128,18 @@ const BlockMatrix& IncrementalPotential::assemble(const Assembler::HessianOption
   return matrix_;
 }
 
-const BlockMatrix& IncrementalPotential::hessian(SpdFilter filter) { return assemble({filter}); }
+const BlockMatrix& IncrementalPotential::hessian(SpdFilter filter) { return assemble({.filter = filter}); }
 
 const BlockMatrix& IncrementalPotential::partly_clamped_hessian(const std::vector<char>& block) {
-  return assemble({SpdFilter::none, &block});
+  return assemble({.clamp_at = &block});
+}
+
+const BlockMatrix& IncrementalPotential::hessian_of_exact_elements(SpdFilter filter) {
+  return assemble({.filter = SpdFilter::none, .dynamic_filter = filter});
 }
 
 const BlockMatrix& IncrementalPotential::contactless_hessian() {
-  return assemble({SpdFilter::clamp, nullptr, true});
+  return assemble({.filter = SpdFilter::clamp, .without_dynamic = true});
 }
 
 LeastSquares IncrementalPotential::least_squares() const {

@@ -45,6 +45,7 @@ class IncrementalPotential : public Objective {
   const VecX& gradient() override;
   const BlockMatrix& hessian(SpdFilter filter) override;
   const BlockMatrix& partly_clamped_hessian(const std::vector<char>& block) override;
+  const BlockMatrix& hessian_of_exact_elements(SpdFilter filter) override;
   const BlockMatrix& contactless_hessian() override;
   LeastSquares least_squares() const override;
   int value_count() const override { return value_count_; }

@@ -36,6 +36,9 @@ class LinearSolver : public Component {
   // The relative residual that solves may leave from now on, for solvers that iterate; direct ones
   // need no such leave.
   virtual void set_tolerance(double /*relative*/) {}
+  // Whether systems from now on may be indefinite. Such a system counts as unsolved all the same, but the solver
+  // is not to blame.
+  virtual void expect_indefinite(bool /*expected*/) {}
   virtual int iterations() const { return 0; }  // of the last solve
 
   // Analyses the matrix's pattern; nothing from solvers that make no factor.

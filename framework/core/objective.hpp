@@ -29,6 +29,8 @@ class Objective {
   virtual const BlockMatrix& partly_clamped_hessian(const std::vector<char>& /*block*/) {
     return hessian(SpdFilter::clamp);
   }
+  // Filters only what changes with the point's contacts: elements stay exact, and it may be indefinite.
+  virtual const BlockMatrix& hessian_of_exact_elements(SpdFilter filter) { return hessian(filter); }
   // Clamped, of what does not change with the point's contacts: inertia and elasticity.
   virtual const BlockMatrix& contactless_hessian() { return hessian(SpdFilter::clamp); }
   // At the present point (residual_view.hpp). Throws InputError if the objective is no sum of squares.

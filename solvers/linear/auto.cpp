@@ -27,6 +27,7 @@ class AutomaticSolver : public LinearSolver {
       iterating_ = next_iterates_;
     }
     if (iterating_ && iterative_->factorize(matrix, clock)) return true;
+    if (iterating_ && maybe_indefinite_) return false;
     if (iterating_) stop_iterating("its preconditioner broke down");
     const bool definite = direct_->factorize(matrix, clock);
     weigh_anew(clock);
@@ -41,16 +42,18 @@ class AutomaticSolver : public LinearSolver {
     iterative_->solve(b, x, clock);
     judge(b, x, clock);
   }
+
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     if (!iterating_) return direct_->correct(b, x, relative, clock);
     iterative_->correct(b, x, relative, clock);
-    if (!x.allFinite()) give_up(b, x, clock);
+    if (!x.allFinite() && !maybe_indefinite_) give_up(b, x, clock);
   }
 
   void set_tolerance(double relative) override {
     direct_->set_tolerance(relative);
     iterative_->set_tolerance(relative);
   }
+  void expect_indefinite(bool maybe) override { maybe_indefinite_ = maybe; }
   int iterations() const override { return iterating_ ? iterative_->iterations() : direct_->iterations(); }
   int analyses() const override { return direct_->analyses(); }
   std::string describe() const override { return reason_; }
@@ -88,7 +91,9 @@ class AutomaticSolver : public LinearSolver {
 
   // What it took to find x.
   void judge(const VecX& b, VecX& x, PhaseClock& clock) {
-    if (!x.allFinite()) return give_up(b, x, clock);
+    const bool unsolved = !x.allFinite();
+    if (unsolved && maybe_indefinite_ && iterative_->iterations() <= hopeless * budget_) return;
+    if (unsolved) return give_up(b, x, clock);
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
     if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_) tire();
@@ -135,6 +140,7 @@ class AutomaticSolver : public LinearSolver {
   double needed_ = expected;    // the least budget to iterate
   int analyses_ = -1;           // of the direct solver, when it was weighed
   std::string experience_;      // with iterating, if it was not good
+  bool maybe_indefinite_ = false;  // systems from now on
   double decided_for_ = 0;  // unknowns
   double budget_ = 0;       // iterations that cost as much as the factor
   double average_ = 0;      // iterations of recent systems

@@ -1,6 +1,8 @@
 #include "solvers/minimizers/descent_minimizer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "framework/config/field.hpp"
 #include "framework/core/deadline.hpp"
@@ -8,6 +10,16 @@
 #include "solvers/minimizers/tell_iteration.hpp"
 
 namespace tack {
+namespace {
+
+constexpr double steep = 0.25;  // part of the first slope that is left where going on is worth it
+constexpr double longest = 4;   // further step, in units of the way so far
+constexpr int most_further = 10;
+// A Hessian is too stiff where a step that is at least so long decreases the objective so many times as much as predicted.
+constexpr double longish = 0.3, too_much = 1.25;
+constexpr double descent = 0.1;  // part of a Newton direction's slope that one conjugate to the last step must keep
+
+}  // namespace
 
 void DescentMinimizer::fields(Fields& f) {
   Minimizer::fields(f);
@@ -31,6 +43,8 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   };
   Objective& objective = problem.objective;
   objective.move_to(q);
+  gradient_before_.resize(0);
+  too_stiff_ = false;
   judge_.begin();
   begin(problem, result);
   const TellIteration tell(problem);
@@ -47,6 +61,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     ++result.iterations;
     if (newton_like()) result.residual = newton_norm(problem, p, result);
     const bool last = newton_like() && result.residual <= 1;
+    if (newton_like() && !last) conjugate(objective.gradient(), q, p);
     const MinimizerStatus moved = advance(problem, p, q, result);
     tell(result);
     // Below the tolerance the point is accepted as it is, whether or not the last step helped, if forces balance.
@@ -55,6 +70,19 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     if (moved != MinimizerStatus::converged) return end(moved);
   }
   return end(MinimizerStatus::iteration_limit);
+}
+
+// p <- p + beta s, s the last step, so that p . (change of the gradient along s) = 0: the exact Hessian's curvature
+// along s, which a filter may have missed. Where the model holds, beta vanishes. Not below 0, as after a restart.
+void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
+  if (too_stiff_ && gradient_before_.size() == gradient.size()) {
+    const VecX s = q - q_before_, change = gradient - gradient_before_;
+    const double curvature = s.dot(change), beta = curvature > 0 ? -p.dot(change) / curvature : 0;
+    const bool short_enough = std::abs(beta) * s.norm() < longest * (p.norm() + s.norm());
+    if (beta > 0 && short_enough && (p + beta * s).dot(gradient) < descent * p.dot(gradient)) p += beta * s;
+  }
+  gradient_before_ = gradient;
+  q_before_ = q;
 }
 
 // Moves q along the feasible part of p.
@@ -74,8 +102,40 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
     return MinimizerStatus::line_search_failed;
   }
   q += found.step * p;
-  stepped(problem, {p, found.step, t_max, found.evaluations, slope, before - objective.value()});
+  const double decrease = before - objective.value(), predicted = -(found.step - found.step * found.step / 2) * slope;
+  too_stiff_ |= found.step > longish && decrease > too_much * predicted && decrease > 2 * objective.value_noise();
+  stepped(problem, {p, found.step, t_max, found.evaluations, slope, decrease});
+  if (newton_like() && result.residual > 1 && found.step == 1) extend(problem, p, slope, before, q, result);
   return MinimizerStatus::converged;
+}
+
+// Negative curvatures that a filter has taken out of stencils make Newton steps short where others would
+// outweigh them: at the end of p the objective still falls. Then further steps along it, as long as its slope and
+// the last decrease say, are worth more than a new direction. As long as they decrease the objective, and none
+// is blocked.
+void DescentMinimizer::extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before,
+                              VecX& q, MinimizerResult& result) {
+  Objective& objective = problem.objective;
+  double value = objective.value(), slope = first_slope, length = 1, way = 1;
+  for (int i = 0; i < most_further; ++i) {
+    const double change = value - before, next = 2 * change / length - slope;  // of a quadratic
+    if (!(next < steep * first_slope) || !(-change > 2 * objective.value_noise())) return;
+    const double bend = (next - slope) / length;
+    length = bend > 0 ? std::min(-next / bend, longest * way) : longest * way;
+    const VecX step = length * p;
+    if (problem.feasible_step(q, step) < 1) return;
+    objective.move_to(q + step);
+    ++result.line_search_evaluations;
+    const double further = objective.value();
+    if (!(further < value - objective.value_noise())) {
+      objective.move_to(q);
+      return;
+    }
+    q += step;
+    way += length;
+    slope = next;
+    before = std::exchange(value, further);
+  }
 }
 
 }  // namespace tack

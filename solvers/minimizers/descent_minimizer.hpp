@@ -46,8 +46,13 @@ class DescentMinimizer : public Minimizer {
  private:
   MinimizerResult descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result);
   MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result);
+  void conjugate(const VecX& gradient, const VecX& q, VecX& p);
+  void extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before, VecX& q,
+              MinimizerResult& result);
 
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
+  VecX gradient_before_, q_before_;  // of the last iteration of this minimisation
+  bool too_stiff_ = false;  // Hessians of this minimisation, after some step
   ConvergenceJudge judge_;
 };
 

@@ -13,13 +13,15 @@ namespace tack {
 
 class ProjectedNewton : public DescentMinimizer {
  public:
-  enum class Filter { none, clamp, absolute, on_demand, progressive, adaptive };
+  enum class Filter { none, clamp, contacts, absolute, on_demand, progressive, adaptive };
 
   void fields(Fields& f) override {
     DescentMinimizer::fields(f);
     f.choice("filter", filter_,
              {{"none", Filter::none, "the exact Hessian, shifted where it is not positive definite"},
               {"clamp", Filter::clamp, "negative eigenvalues of stencils become zero"},
+              {"contacts", Filter::contacts,
+               "clamp contacts only; elements too where the system turns out not to be positive definite"},
               {"absolute", Filter::absolute, "negative eigenvalues of stencils change sign"},
               {"on_demand", Filter::on_demand,
                "clamp where the system turns out not to be positive definite (Longva et al. 2023)"},
@@ -44,12 +46,16 @@ class ProjectedNewton : public DescentMinimizer {
     careful_ = false;
     model_fits_ = true;
     clamped_from_ = 2;
+    wait_ = calm;
+    waited_ = 0;
     shift_ = 0;
   }
 
   MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
     shift_ = 0;
+    linear_->expect_indefinite(false);
     const bool solved = filter_ == Filter::progressive ? solve_progressively(problem, p, result)
+                        : filter_ == Filter::contacts  ? solve_with_exact_elements(problem, p, result)
                                                        : try_unfiltered(problem, p, result);
     return solved || solve_shifted(problem, p, result) ? MinimizerStatus::converged
                                                        : MinimizerStatus::factorization_failed;
@@ -87,6 +93,20 @@ class ProjectedNewton : public DescentMinimizer {
     return false;
   }
 
+  // Elements are clamped, after a failure, in the next `wait_` systems as well: twice as many each time.
+  bool solve_with_exact_elements(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+    if (waited_++ < wait_) return false;
+    linear_->expect_indefinite(true);
+    if (solve(problem.objective.hessian_of_exact_elements(spd_filter()), problem, p, result)) {
+      wait_ = 0;
+      return true;
+    }
+    linear_->expect_indefinite(false);
+    wait_ = 2 * wait_ + 1;
+    waited_ = 0;
+    return false;
+  }
+
   // Clamps stencils where the gradient of a block of unknowns is above `clamped_from_` times the
   // largest: none of them to begin with, fewer again after a success.
   bool solve_progressively(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
@@ -119,14 +139,16 @@ class ProjectedNewton : public DescentMinimizer {
     return large;
   }
 
+  static constexpr int calm = 3;  // iterations of steps that are easy: not worth a trial
   // Of the decrease that the quadratic model predicts, the part that may miss where it fits.
   static constexpr double fit = 0.01;
 
-  Filter filter_ = Filter::clamp;
+  Filter filter_ = Filter::contacts;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
   DirectionCheck check_;
   const BlockMatrix* hessian_ = nullptr;  // of the last direction
   int indefinite_ = 0;
+  int wait_ = 0, waited_ = 0;  // systems whose elements are clamped without a trial
   double shift_ = 0;           // of the last direction
   bool careful_ = false;       // the last step went too far
   bool model_fits_ = true;

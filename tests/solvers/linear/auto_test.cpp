@@ -72,3 +72,21 @@ TEST_CASE("auto refuses indefinite matrices whatever it has chosen", "[linear]")
   PhaseClock clock;
   CHECK_FALSE(solver->factorize(matrix, clock));
 }
+
+TEST_CASE("auto does not blame conjugate gradients for systems that are expected to be indefinite", "[linear]") {
+  RandomMotions random(4);
+  const BlockMatrix matrix = grid(14, random);
+  BlockMatrix indefinite = matrix;
+  for (int c = 0; c < matrix.columns(); ++c) indefinite.block(matrix.column_start[c]).diagonal().array() -= 3;
+  const bool expected = GENERATE(true, false);
+  const auto solver = component<LinearSolver>("auto");
+  REQUIRE(starts_with(chosen(*solver, matrix, random), "pcg"));
+  PhaseClock clock;
+  VecX x;
+  solver->expect_indefinite(expected);
+  const bool factorised = solver->factorize(indefinite, clock);
+  if (factorised) solver->solve(random.vectors(matrix.size()), x, clock);
+  CHECK((!factorised || !x.allFinite()));
+  solver->expect_indefinite(false);
+  CHECK(starts_with(chosen(*solver, matrix, random), expected ? "pcg" : "lagged_cholesky"));
+}

@@ -162,10 +162,38 @@ TEST_CASE("a minimum where forces do not balance is none", "[minimizer]") {
 TEST_CASE("an indefinite Hessian leads on to a minimum, not to a claim of one", "[minimizer]") {
   const Curve wells = {[](double x) { return x * x * (x * x / 4 - 0.5); }, [](double x) { return x * (x * x - 1); },
                        [](double x) { return 3 * x * x - 1; }};
-  for (const char* filter : {"none", "clamp", "absolute", "on_demand", "progressive", "adaptive"}) {
+  for (const char* filter : {"none", "clamp", "contacts", "absolute", "on_demand", "progressive", "adaptive"}) {
     INFO(filter);
     const Ended e = minimize(std::string("projected_newton, filter: ") + filter, wells, 1, 300, Vec3(1e-7, 1e-7, 1e-7));
     CHECK(e.result.status == MinimizerStatus::converged);
     CHECK((e.q.cwiseAbs() - Vec3(1, 1, 1)).norm() < 1e-5);
   }
+}
+
+// As a filtered Hessian is where much of it was clamped: Newton's steps alone would take 0.95 of the way each.
+TEST_CASE("steps of Hessians that are too stiff are prolonged as far as they are free", "[minimizer]") {
+  const std::string type = GENERATE("projected_newton", "newton_pcg");
+  const Curve stiff = {[](double x) { return x * x / 2; }, [](double x) { return x; }, [](double) { return 20.0; }};
+  const Ended free = minimize(type, stiff);
+  CHECK(free.result.status == MinimizerStatus::converged);
+  CHECK(free.result.iterations < 5);
+  // What blocks a step blocks what would prolong it.
+  const double never_whole = 0.2;
+  const Ended blocked = minimize(type, stiff, never_whole, 10);
+  CHECK(blocked.result.status == MinimizerStatus::iteration_limit);
+  CHECK(blocked.q(0) == Approx(std::pow(1 - never_whole / 20, 10)));
+}
+
+// Curvatures of 1, 4 and 16, each for an unknown of its own, where the Hessian says 20: steepest descents, however long,
+// go to and fro.
+TEST_CASE("steps of Hessians that are too stiff are made conjugate", "[minimizer]") {
+  const std::string type = GENERATE("projected_newton", "newton_pcg");
+  static const auto bottom = [](double x) { return x < 5 ? 0.0 : x < 15 ? 10.0 : 20.0; };
+  static const auto curvature = [](double x) { return x < 5 ? 1.0 : x < 15 ? 4.0 : 16.0; };
+  const Curve uneven = {[](double x) { return curvature(x) * std::pow(x - bottom(x), 2) / 2; },
+                        [](double x) { return curvature(x) * (x - bottom(x)); }, [](double) { return 20.0; }};
+  const Ended e = minimize(type, uneven, 1, 300, Vec3(1, 9, 21));
+  CHECK(e.result.status == MinimizerStatus::converged);
+  CHECK((e.q - Vec3(0, 10, 20)).norm() < 1e-4);
+  CHECK(e.result.iterations < 10);
 }
