@@ -78,8 +78,9 @@ class AutomaticSolver : public LinearSolver {
     analyses_ = direct_->analyses();
     next_iterates_ = false;
     if (!cost) return;
-    budget_ = (operation * cost->operations + reads * cost->entries) / (per_block * matrix_->blocks());
-    next_iterates_ = budget_ > needed_;
+    const double blocks = matrix_->blocks(), pass = cost->entries + per_unknown * matrix_->size() + product * blocks;
+    budget_ = std::max(0.0, (operation * cost->operations + passes * pass) / (per_block * blocks) - incomplete_factor);
+    next_iterates_ = budget_ > needed_ && matrix_->size() > smallest;
     solves_ = 0;
     average_ = 0;
     if (!next_iterates_ && !experience_.empty()) return;  // the reason stands
@@ -96,7 +97,7 @@ class AutomaticSolver : public LinearSolver {
     if (unsolved) return give_up(b, x, clock);
     solves_ = std::min(solves_ + 1, memory);
     average_ += (iterative_->iterations() - average_) / solves_;
-    if ((solves_ >= trial && average_ > budget_) || iterative_->iterations() > hopeless * budget_) tire();
+    if ((solves_ >= trial && average_ > patience * budget_) || iterative_->iterations() > hopeless * budget_) tire();
   }
 
   // The next system is another solver's; this one may still have to be corrected.
@@ -121,11 +122,16 @@ class AutomaticSolver : public LinearSolver {
     reason_ = fmt::format("{} (in place of {}: {})", direct_->describe(), iterative_->describe(), why);
   }
 
-  // In units of the time that it takes to read an entry of a factor of single precision.
-  static constexpr double operation = 0.009;  // of a factorisation, which serves four or five systems
-  static constexpr double reads = 13;         // passes through the factor for each system
-  static constexpr double per_block = 20;     // an iteration: product and incomplete factor
-  static constexpr double expected = 20;      // iterations that a system may well take
+  // In units of the time that it takes to read an entry of a factor of single precision there and back.
+  static constexpr double operation = 0.03;   // of a factorisation, which serves several systems
+  static constexpr double passes = 4.3;       // through the factor for each system
+  static constexpr double per_unknown = 150;  // of a pass: nodes are small
+  static constexpr double product = 10;       // a block of the matrix, once a pass
+  static constexpr double per_block = 26;     // an iteration: product and incomplete factor
+  static constexpr double incomplete_factor = 5.5;  // iterations that it costs
+  static constexpr double expected = 9;       // iterations that a system may well take
+  static constexpr int smallest = 1000;       // unknowns: any solver will do for fewer
+  static constexpr double patience = 1.6;     // times the budget: what a kept factor costs is not known well
   static constexpr double again = 1.5;        // times the iterations that were too many: a budget to try them again
   static constexpr int trial = 4;             // systems before iterations are judged
   static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell

@@ -118,12 +118,12 @@ TEST_CASE("assembly: stencils that are summed chunk by chunk", "[assembly]") {
   std::vector<char> flags(p.dofs.block_count(), 0);
   flags[3] = flags[11] = 1;
   VecX gradient = VecX::Zero(p.dofs.size());
-  assembler.assemble(p.x, {}, {SpdFilter::none, &flags}, p.mass, gradient, matrix);
+  assembler.assemble(p.x, {}, {.clamp_at = &flags}, p.mass, gradient, matrix);
   PolynomialTerm slots(4, many.vertex_list());
   p.terms[1] = &slots;
   Assembler other(p.terms, p.dofs, p.clock);
   BlockMatrix expected;
-  other.assemble(p.x, {}, {SpdFilter::none, &flags}, p.mass, gradient, expected);
+  other.assemble(p.x, {}, {.clamp_at = &flags}, p.mass, gradient, expected);
   CHECK((dense(matrix) - dense(expected)).norm() <= 1e-13 * dense(expected).norm());
   CHECK(assembler.largest_static_force() == other.largest_static_force());
 }
