@@ -62,8 +62,8 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
   void stepped(const MinimizerProblem&, const Step& step) override {
-    careful_ = step.evaluations > 1;
     const double t = step.length, predicted = -(t - t * t / 2) * step.slope;
+    careful_ = step.evaluations > 1 || step.decrease < little * predicted;
     model_fits_ = std::abs(step.decrease / predicted - 1) <= fit;
   }
 
@@ -142,6 +142,7 @@ class ProjectedNewton : public DescentMinimizer {
   static constexpr int calm = 3;  // iterations of steps that are easy: not worth a trial
   // Of the decrease that the quadratic model predicts, the part that may miss where it fits.
   static constexpr double fit = 0.01;
+  static constexpr double little = 0.25;  // of it, where the step went too far
 
   Filter filter_ = Filter::contacts;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
