@@ -1,6 +1,7 @@
 // Incomplete Cholesky factorisation without fill, IC(0), on 3x3 blocks (Meijerink and van der Vorst
-// 1977), domains side by side and then what separates them. Where little or nothing is left of a pivot, the block that
-// stood there takes its place (Kershaw 1978). The factor is stored in single precision: applying it takes as long as reading it.
+// 1977), domains side by side and then what separates them. Where a pivot turns indefinite, it starts
+// again with a larger multiple of the diagonal blocks added (Manteuffel 1980). The factor is stored in
+// single precision: applying it takes as long as reading it.
 #include <Eigen/Cholesky>
 
 #include <atomic>
@@ -27,9 +28,12 @@ class IncompleteCholesky : public Preconditioner {
       lower_.resize(matrix.values.size() + 1);
       upper_.resize(matrix.values.size() + 1);
     }
-    if (!factorize(matrix, deadline)) return false;
-    for_each(rows_.size(), [&](int i) { round(i); }, 512);
-    return true;
+    for (double shift = 0; shift < largest_shift; shift = std::max(4 * shift, smallest_shift))
+      if (factorize(matrix, shift, deadline)) {
+        for_each(rows_.size(), [&](int i) { round(i); }, 512);
+        return true;
+      }
+    return false;
   }
 
   void apply(const VecX& r, VecX& z) override {
@@ -63,12 +67,12 @@ class IncompleteCholesky : public Preconditioner {
   // Row i of the transposed factor: its diagonal block, then the others.
   float* upper(int i) { return upper_.data() + 9 * (std::ptrdiff_t(rows_.below_start[i]) + i); }
 
-  bool factorize(const BlockMatrix& matrix, const Deadline& deadline) {
+  bool factorize(const BlockMatrix& matrix, double shift, const Deadline& deadline) {
     std::atomic<bool> definite = true, late = false;
     const auto rows = [&](int first, int last) {
       for (int i = first; i < last && definite && !late; ++i) {
         if ((i - first) % rows_per_look == 0 && deadline.passed()) late = true;
-        else if (!eliminate(i, matrix)) definite = false;
+        else if (!eliminate(i, matrix, shift)) definite = false;
       }
     };
     for_each_part(rows_.domain_start, rows);
@@ -77,12 +81,13 @@ class IncompleteCholesky : public Preconditioner {
     return definite;
   }
 
-  // Row i of L, with the inverse of its diagonal block; false if the matrix's own is not positive definite.
-  bool eliminate(int i, const BlockMatrix& matrix) {
+  // Row i of L, with the inverse of its diagonal block; false if that is not positive definite.
+  bool eliminate(int i, const BlockMatrix& matrix, double shift) {
     const std::vector<int>& column = rows_.column;
     const int first = rows_.row_start[i], diagonal = rows_.diagonal(i);
-    const Mat3 own = matrix.block(rows_.source[diagonal].block);
-    BlockLanes rest(own.data());
+    Mat3 pivot = (1 + shift) * matrix.block(rows_.source[diagonal].block);
+    const Vec3 scale = pivot.diagonal();
+    BlockLanes rest(pivot.data());
     for (int k = first; k < diagonal; ++k) {
       const auto source = matrix.block(rows_.source[k].block);
       const Mat3 start = rows_.source[k].transposed ? Mat3(source.transpose()) : Mat3(source);
@@ -99,14 +104,10 @@ class IncompleteCholesky : public Preconditioner {
       sum.store(exact(k));
       rest -= sum.times_transposed(exact(k));
     }
-    Mat3 pivot;
     rest.store(pivot.data());
-    Eigen::LLT<Mat3> root(pivot);
-    if (root.info() != Eigen::Success ||
-        (root.matrixLLT().diagonal().array().square() <= smallest_pivot * own.diagonal().array()).any()) {
-      root.compute(own);
-      if (root.info() != Eigen::Success) return false;
-    }
+    const Eigen::LLT<Mat3> root(pivot);
+    if (root.info() != Eigen::Success) return false;
+    if ((root.matrixLLT().diagonal().array().square() <= smallest_pivot * scale.array()).any()) return false;
     Eigen::Map<Mat3> inverse(exact(diagonal));
     inverse = root.matrixL().solve(Mat3::Identity());
     return true;
@@ -148,8 +149,9 @@ class IncompleteCholesky : public Preconditioner {
     store4(BlockLanes::padded(inverse).times(part(i)), part(i));
   }
 
-  static constexpr double smallest_pivot = 0.05;  // relative to the diagonal of the matrix
+  static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix
   static constexpr int rows_per_look = 64;  // at the deadline
+  static constexpr double smallest_shift = 1e-3, largest_shift = 1e3;
 
   int domain_ = 2000;
   DomainRows rows_;
@@ -160,7 +162,7 @@ class IncompleteCholesky : public Preconditioner {
 };
 
 TACK_REGISTER(Preconditioner, IncompleteCholesky, "incomplete_cholesky",
-              "Cholesky factor in the pattern of the matrix, with its own blocks where pivots break down.",
-              "Meijerink and van der Vorst 1977; Kershaw 1978");
+              "Cholesky factor in the pattern of the matrix, shifted where it breaks down.",
+              "Meijerink and van der Vorst 1977; Manteuffel 1980");
 
 }  // namespace tack

@@ -105,7 +105,7 @@ TEST_CASE("what conjugate gradients could not solve is not taken for a solution"
     CHECK_FALSE(solve(pcg(name, "tolerance: 1e-10, max_iterations: 2"), matrix, b).x.allFinite());
     const VecX cut = solve(pcg(name, "tolerance: 1e-10, max_iterations: 2, truncate: true"), matrix, b).x;
     CHECK(relative_residual(matrix, cut, b) < 1);
-    // The incomplete factor of this one is complete, and may see what it is.
+    // The incomplete factor of this one is complete but for its shift, and sees what it is.
     const auto solver = component<LinearSolver>(pcg(name, "truncate: true"));
     PhaseClock clock;
     VecX x;
@@ -116,7 +116,7 @@ TEST_CASE("what conjugate gradients could not solve is not taken for a solution"
 }
 
 // Kershaw's matrix is positive definite, but its incomplete factor has a negative pivot.
-TEST_CASE("an incomplete factor that breaks down is mended", "[linear]") {
+TEST_CASE("an incomplete factor that breaks down is made with a shift", "[linear]") {
   MatX kershaw(4, 4);
   kershaw << 3, -2, 0, 2, -2, 3, -2, 0, 0, -2, 3, -2, 2, 0, -2, 3;
   const BlockMatrix matrix = scalar_blocks(kershaw, (1u << 30) + 1);
