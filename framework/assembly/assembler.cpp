@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 
 #include "framework/assembly/parallel.hpp"
 #include "framework/assembly/stencil_clamp.hpp"
+#include "framework/core/disjoint_sets.hpp"
 #include "framework/core/term_times.hpp"
 
 namespace tack {
@@ -55,12 +55,9 @@ void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessi
 void Assembler::Group::clamp_at(const std::vector<char>& block, const DofMap& dofs) {
   for (const PlacedBatch& placed : batches) {
     const StencilBatch& b = placed.batch;
-    const auto flagged = [&](int vertex) { return dofs.block(vertex) >= 0 && block[dofs.block(vertex)]; };
-    for_each(b.count, [&](int s) {
-      const int* v = b.vertices + static_cast<size_t>(b.arity) * s;
-      if (std::none_of(v, v + b.arity, flagged)) return;
-      const int blocks = hessian_blocks(b.arity);
-      clamp_stencil(b.arity, hessian_slots.data() + 9 * (static_cast<size_t>(placed.hessian_slot) + static_cast<size_t>(blocks) * s));
+    double* const slots = hessian_slots.data() + 9 * static_cast<size_t>(placed.hessian_slot);
+    for_each_chunk(b.count, [&](int, int first, int last) {
+      clamp_stencils(b, first, last, block, dofs, slots + 9 * static_cast<size_t>(hessian_blocks(b.arity)) * first);
     });
   }
 }
@@ -159,19 +156,11 @@ double Assembler::largest_static_force() const { return std::max(ranged_.largest
 
 // Unknown blocks that stencils connect are of one part.
 void Assembler::number_parts() {
-  std::vector<int> root(dofs_.block_count());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int b) {
-    while (root[b] != b) b = root[b] = root[root[b]];
-    return b;
-  };
-  for (const BlockKey key : pattern_->static_keys()) {
-    const int one = find(key_row(key)), other = find(key_column(key));
-    root[std::max(one, other)] = std::min(one, other);
-  }
-  part_.resize(root.size());
+  DisjointSets sets(dofs_.block_count());
+  for (const BlockKey key : pattern_->static_keys()) sets.join(key_row(key), key_column(key));
+  part_.resize(dofs_.block_count());
   int parts = 0;
-  for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = find(b) == b ? parts++ : part_[find(b)];
+  for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = sets.find(b) == b ? parts++ : part_[sets.find(b)];
 }
 
 // The pattern's static keys are those of both maps and the diagonals.

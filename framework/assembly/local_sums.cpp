@@ -3,7 +3,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <utility>
 
@@ -16,13 +15,11 @@ namespace {
 constexpr int chunk_length = 512;  // stencils
 static_assert(chunk_length % StencilRanges::grain == 0);
 
-using Block = Eigen::Map<Eigen::Matrix<double, 9, 1>>;
-
 void add_block(const double* block, bool transposed, double* sum) {
   if (transposed) {
     Eigen::Map<Mat3>{sum} += Eigen::Map<const Mat3>(block).transpose();
   } else {
-    Block{sum} += Eigen::Map<const Eigen::Matrix<double, 9, 1>>(block);
+    Eigen::Map<Mat3>{sum} += Eigen::Map<const Mat3>(block);
   }
 }
 
@@ -97,14 +94,6 @@ std::vector<BlockKey> LocalSums::number_sums(Chunk& chunk, const DofMap& dofs) {
   return keys;
 }
 
-bool LocalSums::flagged(const StencilBatch& batch, int stencil, const std::vector<char>& flags) const {
-  const int* v = batch.vertices + static_cast<size_t>(batch.arity) * stencil;
-  return std::any_of(v, v + batch.arity, [&](int vertex) {
-    const int block = dofs_->block(vertex);
-    return block >= 0 && flags[block];
-  });
-}
-
 void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
                          double* gradient_slots) {
   constexpr int grain = StencilRanges::grain;
@@ -119,8 +108,7 @@ void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, co
     const int last = std::min(first + grain, chunk.last);
     chunk.term->range_derivatives(x, filter, first, last, gradient, slots.data());
     const double* block = slots.data();
-    for (int s = first; clamp_at && s < last; ++s)
-      if (flagged(chunk.batch, s, *clamp_at)) clamp_stencil(arity, slots.data() + 9 * static_cast<size_t>(blocks) * (s - first));
+    if (clamp_at) clamp_stencils(chunk.batch, first, last, *clamp_at, *dofs_, slots.data());
     for (int k = 0; k < blocks * (last - first); ++k, ++sum, block += 9)
       if (*sum >= 0) add_block(block, *sum & 1, sums + 9 * static_cast<size_t>(*sum >> 1));
   }

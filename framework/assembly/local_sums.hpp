@@ -44,7 +44,6 @@ class LocalSums {
   std::vector<BlockKey> number_sums(Chunk& chunk, const DofMap& dofs);
   void evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
                 double* gradient_slots);
-  bool flagged(const StencilBatch& batch, int stencil, const std::vector<char>& flags) const;
 
   const DofMap* dofs_ = nullptr;
   int terms_ = 0;

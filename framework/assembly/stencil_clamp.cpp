@@ -1,5 +1,6 @@
 #include "framework/assembly/stencil_clamp.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "framework/assembly/psd_filter.hpp"
@@ -16,9 +17,7 @@ void clamp_slots(double* slots) {
   store_blocks<K>(hessian, slots);
 }
 
-}  // namespace
-
-void clamp_stencil(int arity, double* slots) {
+void clamp_slots(int arity, double* slots) {
   switch (arity) {
     case 2: return clamp_slots<2>(slots);
     case 3: return clamp_slots<3>(slots);
@@ -27,6 +26,17 @@ void clamp_stencil(int arity, double* slots) {
     case 6: return clamp_slots<6>(slots);
   }
   throw std::logic_error("no stencil filter of this arity");
+}
+
+}  // namespace
+
+void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
+                    double* slots) {
+  const auto flagged = [&](int vertex) { return dofs.block(vertex) >= 0 && flags[dofs.block(vertex)]; };
+  for (int s = first; s < last; ++s, slots += 9 * hessian_blocks(batch.arity)) {
+    const int* v = batch.vertices + static_cast<size_t>(batch.arity) * s;
+    if (std::any_of(v, v + batch.arity, flagged)) clamp_slots(batch.arity, slots);
+  }
 }
 
 }  // namespace tack

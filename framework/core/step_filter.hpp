@@ -2,7 +2,10 @@
 // Every registered filter applies to every run in which it has something to watch.
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/config/registry.hpp"
@@ -40,5 +43,15 @@ class StepFilter : public Component {
   // messages: not fast.
   virtual std::optional<Blocker> blocker(const VecX& x, const VecX& p) = 0;
 };
+
+// One of each kind that has something to watch.
+inline std::vector<std::unique_ptr<StepFilter>> attached_filters(const FeasibilityContext& context) {
+  std::vector<std::unique_ptr<StepFilter>> filters;
+  for (const std::string& name : Registry<StepFilter>::kind().names()) {
+    auto filter = Registry<StepFilter>::make(name);
+    if (filter->attach(context)) filters.push_back(std::move(filter));
+  }
+  return filters;
+}
 
 }  // namespace tack

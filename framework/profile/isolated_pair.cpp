@@ -154,10 +154,7 @@ std::array<double, evaluation_count> seconds_of_stencils(const Term& term, const
 
 void bound_step(ContactSystem& contact, const VecX& x, const VecX& p, PhaseClock& clock) {
   const std::vector<Tet> no_tets;
-  for (const std::string& name : Registry<StepFilter>::kind().names()) {
-    const auto filter = Registry<StepFilter>::make(name);
-    if (filter->attach({&contact, no_tets, clock})) filter->largest_step(x, p, 1);
-  }
+  for (const auto& filter : attached_filters({&contact, no_tets, clock})) filter->largest_step(x, p, 1);
 }
 
 }  // namespace

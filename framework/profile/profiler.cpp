@@ -153,11 +153,7 @@ std::vector<Reach> Profiler::reaches() const {
 
 // Names what stood in the way, with filters of its own on the contact system of the world.
 std::vector<HardStep> Profiler::hardest() {
-  std::vector<std::unique_ptr<StepFilter>> filters;
-  for (const std::string& name : Registry<StepFilter>::kind().names()) {
-    auto filter = Registry<StepFilter>::make(name);
-    if (filter->attach({world_.contact.get(), world_.tets, clock_})) filters.push_back(std::move(filter));
-  }
+  const auto filters = attached_filters({world_.contact.get(), world_.tets, clock_});
   std::vector<HardStep> all;
   for (Hard& hard : hardest_) {
     if (hard.cut.feasible < 1) hard.step.blocker = describe_blocker(world_, filters, hard.cut.x, hard.cut.p);

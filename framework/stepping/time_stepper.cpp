@@ -31,11 +31,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   clock_.deadline().limit_run(clock.begun(), scene.time.wall_limit);
   if (scene.solver->checks_iterates()) check_.emplace(world, clock);
-  const FeasibilityContext context{world.contact.get(), world.tets, clock};
-  for (const std::string& name : Registry<StepFilter>::kind().names()) {
-    auto filter = Registry<StepFilter>::make(name);
-    if (filter->attach(context)) filters_.push_back(std::move(filter));
-  }
+  filters_ = attached_filters({world.contact.get(), world.tets, clock});
   tried_.p = VecX::Zero(state_.x.size());
   hold(state_.h_next);
 }

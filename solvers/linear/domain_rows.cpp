@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "framework/assembly/parallel.hpp"
+#include "framework/core/disjoint_sets.hpp"
 
 namespace tack {
 namespace {
@@ -101,24 +102,18 @@ void DomainRows::separate(const BlockMatrix& matrix, const std::vector<int>& cut
 }
 
 void DomainRows::group(const BlockMatrix& matrix, const std::vector<int>& separating) {
-  std::vector<int> root(matrix.columns(), -1);  // -1: no separator
-  for (const int c : separating) root[c] = c;
-  const auto find = [&](int c) {
-    while (root[c] != c) c = root[c] = root[root[c]];
-    return c;
-  };
+  std::vector<char> separates(matrix.columns(), 0);
+  for (const int c : separating) separates[c] = 1;
+  DisjointSets sets(matrix.columns());
   for (const int c : separating)
     for (int b = matrix.column_start[c]; b < matrix.column_start[c + 1]; ++b)
-      if (root[matrix.row[b]] >= 0) {
-        const int one = find(c), other = find(matrix.row[b]);
-        root[std::max(one, other)] = std::min(one, other);
-      }
+      if (separates[matrix.row[b]]) sets.join(c, matrix.row[b]);
   std::vector<int> size(matrix.columns(), 0);
-  for (const int c : separating) ++size[find(c)];
+  for (const int c : separating) ++size[sets.find(c)];
   std::vector<int> group_of(matrix.columns(), 0);
   group_start.assign(1, static_cast<int>(vertex.size()));
   for (const int c : separating) {
-    if (find(c) != c) continue;
+    if (sets.find(c) != c) continue;
     if (groups() == 0 || group_start.back() - group_start[groups() - 1] >= smallest_group)
       group_start.push_back(group_start.back());
     group_of[c] = groups() - 1;
@@ -126,7 +121,7 @@ void DomainRows::group(const BlockMatrix& matrix, const std::vector<int>& separa
   }
   auto next = group_start;
   vertex.resize(vertex.size() + separating.size());
-  for (const int c : separating) vertex[next[group_of[find(c)]]++] = c;
+  for (const int c : separating) vertex[next[group_of[sets.find(c)]]++] = c;
 }
 
 void DomainRows::sort_columns() {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstring>
+#include <type_traits>
 
 namespace tack {
 
@@ -67,24 +68,29 @@ inline constexpr int triangle_columns = 4 * detail::Lane<T>::count;
 template <class T>
 inline constexpr int triangle_overrun = detail::Lane<T>::count - 1;
 
+namespace detail {
+
+// body(vectors), a constant: as many as n numbers need.
+template <class T, class Body>
+void with_vectors(int n, const Body& body) {
+  switch ((n - 1) / Lane<T>::count) {
+    case 0: return body(std::integral_constant<int, 1>());
+    case 1: return body(std::integral_constant<int, 2>());
+    case 2: return body(std::integral_constant<int, 3>());
+    default: return body(std::integral_constant<int, 4>());
+  }
+}
+
+}  // namespace detail
+
 template <class T>
 void lower_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
-  switch ((n - 1) / detail::Lane<T>::count) {
-    case 0: return detail::lower_times<1>(n, l, ldl, x);
-    case 1: return detail::lower_times<2>(n, l, ldl, x);
-    case 2: return detail::lower_times<3>(n, l, ldl, x);
-    default: return detail::lower_times<4>(n, l, ldl, x);
-  }
+  detail::with_vectors<T>(n, [&](auto vectors) { detail::lower_times<vectors>(n, l, ldl, x); });
 }
 
 template <class T>
 void lower_transposed_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
-  switch ((n - 1) / detail::Lane<T>::count) {
-    case 0: return detail::lower_transposed_times<1>(n, l, ldl, x);
-    case 1: return detail::lower_transposed_times<2>(n, l, ldl, x);
-    case 2: return detail::lower_transposed_times<3>(n, l, ldl, x);
-    default: return detail::lower_transposed_times<4>(n, l, ldl, x);
-  }
+  detail::with_vectors<T>(n, [&](auto vectors) { detail::lower_transposed_times<vectors>(n, l, ldl, x); });
 }
 
 }  // namespace tack

@@ -10,10 +10,7 @@ StepProblem::StepProblem(const std::string& yaml)
                 [this](const VecX& x) { if (world->contact) world->contact->move_to(x); }) {
   const State& start = world->start;
   const double h = config.time.step;
-  for (const std::string& name : Registry<StepFilter>::kind().names()) {
-    auto filter = Registry<StepFilter>::make(name);
-    if (filter->attach({world->contact.get(), world->tets, clock})) filters.push_back(std::move(filter));
-  }
+  filters = attached_filters({world->contact.get(), world->tets, clock});
   if (world->contact) world->contact->begin_step(start.x);
   if (world->friction) {
     world->contact->move_to(start.x);

@@ -1,0 +1,27 @@
+// Sets of the numbers 0 .. n - 1 that grow together (union-find); each is known by its smallest member.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace tack {
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(int n) : root_(n) { std::iota(root_.begin(), root_.end(), 0); }
+
+  int find(int i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  void join(int i, int j) {
+    const int one = find(i), other = find(j);
+    root_[std::max(one, other)] = std::min(one, other);
+  }
+
+ private:
+  std::vector<int> root_;
+};
+
+}  // namespace tack
