@@ -8,7 +8,6 @@
 #include "framework/output/recorder.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/derivative_check.hpp"
-#include "framework/scene/external_loads.hpp"
 #include "framework/scene/load_scene.hpp"
 #include "framework/scene/resolution.hpp"
 #include "framework/scene/tolerances.hpp"
@@ -60,7 +59,6 @@ int check_command(const SceneOptions& options) {
   print_contents(*world);
   for (const std::string& line : resolution_warnings(scene.config, *world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(scene.config, *world)) fmt::print("warning: {}\n", line);
-  set_loads(scene.config, *world, scene.config.time.step, world->start.x);
   const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;

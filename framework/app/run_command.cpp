@@ -122,7 +122,7 @@ class Run {
   // their own.
   void start_from(State state) {
     world_->start = std::move(state);
-    world_->forget();
+    world_->participants.forget();
     scene_.config.solver = bind_component<Minimizer>(to_value(scene_.config.solver.get()));
     stepper_.emplace(*world_, scene_.config, clock_,
                      [this](const std::string& line) { progress_.warning(line); });

@@ -36,7 +36,7 @@ struct ReferenceRow {
   std::string status;
 };
 
-struct History {
+struct IterationHistory {
   std::string solver;
   double tolerance = 0;
   std::vector<Iteration> iterations;
@@ -46,7 +46,7 @@ struct Comparison {
   std::vector<ReferenceRow> references;
   std::vector<CompareRow> rows;
   std::string history_of;  // the problem
-  std::vector<History> histories;
+  std::vector<IterationHistory> histories;
 };
 
 // `tell` gets a line for each thing that was done.

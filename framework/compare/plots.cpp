@@ -85,7 +85,7 @@ Plot profile_plot(const std::vector<CompareRow>& rows) {
 Plot convergence_plot(const Comparison& comparison) {
   Plot plot{"convergence: the step of " + comparison.history_of + " with most iterations", "iteration",
             "residual [m/s]", false, true, false, {}};
-  for (const History& h : comparison.histories) {
+  for (const IterationHistory& h : comparison.histories) {
     Curve& curve = curve_of(plot, h.solver);
     for (const Iteration& i : h.iterations) curve.points.emplace_back(i.number, i.residual * h.tolerance);
   }

@@ -12,6 +12,8 @@ namespace {
 // edge adds few candidates to what the extent of the primitives brings along already.
 double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
 
+const std::string sides_name = "contact/sides";
+
 // Of the edges that may move [m]; 0 without any.
 double mean_edge_of(const ContactSurface& surface) {
   double length = 0;
@@ -47,7 +49,14 @@ void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_gro
 
 const std::vector<char>& ContactSystem::sides() const { return narrow_phase_->sides(); }
 
-void ContactSystem::set_sides_before(const std::vector<char>& sides) { narrow_phase_->set_sides_before(sides); }
+void ContactSystem::remember(const History& history) {
+  const std::vector<double>* sides = remembered(history, sides_name, 1, pairs_.objects() * pairs_.objects());
+  sides_before_ = sides ? std::vector<char>(sides->begin(), sides->end()) : std::vector<char>();
+}
+
+void ContactSystem::commit(const VecX&, History& history) const {
+  history[sides_name] = {1, {sides().begin(), sides().end()}, {}};
+}
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
@@ -62,10 +71,12 @@ void ContactSystem::forget() {
       });
 }
 
-void ContactSystem::begin_step(const VecX& x) {
+void ContactSystem::begin_step(const StepStart& start) {
+  const VecX& x = start.x;
   const bool renewed = renew_candidates(x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
   if (renewed) narrow_phase_->take(candidates());
+  narrow_phase_->set_sides_before(sides_before_);
   narrow_phase_->begin_step(candidates(), x);
 }
 

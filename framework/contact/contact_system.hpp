@@ -6,6 +6,7 @@
 
 #include "framework/contact/contact_set.hpp"
 #include "framework/core/phase_clock.hpp"
+#include "framework/core/step_participant.hpp"
 #include "geometry/broad_phase/object_pair_filter.hpp"
 
 namespace tack {
@@ -13,7 +14,7 @@ namespace tack {
 class BroadPhase;
 class NarrowPhase;
 
-class ContactSystem {
+class ContactSystem : public StepParticipant {
  public:
   ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter, PhaseClock& clock);
   ~ContactSystem();
@@ -23,16 +24,17 @@ class ContactSystem {
   void set_free(std::vector<char> free);
   // Whether the vertices of a rigidly held group may move against each other at present.
   void dissolve_groups(bool dissolved);
-  // Forgets what the steps so far have left: as if built anew.
-  void forget();
+  void forget() override;
   // Which sides of pairs integrate in the present step, and which did in the one before the next (empty: none is
-  // known); they are part of the state.
+  // known); they are remembered.
   const std::vector<char>& sides() const;
-  void set_sides_before(const std::vector<char>& sides);
+  void set_sides_before(std::vector<char> sides) { sides_before_ = std::move(sides); }
+  void remember(const History& history) override;
+  void commit(const VecX& x, History& history) const override;
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
-  void begin_step(const VecX& x);
+  void begin_step(const StepStart& start) override;
   // Makes x the current configuration: finds its active stencils.
-  void move_to(const VecX& x);
+  void move_to(const VecX& x) override;
   // Makes sure that the candidates hold every pair that may touch on the way from x to x + p.
   void cover(const VecX& x, const VecX& p);
 
@@ -60,6 +62,7 @@ class ContactSystem {
   double stride_ = 0;      // m
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
+  std::vector<char> sides_before_;
   ContactSet contacts_;
 };
 

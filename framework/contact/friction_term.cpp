@@ -42,13 +42,10 @@ LaggedContacts FrictionTerm::lagged_at(const VecX& x) const {
   return lag_contacts({system_, normal_.laws(LawPart::barrier), wanted_, x});
 }
 
-void FrictionTerm::begin_step(const VecX& x, double h) {
-  start_ = x;
-  h_ = h;
-  lag(x);
+void FrictionTerm::begin_step(const StepStart& start) {
+  start_ = start.x;
+  h_ = start.h;
 }
-
-void FrictionTerm::lag(const VecX& x) { contacts_ = lagged_at(x); }
 
 double FrictionTerm::residual(const VecX& x) const {
   const VecX held = forces(x, TangentialPart::all);

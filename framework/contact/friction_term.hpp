@@ -23,11 +23,11 @@ class FrictionTerm : public Term, public ResidualView {
   // Both must outlive the term.
   FrictionTerm(const ContactSystem& system, const ContactTerm& normal);
 
-  void forget() { contacts_ = {}; }  // as if built anew
-  // Starts a step of size h at x, where the contact system must be.
-  void begin_step(const VecX& x, double h);
-  // Takes magnitudes and tangents at x, where the contact system must be, for the rest of the step.
-  void lag(const VecX& x);
+  void forget() override { contacts_ = {}; }
+  void begin_step(const StepStart& start) override;
+  // Takes magnitudes and tangents at x, where the contact system must be.
+  bool lags() const override { return true; }
+  void lag(const VecX& x) override { contacts_ = lagged_at(x); }
   // What lag(x) would change: the largest difference of a vertex's force at x, over the largest
   // force.
   double residual(const VecX& x) const;

@@ -11,10 +11,8 @@ class LinearTerm : public Term, public ResidualView {
  public:
   using Term::Term;
 
-  void set(VecX force, VecX reference) {
-    force_ = std::move(force);
-    reference_ = std::move(reference);
-  }
+  void set_force(VecX force) { force_ = std::move(force); }              // N, 3n
+  void set_reference(VecX reference) { reference_ = std::move(reference); }  // where it is zero [m], 3n
   const VecX& force() const { return force_; }
 
   double value(const VecX& x) const override {
@@ -30,8 +28,8 @@ class LinearTerm : public Term, public ResidualView {
   bool residuals(const VecX&, double*, double*) const override { return true; }
 
  private:
-  VecX force_;      // N, 3n; empty: no force yet
-  VecX reference_;  // m, 3n
+  VecX force_;  // empty: none
+  VecX reference_;
 };
 
 }  // namespace tack

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "framework/core/spd_filter.hpp"
+#include "framework/core/step_participant.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -40,10 +41,9 @@ class StencilRanges {
   ~StencilRanges() = default;
 };
 
-class Term {
+class Term : public StepParticipant {
  public:
   explicit Term(std::string name) : name_(std::move(name)) {}
-  virtual ~Term() = default;
   const std::string& name() const { return name_; }
 
   virtual double value(const VecX& x) const = 0;  // [J]

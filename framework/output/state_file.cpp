@@ -79,8 +79,27 @@ void for_each_field(S& s, const Act& act) {
   act("v_before", s.v_before, Since::first);
   act("contact", s.contact, Since::later);
   act("contact_before", s.contact_before, Since::later);
-  act("sides", s.sides, Since::later);
+  act("history", s.history, Since::later);
   act("energy", s.energy, Since::later);
+}
+
+Json to_json(const History& history) {
+  Json json = Json::object();
+  for (const auto& [name, array] : history)
+    json[name] = {{"width", array.width}, {"values", array.values}, {"keys", array.keys}};
+  return json;
+}
+
+void read_history(const Json& json, History& history) {
+  history.clear();
+  for (const auto& [name, array] : json.items()) {
+    HistoryArray& read = history[name];
+    array.at("width").get_to(read.width);
+    array.at("values").get_to(read.values);
+    array.at("keys").get_to(read.keys);
+    if (read.width < 1 || read.values.size() % read.width != 0)
+      throw InputError(fmt::format("its history '{}' is of no shape", name));
+  }
 }
 
 template <class Record>
@@ -89,7 +108,7 @@ Json fields_to_json(const Record& record) {
   for_each_field(record, [&]<class Field>(const char* key, const Field& field, Since) {
     if constexpr (std::is_same_v<Field, EnergyAccount>) {
       json[key] = fields_to_json(field);
-    } else if constexpr (std::is_same_v<Field, VecX>) {
+    } else if constexpr (std::is_same_v<Field, VecX> || std::is_same_v<Field, History>) {
       json[key] = to_json(field);
     } else {
       json[key] = field;
@@ -114,6 +133,8 @@ void read(const Json& json, const char* key, Field& field) {
     field = vector_of(json.at(key));
   } else if constexpr (std::is_same_v<Field, EnergyAccount>) {
     read_fields(json.at(key), field);
+  } else if constexpr (std::is_same_v<Field, History>) {
+    read_history(json.at(key), field);
   } else {
     json.at(key).get_to(field);
   }
@@ -210,6 +231,9 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     if (json.contains("file_meshes"))
       for (const auto& [object, digest] : json["file_meshes"].items()) file.file_meshes[object] = digest_of(digest);
     read_fields(json.at("state"), file.state);
+    // Files of version 2 had the sides of contact beside the history at first.
+    if (const auto sides = json.at("state").find("sides"); sides != json.at("state").end() && !sides->empty())
+      file.state.history["contact/sides"] = {1, sides->get<std::vector<double>>(), {}};
     read(json, "step_size", file.step_size);
     read(json, "totals", file.totals);
   } catch (const Json::exception& error) {

@@ -175,16 +175,15 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
   ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),
                         filter_of(cut), clock);
   contact.set_free(cut.part(free));
-  contact.set_sides_before(sides_of(state.sides, world.contact->pairs().objects(), cut));
+  contact.set_sides_before(sides_of(world.contact->sides(), world.contact->pairs().objects(), cut));
   const ContactTerm term(contact);
   std::optional<FrictionTerm> friction;
   if (world.friction) friction.emplace(contact, term);
 
-  contact.begin_step(before);
-  if (friction) {
-    contact.move_to(before);
-    friction->begin_step(before, state.h_before);
-  }
+  StepParticipants participants;
+  participants.add(&contact);
+  if (friction) participants.add(&*friction);
+  participants.begin_step({before, state.time, state.h_before});
   bound_step(contact, before, now - before, clock);
   contact.move_to(now);
 

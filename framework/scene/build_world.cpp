@@ -158,13 +158,15 @@ void check_solver(const SceneConfig& scene, const Value& root, const World& worl
 }
 
 // Every load finds what it acts on, or this is told before anything is written.
-void check_loads(const SceneConfig& scene, const Value& root, const World& world) {
+void add_loads(const SceneConfig& scene, const Value& root, World& world) {
   VecX force = VecX::Zero(world.rest.size());
   for (size_t i = 0; i < scene.objects.size(); ++i) {
     const Value* object = entry(root.find("objects"), i);
     for (size_t j = 0; j < scene.objects[i].loads.size(); ++j)
       at_place(object ? entry(object->find("loads"), j) : nullptr, [&] {
-        scene.objects[i].loads[j]->add_forces(world.bodies[i], world.rest, world.mass, 0, force);
+        const Load& load = *scene.objects[i].loads[j];
+        load.add_forces(world.bodies[i], world.rest, world.mass, 0, force);
+        world.load_term.add(load, world.bodies[i], world.rest, world.mass);
       });
   }
 }
@@ -203,8 +205,9 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   world->dofs = DofMap(world->script.free(world->script.active(scene.time.step / 2)));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
   check_mass(root, *world);
-  check_loads(scene, root, *world);
+  add_loads(scene, root, *world);
   world->gravity = scene.gravity;
+  if (!scene.gravity.isZero()) world->gravity_term.set_up(world->mass, scene.gravity);
   start_state(scene, *world);
   build_contact(scene, root, clock, *world);
   check_start(root, *world);
@@ -212,13 +215,15 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
   if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
-  for (const ObjectConfig& object : scene.objects) {
-    if (object.loads.empty()) continue;
-    world->terms.push_back(&world->load_term);
-    break;
-  }
+  if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->friction) world->terms.push_back(world->friction.get());
+  if (world->contact) world->participants.add(world->contact.get());
+  for (const auto& term : world->elastic_terms) world->participants.add(term.get());
+  for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})
+    world->participants.add(term);
+  if (world->contact_term) world->participants.add(world->contact_term.get());
+  if (world->friction) world->participants.add(world->friction.get());
   check_solver(scene, root, *world);
   settle_tolerances(scene, *world, clock);
   return world;

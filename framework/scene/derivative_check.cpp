@@ -44,9 +44,8 @@ VecX absolute_product(const BlockMatrix& matrix, const VecX& d) {
 class TermStudy {
  public:
   TermStudy(const Term& term, World& world, PhaseClock& clock)
-      : potential_({&term}, world.dofs, VecX::Zero(world.mass.size()), clock, [&term, &world](const VecX& x) {
-          const bool sees_contact = term.dynamic() || &term == world.friction.get();
-          if (world.contact && sees_contact) world.contact->move_to(x);
+      : potential_({&term}, world.dofs, VecX::Zero(world.mass.size()), clock, [&world](const VecX& x) {
+          world.participants.move_to(x);
         }),
         check_{term.name(), {}, {}} {
     potential_.begin_step(world.start.x, world.start.x, {}, false);
@@ -104,11 +103,8 @@ void keep_worst(std::vector<DerivativeCheck>& checks, const DerivativeCheck& che
 
 std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseClock& clock) {
   const VecX& start = world.start.x;
-  if (world.contact) {
-    world.contact->begin_step(start);
-    world.contact->move_to(start);
-    if (world.friction) world.friction->begin_step(start, h);
-  }
+  world.participants.remember(world.start.history);
+  world.participants.begin_step({start, world.start.time, h});
   const VecX lengths = local_lengths(world, start);
   VecX all(start.size()), q, unit;
   for (Eigen::Index v = 0; v < lengths.size(); ++v) vertex(all, static_cast<int>(v)).setConstant(lengths(v));

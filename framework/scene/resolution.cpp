@@ -107,7 +107,7 @@ class Warnings {
 
   // Forces of bodies on themselves.
   void start() {
-    world_.contact->begin_step(world_.start.x);
+    world_.contact->begin_step({world_.start.x});
     world_.contact->move_to(world_.start.x);
     for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i) {
       const VecX force = world_.contact_term->forces(world_.start.x, LawPart::all, ObjectPair{i, i});

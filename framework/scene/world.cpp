@@ -7,11 +7,6 @@ namespace tack {
 World::World() = default;
 World::~World() = default;
 
-void World::forget() {
-  if (contact) contact->forget();
-  if (friction) friction->forget();
-}
-
 int World::body_index(const std::string& name) const {
   for (size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].name == name) return static_cast<int>(i);

@@ -7,8 +7,8 @@
 
 #include "framework/contact/adhesion_summary.hpp"
 #include "framework/core/dof_map.hpp"
-#include "framework/core/linear_term.hpp"
 #include "framework/scene/body.hpp"
+#include "framework/scene/load_terms.hpp"
 #include "framework/scene/script.hpp"
 #include "framework/stepping/state.hpp"
 
@@ -31,17 +31,15 @@ struct World {
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
-  LinearTerm gravity_term{"gravity"}, load_term{"loads"};
+  GravityTerm gravity_term;
+  LoadTerm load_term;
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
+  StepParticipants participants;  // contact and the terms
   std::vector<AdhesionSummary> adhesion;
   State start;
-
-  // Forgets what the steps so far have left, so that the next one gives the same bits as one of a world
-  // that was built anew: of the state that it starts from and of nothing else.
-  void forget();
 
   int body_index(const std::string& name) const;  // -1 if there is none
   int body_of(int vertex) const;                  // whose vertex (global) that is

@@ -70,14 +70,9 @@ void EnergyBalance::begin(const State& state, bool to_places) {
 }
 
 double EnergyBalance::load_work(const State& state, const VecX& way, double h) const {
-  bool loaded = false;
-  for (const ObjectConfig& object : scene_.objects) loaded = loaded || !object.loads.empty();
-  if (!loaded) return 0;
-  VecX both = VecX::Zero(way.size());
-  for (size_t i = 0; i < scene_.objects.size(); ++i)
-    for (const auto& load : scene_.objects[i].loads)
-      for (const double t : {state.time - h, state.time})
-        load->add_forces(world_.bodies[i], world_.rest, world_.mass, t, both);
+  if (world_.load_term.empty()) return 0;
+  const VecX both =
+      world_.load_term.forces_at(state.time - h, way.size()) + world_.load_term.forces_at(state.time, way.size());
   double work = 0;
   for (int b = 0; b < world_.dofs.block_count(); ++b) {
     const int v = world_.dofs.vertex_of_block(b);

@@ -72,7 +72,7 @@ void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   for (const int v : moving_) unknown[v] = 1;
   dofs_ = DofMap(unknown);
   potential_.emplace(world_.terms, dofs_, world_.mass, clock_,
-                     [this](const VecX& at) { if (world_.contact) world_.contact->move_to(at); });
+                     [this](const VecX& at) { world_.participants.move_to(at); });
 }
 
 VecX ScriptWalk::masses(double pull, bool inertia) const {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "framework/core/history.hpp"
 #include "framework/stepping/energy_account.hpp"
 #include "geometry/types.hpp"
 
@@ -23,7 +24,8 @@ struct State {
 
   // Accelerations by contact and friction, now and in the step before (3n) [m/s^2]; empty: not followed.
   VecX contact, contact_before;
-  std::vector<char> sides;  // that integrated in the step before (contact/integration_sides.hpp); empty: none is known
+
+  History history;
 
   EnergyAccount energy;
 

@@ -8,7 +8,6 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/interrupt.hpp"
 #include "framework/scene/energies.hpp"
-#include "framework/scene/external_loads.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/obstacle.hpp"
 #include "geometry/errors.hpp"
@@ -30,6 +29,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
                 }) {
   if (state_.h_next == 0) state_.h_next = scene.time.step;
   clock_.deadline().limit_run(clock.begun(), scene.time.wall_limit);
+  world_.participants.remember(state_.history);
   if (scene.solver->checks_iterates()) check_.emplace(world, clock);
   filters_ = attached_filters({world.contact.get(), world.tets, clock});
   tried_.p = VecX::Zero(state_.x.size());
@@ -44,7 +44,7 @@ void TimeStepper::hold(double h) {
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
                      [this](const VecX& x) {
                        clock_.deadline().check();
-                       if (world_.contact) world_.contact->move_to(x);
+                       world_.participants.move_to(x);
                      });
   if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.free() : std::vector<char>());
   set_accelerations(state_.time, held_.released());
@@ -53,7 +53,8 @@ void TimeStepper::hold(double h) {
 // M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
   if (vertices.empty() || !integrator_->predict(state_, scene_.time.step).inertia) return;
-  apply_loads(t);
+  for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
+    term->begin_step({state_.x, t});
   VecX q;
   world_.dofs.gather(state_.x, q);
   potential_->begin_step(state_.x, state_.x, {}, false);
@@ -77,8 +78,6 @@ VecX TimeStepper::contact_accelerations(const VecX& x) const {
   }
   return a;
 }
-
-void TimeStepper::apply_loads(double t) { set_loads(scene_, world_, t, state_.x); }
 
 double TimeStepper::largest_step(const VecX& x, const VecX& p) {
   if (check_) check_->at(x);
@@ -152,15 +151,7 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
   hold(h);
   const TimeIntegrator::Prediction prediction = integrator_->predict(state_, h);
   inertia_ = prediction.inertia;
-  if (world_.contact) {
-    world_.contact->set_sides_before(state_.sides);
-    world_.contact->begin_step(state_.x);
-  }
-  if (world_.friction) {
-    world_.contact->move_to(state_.x);
-    world_.friction->begin_step(state_.x, h);
-  }
-  apply_loads(state_.time + h);
+  world_.participants.begin_step({state_.x, state_.time, h});
   VecX places = state_.x;
   held_.place(state_.time + h, places);
   balance_.begin(state_, places != state_.x);
@@ -205,12 +196,12 @@ void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Atte
   const LaggingConfig& lagging = scene_.contact->lagging;
   for (attempt.lag_iterations = 1;; ++attempt.lag_iterations) {
     if (attempt.result.status != MinimizerStatus::converged) return;
-    world_.contact->move_to(attempt.x);
+    world_.participants.move_to(attempt.x);
     attempt.friction_residual = world_.friction->residual(attempt.x);
     attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
     const bool reached = lagging.until && attempt.lag_converged;
     if (reached || attempt.lag_iterations >= lagging.iterations) return;
-    world_.friction->lag(attempt.x);
+    world_.participants.lag(attempt.x);
     minimize();
   }
 }
@@ -251,7 +242,7 @@ void TimeStepper::check_wall_limit(const std::string& wrong) const {
 void TimeStepper::commit(const VecX& x, double h) {
   VecX v, a, contact;
   if (world_.contact && scene_.time.integrator->follows_contact()) {
-    world_.contact->move_to(x);
+    world_.participants.move_to(x);
     contact = contact_accelerations(x);
   }
   integrator_->update(state_, x, contact, h, v, a);
@@ -261,7 +252,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   state_.v_before = std::exchange(state_.v, std::move(v));
   state_.a = std::move(a);
   state_.contact_before = std::exchange(state_.contact, std::move(contact));
-  if (world_.contact) state_.sides = world_.contact->sides();
+  world_.participants.commit(x, state_.history);
+  world_.participants.remember(state_.history);
   state_.h_before = h;
   state_.time += h;
   ++state_.step;
@@ -326,6 +318,7 @@ StepReport TimeStepper::advance() {
       if (r.flows.gained && undo) {
         integrator_ = integrator_->fallback();
         state_ = *std::move(undo);
+        world_.participants.remember(state_.history);
         continue;
       }
       r.flows.damped = integrator_ != scene_.time.integrator.get();

@@ -75,7 +75,6 @@ class TimeStepper {
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
-  void apply_loads(double t);
   VecX contact_accelerations(const VecX& x) const;
   double largest_step(const VecX& x, const VecX& p);
   double largest_tried_step();

@@ -27,7 +27,7 @@ void plates_broad_phase(benchmark::State& state) {
 
 void plates_begin_step(benchmark::State& state) {
   const auto scene = plates();
-  for (auto _ : state) scene->world->contact->begin_step(scene->world->rest);
+  for (auto _ : state) scene->world->contact->begin_step({scene->world->rest});
 }
 
 void plates_narrow_phase(benchmark::State& state) {
@@ -38,12 +38,13 @@ void plates_narrow_phase(benchmark::State& state) {
 
 void plates_lag_friction(benchmark::State& state) {
   const auto scene = plates();
-  for (auto _ : state) scene->world->friction->begin_step(scene->world->rest, h);
+  scene->world->friction->begin_step({scene->world->rest, 0, h});
+  for (auto _ : state) scene->world->friction->lag(scene->world->rest);
 }
 
 // A potential of the plates, with friction held at rest.
 struct Held {
-  Held() : scene(plates()), potential(*scene) { scene->world->friction->begin_step(scene->world->rest, h); }
+  Held() : scene(plates()), potential(*scene) { scene->world->participants.begin_step({scene->world->rest, 0, h}); }
   std::unique_ptr<Scene> scene;
   StepPotential potential;
 };

@@ -23,7 +23,7 @@ BENCHMARK(narrow_phase)->ArgName("pair_sums")->Arg(0)->Arg(1)->Apply(in_millisec
 
 void narrow_phase_begin_step(benchmark::State& state) {
   const auto scene = sheets("area", Laws::barrier_and_adhesion);
-  for (auto _ : state) scene->world->contact->begin_step(scene->world->rest);
+  for (auto _ : state) scene->world->contact->begin_step({scene->world->rest});
 }
 BENCHMARK(narrow_phase_begin_step)->Apply(in_milliseconds);
 

@@ -83,7 +83,7 @@ std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
   world.dofs = DofMap(std::vector<char>(static_cast<size_t>(n), 1));
   build_contact(scene->loaded.config, scene->loaded.root, scene->clock, world);
   world.terms = {world.contact_term.get()};
-  world.contact->begin_step(world.rest);
+  world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
   return scene;
 }
@@ -93,7 +93,7 @@ std::unique_ptr<Scene> plates() {
   scene->loaded.root = parse_string(plates_text, "plates");
   bind(scene->loaded.root, scene->loaded.config, "the scene");
   scene->world = build_world(scene->loaded.config, scene->loaded.root, scene->clock);
-  scene->world->contact->begin_step(scene->world->rest);
+  scene->world->contact->begin_step({scene->world->rest});
   scene->world->contact->move_to(scene->world->rest);
   return scene;
 }
@@ -111,7 +111,7 @@ StepPotential::StepPotential(Scene& scene)
       potential_(world_.terms, world_.dofs, world_.mass, scene.clock,
                  [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); }) {
   constexpr double h = 0.01;  // s
-  if (world_.contact) world_.contact->begin_step(world_.rest);
+  if (world_.contact) world_.contact->begin_step({world_.rest});
   potential_.begin_step(world_.rest, world_.rest, {h * h, h * h}, true);
   move_to(world_.rest);
 }

@@ -7,18 +7,11 @@ namespace tack {
 StepProblem::StepProblem(const std::string& yaml)
     : TestScene(yaml),
       potential(world->terms, world->dofs, world->mass, clock,
-                [this](const VecX& x) { if (world->contact) world->contact->move_to(x); }) {
+                [this](const VecX& x) { world->participants.move_to(x); }) {
   const State& start = world->start;
   const double h = config.time.step;
   filters = attached_filters({world->contact.get(), world->tets, clock});
-  if (world->contact) world->contact->begin_step(start.x);
-  if (world->friction) {
-    world->contact->move_to(start.x);
-    world->friction->begin_step(start.x, h);
-  }
-  VecX weight(start.x.size());
-  for (int v = 0; v < start.x.size() / 3; ++v) vertex(weight, v) = world->mass(v) * world->gravity;
-  world->gravity_term.set(weight, start.x);
+  world->participants.begin_step({start.x, start.time, h});
   prediction = config.time.integrator->predict(start, h);
   potential.begin_step(start.x, prediction.x, prediction.scales(), prediction.inertia);
   world->dofs.gather(start.x, q);

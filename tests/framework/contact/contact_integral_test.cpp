@@ -57,7 +57,7 @@ Vec3 force_between(const Box& upper, const Box& lower, const std::string& pair) 
   TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
                   contact("between: [upper, lower]" + pair));
   World& world = *scene.world;
-  world.contact->begin_step(world.rest);
+  world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
   return -world.contact_term->force_between(world.rest, LawPart::all,
                                             {world.body_index("upper"), world.body_index("lower")});
@@ -135,7 +135,7 @@ TEST_CASE("contact integral: a stretched plate adheres per present area, whichev
     World& world = *scene.world;
     VecX x = world.rest;
     for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v) *= 1.5;
-    world.contact->begin_step(x);
+    world.contact->begin_step({x});
     world.contact->move_to(x);
     INFO("integrate " << integrate);
     CHECK(-world.contact_term->force_between(x, LawPart::all, {0, 1}).y() ==
@@ -199,7 +199,7 @@ double fold_force(double opening, double cell) {
   World& world = *scene.world;
   VecX x = world.rest;
   for (int v = 0; v < world.mass.size(); ++v) vertex(x, v) = fold.at(vertex(world.rest, v));
-  world.contact->begin_step(x);
+  world.contact->begin_step({x});
   world.contact->move_to(x);
   const VecX force = world.contact_term->forces(x, LawPart::all);
   // Half way between two rows of vertices.
@@ -233,7 +233,7 @@ TEST_CASE("contact integral: a body alone has no contact energy, however small i
     const std::string self = contact("between: [cube, cube]" + sticks);
     TestScene scene("objects:\n" + Box{{8e-3, 8e-3, 8e-3}, {n, n, n}, {0, 0, 0}}.yaml("cube", material) + self);
     World& world = *scene.world;
-    world.contact->begin_step(world.rest);
+    world.contact->begin_step({world.rest});
     world.contact->move_to(world.rest);
     CHECK(world.contact_term->value(world.rest) == 0.0);
   }
@@ -263,7 +263,7 @@ double work_on_closed_way(const Box& upper, const Box& lower, const std::string&
     for (int i = 0; i < 40; ++i) {
       const VecX from = at(corners[k] + (corners[k + 1] - corners[k]) * (i / 40.0));
       const VecX to = at(corners[k] + (corners[k + 1] - corners[k]) * ((i + 1) / 40.0));
-      world.contact->begin_step(from);
+      world.contact->begin_step({from});
       work -= energy_at(to) - energy_at(from);
     }
   return work / (world.adhesion.front().effective * overlap);
@@ -289,7 +289,7 @@ TEST_CASE("contact integral: points inside triangles have the derivatives of the
   World& world = *scene.world;
   RandomMotions random(5);
   const VecX x = world.rest + 1e-4 * random.vectors(world.rest.size());
-  world.contact->begin_step(x);
+  world.contact->begin_step({x});
   world.contact->move_to(x);
   const ContactSet& set = world.contact->contacts();
   CHECK(set.sample_triangle.size() > 10);

@@ -24,7 +24,7 @@ struct Cluster {
   explicit Cluster(const std::string& contact) : scene(cluster(contact)) {
     RandomMotions random(11);
     x = scene.world->rest + 1e-3 * random.vectors(scene.world->rest.size());
-    system().begin_step(x);
+    system().begin_step({x});
     system().move_to(x);
   }
   ContactSystem& system() { return *scene.world->contact; }

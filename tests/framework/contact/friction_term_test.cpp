@@ -27,9 +27,10 @@ struct Cluster {
     RandomMotions random(5);
     start = scene.world->rest + 1e-3 * random.vectors(scene.world->rest.size());
     x = start + slip * random.vectors(start.size());
-    system().begin_step(start);
+    system().begin_step({start});
     system().move_to(start);
-    term().begin_step(start, h);
+    term().begin_step({start, 0, h});
+    term().lag(start);
   }
   ContactSystem& system() { return *scene.world->contact; }
   FrictionTerm& term() { return *scene.world->friction; }

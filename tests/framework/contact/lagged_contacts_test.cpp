@@ -66,7 +66,7 @@ TEST_CASE("lagged contacts: the forces add up to the barrier's, the areas to the
       INFO("cells " << upper << " on " << lower);
       TestScene scene(plates(upper, lower, "area"));
       World& world = *scene.world;
-      world.contact->begin_step(world.rest);
+      world.contact->begin_step({world.rest});
       world.contact->move_to(world.rest);
       const Sums s = sums(lag(world, world.rest));
       const double pressing = world.contact_term->force_between(world.rest, LawPart::barrier, {1, 0}).y();
@@ -83,7 +83,7 @@ TEST_CASE("lagged contacts: the forces add up to the barrier's, the areas to the
 TEST_CASE("lagged contacts: the forces of plain sums add up too", "[friction]") {
   TestScene scene(plates(5, 4, "pair"));
   World& world = *scene.world;
-  world.contact->begin_step(world.rest);
+  world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
   const double pressing = world.contact_term->force_between(world.rest, LawPart::barrier, {1, 0}).y();
   CHECK(sums(lag(world, world.rest)).force == Approx(pressing).epsilon(1e-3));
@@ -100,7 +100,7 @@ TEST_CASE("lagged contacts: the forces of a ball on a floor add up", "[friction]
       "     energies: [{type: neo_hookean, young: 1e5}]}\n"
       "contact: {distance: 1e-3, friction: {mu: 0.5}}\n");
   World& world = *scene.world;
-  world.contact->begin_step(world.rest);
+  world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
   const Vec3 pressing = world.contact_term->force_between(world.rest, LawPart::barrier, {1, 0});
   const Sums s = sums(lag(world, world.rest));
@@ -127,7 +127,7 @@ TEST_CASE("lagged contacts: features whose normals agree are one contact", "[fri
         "  pairs: [{{between: [blade, groove], integrate: blade}},\n"
         "          {{between: [blade, blade], contact: false}}]}}\n", file.string(), 0.005 + gap));
     World& world = *scene.world;
-    world.contact->begin_step(world.rest);
+    world.contact->begin_step({world.rest});
     world.contact->move_to(world.rest);
     const Sums s = sums(lag(world, world.rest));
     CHECK(s.force > 0);

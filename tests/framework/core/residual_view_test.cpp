@@ -91,9 +91,10 @@ struct Cluster : TestScene {
   explicit Cluster(const std::string& weights, int cells = 1, double rough = 1e-3)
       : TestScene(cluster(weights, cells)) {
     x = world->rest + rough * random.vectors(world->rest.size());
-    world->contact->begin_step(x);
+    world->contact->begin_step({x});
     world->contact->move_to(x);
-    world->friction->begin_step(x, 0.5);
+    world->friction->begin_step({x, 0, 0.5});
+    world->friction->lag(x);
   }
   VecX moved(double by) { return x + by * random.vectors(x.size()); }
 

@@ -47,7 +47,7 @@ struct Stepped {
   }
   void start(State state) {
     scene.world->start = std::move(state);
-    scene.world->forget();
+    scene.world->participants.forget();
     scene.config.solver = bind_component<Minimizer>(to_value(scene.config.solver.get()));
     stepper.emplace(*scene.world, scene.config, scene.clock, [](const std::string&) {});
   }
@@ -67,7 +67,7 @@ void check_same(const State& a, const State& b) {
   CHECK((a.x == b.x && a.v == b.v && a.a == b.a));
   CHECK((a.anchor == b.anchor && a.x_before == b.x_before && a.v_before == b.v_before));
   CHECK((a.contact == b.contact && a.contact_before == b.contact_before));
-  CHECK(a.sides == b.sides);
+  CHECK(a.history == b.history);
   CHECK(a.energy.open == b.energy.open);
   CHECK((a.energy.kinetic == b.energy.kinetic && a.energy.gravity == b.energy.gravity));
   CHECK((a.energy.elastic == b.energy.elastic && a.energy.contact == b.energy.contact));

@@ -35,7 +35,7 @@ struct Probed {
     state = world().start;
     state.x_before = state.x;
     state.h_before = 0.01;
-    world().contact->begin_step(state.x);
+    world().contact->begin_step({state.x});
     world().contact->move_to(state.x);
   }
   World& world() { return *scene.world; }
@@ -80,7 +80,8 @@ TEST_CASE("attached_objects: those within reach of adhesion", "[friction]") {
 
 TEST_CASE("friction_force: mu N against the sliding, equal and opposite", "[friction]") {
   Probed p(0.5e-3);
-  p.world().friction->begin_step(p.state.x, 0.01);
+  p.world().friction->begin_step({p.state.x, 0, 0.01});
+  p.world().friction->lag(p.state.x);
   const double pressing =
       p.sample("{type: contact_force, name: n, on: right, from: floor, direction: [0, 1, 0]}")[0];
   p.shift("right", Vec3(0, 0, -0.02));

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "framework/contact/contact_term.hpp"
-#include "framework/scene/external_loads.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tiny_scene.hpp"
@@ -89,7 +88,6 @@ const std::vector<std::string> hard_scenes = {
     moved_away()};
 
 std::vector<DerivativeCheck> checks_of(TestScene& scene) {
-  set_loads(scene.config, *scene.world, 0.01, scene.world->start.x);
   return check_derivatives(*scene.world, 0.01, scene.clock);
 }
 

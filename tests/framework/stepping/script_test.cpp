@@ -200,7 +200,7 @@ TEST_CASE("no force between held primitives, no candidates within a rigid group"
   const auto held = [&](int v) { return run.world->dofs.block(v) < 0; };
   for (const auto& [p, t] : contact.candidates().point_triangle)
     CHECK_FALSE((mesh.vertex_object[p] == mesh.vertex_object[mesh.triangles[t][0]] && held(p) && held(mesh.triangles[t][0]) && held(mesh.triangles[t][1]) && held(mesh.triangles[t][2])));
-  run.world->contact->begin_step(run.world->rest);
+  run.world->contact->begin_step({run.world->rest});
   run.world->contact->move_to(run.world->rest);
   const auto all_have_a_free_vertex = [&](const auto& stencils) {
     for (const auto& s : stencils)

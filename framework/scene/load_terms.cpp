@@ -1,0 +1,24 @@
+#include "framework/scene/load_terms.hpp"
+
+#include "framework/scene/load.hpp"
+
+namespace tack {
+
+void GravityTerm::set_up(const VecX& mass, const Vec3& gravity) {
+  VecX weight(3 * mass.size());
+  for (Eigen::Index v = 0; v < mass.size(); ++v) vertex(weight, static_cast<int>(v)) = mass(v) * gravity;
+  set_force(std::move(weight));
+}
+
+VecX LoadTerm::forces_at(double t, Eigen::Index size) const {
+  VecX force = VecX::Zero(size);
+  for (const Acting& a : loads_) a.load->add_forces(*a.body, *a.rest, *a.mass, t, force);
+  return force;
+}
+
+void LoadTerm::begin_step(const StepStart& start) {
+  if (!loads_.empty()) set_force(forces_at(start.time + start.h, start.x.size()));
+  set_reference(start.x);
+}
+
+}  // namespace tack
