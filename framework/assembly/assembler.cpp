@@ -11,6 +11,18 @@
 
 namespace tack {
 
+namespace {
+
+bool needs_reduction(const Term& term, const DofMap& dofs) {
+  if (dofs.plain()) return false;
+  for (const StencilBatch& batch : term.batches())
+    for (int s = 0; s < batch.count; ++s)
+      if (tack::needs_reduction(batch, s, dofs)) return true;
+  return false;
+}
+
+}  // namespace
+
 void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
   batches.clear();
   batch_terms.clear();
@@ -30,16 +42,24 @@ void Assembler::Group::place(const DofMap& dofs, bool with_hessian) {
       hessian_slot += hessian_blocks(batch.arity) * batch.count;
     }
   }
-  gradient_slots.resize(3 * static_cast<size_t>(gradient_slot));
-  if (with_hessian) hessian_slots.resize(9 * static_cast<size_t>(hessian_slot));
+  own_gradient_slots = 3 * static_cast<size_t>(gradient_slot);
   if (wanted != mapped || batches.empty()) {
-    gradient_map = tack::gradient_map(batches, dofs);
+    reduced.place(batches, dofs, gradient_slot, hessian_slot);
+    gradient_map = tack::gradient_map(mapped_batches(), dofs);
     hessian_mapped = false;
     mapped = std::move(wanted);
   }
+  gradient_slots.resize(3 * static_cast<size_t>(reduced.gradient_end()));
+  if (with_hessian) hessian_slots.resize(9 * static_cast<size_t>(reduced.hessian_end()));
   if (!with_hessian || hessian_mapped) return;
-  hessian_map = tack::hessian_map(batches, dofs);
+  hessian_map = tack::hessian_map(mapped_batches(), dofs);
   hessian_mapped = true;
+}
+
+std::vector<PlacedBatch> Assembler::Group::mapped_batches() const {
+  std::vector<PlacedBatch> all = batches;
+  all.insert(all.end(), reduced.batches().begin(), reduced.batches().end());
+  return all;
 }
 
 void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessian, TermTimes* times) {
@@ -99,7 +119,7 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
     : dofs_(dofs), clock_(clock), terms_(std::move(terms)) {
   std::vector<const StencilRanges*> ranges;
   for (const Term* term : terms_) {
-    const bool ranged = !term->dynamic() && term->ranges();
+    const bool ranged = !term->dynamic() && term->ranges() && !needs_reduction(*term, dofs_);
     (ranged ? ranged_ : term->dynamic() ? dynamic_ : static_).terms.push_back(term);
     if (ranged) ranges.push_back(term->ranges());
   }
@@ -116,6 +136,7 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
 void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
   VecX full = VecX::Zero(x.size());
   for (const Term* term : terms_) term->add_linear_gradient(full);
+  dofs_.collect(full);
   for (int b = 0; b < dofs_.block_count(); ++b)
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
 }
@@ -125,6 +146,7 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
   dynamic_.place(dofs_, false);
   for (Group* group : groups()) {
     group->evaluate(x, SpdFilter::none, false, clock_.term_times());
+    group->reduced.reduce(group->gradient_slots.data(), nullptr);
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
   add_linear(x, scales.body, gradient);
@@ -144,7 +166,7 @@ void Assembler::add_last_gradients(const Term* without, VecX& gradient) const {
 
 double Assembler::Group::largest_force() const {
   double largest = 0;
-  for (const double force : gradient_slots) largest = std::max(largest, std::abs(force));
+  for (size_t i = 0; i < own_gradient_slots; ++i) largest = std::max(largest, std::abs(gradient_slots[i]));
   return largest;
 }
 
@@ -204,10 +226,12 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
       const SpdFilter filter = dynamic ? options.dynamic_filter.value_or(options.filter) : options.filter;
       group->evaluate(x, filter, true, clock_.term_times());
     }
+    if (options.clamp_at && group != &ranged_) {
+      const PhaseScope filtering(clock_, Phase::filter);
+      group->clamp_at(*options.clamp_at, dofs_);
+    }
+    group->reduced.reduce(group->gradient_slots.data(), group == &ranged_ ? nullptr : group->hessian_slots.data());
     group->gather_gradient(dynamic ? scales.contact : scales.body, gradient);
-    if (!options.clamp_at || group == &ranged_) continue;
-    const PhaseScope filtering(clock_, Phase::filter);
-    group->clamp_at(*options.clamp_at, dofs_);
   }
   ranged_sums_.gather(scales.body, ranged_positions_, matrix);
   static_.gather_hessian(scales.body, static_positions_, matrix);

@@ -9,6 +9,7 @@
 
 #include "framework/assembly/gather_map.hpp"
 #include "framework/assembly/local_sums.hpp"
+#include "framework/assembly/reduced_stencils.hpp"
 #include "framework/assembly/term_scales.hpp"
 #include "framework/core/phase_clock.hpp"
 
@@ -46,7 +47,9 @@ class Assembler {
     std::vector<PlacedBatch> batches;
     std::vector<const Term*> batch_terms;  // whose they are
     std::vector<int> first_gradient, first_hessian;  // per term
-    std::vector<double> gradient_slots, hessian_slots;
+    std::vector<double> gradient_slots, hessian_slots;  // of the stencils, then of the reduced ones
+    size_t own_gradient_slots = 0;
+    ReducedStencils reduced;
     GatherMap gradient_map, hessian_map;
     std::vector<int> mapped;      // the batches that the maps are for: arity, count and vertices of each
     bool hessian_mapped = false;  // whether the Hessian's map is made too
@@ -55,6 +58,7 @@ class Assembler {
     void place(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, SpdFilter filter, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
+    std::vector<PlacedBatch> mapped_batches() const;
     void gather_gradient(double scale, VecX& gradient) const;
     void gather_hessian(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
   };

@@ -110,13 +110,34 @@ GatherMap group(const std::vector<PlacedBatch>& batches, int columns, const Visi
   return map;
 }
 
+bool left_out(const PlacedBatch& placed, int stencil, const DofMap& dofs) {
+  return !placed.of_blocks && needs_reduction(placed.batch, stencil, dofs);
+}
+
+int block_of(const PlacedBatch& placed, int entry, const DofMap& dofs) {
+  const int v = placed.batch.vertices[entry];
+  return placed.of_blocks ? v : dofs.block(v);
+}
+
 }  // namespace
+
+bool needs_reduction(const StencilBatch& batch, int stencil, const DofMap& dofs) {
+  if (dofs.plain()) return false;
+  const int* const v = batch.vertices + static_cast<size_t>(batch.arity) * stencil;
+  for (int i = 0; i < batch.arity; ++i) {
+    if (dofs.mixed(v[i])) return true;
+    for (int j = 0; j < i; ++j)
+      if (dofs.block(v[i]) >= 0 && dofs.block(v[i]) == dofs.block(v[j])) return true;
+  }
+  return false;
+}
 
 GatherMap gradient_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
   const auto visit = [&](const PlacedBatch& placed, int stencil, const auto& emit) {
     const int arity = placed.batch.arity;
+    if (left_out(placed, stencil, dofs)) return;
     for (int k = arity * stencil; k < arity * (stencil + 1); ++k) {
-      const int block = dofs.block(placed.batch.vertices[k]);
+      const int block = block_of(placed, k, dofs);
       if (block >= 0) emit(block, 0, placed.gradient_slot + k);
     }
   };
@@ -127,12 +148,12 @@ GatherMap gradient_map(const std::vector<PlacedBatch>& batches, const DofMap& do
 GatherMap hessian_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
   const auto visit = [&](const PlacedBatch& placed, int stencil, const auto& emit) {
     const int arity = placed.batch.arity;
-    const int* v = placed.batch.vertices + arity * stencil;
+    if (left_out(placed, stencil, dofs)) return;
     int slot = placed.hessian_slot + hessian_blocks(arity) * stencil;
     for (int i = 0; i < arity; ++i) {
-      const int r = dofs.block(v[i]);
+      const int r = block_of(placed, arity * stencil + i, dofs);
       for (int j = 0; j <= i; ++j, ++slot) {
-        const int c = dofs.block(v[j]);
+        const int c = block_of(placed, arity * stencil + j, dofs);
         if (r >= 0 && c >= 0) emit(std::min(r, c), std::max(r, c), 2 * slot + (r < c));
       }
     }

@@ -16,7 +16,11 @@ struct PlacedBatch {
   StencilBatch batch;
   int gradient_slot = 0;  // in 3-vectors
   int hessian_slot = 0;   // in 3x3 blocks
+  bool of_blocks = false;  // its `vertices` are unknown blocks
 };
+
+// Whether its slots are no blocks of the matrix: several unknowns move one of the stencil's vertices, or one moves several.
+bool needs_reduction(const StencilBatch& batch, int stencil, const DofMap& dofs);
 
 // Target k sums slots slot[start[k] .. start[k+1]).
 struct GatherMap {
@@ -27,6 +31,7 @@ struct GatherMap {
   int targets() const { return static_cast<int>(target.size()); }
 };
 
+// Stencils that need reduction are left out (reduced_stencils.hpp).
 GatherMap gradient_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 GatherMap hessian_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 

@@ -19,6 +19,7 @@ void clamp_slots(double* slots) {
 
 void clamp_slots(int arity, double* slots) {
   switch (arity) {
+    case 1: return;  // masses
     case 2: return clamp_slots<2>(slots);
     case 3: return clamp_slots<3>(slots);
     case 4: return clamp_slots<4>(slots);
@@ -32,7 +33,12 @@ void clamp_slots(int arity, double* slots) {
 
 void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
                     double* slots) {
-  const auto flagged = [&](int vertex) { return dofs.block(vertex) >= 0 && flags[dofs.block(vertex)]; };
+  const auto flagged = [&](int vertex) {
+    if (dofs.block(vertex) >= 0) return flags[dofs.block(vertex)] != 0;
+    if (!dofs.mixed(vertex)) return false;
+    const auto blocks = dofs.blocks(vertex);
+    return std::any_of(blocks.begin(), blocks.end(), [&](const DofMap::Part& part) { return flags[part.leaf] != 0; });
+  };
   for (int s = first; s < last; ++s, slots += 9 * hessian_blocks(batch.arity)) {
     const int* v = batch.vertices + static_cast<size_t>(batch.arity) * s;
     if (std::any_of(v, v + batch.arity, flagged)) clamp_slots(batch.arity, slots);

@@ -1,12 +1,79 @@
 #include "framework/core/dof_map.hpp"
 
-namespace tack {
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
 
-DofMap::DofMap(std::span<const char> movable) : block_of_(movable.size(), -1) {
-  for (size_t i = 0; i < movable.size(); ++i) {
-    if (!movable[i]) continue;
+namespace tack {
+namespace {
+
+constexpr double no_weight = 1e-13;  // what round-off leaves where weights cancel
+
+// Resolves chains of dependences down to vertices that depend on nothing.
+class Leaves {
+ public:
+  Leaves(int vertices, const Dependences& dependences) : of_(vertices, nullptr), state_(vertices, fresh), leaves_(vertices) {
+    for (const Dependence& d : dependences) of_[d.vertex] = &d;
+  }
+
+  bool depends(int v) const { return of_[v] != nullptr; }
+
+  const std::map<int, double>& of(int v) {
+    if (state_[v] == done) return leaves_[v];
+    if (state_[v] == open) throw std::logic_error("a vertex depends on itself");
+    state_[v] = open;
+    if (!of_[v]) {
+      leaves_[v] = {{v, 1.0}};
+    } else {
+      for (const auto& [on, weight] : of_[v]->on)
+        for (const auto& [leaf, part] : of(on)) leaves_[v][leaf] += weight * part;
+      std::erase_if(leaves_[v], [](const auto& entry) { return std::abs(entry.second) < no_weight; });
+    }
+    state_[v] = done;
+    return leaves_[v];
+  }
+
+ private:
+  enum State : char { fresh, open, done };
+  std::vector<const Dependence*> of_;
+  std::vector<State> state_;
+  std::vector<std::map<int, double>> leaves_;
+};
+
+}  // namespace
+
+DofMap::DofMap(std::span<const char> movable, const Dependences& dependences) : block_of_(movable.size(), -1) {
+  Leaves leaves(static_cast<int>(dependences.empty() ? 0 : movable.size()), dependences);
+  const auto depends = [&](int v) { return !dependences.empty() && leaves.depends(v); };
+  for (int i = 0; i < vertex_count(); ++i) {
+    if (depends(i)) dependents_.push_back(i);
+    if (!movable[i] || depends(i)) continue;
     block_of_[i] = static_cast<int>(vertex_of_.size());
-    vertex_of_.push_back(static_cast<int>(i));
+    vertex_of_.push_back(i);
+  }
+  for (const int v : dependents_) {
+    std::vector<Part> blocks;
+    for (const auto& [leaf, weight] : leaves.of(v)) {
+      parts_.push_back({leaf, weight});
+      if (block_of_[leaf] >= 0) blocks.push_back({block_of_[leaf], weight});
+    }
+    start_.push_back(static_cast<int>(parts_.size()));
+    if (blocks.empty()) continue;
+    const bool shared = blocks.size() == 1 && blocks[0].weight == 1 && start_.back() - start_[start_.size() - 2] == 1;
+    if (shared) {
+      block_of_[v] = blocks[0].leaf;
+      shares_ = true;
+      continue;
+    }
+    if (mixed_.empty()) {
+      mixed_.assign(movable.size(), 0);
+      block_entry_.assign(movable.size(), -1);
+    }
+    mixed_[v] = 1;
+    block_entry_[v] = static_cast<int>(block_start_.size()) - 1;
+    block_parts_.insert(block_parts_.end(), blocks.begin(), blocks.end());
+    block_start_.push_back(static_cast<int>(block_parts_.size()));
   }
 }
 
@@ -17,6 +84,42 @@ void DofMap::gather(const VecX& x, VecX& q) const {
 
 void DofMap::scatter(const VecX& q, VecX& x) const {
   for (int b = 0; b < block_count(); ++b) vertex(x, vertex_of_[b]) = q.segment<3>(3 * b);
+  follow(x);
+}
+
+void DofMap::follow(VecX& x) const {
+  for (size_t k = 0; k < dependents_.size(); ++k) {
+    Vec3 sum = Vec3::Zero();
+    for (const Part& part : parts(static_cast<int>(k))) sum += part.weight * vertex(x, part.leaf);
+    vertex(x, dependents_[k]) = sum;
+  }
+}
+
+Dependences DofMap::dependences() const {
+  Dependences all;
+  for (size_t k = 0; k < dependents_.size(); ++k) {
+    Dependence& d = all.emplace_back(Dependence{dependents_[k], {}});
+    for (const Part& part : parts(static_cast<int>(k))) d.on.emplace_back(part.leaf, part.weight);
+  }
+  return all;
+}
+
+VecX DofMap::block_masses(const VecX& mass) const {
+  VecX sum = VecX::Zero(block_count());
+  for (int v = 0; v < vertex_count(); ++v) {
+    if (block_of_[v] >= 0) sum(block_of_[v]) += mass(v);
+    else if (mixed(v))
+      for (const Part& part : blocks(v)) sum(part.leaf) += part.weight * part.weight * mass(v);
+  }
+  return sum;
+}
+
+void DofMap::collect(VecX& forces) const {
+  for (size_t k = 0; k < dependents_.size(); ++k) {
+    const Vec3 force = vertex(forces, dependents_[k]);
+    for (const Part& part : parts(static_cast<int>(k))) vertex(forces, part.leaf) += part.weight * force;
+    vertex(forces, dependents_[k]).setZero();
+  }
 }
 
 }  // namespace tack

@@ -14,24 +14,34 @@ namespace {
 // strains that are themselves small differences of positions.
 constexpr double sum_noise = 1e-10;
 
+std::vector<const Term*>& with_inertia(std::vector<const Term*>& terms, const MixedInertia& inertia) {
+  if (!inertia.empty()) terms.push_back(&inertia);
+  return terms;
+}
+
 }  // namespace
 
 IncrementalPotential::IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs,
                                            const VecX& mass, PhaseClock& clock,
                                            std::function<void(const VecX&)> on_move)
-    : terms_(terms), dofs_(dofs), on_move_(std::move(on_move)), clock_(clock), assembler_(terms, dofs, clock) {
+    : mixed_inertia_(mass, dofs), terms_(std::move(terms)), dofs_(dofs), on_move_(std::move(on_move)), clock_(clock),
+      assembler_(with_inertia(terms_, mixed_inertia_), dofs, clock) {
   set_mass(mass);
 }
 
 void IncrementalPotential::set_mass(const VecX& mass) {
-  free_mass_.resize(dofs_.block_count());
-  for (int b = 0; b < dofs_.block_count(); ++b) free_mass_(b) = mass(dofs_.vertex_of_block(b));
+  free_mass_ = VecX::Zero(dofs_.block_count());
+  for (int v = 0; v < dofs_.vertex_count(); ++v)
+    if (dofs_.block(v) >= 0) free_mass_(dofs_.block(v)) += mass(v);
+  mixed_inertia_.set_mass(mass);
 }
 
 void IncrementalPotential::begin_step(const VecX& x_start, const VecX& prediction,
                                       const TermScales& scales, bool inertia) {
   x_ = x_start;
+  dofs_.follow(x_);
   dofs_.gather(prediction, prediction_);
+  mixed_inertia_.begin_step(prediction, scales.body, inertia);
   scales_ = scales;
   inertia_ = inertia;
   block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "framework/assembly/assembler.hpp"
+#include "framework/assembly/mixed_inertia.hpp"
 #include "framework/core/objective.hpp"
 
 namespace tack {
@@ -56,9 +57,10 @@ class IncrementalPotential : public Objective {
   void start_gradient();
   const BlockMatrix& assemble(const Assembler::HessianOptions& options);
 
+  MixedInertia mixed_inertia_;  // of vertices that several unknowns move
   std::vector<const Term*> terms_;
   const DofMap& dofs_;
-  VecX block_mass_, free_mass_;  // per free block [kg]; block_mass_ is zero when quasi-static
+  VecX block_mass_, free_mass_;  // per block, of the vertices that it alone moves [kg]; block_mass_ is zero when quasi-static
   std::function<void(const VecX&)> on_move_;
   PhaseClock& clock_;
   Assembler assembler_;

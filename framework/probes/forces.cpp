@@ -54,9 +54,12 @@ class Reaction : public VectorProbe {
   Vec3 value(const World& world, const State& state) override {
     VecX gradient = VecX::Zero(state.x.size());
     for (const Term* term : world.terms) add_term_gradient(*term, state.x, gradient);
+    for (int v = 0; v < world.dofs.vertex_count(); ++v)
+      if (world.dofs.block(v) < 0) vertex(gradient, v) += world.mass(v) * vertex(state.a, v);
+    world.dofs.collect(gradient);
     Vec3 sum = Vec3::Zero();
     for (const int v : set_.vertices())
-      if (world.dofs.block(v) < 0) sum += vertex(gradient, v) + world.mass(v) * vertex(state.a, v);
+      if (!world.dofs.moves(v)) sum += vertex(gradient, v);
     return sum;
   }
 

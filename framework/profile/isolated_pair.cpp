@@ -169,7 +169,7 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
   const Cut cut(world, pair);
   const VecX before = cut.part(state.x_before, 3), now = cut.part(state.x, 3);
   std::vector<char> free(world.rest.size() / 3);
-  for (size_t v = 0; v < free.size(); ++v) free[v] = world.dofs.block(static_cast<int>(v)) >= 0;
+  for (size_t v = 0; v < free.size(); ++v) free[v] = world.dofs.moves(static_cast<int>(v));
 
   PhaseClock clock;
   ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),

@@ -94,7 +94,7 @@ void start_state(const SceneConfig& scene, World& world) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-      if (world.dofs.block(v) >= 0) vertex(s.v, v) = scene.objects[i].velocity;
+      if (world.dofs.moves(v)) vertex(s.v, v) = scene.objects[i].velocity;
   }
 }
 
@@ -202,7 +202,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
                        "select, from and until)");
     });
-  world->dofs = DofMap(world->script.free(world->script.active(scene.time.step / 2)));
+  const std::vector<char> free = world->script.free(world->script.active(scene.time.step / 2));
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(scene.time.step / 2)));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
   check_mass(root, *world);
   add_loads(scene, root, *world);

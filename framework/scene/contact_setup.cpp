@@ -266,7 +266,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty());
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
-    surface.mesh.vertex_movable[v] = world.dofs.block(v) >= 0 || world.script.may_move(v);
+    surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.script.may_move(v);
   for (int v = 0; !world.script.holds().empty() && v < world.dofs.vertex_count(); ++v)
     surface.mesh.vertex_group.push_back(world.script.rigid_group(v));
   PairBuilder builder(scene, root, world);

@@ -9,8 +9,8 @@ namespace tack {
 
 std::pair<double, double> energies_of_free_vertices(const World& world, const State& state) {
   double kinetic = 0, gravity = 0;
-  for (int b = 0; b < world.dofs.block_count(); ++b) {
-    const int v = world.dofs.vertex_of_block(b);
+  for (int v = 0; v < world.dofs.vertex_count(); ++v) {
+    if (!world.dofs.moves(v)) continue;
     kinetic += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
     gravity += world.mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(state.x, v));
   }

@@ -7,6 +7,7 @@
 
 #include "framework/contact/adhesion_summary.hpp"
 #include "framework/core/dof_map.hpp"
+#include "framework/scene/bindings.hpp"
 #include "framework/scene/body.hpp"
 #include "framework/scene/load_terms.hpp"
 #include "framework/scene/script.hpp"
@@ -26,6 +27,7 @@ struct World {
   VecX rest;              // 3n [m]
   VecX mass;              // n [kg]
   Script script;          // who is held when
+  Bindings bindings;      // which vertices follow others
   DofMap dofs;            // of the present step; the first before it
   std::vector<Tet> tets;  // of all bodies that may move
   Vec3 gravity = Vec3::Zero();

@@ -5,26 +5,51 @@
 
 namespace tack {
 
+// The vertices that several unknowns move.
+template <class Body>
+void Convergence::for_each_mixed(const Body& body) const {
+  for (const int v : world_.dofs.dependents())
+    if (world_.dofs.mixed(v)) body(v);
+}
+
 void Convergence::begin_step(const IncrementalPotential& potential, double h, bool inertia) {
   potential_ = &potential;
   h_ = h;
   inertia_ = inertia;
   balance_ = {};
   const DofMap& dofs = world_.dofs;
-  mass_.resize(dofs.block_count());
+  mass_ = VecX::Zero(dofs.block_count());
   largest_load_ = 0;
   VecX load = VecX::Zero(world_.rest.size());
   world_.gravity_term.add_linear_gradient(load);
   world_.load_term.add_linear_gradient(load);
-  for (int b = 0; b < dofs.block_count(); ++b) {
-    const int v = dofs.vertex_of_block(b);
-    mass_(b) = world_.mass(v);
-    largest_load_ = std::max(largest_load_, vertex(load, v).lpNorm<Eigen::Infinity>());
-  }
+  dofs.collect(load);
+  for (int v = 0; v < dofs.vertex_count(); ++v)
+    if (dofs.block(v) >= 0) mass_(dofs.block(v)) += world_.mass(v);
+  for (int b = 0; b < dofs.block_count(); ++b)
+    largest_load_ = std::max(largest_load_, vertex(load, dofs.vertex_of_block(b)).lpNorm<Eigen::Infinity>());
+  // Of e = H^-1 r, M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.
+  smallest_mass_ = mass_.size() > 0 ? mass_.minCoeff() : 0;
+  for_each_mixed([&](int v) {
+    double sum = 0;
+    for (const DofMap::Part& part : dofs.blocks(v)) sum += part.weight * part.weight / mass_(part.leaf);
+    smallest_mass_ = std::min(smallest_mass_, 1 / sum);
+  });
+}
+
+// Of the vertices' ways, whatever moves them [m].
+double Convergence::largest_way(const VecX& p) const {
+  double largest = p.lpNorm<Eigen::Infinity>();
+  for_each_mixed([&](int v) {
+    Vec3 way = Vec3::Zero();
+    for (const DofMap::Part& part : world_.dofs.blocks(v)) way += part.weight * p.segment<3>(3 * part.leaf);
+    largest = std::max(largest, way.lpNorm<Eigen::Infinity>());
+  });
+  return largest;
 }
 
 double Convergence::norm(const VecX& p, const VecX& gradient) const {
-  if (stopping() == Stopping::velocity) return p.lpNorm<Eigen::Infinity>() / h_ / solver_.velocity_tolerance();
+  if (stopping() == Stopping::velocity) return largest_way(p) / h_ / solver_.velocity_tolerance();
   if (stopping() == Stopping::acceleration) {
     double largest = 0;
     for (Eigen::Index b = 0; b < mass_.size(); ++b)
@@ -50,7 +75,7 @@ double Convergence::tolerated_force() const {
 double Convergence::direction_error(const VecX& r) const {
   double sum = 0;
   for (Eigen::Index b = 0; b < mass_.size(); ++b) sum += r.segment<3>(3 * b).squaredNorm() / mass_(b);
-  return std::sqrt(sum / mass_.minCoeff()) / h_ / solver_.velocity_tolerance();
+  return std::sqrt(sum / smallest_mass_) / h_ / solver_.velocity_tolerance();
 }
 
 double Convergence::imbalance(const VecX& gradient) {

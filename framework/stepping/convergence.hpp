@@ -41,6 +41,9 @@ class Convergence {
   void judge(MinimizerProblem& problem);
 
  private:
+  template <class Body>
+  void for_each_mixed(const Body& body) const;
+  double largest_way(const VecX& p) const;           // m
   double largest_force(const VecX& gradient) const;  // N
   double tolerated_force() const;                    // N
 
@@ -50,7 +53,8 @@ class Convergence {
   const IncrementalPotential* potential_ = nullptr;
   double h_ = 0;
   bool inertia_ = true;
-  VecX mass_;                // of each free vertex [kg]
+  VecX mass_;                 // of each block [kg]
+  double smallest_mass_ = 0;  // likewise, or what a vertex that several move has of theirs
   double largest_load_ = 0;  // of a free vertex [N]
   Balance balance_;
 };

@@ -51,6 +51,7 @@ void EnergyBalance::open(const State& state) {
   start_.gradient = VecX::Zero(state.x.size());
   for (const auto& term : world_.elastic_terms) add_term_gradient(*term, state.x, start_.gradient);
   if (world_.contact_term) add_term_gradient(*world_.contact_term, state.x, start_.gradient);
+  add_inertia_and_weight(state, start_.gradient);
 }
 
 void EnergyBalance::begin(const State& state, bool to_places) {
@@ -74,22 +75,29 @@ double EnergyBalance::load_work(const State& state, const VecX& way, double h) c
   const VecX both =
       world_.load_term.forces_at(state.time - h, way.size()) + world_.load_term.forces_at(state.time, way.size());
   double work = 0;
-  for (int b = 0; b < world_.dofs.block_count(); ++b) {
-    const int v = world_.dofs.vertex_of_block(b);
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
+    if (!world_.dofs.moves(v)) continue;
     work += vertex(both, v).dot(vertex(way, v)) / 2;
   }
   return work;
 }
 
+// Vertices that several unknowns move hand their inertia and weight on to held ones, too.
+void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) const {
+  for (const int v : world_.dofs.dependents())
+    if (world_.dofs.moves(v)) vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
+}
+
 // gradient: of elastic and contact energy at x.
 double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) {
-  const VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient);
-  const VecX friction = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
+  VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient), end = gradient;
+  VecX friction = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
+  for (VecX* forces : {&sum, &end, &friction}) world_.dofs.collect(*forces);
   double work = 0, at_end = 0;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
-    if (world_.dofs.block(v) >= 0) continue;
+    if (world_.dofs.moves(v)) continue;
     work += (vertex(sum, v) / 2 - vertex(friction, v)).dot(vertex(way, v));
-    at_end += (vertex(gradient, v) - vertex(friction, v)).dot(vertex(way, v));
+    at_end += (vertex(end, v) - vertex(friction, v)).dot(vertex(way, v));
   }
   jerk_ = std::max(0.0, at_end - work);
   return work;
@@ -105,6 +113,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   jerk_ = 0;
   if (script_moves) {
     end.gradient = potential.gradient_at_all_vertices(state.x, world_.friction.get());
+    add_inertia_and_weight(state, end.gradient);
     flows.script += script_work(way, end.gradient, state.x);
   }
   if (world_.friction) {

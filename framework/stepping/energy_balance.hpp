@@ -49,6 +49,7 @@ class EnergyBalance {
   void open(const State& state);
   double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
   double load_work(const State& state, const VecX& way, double h) const;
+  void add_inertia_and_weight(const State& state, VecX& gradient) const;
   double script_work(const VecX& way, const VecX& gradient, const VecX& x);
   bool watch(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;

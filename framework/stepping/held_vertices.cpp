@@ -1,6 +1,11 @@
 #include "framework/stepping/held_vertices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <optional>
+
+#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -22,28 +27,63 @@ bool more_than_a_quarter(const std::vector<int>& vertices, const VecX& a, const 
   });
 }
 
+// Vertices that an affine body carries along with other held ones have to be where those say.
+void check_followed(const Script::Hold& hold, int v, const VecX& placed, const VecX& x) {
+  constexpr double tolerance = 1e-6;  // of the way from the first vertex of the hold
+  const double off = (vertex(placed, v) - vertex(x, v)).norm();
+  const double reach = (vertex(placed, v) - vertex(placed, hold.vertices.front())).norm();
+  if (off <= tolerance * reach + 1e-12 * vertex(placed, v).norm()) return;
+  throw SimulationError(fmt::format("{}: would have to deform an affine body (vertex {} by {:.3g} m) otherwise than "
+                                    "affinely; move its vertices rigidly, or hold fewer of them", hold.name, v, off));
+}
+
 }  // namespace
 
 bool HeldVertices::change(const State& state, double middle) {
   std::vector<char> active = script_.active(middle);
+  const std::vector<char> ties = bindings_.active(middle);
+  active.insert(active.end(), ties.begin(), ties.end());
   if (known_ && active == active_) return false;
-  std::vector<char> free_before(script_.vertex_count(), 0);  // before the first step, nothing has a past
-  if (known_) free_before = free_;
-  else if (state.step > 0) free_before = script_.free(state.held);
+  std::optional<DofMap> before;  // before the first step, nothing has a past
+  if (known_) before = std::move(dofs_);
+  else if (state.step > 0) before = dofs_of(state.held);
   known_ = true;
   active_ = std::move(active);
-  free_ = script_.free(active_);
+  dofs_ = dofs_of(active_);
   held_.clear();
   released_.clear();
-  for (int v = 0; v < static_cast<int>(free_.size()); ++v) {
-    if (!free_[v]) held_.push_back(v);
-    if (free_[v] && !free_before[v]) released_.push_back(v);
+  for (int v = 0; v < dofs_.vertex_count(); ++v) {
+    if (!dofs_.moves(v)) held_.push_back(v);
+    if (dofs_.owns(v) && !(before && before->moves(v))) released_.push_back(v);
   }
   anchor_ = state.anchor.size() > 0 ? state.anchor : state.x;
-  for (size_t i = 0; i < active_.size(); ++i)
+  for (size_t i = 0; i < script_.holds().size(); ++i)
     if (active_[i] && !(i < state.held.size() && state.held[i]))
       for (const int v : script_.holds()[i].vertices) vertex(anchor_, v) = vertex(state.x, v);
   return true;
+}
+
+DofMap HeldVertices::dofs_of(const std::vector<char>& active) const {
+  const std::vector<char> free = script_.free(active);
+  const auto ties = active.begin() + static_cast<std::ptrdiff_t>(script_.holds().size());
+  return DofMap(free, bindings_.at(free, {ties, active.end()}));
+}
+
+std::vector<char> HeldVertices::moving() const {
+  std::vector<char> moving(dofs_.vertex_count());
+  for (int v = 0; v < dofs_.vertex_count(); ++v) moving[v] = dofs_.moves(v);
+  return moving;
+}
+
+void HeldVertices::place(double t, VecX& x) const {
+  script_.place(active_, rest_, anchor_, t, x);
+  if (dofs_.dependents().empty()) return;
+  const VecX placed = x;
+  dofs_.follow(x);
+  for (size_t i = 0; i < script_.holds().size(); ++i) {
+    if (!active_[i]) continue;
+    for (const int v : script_.holds()[i].vertices) check_followed(script_.holds()[i], v, placed, x);
+  }
 }
 
 void HeldVertices::commit(State& state) {

@@ -63,14 +63,16 @@ ScriptWalk::ScriptWalk(World& world, Minimizer& like, PhaseClock& clock, Largest
 
 void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   std::vector<int> moving;
+  std::vector<char> depends(world_.dofs.vertex_count(), 0);
+  for (const int v : world_.dofs.dependents()) depends[v] = 1;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
-    if (world_.dofs.block(v) < 0 && vertex(x, v) != vertex(places, v)) moving.push_back(v);
+    if (!world_.dofs.moves(v) && !depends[v] && vertex(x, v) != vertex(places, v)) moving.push_back(v);
   if (potential_ && moving == moving_) return;
   moving_ = std::move(moving);
   std::vector<char> unknown(world_.dofs.vertex_count());
-  for (size_t v = 0; v < unknown.size(); ++v) unknown[v] = world_.dofs.block(static_cast<int>(v)) >= 0;
+  for (size_t v = 0; v < unknown.size(); ++v) unknown[v] = world_.dofs.moves(static_cast<int>(v));
   for (const int v : moving_) unknown[v] = 1;
-  dofs_ = DofMap(unknown);
+  dofs_ = DofMap(unknown, world_.dofs.dependences());
   potential_.emplace(world_.terms, dofs_, world_.mass, clock_,
                      [this](const VecX& at) { world_.participants.move_to(at); });
 }
@@ -118,8 +120,10 @@ void ScriptWalk::minimize(Pull& pull, Result& result, const MinimizerProblem::Ob
 bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
   VecX last = VecX::Zero(x.size());
   for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
+  dofs_.follow(last);
   if (largest_step_(x, last) < 1) return false;
   for (const int v : moving_) vertex(x, v) = vertex(places, v);
+  dofs_.follow(x);
   return true;
 }
 

@@ -19,7 +19,7 @@ namespace tack {
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
                          std::function<void(const std::string&)> warn)
     : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.rest), convergence_(world, *scene.solver), balance_(world, scene),
+      held_(world.script, world.bindings, world.rest), convergence_(world, *scene.solver), balance_(world, scene),
       integrator_(scene.time.integrator.get()),
       follower_(world, *scene.solver, clock, held_,
                 [this](const VecX& x, const VecX& p) { return largest_step(x, p); },
@@ -39,14 +39,14 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clo
 // Makes those the unknowns that are free in the step from now to now + h.
 void TimeStepper::hold(double h) {
   if (!held_.change(state_, state_.time + h / 2)) return;
-  world_.dofs = DofMap(held_.free());
+  world_.dofs = held_.dofs();
   follower_.reset();
   potential_.emplace(world_.terms, world_.dofs, world_.mass, clock_,
                      [this](const VecX& x) {
                        clock_.deadline().check();
                        world_.participants.move_to(x);
                      });
-  if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.free() : std::vector<char>());
+  if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.moving() : std::vector<char>());
   set_accelerations(state_.time, held_.released());
 }
 
@@ -60,22 +60,30 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   potential_->begin_step(state_.x, state_.x, {}, false);
   potential_->move_to(q);
   const VecX& gradient = potential_->gradient();
+  const VecX mass = world_.dofs.block_masses(world_.mass);
   for (const int v : vertices)
-    vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / world_.mass(v);
+    vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / mass(world_.dofs.block(v));
+  world_.dofs.follow(state_.a);
   if (!scene_.time.integrator->follows_contact() || !world_.contact) return;
   const VecX contact = contact_accelerations(state_.x);
   if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
   for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
+  world_.dofs.follow(state_.contact);
 }
 
-// Of the free vertices (3n), at x, where the contact system must be.
+// Of what moves (3n), at x, where the contact system must be.
 VecX TimeStepper::contact_accelerations(const VecX& x) const {
-  VecX a = world_.contact_term->forces(x, LawPart::all);
-  if (world_.friction) a += world_.friction->forces(x, TangentialPart::all);
-  for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
-    if (world_.dofs.block(v) < 0) vertex(a, v).setZero();
-    else vertex(a, v) /= world_.mass(v);
+  const DofMap& dofs = world_.dofs;
+  VecX force = world_.contact_term->forces(x, LawPart::all);
+  if (world_.friction) force += world_.friction->forces(x, TangentialPart::all);
+  dofs.collect(force);
+  const VecX mass = dofs.block_masses(world_.mass);
+  VecX a = VecX::Zero(force.size());
+  for (int b = 0; b < dofs.block_count(); ++b) {
+    const int v = dofs.vertex_of_block(b);
+    vertex(a, v) = vertex(force, v) / mass(b);
   }
+  dofs.follow(a);
   return a;
 }
 
@@ -247,6 +255,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   }
   integrator_->update(state_, x, contact, h, v, a);
   integrator_->update_held(state_, x, h, held_.vertices(), v, a);
+  world_.dofs.follow(v);
+  world_.dofs.follow(a);
   held_.commit(state_);
   state_.x_before = std::exchange(state_.x, x);
   state_.v_before = std::exchange(state_.v, std::move(v));

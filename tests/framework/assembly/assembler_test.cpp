@@ -31,8 +31,20 @@ struct Problem {
   Problem() {
     movable.assign(vertices, 1);
     for (const int fixed : {0, 7, 8, 29}) movable[fixed] = 0;
-    dofs = DofMap(movable);
+    depend({});
     x = random.vectors(3 * vertices);
+  }
+
+  void depend(const Dependences& dependences) {
+    dofs = DofMap(movable, dependences);
+    // x = D x + L q.
+    MatX d = MatX::Identity(3 * vertices, 3 * vertices);
+    for (const Dependence& dependence : dependences)
+      for (const auto& [on, weight] : dependence.on)
+        d.block<3, 3>(3 * dependence.vertex, 3 * on) -= weight * Mat3::Identity();
+    MatX own = MatX::Zero(3 * vertices, dofs.size());
+    for (int b = 0; b < dofs.block_count(); ++b) own.block<3, 3>(3 * dofs.vertex_of_block(b), 3 * b).setIdentity();
+    w = d.partialPivLu().solve(own);
     mass = VecX::Constant(dofs.block_count(), 0.7) + 0.1 * random.vectors(dofs.block_count());
   }
 
@@ -40,20 +52,15 @@ struct Problem {
   MatX expected_hessian(const TermScales& scales) const {
     MatX full = MatX::Zero(x.size(), x.size());
     for (const Term* term : terms) full += scales.of(*term) * dense_hessian(*term, x, SpdFilter::none);
-    MatX free(dofs.size(), dofs.size());
-    for (int r = 0; r < dofs.block_count(); ++r)
-      for (int c = 0; c < dofs.block_count(); ++c)
-        free.block<3, 3>(3 * r, 3 * c) =
-            full.block<3, 3>(3 * dofs.vertex_of_block(r), 3 * dofs.vertex_of_block(c));
+    MatX free = w.transpose() * full * w;
     for (int r = 0; r < dofs.block_count(); ++r)
       free.block<3, 3>(3 * r, 3 * r) += mass(r) * Mat3::Identity();
     return free;
   }
   VecX expected_gradient(const TermScales& scales) const {
-    VecX full = VecX::Zero(x.size()), free;
+    VecX full = VecX::Zero(x.size());
     for (const Term* term : terms) full += scales.of(*term) * dense_gradient(*term, x);
-    dofs.gather(full, free);
-    return free;
+    return w.transpose() * full;
   }
   void check(Assembler& assembler, BlockMatrix& matrix) const {
     const TermScales scales{0.3, 0.7};
@@ -74,6 +81,7 @@ struct Problem {
   RandomMotions random{2};
   std::vector<char> movable;
   DofMap dofs;
+  MatX w;
   VecX x, mass;
   PolynomialTerm pairs{2, stencils(2, 60, random)}, triples{3, stencils(3, 40, random)},
       quads{4, stencils(4, 50, random)}, contact{4, stencils(4, 20, random), true},
@@ -148,6 +156,77 @@ TEST_CASE("assembly: contact that comes and goes", "[assembly]") {
     }
   }
   CHECK(matrix.version > version);
+}
+
+TEST_CASE("assembly: vertices that depend on others", "[assembly]") {
+  Problem p;
+  p.triples.by_ranges();
+  // On held and free ones, in chains, and two that share the block of a third.
+  p.depend({{3, {{1, 0.25}, {2, 0.75}}},
+            {4, {{3, 0.5}, {5, 0.5}}},
+            {9, {{7, 0.3}, {8, 0.7}}},
+            {10, {{0, 0.4}, {12, 0.6}}},
+            {13, {{12, 1}}},
+            {14, {{13, 1}}},
+            {20, {{1, 0.1}, {5, -0.4}, {12, 0.6}, {21, 0.7}}},
+            {22, {{1, 0.6}, {5, 0.4}, {12, -0.6}, {21, 0.6}}},
+            {23, {{1, 0.2}, {5, 0.1}, {12, 0.3}, {21, 0.4}}}});
+  PolynomialTerm many = PolynomialTerm(4, stencils(4, 700, p.random)).by_ranges();
+  // Neighbours that touch the same blocks.
+  std::vector<int> same;
+  for (int s = 0; s < 200; ++s)
+    for (const int v : {20, 22, 23, 26}) same.push_back(v);
+  PolynomialTerm bodies(4, same, true);
+  PolynomialTerm plain = PolynomialTerm(2, {25, 26, 26, 27}).by_ranges();
+  p.terms.insert(p.terms.end(), {&many, &bodies, &plain});
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  BlockMatrix matrix;
+  p.check(assembler, matrix);
+  p.contact.set_vertices(stencils(4, 40, p.random));
+  p.check(assembler, matrix);
+  p.contact.set_vertices({});
+  bodies.set_vertices({});
+  p.check(assembler, matrix);
+
+  class Push : public Term {
+   public:
+    Push() : Term("push") {}
+    double value(const VecX& x) const override { return 3 * x.sum(); }
+    void add_linear_gradient(VecX& gradient) const override { gradient.array() += 3; }
+  };
+  const Push push;
+  p.terms.push_back(&push);
+  Assembler pushed(p.terms, p.dofs, p.clock);
+  p.check(pushed, matrix);
+}
+
+TEST_CASE("degrees of freedom: dependent vertices follow, and hand on what acts on them", "[dofs]") {
+  Problem p;
+  p.depend({{3, {{1, 0.25}, {2, 0.75}}}, {4, {{3, 0.5}, {5, 0.5}}}, {9, {{7, 0.3}, {8, 0.7}}}, {10, {{0, 0.4}, {12, 0.6}}},
+            {13, {{12, 1}}}});
+  CHECK(p.dofs.block_count() == vertices - 4 - 5);
+  CHECK(p.dofs.block(13) == p.dofs.block(12));
+  CHECK(p.dofs.mixed(4));
+  CHECK(!p.dofs.moves(9));  // on held ones alone
+  VecX x = p.x, q = p.random.vectors(p.dofs.size());
+  p.dofs.scatter(q, x);
+  CHECK(vertex(x, 7) == vertex(p.x, 7));
+  CHECK((vertex(x, 4) - (0.125 * vertex(x, 1) + 0.375 * vertex(x, 2) + 0.5 * vertex(x, 5))).norm() < 1e-15);
+  CHECK((vertex(x, 9) - (0.3 * vertex(x, 7) + 0.7 * vertex(x, 8))).norm() < 1e-15);
+  CHECK((vertex(x, 10) - (0.4 * vertex(x, 0) + 0.6 * vertex(x, 12))).norm() < 1e-15);
+  VecX again;
+  p.dofs.gather(x, again);
+  CHECK(again == q);
+  VecX forces = p.random.vectors(3 * vertices);
+  const VecX expected = p.w.transpose() * forces;
+  const Vec3 on_held = vertex(forces, 7) + 0.3 * vertex(forces, 9);
+  p.dofs.collect(forces);
+  VecX collected;
+  p.dofs.gather(forces, collected);
+  CHECK((collected - expected).norm() < 1e-13);
+  CHECK((vertex(forces, 7) - on_held).norm() < 1e-15);
+  CHECK(vertex(forces, 9).isZero());
+  CHECK_THROWS_AS(DofMap(p.movable, {{3, {{4, 1}}}, {4, {{3, 1}}}}), std::logic_error);
 }
 
 TEST_CASE("assembly: a linear term needs no slots", "[assembly]") {

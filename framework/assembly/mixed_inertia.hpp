@@ -1,0 +1,32 @@
+// The inertia of vertices that several unknowns move (DofMap::mixed), as a term in x:
+//     1/2 sum_v m_v |x_v - x~_v|^2 / scale,
+// where `scale` is what the potential multiplies its terms with.
+#pragma once
+
+#include <vector>
+
+#include "framework/core/dof_map.hpp"
+#include "framework/core/term.hpp"
+
+namespace tack {
+
+class MixedInertia : public Term {
+ public:
+  // Of those that have a mass. mass: per vertex [kg].
+  MixedInertia(const VecX& mass, const DofMap& dofs);
+  void set_mass(const VecX& mass);
+  bool empty() const { return vertices_.empty(); }
+  // prediction: x~ (3n).
+  void begin_step(const VecX& prediction, double scale, bool inertia);
+
+  double value(const VecX& x) const override;
+  std::vector<StencilBatch> batches() const override;
+  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override;
+
+ private:
+  std::vector<int> vertices_;
+  VecX mass_, prediction_;  // of the vertices
+  double factor_ = 1;
+};
+
+}  // namespace tack

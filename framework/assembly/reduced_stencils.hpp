@@ -1,0 +1,47 @@
+// Stencils that touch vertices which several unknowns move, or several which one moves, as stencils of unknown blocks:
+// gradient W^T g, Hessian W^T K W. Neighbours in a batch that touch the same blocks, as the contacts of two affine
+// bodies do, make one of them together, so that what is gathered depends on the number of such pairs and not on that of
+// their contacts.
+#pragma once
+
+#include <vector>
+
+#include "framework/assembly/gather_map.hpp"
+
+namespace tack {
+
+class ReducedStencils {
+ public:
+  // Of those batches; own slots begin at gradient_slot and hessian_slot.
+  void place(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot, int hessian_slot);
+  const std::vector<PlacedBatch>& batches() const { return batches_; }  // of blocks
+  int gradient_end() const { return gradient_end_; }  // behind the last slot of its own
+  int hessian_end() const { return hessian_end_; }
+
+  // Fills its slots from those of the stencils.
+  void reduce(double* gradient_slots, double* hessian_slots) const;  // hessian_slots: null, if they are not wanted
+
+ private:
+  struct Run {
+    size_t first_block, blocks;   // in blocks_
+    size_t first, last;           // in members_
+    int gradient_slot = 0, hessian_slot = 0;
+  };
+  struct Member {
+    int arity, gradient_slot, hessian_slot;
+    size_t first_weight;  // in weights_: of each vertex, those on all blocks of the run
+  };
+
+  void find_runs(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
+  void add_member(const PlacedBatch& placed, int stencil, const DofMap& dofs, const Run& run);
+  void reduce(const Run& run, double* gradient_slots, double* hessian_slots) const;
+
+  std::vector<PlacedBatch> batches_;
+  int gradient_end_ = 0, hessian_end_ = 0;
+  std::vector<Run> runs_;  // by number of blocks
+  std::vector<Member> members_;
+  std::vector<int> blocks_;  // of the runs
+  std::vector<double> weights_;
+};
+
+}  // namespace tack

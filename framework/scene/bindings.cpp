@@ -1,0 +1,86 @@
+#include "framework/scene/bindings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace tack {
+namespace {
+
+constexpr double independent = 1e-6;  // a weight on the rest of a frame, from which on a held vertex counts as another place
+
+// A held vertex in terms of those vertices of a frame that nothing determines yet, and of the held ones that
+// determine others.
+struct Row {
+  int vertex;
+  std::array<double, 4> on_frame;
+  std::map<int, double> on_held = {};
+};
+
+// Solves the row for a vertex of the frame.
+Dependence solved_for(const Row& row, int pivot, const std::array<int, 4>& frame) {
+  const double w = row.on_frame[pivot];
+  Dependence d{frame[pivot], {{row.vertex, 1 / w}}};
+  for (int k = 0; k < 4; ++k)
+    if (k != pivot && row.on_frame[k] != 0) d.on.emplace_back(frame[k], -row.on_frame[k] / w);
+  for (const auto& [held, weight] : row.on_held) d.on.emplace_back(held, -weight / w);
+  return d;
+}
+
+// Puts what the pivot row says about a vertex of the frame into another row.
+void substitute(const Row& by, int pivot, Row& row) {
+  const double factor = row.on_frame[pivot] / by.on_frame[pivot];
+  for (int k = 0; k < 4; ++k) row.on_frame[k] -= factor * by.on_frame[k];
+  row.on_frame[pivot] = 0;
+  row.on_held[by.vertex] += factor;
+  for (const auto& [held, weight] : by.on_held) row.on_held[held] -= factor * weight;
+}
+
+// What the vertices of a frame follow where some that it carries are held; `leads` are the held ones that they do.
+Dependences frame_follows(const AffineFrame& body, const std::vector<char>& free, std::vector<int>& leads) {
+  Dependences found;
+  std::vector<Row> rows;
+  for (const AffineFrame::Carried& c : body.carried)
+    if (!free.empty() && !free[c.vertex]) rows.push_back({c.vertex, c.weights});
+  while (!rows.empty() && found.size() < 4) {
+    size_t best = 0;
+    int pivot = 0;
+    for (size_t r = 0; r < rows.size(); ++r)
+      for (int k = 0; k < 4; ++k)
+        if (std::abs(rows[r].on_frame[k]) > std::abs(rows[best].on_frame[pivot])) best = r, pivot = k;
+    if (std::abs(rows[best].on_frame[pivot]) < independent) break;
+    const Row by = rows[best];
+    rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(best));
+    found.push_back(solved_for(by, pivot, body.frame));
+    leads.push_back(by.vertex);
+    for (Row& row : rows) substitute(by, pivot, row);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<char> Bindings::active(double t) const {
+  std::vector<char> active;
+  for (const Tie& tie : ties_) active.push_back(tie.from <= t && t < tie.until);
+  return active;
+}
+
+Dependences Bindings::at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
+  Dependences all = lasting_;
+  for (const AffineFrame& body : frames_) {
+    std::vector<int> leads;
+    for (Dependence& d : frame_follows(body, free, leads)) all.push_back(std::move(d));
+    for (const AffineFrame::Carried& c : body.carried) {
+      if (std::find(leads.begin(), leads.end(), c.vertex) != leads.end()) continue;
+      Dependence& d = all.emplace_back(Dependence{c.vertex, {}});
+      for (int k = 0; k < 4; ++k)
+        if (c.weights[k] != 0) d.on.emplace_back(body.frame[k], c.weights[k]);
+    }
+  }
+  for (size_t i = 0; i < ties_.size(); ++i)
+    if (active_ties[i]) all.insert(all.end(), ties_[i].dependences.begin(), ties_[i].dependences.end());
+  return all;
+}
+
+}  // namespace tack
