@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "framework/core/state.hpp"
 #include "framework/scene/script.hpp"
-#include "framework/stepping/state.hpp"
 
 namespace tack {
 
