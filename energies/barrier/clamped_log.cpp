@@ -2,8 +2,8 @@
 //   plain:   b(d) = -kappa dhat (d/dhat - 1)^2 ln(d/dhat),        0 < d < dhat   (the paper, eq. 2)
 //   squared: the same in s = d^2 with dhat^2 for dhat and a stiffness that makes the force at
 //            d = dhat/2 equal to the plain form's.
-#include "framework/contact/normal_law.hpp"
 #include "framework/config/field.hpp"
+#include "framework/contact/normal_law.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -13,9 +13,9 @@
 #include "energies/solid/principal.hpp"
 #include "energies/solid/solid_residuals.hpp"
 #include "energies/solid/tet_geometry.hpp"
-#include "framework/assembly/parallel.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 

@@ -5,12 +5,10 @@
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
-#include "framework/output/recorder.hpp"
-#include "framework/scene/build_world.hpp"
+#include "framework/experiment/built_experiment.hpp"
+#include "framework/experiment/tolerances.hpp"
 #include "framework/scene/derivative_check.hpp"
-#include "framework/scene/load_scene.hpp"
 #include "framework/scene/resolution.hpp"
-#include "framework/scene/tolerances.hpp"
 
 namespace tack {
 namespace {
@@ -52,14 +50,14 @@ bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
 }  // namespace
 
 int check_command(const SceneOptions& options) {
-  const LoadedScene scene = load_scene(options.file, options.overrides);
-  PhaseClock clock;
-  const auto world = build_world(scene.config, scene.root, clock);
-  prepare_probes(scene, *world);
-  print_contents(*world);
-  for (const std::string& line : resolution_warnings(scene.config, *world)) fmt::print("warning: {}\n", line);
-  for (const std::string& line : doubtful_tolerances(scene.config, *world)) fmt::print("warning: {}\n", line);
-  const bool right = print_derivatives(check_derivatives(*world, scene.config.time.step, clock));
+  BuiltExperiment built(load_experiment(options.file, options.overrides));
+  const Experiment& experiment = built.experiment();
+  World& world = built.world();
+  probes_of(built);
+  print_contents(world);
+  for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
+  for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
+  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock()));
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }

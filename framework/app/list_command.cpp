@@ -7,7 +7,7 @@
 #include "framework/app/commands.hpp"
 #include "framework/compare/compare_config.hpp"
 #include "framework/config/describe.hpp"
-#include "framework/scene/scene_config.hpp"
+#include "framework/experiment/experiment.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -25,11 +25,11 @@ void write_text(const std::string& path, const std::string& text) {
 int list_command(const ListOptions& o) {
   const std::string title = "Scene file reference";
   if (!o.reference.empty())
-    write_text(o.reference, reference_page(prototype<SceneConfig>(), title) +
+    write_text(o.reference, reference_page(prototype<Experiment>(), title) +
                                 "\n## Comparison files\n\nWhat `tack compare` reads; see [comparing.md](comparing.md).\n\n" +
                                 parameter_table(prototype<CompareConfig>()));
   if (!o.schema.empty())
-    write_text(o.schema, json_schema(prototype<SceneConfig>(), "tack scene") + "\n");
+    write_text(o.schema, json_schema(prototype<Experiment>(), "tack scene") + "\n");
   if (!o.compare_schema.empty())
     write_text(o.compare_schema, json_schema(prototype<CompareConfig>(), "tack comparison") + "\n");
   if (!o.reference.empty() || !o.schema.empty() || !o.compare_schema.empty()) return exit_done;

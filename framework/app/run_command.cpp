@@ -13,15 +13,16 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/core/interrupt.hpp"
+#include "framework/experiment/built_experiment.hpp"
+#include "framework/experiment/stored_experiment.hpp"
+#include "framework/experiment/tolerances.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "framework/output/next_due.hpp"
 #include "framework/output/progress.hpp"
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
 #include "framework/profile/profiler.hpp"
-#include "framework/scene/build_world.hpp"
 #include "framework/scene/resolution.hpp"
-#include "framework/scene/tolerances.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
 
@@ -30,9 +31,9 @@ namespace {
 
 extern "C" void request_interrupt(int) { interrupt_requested = true; }
 
-void write_resolved(const RunFolder& folder, SceneConfig& scene) {
+void write_resolved(const RunFolder& folder, const Experiment& experiment) {
   std::ofstream out(folder.scene());
-  out << to_yaml(fields_of(scene));
+  out << to_yaml(fields_of(experiment));
   out.close();
   if (!out) throw InputError(fmt::format("cannot write {}", folder.scene().string()));
 }
@@ -54,8 +55,8 @@ ProgressOptions progress_options(const RunOptions& options) {
   return p;
 }
 
-RunFolder folder_of(const RunOptions& options, const SceneConfig& scene) {
-  const std::filesystem::path root = RunFolder::chosen_root(options.output, scene.name);
+RunFolder folder_of(const RunOptions& options, const Experiment& experiment) {
+  const std::filesystem::path root = RunFolder::chosen_root(options.output, experiment.name);
   return options.resume ? RunFolder::open(root) : RunFolder::create(root);
 }
 
@@ -70,36 +71,35 @@ std::vector<std::string> overrides_of(const RunOptions& options) {
 class Run {
  public:
   Run(const RunOptions& options, int threads)
-      : options_(options), dump_(options.dump_problems), scene_(load_scene(options.scene.file, overrides_of(options))),
-        world_(build_world(scene_.config, scene_.root, clock_)),
-        columns_(prepare_probes(scene_, *world_)),
-        folder_(folder_of(options, scene_.config)), checkpoint_(checkpoint()),
+      : options_(options), dump_(options.dump_problems),
+        built_(load_experiment(options.scene.file, overrides_of(options))),
+        probes_(probes_of(built_)), folder_(folder_of(options, experiment_)), checkpoint_(checkpoint()),
         log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc),
         progress_(std::cout, &log_, progress_options(options)) {
     if (checkpoint_) set_totals(summary_, checkpoint_->totals);
-    else write_resolved(folder_, scene_.config);
+    else write_resolved(folder_, experiment_);
     phases_before_ = summary_.phases;
-    summary_.name = scene_.config.name;
+    summary_.name = experiment_.name;
     summary_.version = TACK_VERSION;
     summary_.commit = TACK_COMMIT;
     summary_.threads = threads;
-    summary_.dofs = world_->dofs.size();
-    summary_.adhesion = world_->adhesion;
-    if (options.profile) profiler_.emplace(*world_, scene_.config, clock_);
+    summary_.dofs = world_.dofs.size();
+    summary_.adhesion = world_.adhesion;
+    if (options.profile) profiler_.emplace(world_, *experiment_.solver, clock_);
   }
 
   int execute() {
     if (folder_.moved_aside())
       progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
     progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
-                                  world_->bodies.size(), world_->rest.size() / 3, summary_.dofs,
+                                  world_.bodies.size(), world_.rest.size() / 3, summary_.dofs,
                                   summary_.threads));
-    warn_of_weak_wells(*world_, progress_);
-    for (const std::string& line : resolution_warnings(scene_.config, *world_)) progress_.warning(line);
-    for (const std::string& line : doubtful_tolerances(scene_.config, *world_)) progress_.warning(line);
+    warn_of_weak_wells(world_, progress_);
+    for (const std::string& line : resolution_warnings(experiment_, world_)) progress_.warning(line);
+    for (const std::string& line : doubtful_tolerances(experiment_, world_)) progress_.warning(line);
     std::optional<double> resumed_at;
     if (checkpoint_) resumed_at = checkpoint_->state.time;
-    Recorder recorder(scene_, *world_, folder_, columns_, clock_, resumed_at);
+    Recorder recorder(experiment_.output, experiment_.time, probes_, world_, folder_, clock_, resumed_at);
     try {
       simulate(recorder);
     } catch (const SimulationError& error) {
@@ -113,18 +113,18 @@ class Run {
  private:
   std::optional<StateFile> checkpoint() {
     if (!options_.resume) return std::nullopt;
-    StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(scene_.config)), *world_);
-    check_size(file, world_->rest.size() / 3, folder_.checkpoints().string());
+    StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(experiment_)), world_);
+    check_size(file, world_.rest.size() / 3, folder_.checkpoints().string());
     return file;
   }
 
   // Goes on from a state as a program would that was started there: with a solver and candidates of
   // their own.
   void start_from(State state) {
-    world_->start = std::move(state);
-    world_->participants.forget();
-    scene_.config.solver = bind_component<Minimizer>(to_value(scene_.config.solver.get()));
-    stepper_.emplace(*world_, scene_.config, clock_,
+    world_.start = std::move(state);
+    world_.participants.forget();
+    solver_ = instance_of(*experiment_.solver);
+    stepper_.emplace(world_, experiment_, experiment_.time, *solver_, clock_,
                      [this](const std::string& line) { progress_.warning(line); });
     const auto tell = [this](int iteration, double residual, double, double) {
       progress_.iteration(stepper_->state().step + 1, stepper_->state().time, iteration, residual);
@@ -140,11 +140,11 @@ class Run {
                                     checkpoint_->state.time));
       start_from(checkpoint_->state);
     } else {
-      start_from(world_->start);
+      start_from(world_.start);
       recorder.start(stepper_->state());
     }
     next_checkpoint_ = next_checkpoint_after(stepper_->state().time);
-    progress_.begin(stepper_->state().time, scene_.config.time.duration);
+    progress_.begin(stepper_->state().time, experiment_.time.duration);
     while (!stepper_->finished() && (options_.steps == 0 || summary_.steps < options_.steps)) {
       prepare_dump();
       const StepReport report = stepper_->advance();
@@ -164,7 +164,7 @@ class Run {
 
   // Once it has seen a system, and again when it has changed its mind.
   void tell_linear_solver() {
-    const std::string solver = scene_.config.solver->linear_solver();
+    const std::string solver = solver_->linear_solver();
     if (solver == summary_.linear_solver) return;
     summary_.linear_solver = solver;
     progress_.detail("linear solver: " + solver);
@@ -173,7 +173,7 @@ class Run {
   void prepare_dump() {
     if (!dump_.wants(stepper_->state().step + 1)) return;
     start_from(stepper_->state());
-    dump_.before(world_->start, stepper_->next_step_size(),
+    dump_.before(world_.start, stepper_->next_step_size(),
                  [this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
   }
 
@@ -184,10 +184,10 @@ class Run {
   }
 
   StateFile state_file(StateFile::Kind kind, const State& state) {
-    StateFile file = state_file_of(kind, scene_.config);
+    StateFile file = state_file_of(kind, experiment_);
     file.program = TACK_VERSION;
     file.commit = TACK_COMMIT;
-    if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(*world_);
+    if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(world_);
     file.state = state;
     return file;
   }
@@ -197,7 +197,7 @@ class Run {
     StateFile file = state_file(StateFile::Kind::problem, state);
     file.step_size = h;
     std::filesystem::create_directories(folder_.problems());
-    const std::string name = RunFolder::default_root(scene_.config.name).filename();
+    const std::string name = RunFolder::default_root(experiment_.name).filename();
     const auto path = folder_.problems() / fmt::format("{}.step{}.problem", name, state.step + 1);
     write_state_file(path, file);
     const std::string effort = iterations < 0 ? "" : fmt::format(" ({} iterations)", iterations);
@@ -205,14 +205,14 @@ class Run {
   }
 
   double next_checkpoint_after(double time) const {
-    const auto interval = scene_.config.output.checkpoint_interval;
+    const auto interval = experiment_.output.checkpoint_interval;
     if (!interval) return std::numeric_limits<double>::infinity();
-    return next_due(*interval, time, scene_.config.time.step);
+    return next_due(*interval, time, experiment_.time.step);
   }
 
   void write_checkpoint() {
     const State& state = stepper_->state();
-    if (state.time < next_checkpoint_ - 1e-9 * scene_.config.time.step) return;
+    if (state.time < next_checkpoint_ - 1e-9 * experiment_.time.step) return;
     next_checkpoint_ = next_checkpoint_after(state.time);
     const PhaseScope scope(clock_, Phase::io);
     StateFile file = state_file(StateFile::Kind::checkpoint, state);
@@ -236,7 +236,7 @@ class Run {
   int finish(Recorder& recorder) {
     const bool complete = summary_.status == RunStatus::done && options_.steps == 0;
     if (complete) {
-      for (const Expectation& expectation : scene_.config.expect) {
+      for (const Expectation& expectation : experiment_.expect) {
         summary_.expect.push_back(evaluate(expectation, recorder.series()));
         if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
       }
@@ -262,10 +262,11 @@ class Run {
 
   const RunOptions& options_;
   ProblemDump dump_;
-  PhaseClock clock_;
-  LoadedScene scene_;
-  std::unique_ptr<World> world_;
-  std::vector<std::string> columns_;
+  BuiltExperiment built_;
+  const Experiment& experiment_ = built_.experiment();
+  World& world_ = built_.world();
+  PhaseClock& clock_ = built_.clock();
+  ProbeSet probes_;
   RunFolder folder_;
   std::optional<StateFile> checkpoint_;  // that the run goes on from
   std::ofstream log_;
@@ -273,6 +274,7 @@ class Run {
   RunSummary summary_;
   PhaseClock::Seconds phases_before_{};  // of the run that is resumed
   std::optional<Profiler> profiler_;
+  std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;
   double next_checkpoint_ = 0;  // s
 };

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/assembly/stencil_clamp.hpp"
 #include "framework/core/disjoint_sets.hpp"
 #include "framework/core/term_times.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 

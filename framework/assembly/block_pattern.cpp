@@ -4,7 +4,7 @@
 #include <atomic>
 #include <iterator>
 
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -6,8 +6,8 @@
 #include <chrono>
 #include <utility>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/assembly/stencil_clamp.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -10,8 +10,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/output/recorder.hpp"
-#include "framework/scene/build_world.hpp"
+#include "framework/experiment/stored_experiment.hpp"
 #include "framework/scene/energies.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
@@ -51,20 +50,37 @@ double extent_of_movable(const World& world) {
   return box.diagonal().norm();
 }
 
+LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings) {
+  Experiment& experiment = loaded.experiment;
+  Value solver = to_value(experiment.solver.get());
+  merge(solver, settings.solver);
+  if (solver.is_scalar()) {  // a bare name
+    const Value type = solver;
+    solver = Value::map();
+    solver.set("type", type);
+  }
+  solver.set("tolerance", Value::number(settings.tolerance));
+  experiment.solver = bind_component<Minimizer>(solver);
+  experiment.time.step = settings.step_size;
+  experiment.time.max_halvings = 0;  // a solve that fails is to be seen, not mended
+  return loaded;
+}
+
 // Builds the case once, which also tells what is wrong with it before anything is measured.
 void complete(CompareCase& c) {
-  const LoadedScene scene = c.load();
-  PhaseClock clock;
-  const auto world = build_world(scene.config, scene.root, clock);
-  prepare_probes(scene, *world);
-  if (c.problem) check_size(*c.problem, world->rest.size() / 3, c.path);
-  c.size = extent_of_movable(*world);
-  c.quasi_static = !scene.config.time.integrator->predict(world->start, c.step_size).inertia;
+  const BuiltExperiment built(c.load());
+  probes_of(built);
+  const World& world = built.world();
+  if (c.problem) check_size(*c.problem, world.rest.size() / 3, c.path);
+  c.size = extent_of_movable(world);
+  c.quasi_static = !built.experiment().time.integrator->predict(world.start, c.step_size).inertia;
 }
 
 }  // namespace
 
-LoadedScene CompareCase::load() const { return problem ? scene_of(*problem, path) : load_scene(path, overrides); }
+LoadedExperiment CompareCase::load() const {
+  return problem ? experiment_of(*problem, path) : load_experiment(path, overrides);
+}
 
 int CompareCase::steps_of(double h) const {
   if (single()) return 1;
@@ -79,10 +95,10 @@ CompareCase experiment_case(const std::string& path, const std::vector<std::stri
   CompareCase c;
   c.path = path;
   c.overrides = overrides;
-  const LoadedScene scene = c.load();
-  c.name = scene.config.name;
-  c.step_size = scene.config.time.step;
-  const double all = scene.config.time.duration / c.step_size;
+  const LoadedExperiment loaded = c.load();
+  c.name = loaded.experiment.name;
+  c.step_size = loaded.experiment.time.step;
+  const double all = loaded.experiment.time.duration / c.step_size;
   c.steps = steps > 0 ? steps : std::max(1, static_cast<int>(std::ceil(all - 1e-9)));
   complete(c);
   return c;
@@ -99,23 +115,11 @@ CompareCase problem_case(const std::string& path) {
 }
 
 Trial::Trial(const CompareCase& what, const TrialSettings& settings)
-    : case_(what), h_(settings.step_size), scene_(what.load()) {
-  SceneConfig& config = scene_.config;
-  Value solver = to_value(config.solver.get());
-  merge(solver, settings.solver);
-  if (solver.is_scalar()) {  // a bare name
-    const Value type = solver;
-    solver = Value::map();
-    solver.set("type", type);
-  }
-  solver.set("tolerance", Value::number(settings.tolerance));
-  config.solver = bind_component<Minimizer>(solver);
-  config.time.step = h_;
-  config.time.max_halvings = 0;  // a solve that fails is to be seen, not mended
-  world_ = build_world(config, scene_.root, clock_);
-  columns_ = prepare_probes(scene_, *world_);
-  if (case_.problem) world_->start = case_.problem->state;
-  stepper_.emplace(*world_, config, clock_, [](const std::string&) {});
+    : case_(what), h_(settings.step_size), built_(with(what.load(), settings)), probes_(probes_of(built_)),
+      solver_(instance_of(*built_.experiment().solver)) {
+  if (case_.problem) built_.world().start = case_.problem->state;
+  const Experiment& experiment = built_.experiment();
+  stepper_.emplace(built_.world(), experiment, experiment.time, *solver_, built_.clock(), [](const std::string&) {});
 }
 
 const TrialResult& Trial::run(const VecX* guess) {
@@ -171,15 +175,15 @@ void Trial::solve_run() {
 
 void Trial::look_at_end() {
   result_.x = stepper_->state().x;
-  result_.intersections = first_inverted_tet(world_->tets, result_.x) >= 0 ? 1 : 0;
-  if (world_->contact) {
-    const ContactSystem& contact = *world_->contact;
+  const World& world = built_.world();
+  result_.intersections = first_inverted_tet(world.tets, result_.x) >= 0 ? 1 : 0;
+  if (world.contact) {
+    ContactSystem& contact = *world.contact;
     result_.intersections +=
         static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.filter(), 100).size());
-    world_->contact->move_to(result_.x);
+    contact.move_to(result_.x);
   }
-  for (const auto& probe : scene_.config.probes)
-    for (const double value : probe->sample(*world_, stepper_->state())) result_.probes.push_back(value);
+  result_.probes = probes_.sample(world, stepper_->state());
 }
 
 }  // namespace tack

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "framework/experiment/built_experiment.hpp"
 #include "framework/output/state_file.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
@@ -28,7 +29,7 @@ struct CompareCase {
   bool single() const { return problem.has_value(); }
   // Up to the same time; throws InputError if h does not divide it.
   int steps_of(double h) const;
-  LoadedScene load() const;
+  LoadedExperiment load() const;
 };
 
 CompareCase experiment_case(const std::string& path, const std::vector<std::string>& overrides, int steps);
@@ -66,13 +67,13 @@ class Trial {
   // `guess`: where a single step's minimisation starts (3n), feasible.
   const TrialResult& run(const VecX* guess = nullptr);
   const TrialResult& result() const { return result_; }
-  std::vector<std::string> probe_columns() const { return columns_; }
+  const std::vector<std::string>& probe_columns() const { return probes_.columns(); }
   // Keeps the iterations of the step that takes most; costs time, so not for what is measured.
   void record() { recording_ = true; }
   const std::vector<Iteration>& history() const { return longest_; }
   // Of the single step that was solved, over beta h^2 [J].
   double potential_at(const VecX& x) { return stepper_->potential_at(x); }
-  const World& world() const { return *world_; }
+  const World& world() const { return built_.world(); }
 
  private:
   void solve_step(const VecX* guess);
@@ -81,10 +82,9 @@ class Trial {
 
   const CompareCase& case_;
   double h_;
-  PhaseClock clock_;
-  LoadedScene scene_;
-  std::unique_ptr<World> world_;
-  std::vector<std::string> columns_;
+  BuiltExperiment built_;
+  ProbeSet probes_;
+  std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;
   bool recording_ = false;
   std::vector<Iteration> present_, longest_;

@@ -29,4 +29,11 @@ std::unique_ptr<Base> bind_component(const Value& value) {
   return Registry<Base>::downcast(std::move(made));
 }
 
+// A component with the parameters of one that is specified, and nothing else of it: what it works out and
+// keeps is its own.
+template <class Base>
+std::unique_ptr<Base> instance_of(Base& specified) {
+  return bind_component<Base>(to_value(&specified));
+}
+
 }  // namespace tack

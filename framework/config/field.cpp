@@ -119,7 +119,7 @@ Value to_value(const Fields& fields) {
   return map;
 }
 
-Value to_value(Component* component) {
+Value to_value(const Component* component) {
   if (!component) return {};
   Value map = Value::map();
   map.set("type", Value::scalar(std::string(component->type())));

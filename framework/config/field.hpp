@@ -157,6 +157,11 @@ Fields fields_of(T& object) {
   object.fields(fields);
   return fields;
 }
+// To be written out, not read into.
+template <class T>
+const Fields fields_of(const T& object) {
+  return fields_of(const_cast<T&>(object));
+}
 
 // The fields of a fresh T, which they keep alive.
 template <class T>
@@ -169,7 +174,7 @@ Fields prototype() {
 
 // All values as a tree, in SI, each with its unit as comment.
 Value to_value(const Fields& fields);
-Value to_value(Component* component);  // with its `type`; null for nullptr
+Value to_value(const Component* component);  // with its `type`; null for nullptr
 
 }  // namespace tack
 

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/stencil_distance.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/assembly/parallel.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/stencil_energy.hpp"
 #include "framework/contact/stencil_filter.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/triangle_division.hpp"
 #include "geometry/broad_phase/aabb.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -3,9 +3,9 @@
 //     d(R u)/du = R across u,  E' / sqrt(2 E) = (E'/y) / R along it.
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/slip.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

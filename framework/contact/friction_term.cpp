@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/slip.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/lagged_contacts.hpp"
 #include "framework/contact/stencil_distance.hpp"
 #include "geometry/distance/closest_parameters.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/point_features.hpp"
 #include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "framework/assembly/parallel.hpp"
 #include "geometry/distance/box_gap.hpp"
 #include "geometry/distance/point_triangle.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -1,6 +1,6 @@
 #include "framework/contact/sample_pieces.hpp"
 
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 

@@ -95,7 +95,7 @@ class Minimizer : public Component {
   std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
   bool checks_iterates() const { return check_iterates_; }
 
-  // What a scene that does not say gets: framework/scene/tolerances.hpp.
+  // What a scene that does not say gets: framework/experiment/tolerances.hpp.
   bool tolerance_given() const { return tolerance_.has_value(); }
   void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }
   void set_force_floor(double floor) { force_floor_ = floor; }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/core/lanes.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

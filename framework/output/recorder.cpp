@@ -2,8 +2,6 @@
 
 #include "framework/contact/friction_term.hpp"
 #include "framework/output/next_due.hpp"
-#include "framework/scene/build_world.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -33,76 +31,42 @@ FrameGeometry frame_geometry(const World& world) {
 
 }  // namespace
 
-std::vector<std::string> prepare_probes(const LoadedScene& scene, const World& world) {
-  std::vector<std::string> columns;
-  std::vector<Unit> units = {units::time};
-  for (size_t i = 0; i < scene.config.probes.size(); ++i) {
-    try {
-      scene.config.probes[i]->prepare(world);
-    } catch (const InputError& error) {
-      throw InputError(place_of(scene.root, "probes", i) + error.what());
-    }
-    const auto more = scene.config.probes[i]->columns();
-    columns.insert(columns.end(), more.begin(), more.end());
-    units.resize(units.size() + more.size(), scene.config.probes[i]->unit());
-  }
-  auto with_time = columns;
-  with_time.insert(with_time.begin(), "time");
-  for (size_t i = 0; i < scene.config.expect.size(); ++i) {
-    try {
-      check_columns(scene.config.expect[i], with_time);
-      check_units(scene.config.expect[i], with_time, units);
-    } catch (const InputError& error) {
-      throw InputError(place_of(scene.root, "expect", i) + error.what());
-    }
-  }
-  return columns;
-}
-
-Recorder::Recorder(const LoadedScene& scene, const World& world, const RunFolder& folder,
-                   const std::vector<std::string>& columns, PhaseClock& clock,
-                   std::optional<double> resumed_at)
-    : scene_(scene.config), world_(world), folder_(folder), clock_(clock),
+Recorder::Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, const World& world,
+                   const RunFolder& folder, PhaseClock& clock, std::optional<double> resumed_at)
+    : output_(output), time_(time), probe_set_(probes), world_(world), folder_(folder), clock_(clock),
       steps_(resumed_at ? StepsCsv::continued(folder.steps(), *resumed_at) : StepsCsv(folder.steps())),
-      probes_(resumed_at ? ProbesCsv::continued(folder.probes(), columns, *resumed_at)
-                         : ProbesCsv(folder.probes(), columns)),
+      probes_(resumed_at ? ProbesCsv::continued(folder.probes(), probes.columns(), *resumed_at)
+                         : ProbesCsv(folder.probes(), probes.columns())),
       pvd_(resumed_at ? PvdFile::continued(folder.pvd(), *resumed_at) : PvdFile(folder.pvd())),
       geometry_(frame_geometry(world)) {
   if (resumed_at) schedule_frame(*resumed_at);
 }
 
 void Recorder::schedule_frame(double time) {
-  next_frame_ = next_due(scene_.output.frame_interval, time, scene_.time.step);
+  next_frame_ = next_due(output_.frame_interval, time, time_.step);
 }
 
 void Recorder::start(const State& state) {
   const PhaseScope scope(clock_, Phase::io);
   if (world_.contact) world_.contact->move_to(state.x);
   sample(state);
-  if (scene_.output.frames) write_frame(state);
+  if (output_.frames) write_frame(state);
 }
 
 void Recorder::step(const State& state, const StepReport& report) {
   const PhaseScope scope(clock_, Phase::io);
   steps_.add(report);
   sample(state);
-  if (!scene_.output.frames) return;
-  const bool last = state.time >= scene_.time.duration - 1e-9 * scene_.time.step;
-  if (state.time >= next_frame_ - 1e-9 * scene_.time.step || last) write_frame(state);
+  if (!output_.frames) return;
+  const bool last = state.time >= time_.duration - 1e-9 * time_.step;
+  if (state.time >= next_frame_ - 1e-9 * time_.step || last) write_frame(state);
 }
 
-void Recorder::sample(const State& state) {
-  std::vector<double> values;
-  for (const auto& probe : scene_.probes) {
-    const auto more = probe->sample(world_, state);
-    values.insert(values.end(), more.begin(), more.end());
-  }
-  probes_.add(state.time, values);
-}
+void Recorder::sample(const State& state) { probes_.add(state.time, probe_set_.sample(world_, state)); }
 
 std::vector<PointField> Recorder::point_fields(const State& state) const {
   std::vector<PointField> fields;
-  for (const std::string& name : scene_.output.frame_fields) {
+  for (const std::string& name : output_.frame_fields) {
     if (name == "velocity") fields.push_back({name, 3, state.v, "m/s"});
     if (name == "displacement") fields.push_back({name, 3, state.x - world_.rest, "m"});
     if (name == "mass") fields.push_back({name, 1, world_.mass, "kg"});

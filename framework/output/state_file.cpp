@@ -27,16 +27,6 @@ const char* name_of(StateFile::Kind kind) {
   return kind == StateFile::Kind::problem ? "problem" : "checkpoint";
 }
 
-// An object's mesh that was read from a file when the state was stored.
-class StoredMesh : public ShapeSource {
- public:
-  explicit StoredMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
-  Mesh make() const override { return mesh_; }
-
- private:
-  Mesh mesh_;
-};
-
 Json to_json(const VecX& x) { return std::vector<double>(x.data(), x.data() + x.size()); }
 
 VecX vector_of(const Json& json) {
@@ -195,16 +185,6 @@ Json content_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-StateFile state_file_of(StateFile::Kind kind, SceneConfig& scene) {
-  StateFile file;
-  file.kind = kind;
-  file.scene = to_yaml(fields_of(scene));
-  if (kind == StateFile::Kind::checkpoint) return file;  // resumed with the scene's own files
-  for (const ObjectConfig& object : scene.objects)
-    if (object.shape->reads_files()) file.meshes[object.name] = object.shape->make();
-  return file;
-}
-
 void write_state_file(const std::filesystem::path& path, const StateFile& file) {
   Json meshes = Json::object(), file_meshes = Json::object();
   for (const auto& [object, mesh] : file.meshes) meshes[object] = to_json(mesh);
@@ -240,16 +220,6 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     refuse_file(path, fmt::format("is damaged ({}); write it anew", error.what()));
   }
   return file;
-}
-
-LoadedScene scene_of(const StateFile& file, const std::string& name) {
-  LoadedScene scene;
-  scene.root = parse_string(file.scene, name);
-  bind(scene.root, scene.config, "the scene");
-  for (ObjectConfig& object : scene.config.objects)
-    if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
-      object.shape = std::make_unique<StoredMesh>(mesh->second);
-  return scene;
 }
 
 void check_size(const StateFile& file, Eigen::Index vertices, const std::string& name) {

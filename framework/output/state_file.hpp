@@ -16,8 +16,7 @@
 #include <map>
 #include <string>
 
-#include "framework/scene/load_scene.hpp"
-#include "framework/stepping/state.hpp"
+#include "framework/core/state.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/mesh/mesh.hpp"
 
@@ -35,17 +34,11 @@ struct StateFile {
   std::map<std::string, double> totals;
 };
 
-// The scene's part of a file. Reads the mesh files of a problem once more.
-StateFile state_file_of(StateFile::Kind kind, SceneConfig& scene);
-
 void write_state_file(const std::filesystem::path& path, const StateFile& file);
 
 // Throws InputError naming the file and what is wrong: not there, not such a file, another version or
 // kind, damaged, cut short.
 StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kind);
-
-// The scene of a file, with its meshes; `name` stands for the file in messages.
-LoadedScene scene_of(const StateFile& file, const std::string& name);
 
 // Throws InputError unless the state is one of a scene with so many vertices.
 void check_size(const StateFile& file, Eigen::Index vertices, const std::string& name);

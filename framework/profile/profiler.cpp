@@ -27,8 +27,8 @@ std::string label(const World& world, const Term& term) {
 
 }  // namespace
 
-Profiler::Profiler(const World& world, const SceneConfig& scene, PhaseClock& clock)
-    : world_(world), scene_(scene), clock_(clock) {
+Profiler::Profiler(const World& world, const Minimizer& solver, PhaseClock& clock)
+    : world_(world), solver_(solver), clock_(clock) {
   clock_.time_terms(&times_);
 }
 
@@ -164,7 +164,7 @@ std::vector<HardStep> Profiler::hardest() {
 
 LinearCost Profiler::linear(const RunSummary& summary) const {
   LinearCost cost{summary.linear_solver, summary.linear_solves, summary.linear_iterations, clock_.factorizations()};
-  const Value solver = to_value(scene_.solver.get());
+  const Value solver = to_value(&solver_);
   const Value* linear = solver.find("linear");
   const Value* type = linear && linear->is_map() ? linear->find("type") : linear;
   cost.automatic = type && type->text == "auto";

@@ -7,16 +7,17 @@
 #include <map>
 #include <optional>
 
+#include "framework/core/minimizer.hpp"
 #include "framework/output/summary.hpp"
 #include "framework/profile/profile.hpp"
-#include "framework/scene/scene_config.hpp"
+#include "framework/scene/world.hpp"
 
 namespace tack {
 
 class Profiler {
  public:
-  // All three must outlive it.
-  Profiler(const World& world, const SceneConfig& scene, PhaseClock& clock);
+  // `solver`: as specified. All three must outlive it.
+  Profiler(const World& world, const Minimizer& solver, PhaseClock& clock);
   ~Profiler() { clock_.time_terms(nullptr); }
   Profiler(const Profiler&) = delete;
   Profiler& operator=(const Profiler&) = delete;
@@ -48,7 +49,7 @@ class Profiler {
   LinearCost linear(const RunSummary& summary) const;
 
   const World& world_;
-  const SceneConfig& scene_;
+  const Minimizer& solver_;
   PhaseClock& clock_;
   TermTimes times_;
   struct Pair {

@@ -9,7 +9,6 @@
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/named_selections.hpp"
-#include "framework/scene/tolerances.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -98,16 +97,6 @@ void start_state(const SceneConfig& scene, World& world) {
   }
 }
 
-// Runs an action whose messages lack a place with that of a value, if it is known.
-template <class Action>
-void at_place(const Value* value, const Action& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    throw InputError((value ? value->mark.text() + ": " : "") + error.what());
-  }
-}
-
 const Value* entry(const Value* list, size_t i) {
   return list && i < list->items.size() ? &list->items[i] : nullptr;
 }
@@ -153,10 +142,6 @@ void check_containment(const Value& root, const World& world) {
                                found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet));
 }
 
-void check_solver(const SceneConfig& scene, const Value& root, const World& world) {
-  at_place(root.find("solver"), [&] { scene.solver->admit(world.terms, world.dofs.size()); });
-}
-
 // Every load finds what it acts on, or this is told before anything is written.
 void add_loads(const SceneConfig& scene, const Value& root, World& world) {
   VecX force = VecX::Zero(world.rest.size());
@@ -178,7 +163,7 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
   return value ? value->mark.text() + ": " : "";
 }
 
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock) {
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
   for_each_object(scene, root, [&](size_t i) {
@@ -202,8 +187,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
                        "select, from and until)");
     });
-  const std::vector<char> free = world->script.free(world->script.active(scene.time.step / 2));
-  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(scene.time.step / 2)));
+  const std::vector<char> free = world->script.free(world->script.active(first_step / 2));
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
   check_mass(root, *world);
   add_loads(scene, root, *world);
@@ -225,8 +210,6 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->participants.add(term);
   if (world->contact_term) world->participants.add(world->contact_term.get());
   if (world->friction) world->participants.add(world->friction.get());
-  check_solver(scene, root, *world);
-  settle_tolerances(scene, *world, clock);
   return world;
 }
 

@@ -7,18 +7,29 @@
 #include "framework/core/phase_clock.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 
-// Builds the world, and gives the scene's solver the tolerances that it lacks; `root` is the parsed scene, for
-// places in messages. Throws InputError for
-// anything that does not fit together, also for a start that intersects.
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, PhaseClock& clock);
+// Builds the world as it is before a first step of that size [s]; it points into the scene. `root` is the parsed
+// file, for places in messages. Throws InputError for anything that does not fit together, also for a start that
+// intersects.
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock);
 
 // The pairs of objects and their laws (contact_setup.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);
 
 // "scene.yaml:12:3: " of entry i of a list at the top of the scene, for messages.
 std::string place_of(const Value& root, const std::string& list, size_t i);
+
+// Runs an action whose messages lack a place with that of a value, if it is known.
+template <class Action>
+void at_place(const Value* value, const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    throw InputError((value ? value->mark.text() + ": " : "") + error.what());
+  }
+}
 
 }  // namespace tack

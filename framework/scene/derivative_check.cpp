@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <random>
 
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/core/incremental_potential.hpp"
 #include "framework/scene/local_lengths.hpp"
 
 namespace tack {

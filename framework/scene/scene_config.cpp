@@ -1,20 +1,6 @@
 #include "framework/scene/scene_config.hpp"
 
-#include <set>
-
 namespace tack {
-
-void TimeConfig::fields(Fields& f) {
-  f.number("step", step, units::time, "time step h").positive();
-  f.number("duration", duration, units::time, "simulated time").positive();
-  f.component("integrator", integrator, "time integration");
-  f.optional_number("wall_limit", wall_limit, units::time,
-                    "wall time of the program, after which it ends with what it has and exit code 3; a run that is resumed has all of "
-                    "it again; none unless given")
-      .positive();
-  f.integer("max_halvings", max_halvings,
-            "how often a failed step may be halved before the run gives up").range(0, 30);
-}
 
 void PlaceConfig::fields(Fields& f) {
   f.vector("scale", scale, units::none, "factors about the origin, applied first");
@@ -77,37 +63,11 @@ void ContactConfig::fields(Fields& f) {
   f.list("pairs", pairs, "what differs between two objects");
 }
 
-void OutputConfig::fields(Fields& f) {
-  f.flag("frames", frames, "write frames/*.vtu and run.pvd");
-  f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
-  f.optional_number("checkpoint_interval", checkpoint_interval, units::time,
-                    "simulated time between checkpoints, which `tack run --resume` goes on from; none unless given")
-      .positive();
-  f.texts("fields", frame_fields, "vertex fields of the frames: velocity, contact_force, adhesion_force, "
-                                  "friction_force (with tangential adhesion), displacement, mass");
-  f.check("fields", [this]() -> std::string {
-    static const std::set<std::string> known = {"velocity", "contact_force", "adhesion_force",
-                                                "friction_force", "displacement", "mass"};
-    for (const auto& field : frame_fields)
-      if (!known.count(field))
-        return "unknown field '" + field +
-               "'; choose from velocity, contact_force, adhesion_force, friction_force, displacement, mass";
-    return "";
-  });
-}
-
 void SceneConfig::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required();
-  f.text("about", about, "what the experiment must show");
-  f.object("time", time, "time stepping");
   f.vector("gravity", gravity, units::acceleration, "acceleration of every mass");
   f.list("objects", objects, "what is simulated").required().nonempty();
   f.list("selections", selections, "as those of an object, of all objects of which they choose a vertex");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
-  f.component("solver", solver, "minimiser of each step");
-  f.component_list("probes", probes, "quantities recorded every step");
-  f.object("output", output, "what is written");
-  f.list("expect", expect, "what must hold for the run to exit with 0");
 }
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// The scene file, typed: every key with its default. Nothing is built here (build_world.hpp).
+// What is simulated, typed: objects, what acts on them, and between them. A part of the experiment's file
+// (framework/experiment/experiment.hpp). Nothing is built here (build_world.hpp).
 #pragma once
 
 #include <memory>
@@ -8,26 +9,13 @@
 
 #include "framework/config/field.hpp"
 #include "framework/contact/normal_law.hpp"
-#include "framework/core/minimizer.hpp"
-#include "framework/output/expectations.hpp"
-#include "framework/output/probe.hpp"
 #include "framework/scene/energy.hpp"
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
 #include "framework/scene/shape_source.hpp"
-#include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
-
-struct TimeConfig {
-  double step = 0.01;     // s
-  double duration = 1;    // s
-  std::optional<double> wall_limit;  // s of wall time
-  int max_halvings = 8;
-  std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
-  void fields(Fields& f);
-};
 
 struct PlaceConfig {
   Vec3 scale = Vec3::Ones();
@@ -79,27 +67,11 @@ struct ContactConfig {
   void fields(Fields& f);
 };
 
-struct OutputConfig {
-  double frame_interval = 0;  // s; 0: every step
-  bool frames = true;
-  std::optional<double> checkpoint_interval;  // s
-  std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force",
-                                           "friction_force"};
-  void fields(Fields& f);
-};
-
 struct SceneConfig {
-  std::string name;
-  std::string about;
-  TimeConfig time;
   Vec3 gravity = Vec3::Zero();  // m/s^2
   std::vector<ObjectConfig> objects;
   std::vector<NamedSelection> selections;
   std::optional<ContactConfig> contact;
-  std::unique_ptr<Minimizer> solver = Registry<Minimizer>::make("projected_newton");
-  std::vector<std::unique_ptr<Probe>> probes;
-  OutputConfig output;
-  std::vector<Expectation> expect;
   void fields(Fields& f);
 };
 

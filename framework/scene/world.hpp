@@ -7,11 +7,11 @@
 
 #include "framework/contact/adhesion_summary.hpp"
 #include "framework/core/dof_map.hpp"
+#include "framework/core/state.hpp"
 #include "framework/scene/bindings.hpp"
 #include "framework/scene/body.hpp"
 #include "framework/scene/load_terms.hpp"
 #include "framework/scene/script.hpp"
-#include "framework/stepping/state.hpp"
 
 namespace tack {
 

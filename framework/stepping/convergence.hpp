@@ -10,7 +10,7 @@
 //   A floor keeps the round-off of bodies without stress out of it.
 #pragma once
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/scene/world.hpp"
 

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/assembly/term_gradient.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/core/incremental_potential.hpp"
+#include "framework/core/minimizer.hpp"
 #include "framework/scene/energies.hpp"
-#include "framework/scene/scene_config.hpp"
 
 namespace tack {
 namespace {
@@ -134,7 +134,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
 
 // What velocities that are off by the solver's tolerance may change the energy by [J].
 double EnergyBalance::solver_noise() const {
-  const double off = scene_.solver->velocity_tolerance();
+  const double off = solver_.velocity_tolerance();
   return world_.mass.sum() * off * off;
 }
 

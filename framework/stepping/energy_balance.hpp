@@ -26,13 +26,13 @@
 namespace tack {
 
 class IncrementalPotential;
-struct SceneConfig;
+class Minimizer;
 
 class EnergyBalance {
  public:
   using Energies = std::vector<std::pair<std::string, double>>;  // scene/energies.hpp
 
-  EnergyBalance(const World& world, const SceneConfig& scene) : world_(world), scene_(scene) {}
+  EnergyBalance(const World& world, const Minimizer& solver) : world_(world), solver_(solver) {}
 
   // Starts a step from `state`: contact has taken its areas, who is held is known, nothing has moved.
   // to_places: the script moves vertices in this step, so that its first evaluation is elsewhere.
@@ -55,7 +55,7 @@ class EnergyBalance {
   double solver_noise() const;
 
   const World& world_;
-  const SceneConfig& scene_;
+  const Minimizer& solver_;
   EnergyAccount start_;         // of the state that the step starts from
   double released_ = 0;         // J: the energy that a change of who is held brought along
   std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known

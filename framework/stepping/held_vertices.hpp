@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "framework/core/dof_map.hpp"
+#include "framework/core/state.hpp"
 #include "framework/scene/bindings.hpp"
 #include "framework/scene/script.hpp"
-#include "framework/stepping/state.hpp"
 
 namespace tack {
 

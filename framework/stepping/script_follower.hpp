@@ -5,11 +5,11 @@
 #include <functional>
 #include <optional>
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
+#include "framework/core/state.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/iterate_check.hpp"
 #include "framework/stepping/script_walk.hpp"
-#include "framework/stepping/state.hpp"
 
 namespace tack {
 

@@ -4,7 +4,6 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/contact/contact_system.hpp"
-#include "framework/scene/scene_config.hpp"
 #include "framework/stepping/obstacle.hpp"
 
 namespace tack {

@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/scene/world.hpp"
 #include "framework/stepping/time_integrator.hpp"

@@ -5,7 +5,7 @@
 
 #include "framework/assembly/term_scales.hpp"
 #include "framework/config/registry.hpp"
-#include "framework/stepping/state.hpp"
+#include "framework/core/state.hpp"
 
 namespace tack {
 

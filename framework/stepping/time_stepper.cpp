@@ -16,21 +16,21 @@
 
 namespace tack {
 
-TimeStepper::TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
-                         std::function<void(const std::string&)> warn)
-    : world_(world), scene_(scene), clock_(clock), warn_(std::move(warn)), state_(world.start),
-      held_(world.script, world.bindings, world.rest), convergence_(world, *scene.solver), balance_(world, scene),
-      integrator_(scene.time.integrator.get()),
-      follower_(world, *scene.solver, clock, held_,
+TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
+                         PhaseClock& clock, std::function<void(const std::string&)> warn)
+    : world_(world), scene_(scene), time_(time), solver_(solver), clock_(clock), warn_(std::move(warn)), state_(world.start),
+      held_(world.script, world.bindings, world.rest), convergence_(world, solver), balance_(world, solver),
+      integrator_(time.integrator.get()),
+      follower_(world, solver, clock, held_,
                 [this](const VecX& x, const VecX& p) { return largest_step(x, p); },
                 [this](const VecX& x, const VecX& p) {
                   tried_ = {x, p};
                   return largest_tried_step();
                 }) {
-  if (state_.h_next == 0) state_.h_next = scene.time.step;
-  clock_.deadline().limit_run(clock.begun(), scene.time.wall_limit);
+  if (state_.h_next == 0) state_.h_next = time.step;
+  clock_.deadline().limit_run(clock.begun(), time.wall_limit);
   world_.participants.remember(state_.history);
-  if (scene.solver->checks_iterates()) check_.emplace(world, clock);
+  if (solver.checks_iterates()) check_.emplace(world, clock);
   filters_ = attached_filters({world.contact.get(), world.tets, clock});
   tried_.p = VecX::Zero(state_.x.size());
   hold(state_.h_next);
@@ -52,7 +52,7 @@ void TimeStepper::hold(double h) {
 
 // M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
-  if (vertices.empty() || !integrator_->predict(state_, scene_.time.step).inertia) return;
+  if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
     term->begin_step({state_.x, t});
   VecX q;
@@ -64,7 +64,7 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   for (const int v : vertices)
     vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / mass(world_.dofs.block(v));
   world_.dofs.follow(state_.a);
-  if (!scene_.time.integrator->follows_contact() || !world_.contact) return;
+  if (!time_.integrator->follows_contact() || !world_.contact) return;
   const VecX contact = contact_accelerations(state_.x);
   if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
   for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
@@ -129,7 +129,7 @@ VecX TimeStepper::first_guess(double h) {
 
 double TimeStepper::next_step_size() const {
   // The last part ends exactly where the whole step would.
-  const double whole = scene_.time.step, left = (state_.whole_steps + 1) * whole - state_.time;
+  const double whole = time_.step, left = (state_.whole_steps + 1) * whole - state_.time;
   if (state_.h_next <= left * (1 - 1e-9)) return state_.h_next;
   return state_.h_next >= whole ? whole : left;
 }
@@ -143,7 +143,7 @@ double TimeStepper::potential_at(const VecX& x) {
 
 Attempt TimeStepper::solve(double h, const VecX* guess) {
   Attempt attempt{{}, state_.x};
-  clock_.deadline().begin_solve(scene_.solver->time_limit());
+  clock_.deadline().begin_solve(solver_.time_limit());
   try {
     attempt_step(h, guess, attempt);
   } catch (const OutOfTime&) {
@@ -193,7 +193,7 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
 void TimeStepper::minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt) {
   const auto minimize = [&] {
     const MinimizerResult before = attempt.result;
-    attempt.result = scene_.solver->minimize(problem, q);
+    attempt.result = solver_.minimize(problem, q);
     attempt.result.add_work(before);
     attempt.balance = convergence_.balance();
     world_.dofs.scatter(q, attempt.x);
@@ -218,7 +218,7 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
   if (!attempt.failure.empty()) return attempt.failure + blocker();
   if (attempt.result.status != MinimizerStatus::converged) {
     const bool late = attempt.result.status == MinimizerStatus::time_limit && !clock_.deadline().run_passed();
-    const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *scene_.solver->time_limit()) : "";
+    const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *solver_.time_limit()) : "";
     return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}", to_string(attempt.result.status),
                        limit, attempt.result.iterations, attempt.result.residual, blocker());
   }
@@ -243,13 +243,13 @@ std::string TimeStepper::blocker() const {
 void TimeStepper::check_wall_limit(const std::string& wrong) const {
   if (!clock_.deadline().run_passed()) return;
   throw SimulationError(fmt::format("step {} at t = {} s: the run's wall time is used up (time.wall_limit: {} s){}",
-                                    state_.step + 1, state_.time, *scene_.time.wall_limit,
+                                    state_.step + 1, state_.time, *time_.wall_limit,
                                     wrong.empty() ? "" : "; " + wrong));
 }
 
 void TimeStepper::commit(const VecX& x, double h) {
   VecX v, a, contact;
-  if (world_.contact && scene_.time.integrator->follows_contact()) {
+  if (world_.contact && time_.integrator->follows_contact()) {
     world_.participants.move_to(x);
     contact = contact_accelerations(x);
   }
@@ -270,7 +270,7 @@ void TimeStepper::commit(const VecX& x, double h) {
 }
 
 bool TimeStepper::finished() const {
-  return state_.time >= scene_.time.duration - 1e-9 * scene_.time.step;
+  return state_.time >= time_.duration - 1e-9 * time_.step;
 }
 
 StepReport TimeStepper::report(const Attempt& attempt, double h, int halvings) const {
@@ -302,7 +302,7 @@ StepReport TimeStepper::advance() {
   const auto started = std::chrono::steady_clock::now();
   const PhaseClock::Seconds before = clock_.seconds();
   const int builds_before = world_.contact ? world_.contact->broad_phase_builds() : 0;
-  const double whole = scene_.time.step;
+  const double whole = time_.step;
   found_ = {};
   int halvings = 0;
   check_wall_limit("");
@@ -331,8 +331,8 @@ StepReport TimeStepper::advance() {
         world_.participants.remember(state_.history);
         continue;
       }
-      r.flows.damped = integrator_ != scene_.time.integrator.get();
-      integrator_ = scene_.time.integrator.get();
+      r.flows.damped = integrator_ != time_.integrator.get();
+      integrator_ = time_.integrator.get();
       if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_(balance_.warning());
       if (!attempt.lag_converged)
         warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
@@ -346,7 +346,7 @@ StepReport TimeStepper::advance() {
       return r;
     }
     check_wall_limit(wrong);
-    if (h < whole * std::pow(0.5, scene_.time.max_halvings) * (1 + 1e-9))
+    if (h < whole * std::pow(0.5, time_.max_halvings) * (1 + 1e-9))
       throw SimulationError(fmt::format(
           "step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h, wrong,
           attempt.failure.empty() ? "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)"

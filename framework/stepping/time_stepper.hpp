@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/scene/world.hpp"
@@ -21,7 +21,7 @@
 #include "framework/stepping/iterate_check.hpp"
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/step_report.hpp"
-#include "framework/stepping/time_integrator.hpp"
+#include "framework/stepping/time_config.hpp"
 
 namespace tack {
 
@@ -41,7 +41,7 @@ struct SceneConfig;
 class TimeStepper {
  public:
   // Goes on from world.start. `warn` gets a line for each failed solve.
-  TimeStepper(World& world, const SceneConfig& scene, PhaseClock& clock,
+  TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver, PhaseClock& clock,
               std::function<void(const std::string&)> warn);
 
   // One accepted step. Throws SimulationError when no step small enough succeeds.
@@ -83,6 +83,8 @@ class TimeStepper {
 
   World& world_;
   const SceneConfig& scene_;
+  const TimeConfig& time_;
+  Minimizer& solver_;
   PhaseClock& clock_;
   std::function<void(const std::string&)> warn_;
   State state_;

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -12,16 +11,17 @@
 
 #include "geometry/broad_phase/clearances.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
-using Range = tbb::blocked_range<std::size_t>;
-constexpr std::size_t kGrain = 4096;
+constexpr int kGrain = 4096;
 constexpr double kTight = 0.05;  // of the skin: how far vertices may move in tight boxes
 
 template <class Predicate>
 bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
+  using Range = tbb::blocked_range<std::size_t>;
   return tbb::parallel_reduce(
       Range(0, vertices.size(), kGrain), true,
       [&](const Range& range, bool so_far) {
@@ -136,16 +136,14 @@ void BroadPhase::check(const VecX& x, const VecX& p, double range, double skin) 
 
 std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double inflation) const {
   std::vector<Aabb> boxes(mesh_.vertex_object.size());
-  tbb::parallel_for(Range(0, mesh_.vertices.size(), kGrain), [&](const Range& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const int v = mesh_.vertices[i];
-      Aabb box;
-      box.include(Vec3(vertex(x, v)));
-      if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
-      box.inflate(inflation);
-      boxes[v] = box;
-    }
-  });
+  for_each(static_cast<int>(mesh_.vertices.size()), [&](int i) {
+    const int v = mesh_.vertices[i];
+    Aabb box;
+    box.include(Vec3(vertex(x, v)));
+    if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
+    box.inflate(inflation);
+    boxes[v] = box;
+  }, kGrain);
   return boxes;
 }
 

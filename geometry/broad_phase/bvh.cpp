@@ -1,12 +1,12 @@
 #include "geometry/broad_phase/bvh.hpp"
 
 #include <fmt/core.h>
-#include <tbb/parallel_for.h>
 
 #include <numeric>
 
 #include "geometry/broad_phase/space_order.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 
@@ -51,9 +51,7 @@ void Bvh::lay_out_levels() {
 
 void Bvh::fill(const std::vector<Aabb>& boxes) {
   for (int level = 0; level < levels(); ++level)
-    tbb::parallel_for(tbb::blocked_range<int>(0, groups(level), 256), [&](const auto& range) {
-      for (int group = range.begin(); group < range.end(); ++group) fill_group(boxes, level, group);
-    });
+    for_each(groups(level), [&](int group) { fill_group(boxes, level, group); }, 256);
 }
 
 void Bvh::fill_group(const std::vector<Aabb>& boxes, int level, int group) {

@@ -1,8 +1,5 @@
 #include "geometry/broad_phase/clearances.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +8,7 @@
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
@@ -74,10 +72,8 @@ void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_
   }
   const auto find = [&](const auto& pairs, const auto& first, const auto& second, std::vector<double>& found) {
     found.resize(pairs.size());
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, pairs.size(), 512), [&](const auto& range) {
-      for (size_t i = range.begin(); i < range.end(); ++i)
-        found[i] = clearance(balls, first(pairs[i][0]), second(pairs[i][1]), enough);
-    });
+    for_each(static_cast<int>(pairs.size()),
+             [&](int i) { found[i] = clearance(balls, first(pairs[i][0]), second(pairs[i][1]), enough); }, 512);
   };
   const auto point = [](int v) { return std::array{v}; };
   const auto edge = [&](int e) { return mesh.edges[e]; };

@@ -13,14 +13,13 @@
 // The result is ordered by q, then t.
 #pragma once
 
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <bit>
 #include <vector>
 
 #include "geometry/broad_phase/bvh.hpp"
 #include "geometry/broad_phase/lanes.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace detail {
@@ -103,7 +102,7 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
       visit(g, std::min(Box8::width, queries.size() - g * Box8::width));
   };
 
-  tbb::parallel_for(0, tasks, [&](int task) {
+  for_each(tasks, [&](int task) {
     Rows rows;
     for_groups(task, [&](int group, int lanes) {
       search_group<Same>(queries, group, tree, rows);
@@ -115,10 +114,10 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
                               rows[lane].ids.begin() + rows[lane].count);
       }
     });
-  });
+  }, 1);
   for (int query = 0; query < queries.size(); ++query) begin[query + 1] += begin[query];
   pairs.resize(begin.back());
-  tbb::parallel_for(0, tasks, [&](int task) {
+  for_each(tasks, [&](int task) {
     auto partner = partners[task].begin();
     for_groups(task, [&](int group, int lanes) {
       for (int lane = 0; lane < lanes; ++lane) {
@@ -127,7 +126,7 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
           pairs[k] = relation.pair(query, *partner++);
       }
     });
-  });
+  }, 1);
 }
 
 }  // namespace detail

@@ -2,14 +2,12 @@
 // need to know of them, and the tree over their boxes.
 #pragma once
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <array>
 #include <vector>
 
 #include "geometry/broad_phase/bvh.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 
@@ -36,13 +34,10 @@ struct Primitives {
   // Sets the tree to the unions of the vertices' boxes (by global id), inflated [m].
   void refresh_tree(const std::vector<Aabb>& vertex_boxes, double inflation) {
     std::vector<Aabb> boxes(vertices.size());
-    const tbb::blocked_range<std::size_t> all(0, boxes.size(), 2048);
-    tbb::parallel_for(all, [&](const auto& range) {
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
-        boxes[i].inflate(inflation);
-      }
-    });
+    for_each(static_cast<int>(boxes.size()), [&](int i) {
+      for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
+      boxes[i].inflate(inflation);
+    }, 2048);
     if (tree.size() == static_cast<int>(boxes.size()))
       tree.update(boxes);
     else

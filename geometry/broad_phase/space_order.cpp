@@ -1,12 +1,12 @@
 #include "geometry/broad_phase/space_order.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
@@ -37,12 +37,10 @@ std::vector<int> space_order(const std::vector<Aabb>& boxes) {
   const double scale = extent > 0.0 ? cells / extent : 0.0;
 
   std::vector<std::pair<std::uint64_t, int>> keys(boxes.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, boxes.size(), 4096), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      const Vec3 offset = 0.5 * (boxes[i].lo + boxes[i].hi) - all.lo;
-      keys[i] = {morton_code((scale * offset).cwiseMin(cells)), static_cast<int>(i)};
-    }
-  });
+  for_each(static_cast<int>(boxes.size()), [&](int i) {
+    const Vec3 offset = 0.5 * (boxes[i].lo + boxes[i].hi) - all.lo;
+    keys[i] = {morton_code((scale * offset).cwiseMin(cells)), i};
+  }, 4096);
   tbb::parallel_sort(keys.begin(), keys.end());
 
   std::vector<int> order(boxes.size());

@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/ccd/accd.hpp"
@@ -14,6 +13,7 @@
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

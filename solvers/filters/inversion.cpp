@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/core/step_filter.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -1,5 +1,5 @@
 // Block Jacobi: the inverses of the 3x3 blocks on the diagonal.
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 #include "solvers/linear/inverse_blocks.hpp"
 #include "solvers/linear/preconditioner.hpp"
 

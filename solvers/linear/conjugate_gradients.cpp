@@ -1,6 +1,6 @@
 #include "solvers/linear/conjugate_gradients.hpp"
 
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/core/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <atomic>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/config/field.hpp"
 #include "framework/core/lanes.hpp"
+#include "geometry/parallel.hpp"
 #include "solvers/linear/domain_rows.hpp"
 #include "solvers/linear/preconditioner.hpp"
 

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 #include "solvers/linear/dense_kernels.hpp"
 #include "solvers/linear/triangle_products.hpp"
 

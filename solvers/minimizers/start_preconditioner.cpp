@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/config/field.hpp"
+#include "geometry/parallel.hpp"
 #include "solvers/minimizers/shifted_factor.hpp"
 
 namespace tack {

@@ -17,7 +17,9 @@ struct Systems {
 
 std::array<VecX, 2> neighbouring_states(Scene& scene) {
   constexpr int steps = 30;  // both blocks have landed
-  TimeStepper stepper(*scene.world, scene.loaded.config, scene.clock, [](const std::string&) {});
+  const Experiment& experiment = scene.built->experiment();
+  TimeStepper stepper(*scene.world, experiment, experiment.time, *experiment.solver, scene.clock,
+                      [](const std::string&) {});
   for (int s = 0; s < steps; ++s) stepper.advance();
   const VecX before = stepper.state().x;
   stepper.advance();

@@ -4,8 +4,6 @@
 
 #include <random>
 
-#include "framework/config/bind.hpp"
-#include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/friction_term.hpp"
@@ -67,21 +65,23 @@ void add_sheet(const ObjectConfig& object, World& world) {
   world.bodies.push_back(std::move(body));
 }
 
+std::unique_ptr<Scene> built(LoadedExperiment loaded) {
+  return std::unique_ptr<Scene>(new Scene{std::make_unique<BuiltExperiment>(std::move(loaded)), {}, nullptr});
+}
+
 }  // namespace
 
 std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
-  auto scene = std::make_unique<Scene>();
   const bool adhesive = laws == Laws::barrier_and_adhesion;
-  scene->loaded.root =
-      parse_string(fmt::format(sheets_text, weights, adhesive ? adhesion_text : ""), "sheets");
-  bind(scene->loaded.root, scene->loaded.config, "the scene");
-  scene->world = std::make_unique<World>();
+  std::unique_ptr<Scene> scene(
+      new Scene{nullptr, parse_experiment(fmt::format(sheets_text, weights, adhesive ? adhesion_text : ""), "sheets"),
+                std::make_unique<World>()});
   World& world = *scene->world;
-  for (const ObjectConfig& object : scene->loaded.config.objects) add_sheet(object, world);
+  for (const ObjectConfig& object : scene->loaded.experiment.objects) add_sheet(object, world);
   const Eigen::Index n = world.rest.size() / 3;
   world.mass = VecX::Constant(n, 1e-4);
   world.dofs = DofMap(std::vector<char>(static_cast<size_t>(n), 1));
-  build_contact(scene->loaded.config, scene->loaded.root, scene->clock, world);
+  build_contact(scene->loaded.experiment, scene->loaded.root, scene->clock, world);
   world.terms = {world.contact_term.get()};
   world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
@@ -89,21 +89,15 @@ std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
 }
 
 std::unique_ptr<Scene> plates() {
-  auto scene = std::make_unique<Scene>();
-  scene->loaded.root = parse_string(plates_text, "plates");
-  bind(scene->loaded.root, scene->loaded.config, "the scene");
-  scene->world = build_world(scene->loaded.config, scene->loaded.root, scene->clock);
+  auto scene = built(parse_experiment(plates_text, "plates"));
   scene->world->contact->begin_step({scene->world->rest});
   scene->world->contact->move_to(scene->world->rest);
   return scene;
 }
 
 std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides) {
-  auto scene = std::make_unique<Scene>();
   overrides.emplace_back("output.frames=false");
-  scene->loaded = load_scene(TACK_SOURCE_DIR "/experiments/" + file, overrides);
-  scene->world = build_world(scene->loaded.config, scene->loaded.root, scene->clock);
-  return scene;
+  return built(load_experiment(TACK_SOURCE_DIR "/experiments/" + file, overrides));
 }
 
 StepPotential::StepPotential(Scene& scene)

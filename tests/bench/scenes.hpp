@@ -5,17 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/incremental_potential.hpp"
-#include "framework/scene/build_world.hpp"
-#include "framework/scene/load_scene.hpp"
+#include "framework/assembly/incremental_potential.hpp"
+#include "framework/experiment/built_experiment.hpp"
 
 namespace tack::bench {
 
-// A world and what it refers to; stays where it is made.
+// A world and what it refers to.
 struct Scene {
-  PhaseClock clock;
-  LoadedScene loaded;
-  std::unique_ptr<World> world;
+  std::unique_ptr<BuiltExperiment> built;  // null for sheets
+  LoadedExperiment loaded = {};            // of sheets
+  std::unique_ptr<World> own_world;
+  PhaseClock own_clock = {};
+  World* world = built ? &built->world() : own_world.get();
+  PhaseClock& clock = built ? built->clock() : own_clock;
 };
 
 enum class Laws { barrier, barrier_and_adhesion };

@@ -23,7 +23,9 @@ struct Totals {
 };
 
 Totals run(Scene& scene, int steps) {
-  TimeStepper stepper(*scene.world, scene.loaded.config, scene.clock, [](const std::string&) {});
+  const Experiment& experiment = scene.built->experiment();
+  TimeStepper stepper(*scene.world, experiment, experiment.time, *experiment.solver, scene.clock,
+                      [](const std::string&) {});
   Totals totals;
   while (!stepper.finished() && totals.steps < steps) {
     const StepReport report = stepper.advance();

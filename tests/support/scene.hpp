@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "framework/scene/build_world.hpp"
+#include "framework/experiment/built_experiment.hpp"
 
 namespace tack {
 
@@ -13,10 +13,10 @@ struct TestScene {
   TestScene(const TestScene&) = delete;
   TestScene& operator=(const TestScene&) = delete;
 
-  PhaseClock clock;
-  Value root;
-  SceneConfig config;
-  std::unique_ptr<World> world;
+  BuiltExperiment built;
+  const Experiment& config = built.experiment();
+  World* const world = &built.world();
+  PhaseClock& clock = built.clock();
 };
 
 }  // namespace tack

@@ -18,6 +18,7 @@ struct Simulation : TestScene {
 
   std::vector<std::string> warnings;
   TimeStepper stepper;
+  std::vector<std::unique_ptr<Probe>> probes;
 };
 
 }  // namespace tack

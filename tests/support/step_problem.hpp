@@ -2,7 +2,7 @@
 // in the open.
 #pragma once
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/step_filter.hpp"
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/time_integrator.hpp"

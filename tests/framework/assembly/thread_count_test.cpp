@@ -2,8 +2,8 @@
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/contact/contact_term.hpp"
-#include "framework/core/incremental_potential.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
@@ -52,7 +52,7 @@ Evaluation evaluate(int threads) {
 VecX simulate(int threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   TestScene scene(boxes);
-  TimeStepper stepper(*scene.world, scene.config, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
   for (int i = 0; i < 4; ++i) stepper.advance();
   return stepper.state().x;
 }

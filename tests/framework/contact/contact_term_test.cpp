@@ -4,8 +4,8 @@
 
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
-#include "tests/support/three_boxes.hpp"
 #include "tests/support/tet_body.hpp"
+#include "tests/support/three_boxes.hpp"
 
 using namespace tack;
 

@@ -5,8 +5,7 @@
 
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
-#include "framework/scene/build_world.hpp"
-#include "framework/scene/load_scene.hpp"
+#include "framework/experiment/built_experiment.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
@@ -18,19 +17,14 @@ namespace {
 const std::string fang = "{type: fang, critical_strain: 0.001}";
 constexpr const char* readme = "{type: readme, strength: 2 kPa, range: 4 mm}";
 
-LoadedScene scene_with(const std::string& adhesion) {
+LoadedExperiment scene_with(const std::string& adhesion) {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene_with(fang, adhesion));
-  return load_scene((folder.path() / "scene.yaml").string(), {});
-}
-
-std::unique_ptr<World> world_of(const LoadedScene& scene) {
-  PhaseClock clock;
-  return build_world(scene.config, scene.root, clock);
+  return load_experiment((folder.path() / "scene.yaml").string(), {});
 }
 
 std::unique_ptr<NormalLaw> prepared_law() {
-  auto law = scene_with(readme).config.contact->pairs[0].adhesion->clone();
+  auto law = scene_with(readme).experiment.contact->pairs[0].adhesion->clone();
   law->prepare({.contact_distance = 1e-3});
   return law;
 }
@@ -52,15 +46,15 @@ TEST_CASE("the README's law fits on a page and may be copied beside the one that
 TEST_CASE("a law is listed, documented and in the schema because it exists") {
   CHECK(contains(list_kind("adhesion"), "readme"));
   CHECK(contains(list_component("adhesion", "readme"), "readme_law.cpp"));
-  const std::string page = reference_page(prototype<SceneConfig>(), "Scene");
+  const std::string page = reference_page(prototype<Experiment>(), "Scene");
   CHECK(contains(page, "### adhesion `readme`"));
   CHECK(contains(page, "| `strength` |"));
-  CHECK(contains(json_schema(prototype<SceneConfig>(), "scene"), "\"readme\""));
+  CHECK(contains(json_schema(prototype<Experiment>(), "scene"), "\"readme\""));
 }
 
 TEST_CASE("a scene that names the law gets it") {
-  const LoadedScene scene = scene_with(readme);
-  const auto world = world_of(scene);
+  const BuiltExperiment built(scene_with(readme));
+  const World* const world = &built.world();
   REQUIRE(world->adhesion.size() == 1);
   CHECK(world->adhesion[0].peak_traction == 2000);
   CHECK(world->adhesion[0].work_of_adhesion == Approx(2000 * 4e-3 * 0.582309));
@@ -99,7 +93,6 @@ TEST_CASE("the law's peak and work are those of its curve") {
 }
 
 TEST_CASE("the law refuses a range that peaks under the barrier, at its place in the scene") {
-  const LoadedScene scene = scene_with("{type: readme, range: 2 mm}");
-  CHECK_THROWS_WITH(world_of(scene), Catch::Contains("scene.yaml:16:7: adhesion smooth:") &&
+  CHECK_THROWS_WITH(BuiltExperiment(scene_with("{type: readme, range: 2 mm}")), Catch::Contains("scene.yaml:16:7: adhesion smooth:") &&
                                          Catch::Contains("raise range"));
 }

@@ -11,8 +11,8 @@
 #include "tests/support/dense_term.hpp"
 #include "tests/support/polynomial_term.hpp"
 #include "tests/support/scene.hpp"
-#include "tests/support/three_boxes.hpp"
 #include "tests/support/tet_body.hpp"
+#include "tests/support/three_boxes.hpp"
 
 using namespace tack;
 

@@ -6,7 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/config/bind.hpp"
-#include "framework/scene/build_world.hpp"
+#include "framework/experiment/built_experiment.hpp"
+#include "framework/experiment/stored_experiment.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
@@ -39,21 +40,19 @@ contact:
 )";
 
 struct Stepped {
-  explicit Stepped(const std::string& yaml) : scene(yaml) { start(scene.world->start); }
-  Stepped(LoadedScene loaded, const State& state) : scene(scene_text), replayed(std::move(loaded)) {
-    world = build_world(replayed->config, replayed->root, scene.clock);
-    world->start = state;
-    stepper.emplace(*world, replayed->config, scene.clock, [](const std::string&) {});
+  explicit Stepped(const std::string& yaml) : Stepped(parse_experiment("name: test\n" + yaml, "test.yaml")) {
+    start(built.world().start);
   }
+  explicit Stepped(LoadedExperiment loaded) : built(std::move(loaded)) {}
   void start(State state) {
-    scene.world->start = std::move(state);
-    scene.world->participants.forget();
-    scene.config.solver = bind_component<Minimizer>(to_value(scene.config.solver.get()));
-    stepper.emplace(*scene.world, scene.config, scene.clock, [](const std::string&) {});
+    built.world().start = std::move(state);
+    built.world().participants.forget();
+    const Experiment& experiment = built.experiment();
+    solver = instance_of(*experiment.solver);
+    stepper.emplace(built.world(), experiment, experiment.time, *solver, built.clock(), [](const std::string&) {});
   }
-  TestScene scene;
-  std::optional<LoadedScene> replayed;
-  std::unique_ptr<World> world;
+  BuiltExperiment built;
+  std::unique_ptr<Minimizer> solver;
   std::optional<TimeStepper> stepper;
 };
 
@@ -84,12 +83,13 @@ TEST_CASE("a step from a problem's file has the bits of the run", "[state_file]"
   for (int step = 0; step < 8; ++step) {  // the motion lets go at step 4
     INFO("step " << step);
     run.start(run.stepper->state());
-    StateFile file = state_file_of(StateFile::Kind::problem, run.scene.config);
+    StateFile file = state_file_of(StateFile::Kind::problem, run.built.experiment());
     file.state = run.stepper->state();
     write_state_file(path, file);
     const StateFile read = read_state_file(path, StateFile::Kind::problem);
     check_same(read.state, file.state);
-    Stepped again(scene_of(read, path), read.state);
+    Stepped again(experiment_of(read, path));
+    again.start(read.state);
     run.stepper->advance();
     again.stepper->advance();
     check_same(again.stepper->state(), run.stepper->state());
@@ -114,8 +114,8 @@ TEST_CASE("a problem carries the meshes that its scene reads from files", "[stat
   write_state_file(path, file);
   fs::remove(mesh);
   const StateFile read = read_state_file(path, StateFile::Kind::problem);
-  const LoadedScene loaded = scene_of(read, path);
-  const auto world = build_world(loaded.config, loaded.root, scene.clock);
+  const BuiltExperiment again(experiment_of(read, path));
+  const World* const world = &again.world();
   CHECK(world->rest == scene.world->rest);
   CHECK(world->bodies[0].tets == scene.world->bodies[0].tets);
   CHECK(world->bodies[0].tags == scene.world->bodies[0].tags);

@@ -1,9 +1,8 @@
 // A pair of objects alone has the stencils that it has in its world.
 #include <catch2/catch.hpp>
 
+#include "framework/experiment/built_experiment.hpp"
 #include "framework/profile/isolated_pair.hpp"
-#include "framework/scene/build_world.hpp"
-#include "framework/scene/load_scene.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
 using namespace tack;
@@ -12,10 +11,10 @@ TEST_CASE("pairs alone have the stencils that they have among others") {
   // With friction between many; with adhesion, guards and samples at a rim.
   const auto [file, steps] = GENERATE(table<std::string, int>({{"arch/stands", 3}, {"debonding/peel", 40}, {"first/hang", 10}}));
   CAPTURE(file);
-  PhaseClock clock;
-  LoadedScene scene = load_scene(TACK_SOURCE_DIR "/experiments/" + file + ".yaml", {});
-  const auto world = build_world(scene.config, scene.root, clock);
-  TimeStepper stepper(*world, scene.config, clock, [](const std::string&) {});
+  BuiltExperiment built(load_experiment(TACK_SOURCE_DIR "/experiments/" + file + ".yaml", {}));
+  const Experiment& experiment = built.experiment();
+  World* const world = &built.world();
+  TimeStepper stepper(*world, experiment, experiment.time, *experiment.solver, built.clock(), [](const std::string&) {});
   for (int i = 0; i < steps; ++i) stepper.advance();
   const auto pairs = count_pairs(*world->contact, world->friction.get());
   long stencils = 0, friction = 0;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 #include "framework/scene/energies.hpp"
 #include "tests/support/simulation.hpp"
 
@@ -179,7 +179,7 @@ TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
   World& world = *run.world;
   PhaseClock clock;
   IncrementalPotential potential(world.terms, world.dofs, world.mass, clock, [](const VecX&) {});
-  EnergyBalance balance(world, run.config);
+  EnergyBalance balance(world, *run.config.solver);
   State state = world.start;
   const auto step_to = [&](double speed) {
     balance.begin(state, false);

@@ -49,8 +49,7 @@ TEST_CASE("an iterate that intersects or inverts ends the run, with its place", 
     TestScene scene(drop("projected_newton"));
     auto solver = std::make_unique<Excursion>(to);
     bind(parse_string("{check_iterates: " + check + "}", "test.yaml"), *solver, "solver");
-    scene.config.solver = std::move(solver);
-    TimeStepper stepper(*scene.world, scene.config, scene.clock, [](const std::string&) {});
+    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *solver, scene.clock, [](const std::string&) {});
     stepper.advance();
   };
   const auto into_the_plate = [](const VecX& q) {
@@ -73,7 +72,7 @@ TEST_CASE("an iterate that intersects or inverts ends the run, with its place", 
 
 TEST_CASE("a first guess that intersects is told", "[iterates]") {
   TestScene scene(drop("{type: projected_newton, check_iterates: true}"));
-  TimeStepper stepper(*scene.world, scene.config, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
   VecX guess = scene.world->start.x;
   for (int b = 0; b < scene.world->dofs.block_count(); ++b) vertex(guess, scene.world->dofs.vertex_of_block(b)).y() -= 0.06;
   CHECK_THROWS_WITH(stepper.solve(0.01, &guess), Catch::Contains("step 1, iteration 0 of the minimisation"));

@@ -4,8 +4,8 @@
 #include "framework/core/minimizer.hpp"
 #include "solvers/line_search/line_search.hpp"
 #include "tests/support/component_variants.hpp"
-#include "tests/support/simulation.hpp"
 #include "tests/support/rms_difference.hpp"
+#include "tests/support/simulation.hpp"
 
 using namespace tack;
 

@@ -18,8 +18,8 @@ TEST_CASE("the minimizer's file fits on a page", "[minimizer]") {
 TEST_CASE("a minimizer is listed, documented and in the schema because it exists", "[minimizer]") {
   CHECK(contains(list_kind("minimizer"), "heavy_ball"));
   CHECK(contains(list_component("minimizer", "heavy_ball"), "file: tests/support/heavy_ball.cpp"));
-  CHECK(contains(reference_page(prototype<SceneConfig>(), "Scene"), "### minimizer `heavy_ball`"));
-  CHECK(contains(json_schema(prototype<SceneConfig>(), "scene"), "\"heavy_ball\""));
+  CHECK(contains(reference_page(prototype<Experiment>(), "Scene"), "### minimizer `heavy_ball`"));
+  CHECK(contains(json_schema(prototype<Experiment>(), "scene"), "\"heavy_ball\""));
 }
 
 TEST_CASE("a scene that names the minimizer is solved by it", "[minimizer]") {

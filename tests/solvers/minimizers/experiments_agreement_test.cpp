@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/minimizer.hpp"
-#include "framework/scene/build_world.hpp"
-#include "framework/scene/load_scene.hpp"
+#include "framework/experiment/built_experiment.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "tests/support/rms_difference.hpp"
 
@@ -38,11 +37,12 @@ struct Outcome {
 Outcome run(const Case& c, const std::string& solver) {
   std::vector<std::string> overrides = c.overrides;
   overrides.push_back("solver=" + solver);
-  const LoadedScene scene = load_scene(std::string(TACK_SOURCE_DIR "/experiments/") + c.file, overrides);
-  PhaseClock clock;
-  const auto world = build_world(scene.config, scene.root, clock);
+  BuiltExperiment built(load_experiment(std::string(TACK_SOURCE_DIR "/experiments/") + c.file, overrides));
+  const Experiment& experiment = built.experiment();
+  World* const world = &built.world();
   Outcome outcome{{}, 0, ""};
-  TimeStepper stepper(*world, scene.config, clock, [&](const std::string& line) { outcome.trouble += line; });
+  TimeStepper stepper(*world, experiment, experiment.time, *experiment.solver, built.clock(),
+                      [&](const std::string& line) { outcome.trouble += line; });
   for (int step = 0; step < c.steps; ++step) {
     const StepReport report = stepper.advance();
     CHECK(report.intersections == 0);

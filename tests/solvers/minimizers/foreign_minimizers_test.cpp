@@ -4,8 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tests/support/component_variants.hpp"
 #include "framework/core/minimizer.hpp"
+#include "tests/support/component_variants.hpp"
 
 using namespace tack;
 

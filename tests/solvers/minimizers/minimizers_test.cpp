@@ -9,9 +9,9 @@
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"
+#include "tests/support/rms_difference.hpp"
 #include "tests/support/simulation.hpp"
 #include "tests/support/step_problem.hpp"
-#include "tests/support/rms_difference.hpp"
 
 using namespace tack;
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "framework/core/energy_account.hpp"
 #include "framework/core/history.hpp"
-#include "framework/stepping/energy_account.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {

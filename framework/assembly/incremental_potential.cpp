@@ -1,11 +1,11 @@
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "framework/assembly/parallel.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term_times.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

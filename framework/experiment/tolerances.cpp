@@ -1,11 +1,11 @@
-#include "framework/scene/tolerances.hpp"
+#include "framework/experiment/tolerances.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "framework/core/incremental_potential.hpp"
+#include "framework/assembly/incremental_potential.hpp"
 
 namespace tack {
 namespace {
@@ -15,8 +15,8 @@ constexpr double of_distance = 0.1;      // of the contact distance, that a step
 constexpr double of_size = 1e-3;         // of the smallest moving object
 constexpr double roundings = 64;         // of a position, in the force of the elements around a vertex
 
-bool has_inertia(const SceneConfig& scene, const World& world) {
-  return scene.time.integrator->predict(world.start, scene.time.step).inertia;
+bool has_inertia(const Experiment& experiment, const World& world) {
+  return experiment.time.integrator->predict(world.start, experiment.time.step).inertia;
 }
 
 // The diagonal of the smallest object that moves [m].
@@ -31,10 +31,10 @@ double smallest_size(const World& world) {
   return smallest;
 }
 
-double velocity_tolerance(const SceneConfig& scene, const World& world) {
+double velocity_tolerance(const Experiment& experiment, const World& world) {
   double way = of_size * smallest_size(world);
-  if (scene.contact) way = std::min(way, of_distance * scene.contact->distance);
-  return way > 0 ? std::min(usual, way / scene.time.step) : usual;
+  if (experiment.contact) way = std::min(way, of_distance * experiment.contact->distance);
+  return way > 0 ? std::min(usual, way / experiment.time.step) : usual;
 }
 
 // The largest force that an element vertex feels per way that it moves, at rest [N/m].
@@ -57,14 +57,14 @@ double stiffness_at_rest(const World& world, PhaseClock& clock) {
 }
 
 // A force that changes no vertex' velocity by more than the tolerance within a step, or that round-off makes.
-double force_floor(const SceneConfig& scene, const World& world, PhaseClock& clock) {
+double force_floor(const Experiment& experiment, const World& world, PhaseClock& clock) {
   const double round_off = roundings * std::numeric_limits<double>::epsilon() * stiffness_at_rest(world, clock) *
                            world.rest.lpNorm<Eigen::Infinity>();
-  if (!has_inertia(scene, world)) return round_off;
+  if (!has_inertia(experiment, world)) return round_off;
   double heaviest = 0;
   for (Eigen::Index v = 0; v < world.mass.size(); ++v)
     if (world.script.ever_free(static_cast<int>(v))) heaviest = std::max(heaviest, world.mass(v));
-  return std::max(round_off, heaviest * scene.solver->velocity_tolerance() / scene.time.step);
+  return std::max(round_off, heaviest * experiment.solver->velocity_tolerance() / experiment.time.step);
 }
 
 // The speeds below which something sticks, with the key that says so.
@@ -83,23 +83,23 @@ std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig&
 
 }  // namespace
 
-void settle_tolerances(const SceneConfig& scene, const World& world, PhaseClock& clock) {
-  Minimizer& solver = *scene.solver;
-  if (!solver.tolerance_given()) solver.set_velocity_tolerance(velocity_tolerance(scene, world));
-  if (!solver.force_floor()) solver.set_force_floor(force_floor(scene, world, clock));
+void settle_tolerances(const Experiment& experiment, const World& world, PhaseClock& clock) {
+  Minimizer& solver = *experiment.solver;
+  if (!solver.tolerance_given()) solver.set_velocity_tolerance(velocity_tolerance(experiment, world));
+  if (!solver.force_floor()) solver.set_force_floor(force_floor(experiment, world, clock));
 }
 
-std::vector<std::string> doubtful_tolerances(const SceneConfig& scene, const World& world) {
+std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world) {
   std::vector<std::string> lines;
-  if (!scene.contact || !has_inertia(scene, world) || scene.solver->stopping() != Stopping::velocity) return lines;
-  const double tolerance = scene.solver->velocity_tolerance(), way = tolerance * scene.time.step;
-  const double distance = scene.contact->distance;
+  if (!experiment.contact || !has_inertia(experiment, world) || experiment.solver->stopping() != Stopping::velocity) return lines;
+  const double tolerance = experiment.solver->velocity_tolerance(), way = tolerance * experiment.time.step;
+  const double distance = experiment.contact->distance;
   if (way > of_distance * distance * (1 + 1e-9))
     lines.push_back(fmt::format(
         "solver.tolerance {:.4g} m/s lets a step of {:.4g} s end {:.4g} m off, and the contact distance is {:.4g} m; "
-        "lower solver.tolerance to {:.4g} m/s or less", tolerance, scene.time.step, way, distance,
-        of_distance * distance / scene.time.step));
-  for (const auto& [key, speed] : sticking_speeds(*scene.contact))
+        "lower solver.tolerance to {:.4g} m/s or less", tolerance, experiment.time.step, way, distance,
+        of_distance * distance / experiment.time.step));
+  for (const auto& [key, speed] : sticking_speeds(*experiment.contact))
     if (speed < tolerance * (1 - 1e-9))
       lines.push_back(fmt::format("{} {:.4g} m/s is below solver.tolerance {:.4g} m/s, so sticking is not resolved; "
                                   "lower the tolerance below it, or raise it", key, speed, tolerance));

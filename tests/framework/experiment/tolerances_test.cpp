@@ -1,5 +1,5 @@
 // Tolerances that a scene does not give, and those that do not fit it.
-#include "framework/scene/tolerances.hpp"
+#include "framework/experiment/tolerances.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

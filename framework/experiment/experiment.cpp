@@ -1,0 +1,16 @@
+#include "framework/experiment/experiment.hpp"
+
+namespace tack {
+
+void Experiment::fields(Fields& f) {
+  f.text("name", name, "what the results folder is called").required();
+  f.text("about", about, "what the experiment must show");
+  f.object("time", time, "time stepping");
+  SceneConfig::fields(f);
+  f.component("solver", solver, "minimiser of each step");
+  f.component_list("probes", probes, "quantities recorded every step");
+  f.object("output", output, "what is written");
+  f.list("expect", expect, "what must hold for the run to exit with 0");
+}
+
+}  // namespace tack

@@ -1,0 +1,28 @@
+// The experiment's file, typed: every key with its default. Nothing is built here (build.hpp).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/core/minimizer.hpp"
+#include "framework/output/expectations.hpp"
+#include "framework/output/output_config.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/stepping/time_config.hpp"
+
+namespace tack {
+
+struct Experiment : SceneConfig {
+  std::string name;
+  std::string about;
+  TimeConfig time;
+  std::unique_ptr<Minimizer> solver = Registry<Minimizer>::make("projected_newton");
+  std::vector<std::unique_ptr<Probe>> probes;
+  OutputConfig output;
+  std::vector<Expectation> expect;
+  void fields(Fields& f);
+};
+
+}  // namespace tack

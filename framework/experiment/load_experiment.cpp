@@ -1,0 +1,27 @@
+#include "framework/experiment/load_experiment.hpp"
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+
+namespace tack {
+namespace {
+
+LoadedExperiment bound(Value root) {
+  LoadedExperiment loaded{std::move(root), {}};
+  bind(loaded.root, loaded.experiment, "the scene");
+  return loaded;
+}
+
+}  // namespace
+
+LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
+  Value root = parse_file(path);
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  return bound(std::move(root));
+}
+
+LoadedExperiment parse_experiment(const std::string& text, const std::string& name) {
+  return bound(parse_string(text, name));
+}
+
+}  // namespace tack

@@ -1,0 +1,22 @@
+// From a file on disk to a typed experiment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/experiment/experiment.hpp"
+
+namespace tack {
+
+struct LoadedExperiment {
+  Value root;  // as parsed, for places in messages
+  Experiment experiment;
+};
+
+// `overrides` are "a.b=c". Throws InputError with file, line and remedy.
+LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides);
+
+// The same of a text; `name` stands for the file in messages.
+LoadedExperiment parse_experiment(const std::string& text, const std::string& name);
+
+}  // namespace tack

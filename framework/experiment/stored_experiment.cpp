@@ -1,0 +1,38 @@
+#include "framework/experiment/stored_experiment.hpp"
+
+#include "framework/config/describe.hpp"
+
+namespace tack {
+namespace {
+
+// An object's mesh that was read from a file when the state was stored.
+class StoredMesh : public ShapeSource {
+ public:
+  explicit StoredMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
+  Mesh make() const override { return mesh_; }
+
+ private:
+  Mesh mesh_;
+};
+
+}  // namespace
+
+StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment) {
+  StateFile file;
+  file.kind = kind;
+  file.scene = to_yaml(fields_of(experiment));
+  if (kind == StateFile::Kind::checkpoint) return file;  // resumed with the scene's own files
+  for (const ObjectConfig& object : experiment.objects)
+    if (object.shape->reads_files()) file.meshes[object.name] = object.shape->make();
+  return file;
+}
+
+LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
+  LoadedExperiment loaded = parse_experiment(file.scene, name);
+  for (ObjectConfig& object : loaded.experiment.objects)
+    if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
+      object.shape = std::make_unique<StoredMesh>(mesh->second);
+  return loaded;
+}
+
+}  // namespace tack

@@ -1,0 +1,21 @@
+// What a run writes and how often, typed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/config/field.hpp"
+
+namespace tack {
+
+struct OutputConfig {
+  double frame_interval = 0;  // s; 0: every step
+  bool frames = true;
+  std::optional<double> checkpoint_interval;  // s
+  std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force",
+                                           "friction_force"};
+  void fields(Fields& f);
+};
+
+}  // namespace tack

@@ -1,0 +1,46 @@
+#include "framework/output/probe_set.hpp"
+
+#include "framework/config/bind.hpp"
+#include "framework/scene/build_world.hpp"
+
+namespace tack {
+
+ProbeSet::ProbeSet(const std::vector<std::unique_ptr<Probe>>& specified, const Value& root, const World& world) {
+  for (size_t i = 0; i < specified.size(); ++i) {
+    Probe& probe = *probes_.emplace_back(instance_of(*specified[i]));
+    try {
+      probe.prepare(world);
+    } catch (const InputError& error) {
+      throw InputError(place_of(root, "probes", i) + error.what());
+    }
+    const auto more = probe.columns();
+    columns_.insert(columns_.end(), more.begin(), more.end());
+    units_.resize(units_.size() + more.size(), probe.unit());
+  }
+}
+
+void ProbeSet::check(const std::vector<Expectation>& expectations, const Value& root) const {
+  std::vector<std::string> columns = {"time"};
+  std::vector<Unit> of_columns = {units::time};
+  columns.insert(columns.end(), columns_.begin(), columns_.end());
+  of_columns.insert(of_columns.end(), units_.begin(), units_.end());
+  for (size_t i = 0; i < expectations.size(); ++i) {
+    try {
+      check_columns(expectations[i], columns);
+      check_units(expectations[i], columns, of_columns);
+    } catch (const InputError& error) {
+      throw InputError(place_of(root, "expect", i) + error.what());
+    }
+  }
+}
+
+std::vector<double> ProbeSet::sample(const World& world, const State& state) {
+  std::vector<double> values;
+  for (const auto& probe : probes_) {
+    const auto more = probe->sample(world, state);
+    values.insert(values.end(), more.begin(), more.end());
+  }
+  return values;
+}
+
+}  // namespace tack

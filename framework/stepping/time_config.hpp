@@ -1,0 +1,21 @@
+// The steps of a simulation, typed: how long, how many, and how each becomes a minimisation.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "framework/config/field.hpp"
+#include "framework/stepping/time_integrator.hpp"
+
+namespace tack {
+
+struct TimeConfig {
+  double step = 0.01;     // s
+  double duration = 1;    // s
+  std::optional<double> wall_limit;  // s of wall time
+  int max_halvings = 8;
+  std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
+  void fields(Fields& f);
+};
+
+}  // namespace tack

@@ -1,0 +1,57 @@
+// No include goes up: the sources of a layer include those of their own and of lower layers only.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <regex>
+
+#include "tests/support/program.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+// From the ground up. Energies and solvers stand beside each other on the framework.
+const std::vector<std::string> layers = {
+    "geometry", "framework/config", "framework/core", "framework/assembly", "framework/contact", "framework/scene",
+    "framework/stepping", "framework/output", "framework/experiment", "framework/probes", "framework/profile",
+    "framework/run", "framework/compare", "framework/app", "energies", "solvers"};
+
+// Of a path relative to the source tree; -1 if it is in none.
+int layer_of(const std::string& path) {
+  for (size_t i = 0; i < layers.size(); ++i)
+    if (path.starts_with(layers[i] + "/")) return static_cast<int>(i);
+  return -1;
+}
+
+bool may_include(int from, int to) {
+  const std::string& top = layers[from];
+  if (to < 0) return false;
+  if (top == "energies" || top == "solvers") return to == from || !(layers[to] == "energies" || layers[to] == "solvers");
+  return to <= from;
+}
+
+}  // namespace
+
+TEST_CASE("no include goes up", "[structure]") {
+  CHECK(may_include(layer_of("framework/core/a.cpp"), layer_of("geometry/a.hpp")));
+  CHECK_FALSE(may_include(layer_of("framework/core/a.cpp"), layer_of("framework/assembly/a.hpp")));
+  CHECK_FALSE(may_include(layer_of("solvers/a.cpp"), layer_of("energies/a.hpp")));
+  CHECK_FALSE(may_include(layer_of("framework/app/a.cpp"), layer_of("solvers/a.hpp")));
+  const std::regex include("\n#include \"([^\"]+)\"");
+  int files = 0, includes = 0;
+  for (const char* top : {"geometry", "framework", "energies", "solvers"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(TACK_SOURCE_DIR) / top)) {
+      if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+      const std::string path = fs::relative(entry.path(), TACK_SOURCE_DIR).string(), text = "\n" + file_text(entry.path());
+      const int layer = layer_of(path);
+      INFO(path);
+      REQUIRE(layer >= 0);
+      ++files;
+      for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i, ++includes) {
+        INFO("includes " << (*i)[1]);
+        CHECK(may_include(layer, layer_of((*i)[1])));
+      }
+    }
+  CHECK(files > 300);
+  CHECK(includes > files);
+}
