@@ -53,7 +53,11 @@ class BodyForce : public Load {
   }
   void add_forces(const Body& body, const VecX& rest, const VecX& mass, double t,
                   VecX& force) const override {
-    for (const int v : select(*select_, {body, rest}))
+    const std::vector<int> chosen = select(*select_, {body, rest});
+    if (!body.frame.empty() && static_cast<int>(chosen.size()) != body.vertex_count)
+      throw InputError("object '" + body.name + "': a body force on part of an affine body has no meaning (its mass is that "
+                       "of the whole); select all of it, or use a traction");
+    for (const int v : body.frame.empty() ? chosen : body.frame)
       vertex(force, v) += mass(v) * profile_.at(vertex(rest, v), t) * value_;
   }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "framework/assembly/parallel.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {

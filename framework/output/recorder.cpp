@@ -8,7 +8,7 @@ namespace {
 
 FrameGeometry frame_geometry(const World& world) {
   FrameGeometry g;
-  g.vertices = static_cast<int>(world.rest.size()) / 3;
+  g.vertices = world.mesh_vertex_count();
   std::vector<int> of_tets, of_triangles, of_edges, of_points;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
@@ -78,12 +78,14 @@ std::vector<PointField> Recorder::point_fields(const State& state) const {
     if (name == "friction_force" && world_.friction)
       fields.push_back({name, 3, world_.friction->forces(state.x, TangentialPart::all), "N"});
   }
+  // Vertices that are in no mesh are not shown.
+  for (PointField& field : fields) field.values.conservativeResize(field.components * geometry_.vertices);
   return fields;
 }
 
 void Recorder::write_frame(const State& state) {
   const auto file = RunFolder::frame(pvd_.frames());
-  write_vtu(folder_.root() / file, geometry_, state.x, state.time, point_fields(state));
+  write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, point_fields(state));
   pvd_.add(state.time, file);
   schedule_frame(state.time);
 }

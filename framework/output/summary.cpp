@@ -81,6 +81,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"max_contacts", s.max_contacts},
           {"min_distance", finite(s.min_distance)},
           {"max_unbalanced_force", finite(s.max_unbalanced_force)},
+          {"max_affine_strain", finite(s.max_affine_strain)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
           {"energy", energy_json(s)},
@@ -117,6 +118,7 @@ void RunSummary::add(const StepReport& report) {
   max_contacts = std::max(max_contacts, report.contacts);
   min_distance = std::min(min_distance, report.min_distance);
   max_unbalanced_force = std::max(max_unbalanced_force, report.unbalanced_force);
+  max_affine_strain = std::max(max_affine_strain, report.affine_strain);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
   flows += report.flows;

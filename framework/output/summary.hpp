@@ -2,7 +2,7 @@
 //
 // Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
-// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], intersections,
+// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], max_affine_strain, intersections,
 // inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_areas,
 // dissipated_numerics [J] (stepping/energy_balance.hpp), damped_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
@@ -48,6 +48,7 @@ struct RunSummary {
   int max_contacts = 0;
   double min_distance = std::numeric_limits<double>::infinity();  // m
   double max_unbalanced_force = 0;  // at the end of a step [N]
+  double max_affine_strain = 0;     // of any affine body
   int intersections = 0;
   int inverted_tets = 0;
   EnergyFlows flows;     // sums [J]

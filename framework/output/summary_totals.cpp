@@ -21,6 +21,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("max_contacts", s.max_contacts);
   act("min_distance", s.min_distance);
   act("max_unbalanced_force", s.max_unbalanced_force);
+  act("max_affine_strain", s.max_affine_strain);
   act("intersections", s.intersections);
   act("inverted_tets", s.inverted_tets);
   EnergyFlows::for_each(s.flows, act);

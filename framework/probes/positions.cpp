@@ -22,16 +22,7 @@ class CentreOfMass : public VectorProbe {
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    const Body& body = world.bodies[index_];
-    const VecX& rows = velocity_ ? state.v : state.x;
-    Vec3 sum = Vec3::Zero();
-    double mass = 0;
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      const double m = world.mass(v) > 0 ? world.mass(v) : 1.0;  // fixed objects have no mass
-      sum += m * vertex(rows, v);
-      mass += m;
-    }
-    return sum / mass;
+    return world.centre_of_mass(index_, velocity_ ? state.v : state.x);
   }
 
  private:

@@ -21,6 +21,9 @@ struct Body {
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, as in the mesh for sheets
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
+  std::vector<int> frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
+  double volume = 0;       // of an affine body [m^3]
+  double stiffness = 0;    // likewise [Pa]
   std::optional<MeshDigest> file_mesh;  // if the mesh was read from a file: as it was there
 };
 

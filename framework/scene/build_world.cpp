@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/scene/affine_bodies.hpp"
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/named_selections.hpp"
@@ -61,11 +62,13 @@ void hold_vertices(const ObjectConfig& object, int index, World& world) {
     body.movable = body.movable || world.script.ever_free(v);
 }
 
-void add_energies(const ObjectConfig& object, const Body& body, World& world) {
+void add_energies(const ObjectConfig& object, int index, World& world) {
+  const Body& body = world.bodies[index];
   if (!body.movable) return;
+  if (object.body) return add_affine_masses(object, index, world);
   if (object.energies.empty())
     throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
-                                 "(energies: [...]) or fix it (motion: [fixed])", object.name));
+                                 "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
   for (const auto& energy : object.energies) {
     world.elastic_terms.push_back(energy->make_term(body, world.rest));
     energy->add_mass(body, world.rest, world.mass);
@@ -74,11 +77,11 @@ void add_energies(const ObjectConfig& object, const Body& body, World& world) {
 }
 
 void check_mass(const Value& root, const World& world) {
-  for (int v = 0; v < static_cast<int>(world.mass.size()); ++v) {
+  for (int v = 0; v < world.mesh_vertex_count(); ++v) {
     if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
     for (size_t i = 0; i < world.bodies.size(); ++i) {
       const Body& body = world.bodies[i];
-      if (v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
+      if (body.frame.empty() && v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
         throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
                                      "with a density", place_of(root, "objects", i), body.name,
                                      v - body.first_vertex));
@@ -91,10 +94,13 @@ void start_state(const SceneConfig& scene, World& world) {
   s.x = world.rest;
   s.v = s.a = VecX::Zero(world.rest.size());
   for (size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
-      if (world.dofs.moves(v)) vertex(s.v, v) = scene.objects[i].velocity;
+    const ObjectConfig& object = scene.objects[i];
+    const Vec3 centre = object.spin.isZero() ? Vec3::Zero() : world.centre_of_mass(static_cast<int>(i), s.x);
+    for (const int v : world.vertices_of(static_cast<int>(i))) {
+      if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
+    }
   }
+  world.dofs.follow(s.v);
 }
 
 const Value* entry(const Value* list, size_t i) {
@@ -178,6 +184,9 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     add_body(object, mesh, *world);
     world->bodies.back().file_mesh = file_mesh;
   });
+  for_each_object(scene, root, [&](size_t i) {
+    if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
+  });
   add_named_selections(scene, root, *world);
   world->mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
@@ -189,7 +198,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     });
   const std::vector<char> free = world->script.free(world->script.active(first_step / 2));
   world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)));
-  for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], world->bodies[i], *world); });
+  for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], static_cast<int>(i), *world); });
+  add_affine_terms(scene, first_step, *world);
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;

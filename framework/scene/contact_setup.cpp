@@ -6,27 +6,12 @@
 #include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/build_world.hpp"
+#include "framework/scene/local_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
 
 namespace tack {
 namespace {
-
-// The surface of a body as a mesh of its own, in local indices.
-Mesh local_mesh(const Body& body, const VecX& rest) {
-  Mesh mesh;
-  for (int v = 0; v < body.vertex_count; ++v) mesh.vertices.push_back(vertex(rest, body.first_vertex + v));
-  const auto shifted = [&](auto elements) {
-    for (auto& element : elements)
-      for (int& v : element) v -= body.first_vertex;
-    return elements;
-  };
-  mesh.tets = shifted(body.tets);
-  if (body.tets.empty()) mesh.triangles = shifted(body.triangles);
-  mesh.edges = shifted(body.edges);
-  for (const int v : body.points) mesh.points.push_back(v - body.first_vertex);
-  return mesh;
-}
 
 struct SurfaceSize {
   double area = 0;  // m^2
@@ -254,6 +239,22 @@ void check_range(const PairTable& table, const Value& root, const VecX& rest) {
                                "the range of the adhesion", contact ? contact->mark.text() + ": " : "", range, size));
 }
 
+// What a script holds rigidly, and affine bodies; empty without either.
+std::vector<int> rigid_groups(const World& world) {
+  if (world.script.holds().empty() && world.bindings.frames().empty()) return {};
+  std::vector<int> groups;
+  for (int v = 0; v < world.dofs.vertex_count(); ++v) groups.push_back(world.script.rigid_group(v));
+  int next = static_cast<int>(world.script.holds().size()) + 1;
+  for (const AffineFrame& body : world.bindings.frames()) {
+    const bool held = std::all_of(body.carried.begin(), body.carried.end(),
+                                  [&](const AffineFrame::Carried& c) { return groups[c.vertex] >= 0; });
+    ++next;
+    for (const AffineFrame::Carried& c : body.carried)
+      if (!held) groups[c.vertex] = next;
+  }
+  return groups;
+}
+
 }  // namespace
 
 void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world) {
@@ -263,12 +264,12 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   for (size_t i = 0; i < world.bodies.size(); ++i)
     sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, surface));
   surface.rest = world.rest;
-  for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty());
+  for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty() || !body.frame.empty());
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
     surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.script.may_move(v);
-  for (int v = 0; !world.script.holds().empty() && v < world.dofs.vertex_count(); ++v)
-    surface.mesh.vertex_group.push_back(world.script.rigid_group(v));
+  surface.mesh.vertex_object.insert(surface.mesh.vertex_object.end(), world.extra_object.begin(), world.extra_object.end());
+  surface.mesh.vertex_group = rigid_groups(world);
   PairBuilder builder(scene, root, world);
   builder.build(sizes);
   check_range(builder.table(), root, world.rest);

@@ -18,6 +18,11 @@ class Lengths {
         lengths_(VecX::Constant(world.mass.size(), std::numeric_limits<double>::infinity())) {
     for (const Body& body : world.bodies) add_elements(body);
     if (world.contact) add_gaps(world.contact->surface().mesh, world.contact->candidates());
+    // What others follow may move as far as those may.
+    const std::vector<int>& dependents = world.dofs.dependents();
+    for (size_t k = 0; k < dependents.size(); ++k)
+      for (const DofMap::Part& part : world.dofs.parts(static_cast<int>(k)))
+        lower(std::array{part.leaf}, lengths_(dependents[k]) / std::max(1.0, 4 * std::abs(part.weight)));
   }
   const VecX& all() const { return lengths_; }
 

@@ -19,10 +19,12 @@ void ObjectConfig::fields(Fields& f) {
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
-  f.component_list("energies", energies, "its potential energies; an object that is all fixed needs none");
+  f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
+  f.component_list("energies", energies, "its potential energies; one that is all fixed, or an affine body, needs none");
   f.component_list("motion", motion, "prescribed motion of some vertices");
   f.component_list("loads", loads, "external forces");
-  f.vector("velocity", velocity, units::velocity, "initial velocity of its free vertices");
+  f.vector("velocity", velocity, units::velocity, "initial velocity of what is free of it");
+  f.vector("spin", spin, units::angular_velocity, "initial angular velocity of what is free of it, about its centre of mass");
 }
 
 void PairConfig::fields(Fields& f) {

@@ -9,6 +9,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/contact/normal_law.hpp"
+#include "framework/scene/body_model.hpp"
 #include "framework/scene/energy.hpp"
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
@@ -37,10 +38,12 @@ struct ObjectConfig {
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
   std::vector<NamedSelection> selections;
+  std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::vector<std::unique_ptr<Motion>> motion;
   std::vector<std::unique_ptr<Load>> loads;
   Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 spin = Vec3::Zero();      // rad/s
   void fields(Fields& f);
 };
 

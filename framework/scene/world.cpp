@@ -1,5 +1,7 @@
 #include "framework/scene/world.hpp"
 
+#include <numeric>
+
 #include "framework/contact/friction_term.hpp"
 
 namespace tack {
@@ -14,9 +16,35 @@ int World::body_index(const std::string& name) const {
 }
 
 int World::body_of(int vertex) const {
+  if (vertex >= mesh_vertex_count()) return extra_object[vertex - mesh_vertex_count()];
   int body = 0;
   while (vertex >= bodies[body].first_vertex + bodies[body].vertex_count) ++body;
   return body;
+}
+
+std::vector<int> World::vertices_of(int body) const {
+  std::vector<int> all(bodies[body].vertex_count);
+  std::iota(all.begin(), all.end(), bodies[body].first_vertex);
+  for (size_t i = 0; i < extra_object.size(); ++i)
+    if (extra_object[i] == body) all.push_back(mesh_vertex_count() + static_cast<int>(i));
+  return all;
+}
+
+Vec3 World::centre_of_mass(int body, const VecX& x) const {
+  const Body& b = bodies[body];
+  Vec3 sum = Vec3::Zero();
+  double total = 0;
+  const auto add = [&](int v) {
+    const double m = mass(v) > 0 ? mass(v) : 1.0;  // fixed objects have no mass
+    sum += m * vertex(x, v);
+    total += m;
+  };
+  if (b.frame.empty() || mass(b.frame[0]) == 0) {
+    for (int v = b.first_vertex; v < b.first_vertex + b.vertex_count; ++v) add(v);
+  } else {
+    for (const int v : b.frame) add(v);
+  }
+  return sum / total;
 }
 
 }  // namespace tack

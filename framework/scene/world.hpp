@@ -18,13 +18,15 @@ namespace tack {
 class ContactSystem;
 class ContactTerm;
 class FrictionTerm;
+class OrthogonalityTerm;
 
 struct World {
   World();
   ~World();
 
   std::vector<Body> bodies;
-  VecX rest;              // 3n [m]
+  VecX rest;              // 3n [m]: the vertices of the bodies' meshes, then those that are in none
+  std::vector<int> extra_object;  // of the latter: the body that each belongs to
   VecX mass;              // n [kg]
   Script script;          // who is held when
   Bindings bindings;      // which vertices follow others
@@ -33,6 +35,7 @@ struct World {
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
+  const OrthogonalityTerm* affine = nullptr;  // of them, that of affine bodies; null without any
   GravityTerm gravity_term;
   LoadTerm load_term;
   std::unique_ptr<ContactSystem> contact;  // null without contact
@@ -45,6 +48,10 @@ struct World {
 
   int body_index(const std::string& name) const;  // -1 if there is none
   int body_of(int vertex) const;                  // whose vertex (global) that is
+  // Of the configuration x (3n); of a body without mass, the mean of its vertices.
+  Vec3 centre_of_mass(int body, const VecX& x) const;
+  std::vector<int> vertices_of(int body) const;  // of its mesh, and those of its that are in none
+  int mesh_vertex_count() const { return static_cast<int>(rest.size()) / 3 - static_cast<int>(extra_object.size()); }
   SelectionContext selection_context(int body) const { return {bodies[body], rest}; }
 };
 

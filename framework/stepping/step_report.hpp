@@ -18,6 +18,7 @@ struct StepReport {
   int halvings = 0;      // failed solves behind this step
   MinimizerResult solve;
   bool converged = false;
+  double affine_strain = 0;     // the largest of any affine body
   double unbalanced_force = 0;  // the largest that is left at a vertex [N]
   double tolerated_force = 0;   // the largest that may be [N]
   int contacts = 0;         // active stencils

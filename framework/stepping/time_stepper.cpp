@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "framework/affine/orthogonality_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/interrupt.hpp"
 #include "framework/scene/energies.hpp"
@@ -295,6 +296,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h, int halvings) c
   r.intersections = found_.intersections;
   r.inverted_tets = found_.inverted_tets;
   r.energies = energies_by_term(world_, state_);
+  if (world_.affine) r.affine_strain = world_.affine->largest_strain(state_.x);
   return r;
 }
 
@@ -334,6 +336,9 @@ StepReport TimeStepper::advance() {
       r.flows.damped = integrator_ != time_.integrator.get();
       integrator_ = time_.integrator.get();
       if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_(balance_.warning());
+      if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
+        warn_(fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
+                          state_.step, state_.time, r.affine_strain, tolerated_affine_strain));
       if (!attempt.lag_converged)
         warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
                           "{:.2g} of the largest (contact.lagging.until: {:.2g})",

@@ -92,7 +92,7 @@ class TimeStepper {
   Convergence convergence_;
   EnergyBalance balance_;
   const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
-  bool told_of_gain_ = false;
+  bool told_of_gain_ = false, told_of_strain_ = false;
   std::optional<IncrementalPotential> potential_;
   ScriptFollower follower_;
   std::vector<std::unique_ptr<StepFilter>> filters_;

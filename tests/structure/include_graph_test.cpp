@@ -12,7 +12,8 @@ namespace {
 
 // From the ground up. Energies and solvers stand beside each other on the framework.
 const std::vector<std::string> layers = {
-    "geometry", "framework/config", "framework/core", "framework/assembly", "framework/contact", "framework/scene",
+    "geometry", "framework/config", "framework/core", "framework/assembly", "framework/contact", "framework/affine",
+    "framework/scene",
     "framework/stepping", "framework/output", "framework/experiment", "framework/probes", "framework/profile",
     "framework/run", "framework/compare", "framework/app", "energies", "solvers"};
 

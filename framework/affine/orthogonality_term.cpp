@@ -1,0 +1,102 @@
+#include "framework/affine/orthogonality_term.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/stencil_blocks.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+Mat3 edges_of(const Tet& t, const VecX& x) {
+  Mat3 edges;
+  for (int k = 0; k < 3; ++k) edges.col(k) = vertex(x, t[k + 1]) - vertex(x, t[0]);
+  return edges;
+}
+
+Mat3 strain_of(const Mat3& a) { return 0.5 * (a.transpose() * a - Mat3::Identity()); }
+
+}  // namespace
+
+void OrthogonalityTerm::add(const Tet& frame, const VecX& rest, double volume, double stiffness) {
+  frames_.push_back(frame);
+  bodies_.push_back({edges_of(frame, rest).inverse(), stiffness * volume});
+}
+
+Mat3 OrthogonalityTerm::map_of(int body, const VecX& x) const { return edges_of(frames_[body], x) * bodies_[body].shape; }
+
+Eigen::Matrix<double, 3, 4> OrthogonalityTerm::corners(int body) const {
+  Eigen::Matrix<double, 3, 4> c;
+  c.rightCols<3>() = bodies_[body].shape.transpose();
+  c.col(0) = -c.rightCols<3>().rowwise().sum();
+  return c;
+}
+
+double OrthogonalityTerm::largest_strain(const VecX& x) const {
+  double largest = 0;
+  for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
+    const Mat3 strain = strain_of(map_of(b, x));
+    largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Mat3>(strain, Eigen::EigenvaluesOnly)
+                                    .eigenvalues().lpNorm<Eigen::Infinity>());
+  }
+  return largest;
+}
+
+double OrthogonalityTerm::value(const VecX& x) const {
+  return sum_chunks(static_cast<int>(bodies_.size()), [&](int first, int last) {
+    double sum = 0;
+    for (int b = first; b < last; ++b) sum += bodies_[b].modulus / 2 * strain_of(map_of(b, x)).squaredNorm();
+    return sum;
+  });
+}
+
+std::vector<StencilBatch> OrthogonalityTerm::batches() const {
+  return {{4, static_cast<int>(frames_.size()), frames_.empty() ? nullptr : frames_.front().data()}};
+}
+
+void OrthogonalityTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+  for_each(static_cast<int>(bodies_.size()), [&](int b) {
+    const Mat3 a = map_of(b, x), strain = strain_of(a);
+    const auto c = corners(b);
+    const double modulus = bodies_[b].modulus;
+    Eigen::Map<Eigen::Matrix<double, 3, 4>>{gradient + 12 * static_cast<size_t>(b)} = modulus * a * strain * c;
+    if (!hessian) return;
+    // d(A E) = dA E + A (dA^T A + A^T dA) / 2, with dA = dx_k c_k^T.
+    Eigen::Matrix<double, 12, 12> h;
+    const Mat3 outer = a * a.transpose();
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const Vec3 ci = c.col(i), cj = c.col(j);
+        h.block<3, 3>(3 * i, 3 * j) = modulus * (ci.dot(strain * cj) * Mat3::Identity() + 0.5 * (ci.dot(cj) * outer) +
+                                                 0.5 * (a * cj) * (a * ci).transpose());
+      }
+    if (filter != SpdFilter::none) project_stencil_psd<4>(h, filter);
+    store_blocks<4>(h, hessian + 90 * static_cast<size_t>(b));
+  }, 16);
+}
+
+std::vector<ResidualBatch> OrthogonalityTerm::residual_batches() const {
+  return {{4, 6, static_cast<int>(frames_.size()), frames_.empty() ? nullptr : frames_.front().data()}};
+}
+
+// The six strains, those of shear times the root of two.
+bool OrthogonalityTerm::residuals(const VecX& x, double* r, double* jacobian) const {
+  for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
+    const Mat3 a = map_of(b, x), strain = strain_of(a);
+    const auto c = corners(b);
+    const double root = std::sqrt(bodies_[b].modulus);
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        const double factor = i == j ? root : std::sqrt(2.0) * root;
+        *r++ = factor * strain(i, j);
+        if (!jacobian) continue;
+        for (int k = 0; k < 4; ++k, jacobian += 3)
+          Eigen::Map<Vec3>{jacobian} = factor / 2 * (c(i, k) * a.col(j) + c(j, k) * a.col(i));
+      }
+  }
+  return true;
+}
+
+}  // namespace tack

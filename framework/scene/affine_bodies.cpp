@@ -1,0 +1,112 @@
+#include "framework/scene/affine_bodies.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/affine/frame.hpp"
+#include "framework/affine/orthogonality_term.hpp"
+#include "framework/scene/local_mesh.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class Affine : public BodyModel {
+ public:
+  void fields(Fields& f) override {
+    f.number("density", density_, units::density, "mass per volume").positive();
+    f.optional_number("stiffness", stiffness_, units::pressure,
+                      "stress that strains it by one; unless given, what keeps strains below 1e-4 under the weight of all "
+                      "that moves, and where it is stopped within a step at the speed of a fall over the whole scene")
+        .positive();
+  }
+  double density() const override { return density_; }
+  std::optional<double> stiffness() const override { return stiffness_; }
+
+ private:
+  double density_ = 1000;            // kg/m^3
+  std::optional<double> stiffness_;  // Pa
+};
+
+TACK_REGISTER(BodyModel, Affine, "affine",
+              "Moves affinely, all but rigidly: twelve unknowns whatever its mesh, with its exact mass and second moments.",
+              "Lan, Kaufman, Li, Jiang, Yang 2022, Affine Body Dynamics");
+
+Eigen::AlignedBox3d extent_of(const Body& body, const VecX& rest) {
+  Eigen::AlignedBox3d box;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) box.extend(Vec3(vertex(rest, v)));
+  return box;
+}
+
+int append_vertex(const Vec3& x, int object, World& world) {
+  world.rest.conservativeResize(world.rest.size() + 3);
+  world.rest.tail<3>() = x;
+  world.extra_object.push_back(object);
+  return static_cast<int>(world.rest.size()) / 3 - 1;
+}
+
+}  // namespace
+
+void add_frame(const ObjectConfig& object, int index, World& world) {
+  Body& body = world.bodies[index];
+  if (!object.energies.empty())
+    throw InputError(fmt::format("object '{}' is an affine body and has energies, which would never strain; give "
+                                 "body.density, and take the energies or `body` away", object.name));
+  try {
+    const MassProperties properties = mass_properties(local_mesh(body, world.rest));
+    const BodyFrame frame = body_frame(properties);
+    body.volume = properties.volume;
+    for (const Vec3& x : frame.vertices) body.frame.push_back(append_vertex(x, index, world));
+    AffineFrame binding{{body.frame[0], body.frame[1], body.frame[2], body.frame[3]}, {}};
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+      binding.carried.push_back({v, frame.weights(vertex(world.rest, v))});
+    world.bindings.add(std::move(binding));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("object '{}' (body: affine) {}", object.name, error.what()));
+  }
+}
+
+double default_stiffness(const SceneConfig& scene, const World& world, int index, double step) {
+  Eigen::AlignedBox3d all;
+  double speed = 0, mass = 0;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Eigen::AlignedBox3d box = extent_of(world.bodies[i], world.rest);
+    all.extend(box);
+    if (!world.bodies[i].movable) continue;
+    speed = std::max(speed, scene.objects[i].velocity.norm() + scene.objects[i].spin.norm() * box.diagonal().norm() / 2);
+  }
+  for (int v = 0; v < static_cast<int>(world.mass.size()); ++v)
+    if (world.script.ever_free(v)) mass += world.mass(v);
+  const double g = scene.gravity.norm();
+  if (g > 0) speed = std::hypot(speed, std::sqrt(2 * all.diagonal().dot(scene.gravity.cwiseAbs())));
+  Vec3 size = extent_of(world.bodies[index], world.rest).sizes();
+  std::sort(size.begin(), size.end());
+  const double density = scene.objects[index].body->density();
+  const double stress = mass * g / (size(0) * size(1)) + density * size(2) * speed / step;
+  constexpr double least = 1e6;  // Pa: of what nothing ever pushes
+  return std::max(least, stress / tolerated_affine_strain);
+}
+
+void add_affine_masses(const ObjectConfig& object, int index, World& world) {
+  const Body& body = world.bodies[index];
+  for (const int v : body.frame) world.mass(v) = object.body->density() * body.volume / 4;
+}
+
+void add_affine_terms(const SceneConfig& scene, double step, World& world) {
+  auto term = std::make_unique<OrthogonalityTerm>();
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    Body& body = world.bodies[i];
+    if (body.frame.empty() || !body.movable) continue;
+    const Tet frame = {body.frame[0], body.frame[1], body.frame[2], body.frame[3]};
+    body.stiffness = scene.objects[i].body->stiffness().value_or(0);
+    if (body.stiffness == 0) body.stiffness = default_stiffness(scene, world, static_cast<int>(i), step);
+    term->add(frame, world.rest, body.volume, body.stiffness);
+    world.tets.push_back(frame);
+  }
+  if (term->empty()) return;
+  world.affine = term.get();
+  world.elastic_terms.push_back(std::move(term));
+}
+
+}  // namespace tack

@@ -1,0 +1,21 @@
+// What an object is made of beside its energies: `body: affine` makes it move affinely, with twelve unknowns whatever
+// its mesh. Without one, its vertices are free.
+#pragma once
+
+#include <optional>
+
+#include "framework/config/field.hpp"
+#include "framework/config/registry.hpp"
+
+namespace tack {
+
+class BodyModel : public Component {
+ public:
+  static constexpr const char* kind_name = "body";
+  static constexpr const char* kind_doc = "How an object as a whole may move.";
+
+  virtual double density() const = 0;                   // kg/m^3
+  virtual std::optional<double> stiffness() const = 0;  // Pa
+};
+
+}  // namespace tack

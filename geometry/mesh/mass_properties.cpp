@@ -1,0 +1,62 @@
+#include "geometry/mesh/mass_properties.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// Sums over tets, which may be of negative volume.
+struct Sums {
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+
+  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+    const double v = (b - a).dot((c - a).cross(d - a)) / 6;
+    const Vec3 sum = a + b + c + d;
+    volume += v;
+    first += v / 4 * sum;
+    second += v / 20 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + d * d.transpose() + sum * sum.transpose());
+  }
+};
+
+// Every edge is used once in each direction.
+void check_closed(const std::vector<Triangle>& triangles) {
+  std::map<Edge, int> uses;
+  for (const Triangle& t : triangles)
+    for (int i = 0; i < 3; ++i) {
+      const int a = t[i], b = t[(i + 1) % 3];
+      if (++uses[{a, b}] > 1)
+        throw InputError(fmt::format("its triangles are not oriented alike at the edge ({}, {}), or more than two meet "
+                                     "there; orient the surface, or give tets", a, b));
+    }
+  for (const auto& [edge, unused] : uses)
+    if (!uses.count({edge[1], edge[0]}))
+      throw InputError(fmt::format("its surface is not closed (edge ({}, {}) has one triangle), so it encloses no volume; "
+                                   "close it, or give tets", edge[0], edge[1]));
+}
+
+}  // namespace
+
+MassProperties mass_properties(const Mesh& mesh) {
+  if (mesh.tets.empty() && mesh.triangles.empty())
+    throw InputError("has neither tets nor triangles, so it encloses no volume");
+  const Vec3 near = mesh.vertices[mesh.tets.empty() ? mesh.triangles[0][0] : mesh.tets[0][0]];
+  const auto x = [&](int v) { return Vec3(mesh.vertices[v] - near); };
+  Sums sums;
+  for (const Tet& t : mesh.tets) sums.add(x(t[0]), x(t[1]), x(t[2]), x(t[3]));
+  if (mesh.tets.empty()) {
+    check_closed(mesh.triangles);
+    for (const Triangle& t : mesh.triangles) sums.add(Vec3::Zero(), x(t[0]), x(t[1]), x(t[2]));
+    if (!(sums.volume > 0))
+      throw InputError(fmt::format("its surface encloses {:.3g} m^3; turn its triangles outwards", sums.volume));
+  }
+  const Vec3 centroid = sums.first / sums.volume;
+  return {sums.volume, near + centroid, sums.second - sums.volume * centroid * centroid.transpose()};
+}
+
+}  // namespace tack
