@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/run/recorded_run.hpp"
+
 namespace tack {
 
 inline constexpr int exit_done = 0, exit_expectation_failed = 1, exit_bad_input = 2,
@@ -16,15 +18,11 @@ struct SceneOptions {
   std::vector<std::string> overrides;  // "a.b=c"
 };
 
-struct RunOptions {
+// With `profile`, no frames are written unless overrides ask for them.
+struct RunOptions : RunSettings {
   SceneOptions scene;
-  std::string output;                      // empty: results/<name>
-  int steps = 0;                           // 0: to the end
-  int threads = 0;                         // 0: all cores
+  int threads = 0;  // 0: all cores
   bool quiet = false, verbose = false;
-  bool resume = false;                     // from the newest checkpoint of the results folder
-  std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
-  bool profile = false;                    // tell what the run cost; no frames unless overrides ask for them
 };
 // Simulates an experiment. Throws InputError before anything is written.
 int run_command(const RunOptions& options);

@@ -115,20 +115,18 @@ CompareCase problem_case(const std::string& path) {
 }
 
 Trial::Trial(const CompareCase& what, const TrialSettings& settings)
-    : case_(what), h_(settings.step_size), built_(with(what.load(), settings)), probes_(probes_of(built_)),
-      solver_(instance_of(*built_.experiment().solver)) {
-  if (case_.problem) built_.world().start = case_.problem->state;
-  const Experiment& experiment = built_.experiment();
-  stepper_.emplace(built_.world(), experiment, experiment.time, *solver_, built_.clock(), [](const std::string&) {});
+    : case_(what), h_(settings.step_size), simulation_(with(what.load(), settings)),
+      probes_(probes_of(simulation_.built())) {
 }
 
 const TrialResult& Trial::run(const VecX* guess) {
   if (recording_)
-    stepper_->observe([this](int number, double residual, double value, double seconds) {
+    simulation_.observe({[this](int number, double residual, double value, double seconds) {
       if (number == 1) present_.clear();
       present_.push_back({number, residual, value, seconds});
       if (present_.size() > longest_.size()) longest_ = present_;
-    });
+    }, {}, {}});
+  simulation_.start_from(case_.problem ? case_.problem->state : simulation_.world().start);
   if (case_.single()) solve_step(guess);
   else solve_run();
   if (result_.complete) look_at_end();
@@ -139,7 +137,7 @@ void Trial::solve_step(const VecX* guess) {
   std::optional<Attempt> attempt;
   {
     const Stopwatch watch(result_);
-    attempt = stepper_->solve(h_, guess);
+    attempt = simulation_.stepper().solve(h_, guess);
   }
   const MinimizerResult& solve = attempt->result;
   result_.iterations = solve.iterations;
@@ -148,7 +146,7 @@ void Trial::solve_step(const VecX* guess) {
   result_.converged = attempt->failure.empty() && solve.status == MinimizerStatus::converged;
   result_.status = attempt->failure.empty() ? std::string(to_string(solve.status)) : attempt->failure;
   result_.complete = attempt->failure.empty() && attempt->x.allFinite();
-  if (result_.complete) stepper_->commit(attempt->x, h_);
+  if (result_.complete) simulation_.stepper().commit(attempt->x, h_);
 }
 
 void Trial::solve_run() {
@@ -158,8 +156,8 @@ void Trial::solve_run() {
   try {
     const Stopwatch watch(result_);
     for (int i = 0; i < steps; ++i) {
-      report = stepper_->advance();
-      if (stepper_->interrupted()) throw SimulationError("interrupted");
+      report = simulation_.step();
+      if (simulation_.interrupted()) throw SimulationError("interrupted");
       result_.iterations += report.solve.iterations;
       result_.evaluations += report.solve.line_search_evaluations;
       result_.linear_solves += report.solve.linear_solves;
@@ -174,8 +172,8 @@ void Trial::solve_run() {
 }
 
 void Trial::look_at_end() {
-  result_.x = stepper_->state().x;
-  const World& world = built_.world();
+  result_.x = simulation_.state().x;
+  const World& world = simulation_.world();
   result_.intersections = first_inverted_tet(world.tets, result_.x) >= 0 ? 1 : 0;
   if (world.contact) {
     ContactSystem& contact = *world.contact;
@@ -183,7 +181,7 @@ void Trial::look_at_end() {
         static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.filter(), 100).size());
     contact.move_to(result_.x);
   }
-  result_.probes = probes_.sample(world, stepper_->state());
+  result_.probes = probes_.sample(world, simulation_.state());
 }
 
 }  // namespace tack

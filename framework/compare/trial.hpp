@@ -9,9 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "framework/experiment/built_experiment.hpp"
 #include "framework/output/state_file.hpp"
-#include "framework/stepping/time_stepper.hpp"
+#include "framework/run/simulation.hpp"
 
 namespace tack {
 
@@ -72,8 +71,8 @@ class Trial {
   void record() { recording_ = true; }
   const std::vector<Iteration>& history() const { return longest_; }
   // Of the single step that was solved, over beta h^2 [J].
-  double potential_at(const VecX& x) { return stepper_->potential_at(x); }
-  const World& world() const { return built_.world(); }
+  double potential_at(const VecX& x) { return simulation_.stepper().potential_at(x); }
+  const World& world() const { return simulation_.world(); }
 
  private:
   void solve_step(const VecX* guess);
@@ -82,10 +81,8 @@ class Trial {
 
   const CompareCase& case_;
   double h_;
-  BuiltExperiment built_;
+  Simulation simulation_;
   ProbeSet probes_;
-  std::unique_ptr<Minimizer> solver_;
-  std::optional<TimeStepper> stepper_;
   bool recording_ = false;
   std::vector<Iteration> present_, longest_;
   TrialResult result_;

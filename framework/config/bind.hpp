@@ -32,7 +32,7 @@ std::unique_ptr<Base> bind_component(const Value& value) {
 // A component with the parameters of one that is specified, and nothing else of it: what it works out and
 // keeps is its own.
 template <class Base>
-std::unique_ptr<Base> instance_of(Base& specified) {
+std::unique_ptr<Base> instance_of(const Base& specified) {
   return bind_component<Base>(to_value(&specified));
 }
 

@@ -112,8 +112,8 @@ class Fields {
   template <class T>
   Field& map(std::string key, std::map<std::string, T>& target, std::string doc);
 
-  // Pointer: unique_ptr or shared_ptr to a kind's base class; null means none. A map without `type`
-  // sets fields of the default component, if there is one.
+  // Pointer: unique_ptr or shared_ptr to a kind's base class, which may be const; null means none. A map without
+  // `type` sets fields of the default component, if there is one.
   template <class Pointer>
   Field& component(std::string key, Pointer& target, std::string doc);
   template <class Pointer>

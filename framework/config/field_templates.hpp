@@ -106,10 +106,10 @@ Shape component_shape() {
 
 template <class Pointer>
 Field& Fields::component(std::string key, Pointer& target, std::string doc) {
-  using Base = typename Pointer::element_type;
+  using Base = std::remove_const_t<typename Pointer::element_type>;
   const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
     if (v.is_null()) return target.reset();
-    auto made = reader.component(v, *field.shape.kind, target.get(), field.key);
+    auto made = reader.component(v, *field.shape.kind, const_cast<Base*>(target.get()), field.key);
     if (made) target = Registry<Base>::downcast(std::move(made));
   };
   const auto write = [&target] { return to_value(target.get()); };
@@ -120,7 +120,7 @@ Field& Fields::component(std::string key, Pointer& target, std::string doc) {
 
 template <class Pointer>
 Field& Fields::component_list(std::string key, std::vector<Pointer>& target, std::string doc) {
-  using Base = typename Pointer::element_type;
+  using Base = std::remove_const_t<typename Pointer::element_type>;
   const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
     if (!reader.list(v, field)) return;
     target.clear();

@@ -9,7 +9,7 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
   const Experiment& e = loaded_.experiment;
   world_ = build_world(e, loaded_.root, e.time.step, clock_);
   at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
-  settle_tolerances(loaded_.experiment, *world_, clock_);
+  loaded_.experiment.solver = settled_solver(e, *world_, clock_);
 }
 
 ProbeSet probes_of(const BuiltExperiment& built) {

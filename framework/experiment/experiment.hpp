@@ -1,4 +1,5 @@
-// The experiment's file, typed: every key with its default. Nothing is built here (build.hpp).
+// The experiment's file, typed: every key with its default. A specification: nothing is built here
+// (built_experiment.hpp), and what works or keeps anything is an instance made from it (instance_of, config/bind.hpp).
 #pragma once
 
 #include <memory>
@@ -18,8 +19,8 @@ struct Experiment : SceneConfig {
   std::string name;
   std::string about;
   TimeConfig time;
-  std::unique_ptr<Minimizer> solver = Registry<Minimizer>::make("projected_newton");
-  std::vector<std::unique_ptr<Probe>> probes;
+  std::unique_ptr<const Minimizer> solver = Registry<Minimizer>::make("projected_newton");
+  std::vector<std::unique_ptr<const Probe>> probes;
   OutputConfig output;
   std::vector<Expectation> expect;
   void fields(Fields& f);

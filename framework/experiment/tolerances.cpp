@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "framework/assembly/incremental_potential.hpp"
+#include "framework/config/bind.hpp"
 
 namespace tack {
 namespace {
@@ -57,14 +58,14 @@ double stiffness_at_rest(const World& world, PhaseClock& clock) {
 }
 
 // A force that changes no vertex' velocity by more than the tolerance within a step, or that round-off makes.
-double force_floor(const Experiment& experiment, const World& world, PhaseClock& clock) {
+double force_floor(const Experiment& experiment, const Minimizer& solver, const World& world, PhaseClock& clock) {
   const double round_off = roundings * std::numeric_limits<double>::epsilon() * stiffness_at_rest(world, clock) *
                            world.rest.lpNorm<Eigen::Infinity>();
   if (!has_inertia(experiment, world)) return round_off;
   double heaviest = 0;
   for (Eigen::Index v = 0; v < world.mass.size(); ++v)
     if (world.script.ever_free(static_cast<int>(v))) heaviest = std::max(heaviest, world.mass(v));
-  return std::max(round_off, heaviest * experiment.solver->velocity_tolerance() / experiment.time.step);
+  return std::max(round_off, heaviest * solver.velocity_tolerance() / experiment.time.step);
 }
 
 // The speeds below which something sticks, with the key that says so.
@@ -83,10 +84,11 @@ std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig&
 
 }  // namespace
 
-void settle_tolerances(const Experiment& experiment, const World& world, PhaseClock& clock) {
-  Minimizer& solver = *experiment.solver;
-  if (!solver.tolerance_given()) solver.set_velocity_tolerance(velocity_tolerance(experiment, world));
-  if (!solver.force_floor()) solver.set_force_floor(force_floor(experiment, world, clock));
+std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world, PhaseClock& clock) {
+  auto solver = instance_of(*experiment.solver);
+  if (!solver->tolerance_given()) solver->set_velocity_tolerance(velocity_tolerance(experiment, world));
+  if (!solver->force_floor()) solver->set_force_floor(force_floor(experiment, *solver, world, clock));
+  return solver;
 }
 
 std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world) {

@@ -1,6 +1,7 @@
 // What a solve may leave, where the experiment does not say: it scales with the scene, its steps and its contacts.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,9 @@
 
 namespace tack {
 
-// Gives the experiment's solver the tolerance and the force floor that it lacks. The world's bodies, masses and
+// The experiment's solver with the tolerance and the force floor that it lacks. The world's bodies, masses and
 // elements must be there.
-void settle_tolerances(const Experiment& experiment, const World& world, PhaseClock& clock);
+std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world, PhaseClock& clock);
 
 // Tolerances that do not fit the contact distance or the friction, one line each with the remedy.
 std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world);

@@ -5,7 +5,7 @@
 
 namespace tack {
 
-ProbeSet::ProbeSet(const std::vector<std::unique_ptr<Probe>>& specified, const Value& root, const World& world) {
+ProbeSet::ProbeSet(const std::vector<std::unique_ptr<const Probe>>& specified, const Value& root, const World& world) {
   for (size_t i = 0; i < specified.size(); ++i) {
     Probe& probe = *probes_.emplace_back(instance_of(*specified[i]));
     try {

@@ -1,4 +1,4 @@
-// The probes of a run: those that an experiment specifies, ready for one world.
+// The probes of a run: instances of those that an experiment specifies, ready for one world.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace tack {
 class ProbeSet {
  public:
   // `root`: the parsed file. Throws InputError with the place in it.
-  ProbeSet(const std::vector<std::unique_ptr<Probe>>& specified, const Value& root, const World& world);
+  ProbeSet(const std::vector<std::unique_ptr<const Probe>>& specified, const Value& root, const World& world);
 
   const std::vector<std::string>& columns() const { return columns_; }  // without time
   // Throws InputError, with the place, for an expectation that these columns and their units do not fit.

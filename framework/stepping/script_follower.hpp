@@ -16,7 +16,7 @@ namespace tack {
 class ScriptFollower {
  public:
   // straight, walk: the largest feasible steps along straight ways and of walks.
-  ScriptFollower(World& world, Minimizer& like, PhaseClock& clock, const HeldVertices& held,
+  ScriptFollower(World& world, const Minimizer& like, PhaseClock& clock, const HeldVertices& held,
                  ScriptWalk::LargestStep straight, ScriptWalk::LargestStep walk)
       : world_(world), like_(like), clock_(clock), held_(held), straight_(std::move(straight)), walks_(std::move(walk)) {}
 
@@ -40,7 +40,7 @@ class ScriptFollower {
   ScriptWalk::Result move(const VecX& x, const VecX& places, const VecX& along, const Step& step);
 
   World& world_;
-  Minimizer& like_;
+  const Minimizer& like_;
   PhaseClock& clock_;
   const HeldVertices& held_;
   ScriptWalk::LargestStep straight_, walks_;

@@ -56,8 +56,8 @@ struct ScriptWalk::Pull {
   }
 };
 
-ScriptWalk::ScriptWalk(World& world, Minimizer& like, PhaseClock& clock, LargestStep largest_step)
-    : world_(world), minimizer_(bind_component<Minimizer>(to_value(&like))), clock_(clock),
+ScriptWalk::ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, LargestStep largest_step)
+    : world_(world), minimizer_(instance_of(like)), clock_(clock),
       largest_step_(std::move(largest_step)) {}
 
 void ScriptWalk::prepare(const VecX& x, const VecX& places) {

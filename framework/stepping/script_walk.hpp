@@ -25,7 +25,7 @@ class ScriptWalk {
   // The largest t in [0, 1] such that x + s p is feasible for all s in [0, t] (3n each).
   using LargestStep = std::function<double(const VecX& x, const VecX& p)>;
 
-  ScriptWalk(World& world, Minimizer& like, PhaseClock& clock, LargestStep largest_step);
+  ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, LargestStep largest_step);
 
   struct Result {
     MinimizerResult solve;  // sums over its minimisations

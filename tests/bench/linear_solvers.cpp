@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/linear_solver.hpp"
-#include "framework/stepping/time_stepper.hpp"
+#include "framework/run/simulation.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
 
@@ -15,22 +15,21 @@ struct Systems {
   std::array<VecX, 2> right_side;
 };
 
-std::array<VecX, 2> neighbouring_states(Scene& scene) {
+std::array<VecX, 2> neighbouring_states() {
   constexpr int steps = 30;  // both blocks have landed
-  const Experiment& experiment = scene.built->experiment();
-  TimeStepper stepper(*scene.world, experiment, experiment.time, *experiment.solver, scene.clock,
-                      [](const std::string&) {});
-  for (int s = 0; s < steps; ++s) stepper.advance();
-  const VecX before = stepper.state().x;
-  stepper.advance();
-  return {before, stepper.state().x};
+  Simulation simulation(loaded("stack/two_blocks.yaml"));
+  simulation.start();
+  for (int s = 0; s < steps; ++s) simulation.step();
+  const VecX before = simulation.state().x;
+  simulation.step();
+  return {before, simulation.state().x};
 }
 
 // Made once: all solvers get the same systems.
 const Systems& systems() {
   static const Systems made = [] {
     const auto scene = two_blocks();
-    const auto states = neighbouring_states(*scene);
+    const auto states = neighbouring_states();
     StepPotential potential(*scene);
     Systems s;
     // The pattern grows to hold both states; only then both matrices have the same one.

@@ -95,10 +95,12 @@ std::unique_ptr<Scene> plates() {
   return scene;
 }
 
-std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides) {
+LoadedExperiment loaded(const std::string& file, std::vector<std::string> overrides) {
   overrides.emplace_back("output.frames=false");
-  return built(load_experiment(TACK_SOURCE_DIR "/experiments/" + file, overrides));
+  return load_experiment(TACK_SOURCE_DIR "/experiments/" + file, overrides);
 }
+
+std::unique_ptr<Scene> two_blocks() { return built(loaded("stack/two_blocks.yaml")); }
 
 StepPotential::StepPotential(Scene& scene)
     : world_(*scene.world),

@@ -32,8 +32,8 @@ std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws);
 std::unique_ptr<Scene> plates();
 
 // A file in experiments/, without frames. Overrides: "a.b=c".
-std::unique_ptr<Scene> experiment(const std::string& file, std::vector<std::string> overrides = {});
-inline std::unique_ptr<Scene> two_blocks() { return experiment("stack/two_blocks.yaml"); }
+LoadedExperiment loaded(const std::string& file, std::vector<std::string> overrides = {});
+std::unique_ptr<Scene> two_blocks();
 
 // The potential of all terms of a scene, at rest: one step of 0.01 s about to start.
 class StepPotential {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "framework/core/linear_solver.hpp"
-#include "framework/stepping/time_stepper.hpp"
+#include "framework/run/simulation.hpp"
 #include "tests/bench/memory_peak.hpp"
 #include "tests/bench/registered.hpp"
 #include "tests/bench/scenes.hpp"
@@ -22,13 +22,11 @@ struct Totals {
   PhaseClock::Seconds phases{};
 };
 
-Totals run(Scene& scene, int steps) {
-  const Experiment& experiment = scene.built->experiment();
-  TimeStepper stepper(*scene.world, experiment, experiment.time, *experiment.solver, scene.clock,
-                      [](const std::string&) {});
+Totals run(Simulation& simulation, int steps) {
+  simulation.start();
   Totals totals;
-  while (!stepper.finished() && totals.steps < steps) {
-    const StepReport report = stepper.advance();
+  while (!simulation.finished() && totals.steps < steps) {
+    const StepReport report = simulation.step();
     ++totals.steps;
     totals.iterations += report.solve.iterations;
     totals.seconds += report.wall_seconds;
@@ -56,10 +54,10 @@ struct Run {
 // One run per repetition: a second one in the same world would start with a factor of the first.
 void measure(benchmark::State& state, const Run& r) {
   MemoryPeak peak;
-  const auto scene = experiment(r.file, r.overrides);
+  Simulation simulation(loaded(r.file, r.overrides));
   Totals totals;
   for (auto _ : state) {
-    totals = run(*scene, r.steps);
+    totals = run(simulation, r.steps);
     state.SetIterationTime(totals.seconds);
   }
   totals.megabytes = peak.megabytes();
@@ -70,7 +68,7 @@ void measure(benchmark::State& state, const Run& r) {
   for (int i = 0; i < phase_count; ++i)
     if (totals.phases[i] > 0)
       state.counters["%" + std::string(phase_names[i])] = 100 * totals.phases[i] / totals.seconds;
-  table().push_back({r.name, scene->world->dofs.size(), totals});
+  table().push_back({r.name, simulation.world().dofs.size(), totals});
 }
 
 std::vector<Run> runs() {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "framework/config/bind.hpp"
 #include "framework/experiment/built_experiment.hpp"
 
 namespace tack {
@@ -17,6 +18,7 @@ struct TestScene {
   const Experiment& config = built.experiment();
   World* const world = &built.world();
   PhaseClock& clock = built.clock();
+  const std::unique_ptr<Minimizer> solver = instance_of(*config.solver);
 };
 
 }  // namespace tack

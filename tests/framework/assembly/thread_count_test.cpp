@@ -52,7 +52,7 @@ Evaluation evaluate(int threads) {
 VecX simulate(int threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   TestScene scene(boxes);
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   for (int i = 0; i < 4; ++i) stepper.advance();
   return stepper.state().x;
 }

@@ -5,14 +5,13 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "framework/config/bind.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/stored_experiment.hpp"
-#include "framework/stepping/time_stepper.hpp"
 #include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 namespace fs = std::filesystem;
@@ -39,23 +38,6 @@ contact:
   pairs: [{between: [block, floor], adhesion: {type: fang, critical_strain: 0.001}}]
 )";
 
-struct Stepped {
-  explicit Stepped(const std::string& yaml) : Stepped(parse_experiment("name: test\n" + yaml, "test.yaml")) {
-    start(built.world().start);
-  }
-  explicit Stepped(LoadedExperiment loaded) : built(std::move(loaded)) {}
-  void start(State state) {
-    built.world().start = std::move(state);
-    built.world().participants.forget();
-    const Experiment& experiment = built.experiment();
-    solver = instance_of(*experiment.solver);
-    stepper.emplace(built.world(), experiment, experiment.time, *solver, built.clock(), [](const std::string&) {});
-  }
-  BuiltExperiment built;
-  std::unique_ptr<Minimizer> solver;
-  std::optional<TimeStepper> stepper;
-};
-
 void check_same(const State& a, const State& b) {
   CHECK(a.time == b.time);
   CHECK(a.step == b.step);
@@ -79,20 +61,21 @@ void check_same(const State& a, const State& b) {
 TEST_CASE("a step from a problem's file has the bits of the run", "[state_file]") {
   const TemporaryFolder folder;
   const fs::path path = folder.path() / "a.problem";
-  Stepped run(scene_text);
+  TestRun run(scene_text);
+  Simulation& simulation = run.simulation;
   for (int step = 0; step < 8; ++step) {  // the motion lets go at step 4
     INFO("step " << step);
-    run.start(run.stepper->state());
-    StateFile file = state_file_of(StateFile::Kind::problem, run.built.experiment());
-    file.state = run.stepper->state();
+    simulation.start_from(simulation.state());
+    StateFile file = state_file_of(StateFile::Kind::problem, simulation.experiment());
+    file.state = simulation.state();
     write_state_file(path, file);
     const StateFile read = read_state_file(path, StateFile::Kind::problem);
     check_same(read.state, file.state);
-    Stepped again(experiment_of(read, path));
-    again.start(read.state);
-    run.stepper->advance();
-    again.stepper->advance();
-    check_same(again.stepper->state(), run.stepper->state());
+    Simulation again(experiment_of(read, path));
+    again.start_from(read.state);
+    simulation.step();
+    again.step();
+    check_same(again.state(), simulation.state());
   }
 }
 

@@ -1,9 +1,8 @@
 // A pair of objects alone has the stencils that it has in its world.
 #include <catch2/catch.hpp>
 
-#include "framework/experiment/built_experiment.hpp"
 #include "framework/profile/isolated_pair.hpp"
-#include "framework/stepping/time_stepper.hpp"
+#include "framework/run/simulation.hpp"
 
 using namespace tack;
 
@@ -11,16 +10,15 @@ TEST_CASE("pairs alone have the stencils that they have among others") {
   // With friction between many; with adhesion, guards and samples at a rim.
   const auto [file, steps] = GENERATE(table<std::string, int>({{"arch/stands", 3}, {"debonding/peel", 40}, {"first/hang", 10}}));
   CAPTURE(file);
-  BuiltExperiment built(load_experiment(TACK_SOURCE_DIR "/experiments/" + file + ".yaml", {}));
-  const Experiment& experiment = built.experiment();
-  World* const world = &built.world();
-  TimeStepper stepper(*world, experiment, experiment.time, *experiment.solver, built.clock(), [](const std::string&) {});
-  for (int i = 0; i < steps; ++i) stepper.advance();
+  Simulation simulation(load_experiment(TACK_SOURCE_DIR "/experiments/" + file + ".yaml", {}));
+  const World* const world = &simulation.world();
+  simulation.start();
+  for (int i = 0; i < steps; ++i) simulation.step();
   const auto pairs = count_pairs(*world->contact, world->friction.get());
   long stencils = 0, friction = 0;
   for (const auto& [ids, count] : pairs) {
     CAPTURE(ids.first, ids.second);
-    const IsolatedPair alone = isolate(*world, ids, stepper.state());
+    const IsolatedPair alone = isolate(*world, ids, simulation.state());
     CHECK(alone.count.points == count.points);
     CHECK(alone.count.samples == count.samples);
     CHECK(alone.count.guards == count.guards);

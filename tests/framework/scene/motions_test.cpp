@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "geometry/errors.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -56,7 +57,7 @@ const std::vector<Case> cases = {
      }},
 };
 
-void check_places(const Simulation& run, const Place& place) {
+void check_places(const TestRun& run, const Place& place) {
   int held = 0;
   for (int v = 0; v < 8; ++v) {
     if (run.world->dofs.block(v) >= 0) continue;
@@ -80,7 +81,7 @@ std::string error_of(const std::string& yaml) {
 TEST_CASE("held vertices are where their motion says, at every step") {
   for (const Case& c : cases) {
     INFO(c.motion);
-    Simulation run(block(c.motion));
+    TestRun run(block(c.motion));
     for (int i = 0; i < 8; ++i) {
       run.step();
       check_places(run, c.place);
@@ -92,7 +93,7 @@ TEST_CASE("held vertices are where their motion says, at every step") {
 TEST_CASE("the time of a motion follows halved steps") {
   for (const Case& c : cases) {
     INFO(c.motion);
-    Simulation run(block(c.motion, "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"));
+    TestRun run(block(c.motion, "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"));
     int steps = 0;
     while (run.state().time < 0.1 - 1e-9 && steps++ < 5000) {
       run.step();
@@ -105,7 +106,7 @@ TEST_CASE("the time of a motion follows halved steps") {
 }
 
 TEST_CASE("a motion counts from where and when it seizes vertices") {
-  Simulation run("time: {step: 0.02, duration: 1}\n"
+  TestRun run("time: {step: 0.02, duration: 1}\n"
                  "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, velocity: [0.5, 0, 0],\n"
                  "  energies: [{type: neo_hookean, young: 1e5}],\n"
                  "  motion: [{type: translate, velocity: [0, 1, 0], from: 0.06},\n"
@@ -121,7 +122,7 @@ TEST_CASE("a motion counts from where and when it seizes vertices") {
 // The free end is thrown, so steps fail and are halved around the time at which one motion hands over to
 // the next; what a failed step seized must not count.
 TEST_CASE("a rolled back step seizes nothing") {
-  Simulation run("time: {step: 0.02, duration: 1, max_halvings: 20}\n"
+  TestRun run("time: {step: 0.02, duration: 1, max_halvings: 20}\n"
                  "solver: {type: projected_newton, tolerance: 1e-2, max_iterations: 1}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"
                  "  velocity: [2, 3, 0], energies: [{type: neo_hookean, young: 1e5}],\n"
@@ -165,15 +166,15 @@ TEST_CASE("wrong motions are told with their place") {
 }
 
 TEST_CASE("a formula without a finite value ends the run, by name") {
-  Simulation run(block("type: formula, x: 't < 0.03 ? 0 : 1 / (t - t)'"));
+  TestRun run(block("type: formula, x: 't < 0.03 ? 0 : 1 / (t - t)'"));
   run.step();
   CHECK_THROWS_WITH(run.step(), Catch::Contains("motion 0 (formula) of 'block': x: 't < 0.03 ? 0 : 1 / (t - t)' is inf at t = 0.04 s"));
 }
 
 TEST_CASE("places that are no numbers, or too far for their squares, are told with the motion and the object") {
-  Simulation far(block("type: translate, velocity: [1e200, 0, 0]"));
+  TestRun far(block("type: translate, velocity: [1e200, 0, 0]"));
   CHECK_THROWS_WITH(far.step(), Catch::Contains("motion 0 (translate) of 'block': puts vertex ") &&
                                     Catch::Contains("it must be finite and at most 1e+100 m away"));
-  Simulation formula(block("type: formula, x: 1e99 * 1e99 * t"));
+  TestRun formula(block("type: formula, x: 1e99 * 1e99 * t"));
   CHECK_THROWS_WITH(formula.step(), Catch::Contains("motion 0 (formula) of 'block': x: '1e99 * 1e99 * t' is 2e+196 at t = 0.02 s"));
 }

@@ -6,7 +6,7 @@
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"
 #include "tests/support/random_blocks.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 #include "tests/support/step_problem.hpp"
 
 using namespace tack;
@@ -82,11 +82,11 @@ TEST_CASE("forces that have a cause are the measure of what is not balanced", "[
 }
 
 TEST_CASE("a step reports the forces that it leaves unbalanced", "[stepping]") {
-  Simulation s(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e-6}\n");
+  TestRun s(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e-6}\n");
   const StepReport r = s.step();
   CHECK(r.converged);
   CHECK(r.unbalanced_force > 0);
   CHECK(r.unbalanced_force <= r.tolerated_force);
-  Simulation loose(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e9}\n");
+  TestRun loose(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e9}\n");
   CHECK(loose.step().solve.iterations < r.solve.iterations);  // the balance is a criterion of its own
 }

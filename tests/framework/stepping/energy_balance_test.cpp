@@ -7,7 +7,7 @@
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/scene/energies.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -37,7 +37,7 @@ double kinetic(const World& world, const VecX& v) {
   return sum;
 }
 
-EnergyFlows total(Simulation& run, int steps) {
+EnergyFlows total(TestRun& run, int steps) {
   EnergyFlows sum;
   for (int i = 0; i < steps; ++i) sum += run.step().flows;
   return sum;
@@ -62,7 +62,7 @@ const std::string driven =
 TEST_CASE("the balance of energy adds up in every step, and every part of it is in play", "[energy_balance]") {
   for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
-    Simulation run(header(integrator, 0.01) + driven);
+    TestRun run(header(integrator, 0.01) + driven);
     double before = 0;
     EnergyFlows sum;
     for (int i = 0; i < 10; ++i) {
@@ -88,7 +88,7 @@ TEST_CASE("the balance of energy adds up in every step, and every part of it is 
 TEST_CASE("free fall: implicit Euler loses 1/2 m (h g)^2 a step, Newmark nothing", "[energy_balance]") {
   constexpr double h = 0.01, g = 9.81;
   const std::string fall = "gravity: [0, -9.81, 0]\nobjects: [" + block + "}]\n";
-  Simulation euler(header("implicit_euler", h) + fall), newmark(header("newmark", h) + fall);
+  TestRun euler(header("implicit_euler", h) + fall), newmark(header("newmark", h) + fall);
   for (int i = 0; i < 5; ++i) {
     CHECK(euler.step().flows.numerics == Approx(0.5 * euler.world->mass.sum() * h * h * g * g).epsilon(1e-6));
     CHECK(newmark.step().flows.numerics == Approx(0).margin(1e-9));
@@ -97,7 +97,7 @@ TEST_CASE("free fall: implicit Euler loses 1/2 m (h g)^2 a step, Newmark nothing
 
 // A held block that swings so little that it is a linear spring.
 TEST_CASE("what implicit Euler loses on a spring is 1/2 |dv|_M^2 + 1/2 |dx|_K^2", "[energy_balance]") {
-  Simulation run(header("implicit_euler", 1e-3) + "objects: [" + block +
+  TestRun run(header("implicit_euler", 1e-3) + "objects: [" + block +
                  ", motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}], velocity: [1e-4, 2e-5, 0]}]\n");
   for (int i = 0; i < 20; ++i) {
     const State before = run.state();
@@ -110,7 +110,7 @@ TEST_CASE("what implicit Euler loses on a spring is 1/2 |dv|_M^2 + 1/2 |dx|_K^2"
 }
 
 TEST_CASE("a bouncing block's balance: what it has is what it had, less what numerics took", "[energy_balance]") {
-  Simulation run(header("newmark", 1e-3) +
+  TestRun run(header("newmark", 1e-3) +
                  "gravity: [0, -9.81, 0]\nobjects:\n"
                  "  - {name: floor, shape: {type: box, size: [0.5, 0.02, 0.5]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
                  "  - " + block + ", place: {translate: [0, 0.06, 0]}, velocity: [0, -0.5, 0]}\ncontact: {distance: 1 mm}\n");
@@ -130,7 +130,7 @@ TEST_CASE("a bouncing block's balance: what it has is what it had, less what num
 
 TEST_CASE("friction that stops a block has dissipated 1/2 m v^2", "[energy_balance]") {
   const auto stop = [](const std::string& integrator, double h) {
-    Simulation run(fmt::format(
+    TestRun run(fmt::format(
         "time: {{step: {}, duration: 10, integrator: {}}}\nsolver: {{type: projected_newton, linear: cholmod, tolerance: 1e-6}}\n"
         "gravity: [0, -10, 0]\nobjects:\n"
         "  - {{name: floor, shape: {{type: box, size: [2, 0.02, 0.3]}}, place: {{translate: [0.5, -0.01, 0]}}, motion: [fixed]}}\n"
@@ -148,7 +148,7 @@ TEST_CASE("friction that stops a block has dissipated 1/2 m v^2", "[energy_balan
 
 TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_balance]") {
   SECTION("stretched slowly") {
-    Simulation run(header("quasi_static", 0.1) +
+    TestRun run(header("quasi_static", 0.1) +
                    "objects: [{name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]},\n"
                    " energies: [{type: neo_hookean, young: 1e5}], motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}},\n"
                    " {type: translate, velocity: [0, 0.01, 0], select: {type: face, direction: [0, 1, 0]}}]}]\n");
@@ -160,13 +160,13 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
     CHECK(std::abs(sum.numerics) <= 1e-3 * sum.script);
   }
   SECTION("pulled in free space by a growing force") {
-    Simulation run(header("newmark", 0.01) + "objects: [" + block + ", loads: [{type: body_force, value: [3, 0, 0], ramp: [[0, 0], [1, 10]]}]}]\n");
+    TestRun run(header("newmark", 0.01) + "objects: [" + block + ", loads: [{type: body_force, value: [3, 0, 0], ramp: [[0, 0], [1, 10]]}]}]\n");
     const EnergyFlows sum = total(run, 20);
     CHECK(sum.loads == Approx(kinetic(*run.world, run.state().v)).epsilon(1e-6));
     CHECK(sum.loads > 0.1);
   }
   SECTION("what is released takes its energy along") {
-    Simulation run(header("implicit_euler", 0.01) + "objects: [" + block +
+    TestRun run(header("implicit_euler", 0.01) + "objects: [" + block +
                    ", motion: [{type: translate, velocity: [2, 0, 0], until: 0.035}]}]\n");
     const EnergyFlows sum = total(run, 6);
     CHECK(sum.script == Approx(2.0).epsilon(1e-6));
@@ -175,7 +175,7 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
 }
 
 TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
-  Simulation run(header("implicit_euler", 0.01) + "objects: [" + block + ", velocity: [1, 0, 0]}]\n");
+  TestRun run(header("implicit_euler", 0.01) + "objects: [" + block + ", velocity: [1, 0, 0]}]\n");
   World& world = *run.world;
   PhaseClock clock;
   IncrementalPotential potential(world.terms, world.dofs, world.mass, clock, [](const VecX&) {});
@@ -199,7 +199,7 @@ TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
 
 TEST_CASE("a step that would make energy is done again with implicit Euler", "[energy_balance]") {
   // Newmark's rule turns this tumbling block inside out at large steps, in free flight.
-  Simulation run(fmt::format(
+  TestRun run(fmt::format(
       "time: {{step: 20 ms, duration: 10, integrator: newmark}}\n"
       "solver: {{type: projected_newton, linear: cholmod, tolerance: 1 mm/s}}\n"
       "objects:\n"

@@ -2,14 +2,14 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
 TEST_CASE("a ball hits a thin plate at 200 and 1000 m/s in steps of 10 ms", "[stepping]") {
   const double speed = GENERATE(200, 1000);
   INFO(speed << " m/s");
-  Simulation run(fmt::format(
+  TestRun run(fmt::format(
       "time: {{step: 0.01, duration: 0.01}}\nsolver: {{type: projected_newton, check_iterates: true}}\nobjects:\n"
       "  - {{name: plate, shape: {{type: box, size: [0.4, 0.004, 0.4], cells: [10, 1, 10]}},\n"
       "     place: {{translate: [0, -0.002, 0]}}, energies: [{{type: neo_hookean, young: 1e7, poisson: 0.3}}],\n"

@@ -55,7 +55,7 @@ Run run(const Slide& slide) {
   TestScene scene(slide.yaml());
   World& world = *scene.world;
   Run r;
-  TimeStepper stepper(world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [&](const std::string& line) { r.warnings.push_back(line); });
+  TimeStepper stepper(world, scene.config, scene.config.time, *scene.solver, scene.clock, [&](const std::string& line) { r.warnings.push_back(line); });
   const auto mean = [&](const VecX& rows) {
     Vec3 sum = Vec3::Zero();
     for (int v = 0; v < world.mass.size(); ++v) sum += world.mass(v) * vertex(rows, v);
@@ -148,7 +148,7 @@ TEST_CASE("without friction nothing is lagged", "[friction]") {
                   "objects: [{name: a, shape: {type: box, size: [1, 1, 1]}, energies: [{type: neo_hookean, young: 1e5}]}]\n"
                   "contact: {distance: 1e-3, friction: {mu: 0}}\n");
   CHECK_FALSE(scene.world->friction);
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   const StepReport report = stepper.advance();
   CHECK(report.lag_iterations == 0);
   CHECK(report.friction_residual == 0);

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "framework/contact/contact_system.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -41,7 +42,7 @@ TEST_CASE("half turns a step are made in parts, which push what is in the way") 
 }
 
 TEST_CASE("a paddle that turns by 135 degrees a step hits what is in its way") {
-  Simulation run("time: {step: 0.01, duration: 1}\n"
+  TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects:\n"
                  "  - {name: paddle, shape: {type: box, size: [0.2, 0.01, 0.1], cells: [4, 1, 2]},\n"
                  "     motion: [{type: rotate, axis: [0, 0, 1], angular_velocity: 235.619449019234}]}\n"
@@ -54,7 +55,7 @@ TEST_CASE("a paddle that turns by 135 degrees a step hits what is in its way") {
 }
 
 TEST_CASE("candidates within a rigid group are searched only while it is dissolved") {
-  Simulation run("time: {step: 0.01, duration: 1}\n"
+  TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects: [" + far + ", {name: sheet, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]},\n"
                  "  motion: [{type: translate, velocity: [1, 0, 0]}]}]\ncontact: {distance: 20 mm}\n");
   ContactSystem& contact = *run.world->contact;

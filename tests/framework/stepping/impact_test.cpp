@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "framework/scene/energies.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -32,14 +32,14 @@ const std::string two_cubes =
     "     place: {translate: [0.01, 0.103, 0.007]}, energies: [{type: neo_hookean, young: 1 MPa}]}\n"
     "contact:\n  distance: 1 mm\n";
 
-double stored(const Simulation& run) {
+double stored(const TestRun& run) {
   double sum = 0;
   for (const auto& [term, energy] : energies_by_term(*run.world, run.state()))
     if (is_stored(term)) sum += energy;
   return sum;
 }
 
-Vec3 momentum(const Simulation& run) {
+Vec3 momentum(const TestRun& run) {
   Vec3 sum = Vec3::Zero();
   for (int b = 0; b < run.world->dofs.block_count(); ++b) {
     const int v = run.world->dofs.vertex_of_block(b);
@@ -50,7 +50,7 @@ Vec3 momentum(const Simulation& run) {
 
 // The largest growth of energy from any moment to a later one, of the energy at the start.
 double growth(const std::string& yaml, int steps) {
-  Simulation run(yaml);
+  TestRun run(yaml);
   const double start = stored(run);
   double lowest = start, largest = 0;
   for (int i = 0; i < steps; ++i) {
@@ -83,7 +83,7 @@ TEST_CASE("an impact makes no energy, whatever the step", "[stepping]") {
 TEST_CASE("an impact that is resolved makes no energy, and Newmark's keeps most of it", "[stepping]") {
   for (const std::string integrator : {"bdf2", "newmark"}) {
     INFO(integrator);
-    Simulation run(header(integrator, 5e-4) + two_cubes);
+    TestRun run(header(integrator, 5e-4) + two_cubes);
     const double start = stored(run);
     for (int i = 0; i < 60; ++i) {
       const StepReport report = run.step();
@@ -111,7 +111,7 @@ TEST_CASE("sticking surfaces meet without making energy", "[stepping]") {
 TEST_CASE("where contact lasts, integrators keep their order", "[stepping]") {
   const auto height = [](const std::string& integrator, int steps) {
     constexpr double duration = 0.06;  // s
-    Simulation run(fmt::format(
+    TestRun run(fmt::format(
         "time: {{step: {}, duration: 10, integrator: {}}}\n"
         "solver: {{type: projected_newton, linear: cholmod, tolerance: 1e-9}}\n"
         "objects:\n"

@@ -9,7 +9,8 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -72,7 +73,7 @@ TEST_CASE("an iterate that intersects or inverts ends the run, with its place", 
 
 TEST_CASE("a first guess that intersects is told", "[iterates]") {
   TestScene scene(drop("{type: projected_newton, check_iterates: true}"));
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   VecX guess = scene.world->start.x;
   for (int b = 0; b < scene.world->dofs.block_count(); ++b) vertex(guess, scene.world->dofs.vertex_of_block(b)).y() -= 0.06;
   CHECK_THROWS_WITH(stepper.solve(0.01, &guess), Catch::Contains("step 1, iteration 0 of the minimisation"));
@@ -95,7 +96,7 @@ TEST_CASE("no minimiser passes through anything on its way", "[iterates]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     for (const std::string& objects : {shot, driven}) {
       INFO(type);
-      Simulation run("time: {step: 0.01, duration: 0.01, max_halvings: 0}\n"
+      TestRun run("time: {step: 0.01, duration: 0.01, max_halvings: 0}\n"
                      "solver: {type: " + type + ", max_iterations: 150, check_iterates: true}\n" + objects +
                      "contact: {distance: 1 mm}\n");
       std::string error;
@@ -132,7 +133,7 @@ TEST_CASE("no script passes through anything on its way", "[iterates]") {
       {paddle("0.06, 0.06, 0.06", "4, 4, 4", formula), 2}};
   for (const Way& way : ways) {
     INFO(way.paddle);
-    Simulation run("time: {step: 0.01, duration: 0.02}\n"
+    TestRun run("time: {step: 0.01, duration: 0.02}\n"
                    "solver: {type: projected_newton, check_iterates: true}\nobjects:\n" + way.paddle +
                    fmt::format("  - {{name: block, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [{0}, {0}, {0}]}},\n"
                                "     energies: [{{type: neo_hookean, young: 1e5}}]}}\n", way.block_cells) +

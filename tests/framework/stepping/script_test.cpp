@@ -7,24 +7,24 @@
 #include "framework/contact/contact_term.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
 namespace {
 
-Vec3 momentum(const Simulation& run) {
+Vec3 momentum(const TestRun& run) {
   Vec3 sum = Vec3::Zero();
   for (int v = 0; v < run.world->mass.size(); ++v) sum += run.world->mass(v) * vertex(run.state().v, v);
   return sum;
 }
 
-bool intersects(const Simulation& run) {
+bool intersects(const TestRun& run) {
   const ContactSystem& contact = *run.world->contact;
   return !find_intersections(contact.surface().mesh, run.state().x, contact.filter(), 1).empty();
 }
 
-double front_of(const Simulation& run, int body) {
+double front_of(const TestRun& run, int body) {
   double front = -1e9;
   for (int v = 0; v < run.world->bodies[body].vertex_count; ++v)
     front = std::max(front, run.at(run.world->bodies[body].first_vertex + v).x());
@@ -57,7 +57,7 @@ TEST_CASE("released vertices keep their velocity: free flight is exact") {
   const std::string integrator = GENERATE("implicit_euler", "bdf2", "newmark");
   const double until = GENERATE(0.05, 0.057);  // between two steps, too
   INFO(integrator << ", until " << until);
-  Simulation run(fmt::format("time: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) + thrown(until));
+  TestRun run(fmt::format("time: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) + thrown(until));
   CHECK(run.world->dofs.size() == 0);
   for (int i = 1; i <= 12; ++i) {
     run.step();
@@ -72,7 +72,7 @@ TEST_CASE("released vertices keep their velocity: free flight is exact") {
 TEST_CASE("what is released falls as each integrator's formula says") {
   const std::string integrator = GENERATE("implicit_euler", "newmark");
   INFO(integrator);
-  Simulation run(fmt::format("gravity: [0, -10, 0]\ntime: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) +
+  TestRun run(fmt::format("gravity: [0, -10, 0]\ntime: {{step: 0.01, duration: 1, integrator: {}}}\n", integrator) +
                  thrown(0.05));
   for (int i = 0; i < 12; ++i) run.step();
   const int n = 7;  // steps in flight
@@ -82,7 +82,7 @@ TEST_CASE("what is released falls as each integrator's formula says") {
 }
 
 TEST_CASE("a plate that moves ten contact distances a step pushes a block ahead") {
-  Simulation run(plate_and_block("time: {step: 0.01, duration: 1}\n", "{type: translate, velocity: [1, 0, 0]}", ""));
+  TestRun run(plate_and_block("time: {step: 0.01, duration: 1}\n", "{type: translate, velocity: [1, 0, 0]}", ""));
   Vec3 impulse = Vec3::Zero();
   for (int i = 1; i <= 10; ++i) {
     const StepReport report = run.step();
@@ -100,7 +100,7 @@ TEST_CASE("a plate that moves ten contact distances a step pushes a block ahead"
 }
 
 TEST_CASE("pushing works without inertia") {
-  Simulation run(plate_and_block("time: {step: 0.1, duration: 1, integrator: quasi_static}\n",
+  TestRun run(plate_and_block("time: {step: 0.1, duration: 1, integrator: quasi_static}\n",
                                  "{type: translate, velocity: [0.1, 0, 0]}",
                                  "{type: fixed, select: {type: face, direction: [1, 0, 0]}}"));
   for (int i = 1; i <= 5; ++i) {
@@ -115,7 +115,7 @@ TEST_CASE("pushing works without inertia") {
 
 TEST_CASE("a script that cannot be followed is told by name") {
   const auto told = [](const std::string& scene, const std::string& what) {
-    Simulation run(scene);
+    TestRun run(scene);
     const auto ahead = [&] { while (!run.stepper.finished()) run.step(); };
     CHECK_THROWS_AS(ahead(), SimulationError);
     const double reached = run.state().time;
@@ -150,7 +150,7 @@ TEST_CASE("a script that cannot be followed is told by name") {
 
 TEST_CASE("the force that compresses a bar is that of its material") {
   // Short enough not to buckle.
-  Simulation run("time: {step: 0.1, duration: 1, integrator: quasi_static}\n"
+  TestRun run("time: {step: 0.1, duration: 1, integrator: quasi_static}\n"
                  "solver: {type: projected_newton, force_tolerance: 1e-10}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.15, 0.1, 0.1], cells: [3, 2, 2]},\n"
                  "  energies: [{type: neo_hookean, young: 1e5, poisson: 0}],\n"
@@ -169,7 +169,7 @@ TEST_CASE("the force that compresses a bar is that of its material") {
 
 TEST_CASE("what drives a part of a body is what the body gains in momentum") {
   const std::string integrator = GENERATE("implicit_euler", "newmark", "bdf2");
-  Simulation run(fmt::format("time: {{step: 0.002, duration: 1, integrator: {}}}\n", integrator) +
+  TestRun run(fmt::format("time: {{step: 0.002, duration: 1, integrator: {}}}\n", integrator) +
                  "solver: {type: projected_newton, tolerance: 1e-7}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.5, 0.1, 0.1], cells: [5, 2, 2]},\n"
                  "  energies: [{type: neo_hookean, young: 1e5, density: 1000}],\n"
@@ -188,7 +188,7 @@ TEST_CASE("what drives a part of a body is what the body gains in momentum") {
 }
 
 TEST_CASE("no force between held primitives, no candidates within a rigid group") {
-  Simulation run("time: {step: 0.01, duration: 1}\n"
+  TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects: [{name: sheet, shape: {type: box, size: [0.1, 0.0005, 0.1], cells: [6, 1, 6]},\n"
                  "  energies: [{type: neo_hookean, young: 1e5}],\n"
                  "  motion: [{type: rotate, axis: [1, 0, 0], angular_velocity: 1, select: {type: plane, point: [0.01, 0, 0], normal: [1, 0, 0]}}]},\n"

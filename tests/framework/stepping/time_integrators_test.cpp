@@ -24,7 +24,7 @@ State run(const std::string& yaml, int n, const Prepare& prepare) {
   TestScene scene(yaml);
   prepare(*scene.world);
   std::vector<std::string> warnings;
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock,
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock,
                       [&](const std::string& line) { warnings.push_back(line); });
   for (int i = 0; i < n; ++i) stepper.advance();
   CHECK(warnings.empty());
@@ -117,7 +117,7 @@ TEST_CASE("momentum is conserved without forces from outside", "[stepping]") {
     INFO(name);
     TestScene scene(scene_text(name, 1e-3, free_block));
     disturb(*scene.world);
-    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
     const Vec3 before = momentum(*scene.world, stepper.state());
     for (int i = 0; i < 50; ++i) stepper.advance();
     CHECK((momentum(*scene.world, stepper.state()) - before).norm() <= 1e-7 * before.norm());
@@ -128,7 +128,7 @@ TEST_CASE("the drift of angular momentum shrinks with the integrator's order", "
   const auto drift = [](const std::string& name, int steps) {
     TestScene scene(scene_text(name, 0.02 / steps, free_block));
     disturb(*scene.world);
-    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
     const Vec3 before = angular_momentum(*scene.world, stepper.state());
     for (int i = 0; i < steps; ++i) stepper.advance();
     return (angular_momentum(*scene.world, stepper.state()) - before).norm() / before.norm();

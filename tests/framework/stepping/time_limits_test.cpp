@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "geometry/errors.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -34,7 +34,7 @@ class Stopwatch {
 }  // namespace
 
 TEST_CASE("time.wall_limit ends a run within a solve, and says what blocked it", "[limits]") {
-  Simulation run(endless(", wall_limit: 0.2 s", ""));
+  TestRun run(endless(", wall_limit: 0.2 s", ""));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("time.wall_limit: 0.2 s") && Catch::Contains("step 1 at t = 0 s") &&
                                     Catch::Contains("out of wall time after") &&
@@ -48,7 +48,7 @@ TEST_CASE("time.wall_limit ends a run within a solve, and says what blocked it",
 }
 
 TEST_CASE("solver.time_limit makes a solve a failed one", "[limits]") {
-  Simulation run(endless(", max_halvings: 2", ", time_limit: 100 ms"));
+  TestRun run(endless(", max_halvings: 2", ", time_limit: 100 ms"));
   const Stopwatch watch;
   CHECK_THROWS_WITH(run.step(), Catch::Contains("failed with h = 0.0025 s (out of wall time (solver.time_limit: 0.1 s)"));
   CHECK(watch.seconds() < 3 * TACK_PATIENCE);
@@ -60,7 +60,7 @@ TEST_CASE("solver.time_limit makes a solve a failed one", "[limits]") {
 
 TEST_CASE("limits that are not reached change no bit", "[limits]") {
   const auto end_of = [](const std::string& time, const std::string& solver) {
-    Simulation run("time: {step: 0.01, duration: 0.03" + time + "}\nsolver: {type: projected_newton" + solver + "}\n"
+    TestRun run("time: {step: 0.01, duration: 0.03" + time + "}\nsolver: {type: projected_newton" + solver + "}\n"
                    "gravity: [0, -9.81, 0]\nobjects:\n"
                    "  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}\n"
                    "  - {name: block, shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]},\n"

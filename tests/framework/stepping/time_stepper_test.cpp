@@ -34,7 +34,7 @@ std::string bar(const std::string& material, double poisson, double traction) {
 // The stretch of each bar vertex that is at the loaded end.
 double stretch(const std::string& yaml) {
   TestScene scene(yaml);
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   const StepReport report = stepper.advance();
   CHECK(report.converged);
   CHECK(stepper.finished());
@@ -55,7 +55,7 @@ double stretch(const std::string& yaml) {
 TEST_CASE("a failed solve is rolled back and halved, visibly", "[stepping]") {
   TestScene scene(hard_scene(0.5, 12));
   std::vector<std::string> warnings;
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock,
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock,
                       [&](const std::string& line) { warnings.push_back(line); });
   int halvings = 0, steps = 0, ends = 0;
   while (!stepper.finished() && steps < 10000) {
@@ -82,7 +82,7 @@ TEST_CASE("when no step is small enough the run ends, with the last state intact
   for (const int max_halvings : {0, 3}) {
     TestScene scene(hard_scene(1e-14, max_halvings));
     int warnings = 0;
-    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [&](const std::string&) { ++warnings; });
+    TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [&](const std::string&) { ++warnings; });
     CHECK_THROWS_AS(stepper.advance(), SimulationError);
     CHECK(warnings == max_halvings);
     CHECK(stepper.state().time == 0);
@@ -107,7 +107,7 @@ TEST_CASE("fixed vertices stay; energies are reported", "[stepping]") {
                   "objects: [{name: bar, shape: {type: box, size: [0.4, 0.1, 0.1], cells: [4, 1, 1]},\n"
                   "  energies: [{type: neo_hookean, young: 1e5}],\n"
                   "  motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]}]\n");
-  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.config.solver, scene.clock, [](const std::string&) {});
+  TimeStepper stepper(*scene.world, scene.config, scene.config.time, *scene.solver, scene.clock, [](const std::string&) {});
   StepReport report;
   while (!stepper.finished()) report = stepper.advance();
   CHECK(report.step == 5);

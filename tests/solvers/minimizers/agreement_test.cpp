@@ -5,7 +5,7 @@
 #include "solvers/line_search/line_search.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/rms_difference.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -30,7 +30,7 @@ struct Outcome {
 };
 
 Outcome outcome(const std::string& solver) {
-  Simulation simulation(impact(solver));
+  TestRun simulation(impact(solver));
   Outcome outcome;
   while (!simulation.stepper.finished()) {
     const StepReport report = simulation.step();

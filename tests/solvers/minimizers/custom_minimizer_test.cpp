@@ -5,7 +5,7 @@
 #include "framework/config/describe.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "tests/support/program.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 #include "tests/support/tiny_scene.hpp"
 
 using namespace tack;
@@ -23,7 +23,7 @@ TEST_CASE("a minimizer is listed, documented and in the schema because it exists
 }
 
 TEST_CASE("a scene that names the minimizer is solved by it", "[minimizer]") {
-  Simulation simulation(tiny_scene.substr(tiny_scene.find('\n') + 1) + "solver: {type: heavy_ball, momentum: 0.2}\n");
+  TestRun simulation(tiny_scene.substr(tiny_scene.find('\n') + 1) + "solver: {type: heavy_ball, momentum: 0.2}\n");
   while (!simulation.stepper.finished()) CHECK(simulation.step().converged);
   CHECK(simulation.warnings.empty());
 }

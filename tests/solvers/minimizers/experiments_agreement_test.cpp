@@ -5,8 +5,7 @@
 #include <fmt/format.h>
 
 #include "framework/core/minimizer.hpp"
-#include "framework/experiment/built_experiment.hpp"
-#include "framework/stepping/time_stepper.hpp"
+#include "framework/run/simulation.hpp"
 #include "tests/support/rms_difference.hpp"
 
 using namespace tack;
@@ -37,19 +36,17 @@ struct Outcome {
 Outcome run(const Case& c, const std::string& solver) {
   std::vector<std::string> overrides = c.overrides;
   overrides.push_back("solver=" + solver);
-  BuiltExperiment built(load_experiment(std::string(TACK_SOURCE_DIR "/experiments/") + c.file, overrides));
-  const Experiment& experiment = built.experiment();
-  World* const world = &built.world();
   Outcome outcome{{}, 0, ""};
-  TimeStepper stepper(*world, experiment, experiment.time, *experiment.solver, built.clock(),
-                      [&](const std::string& line) { outcome.trouble += line; });
+  Simulation simulation(load_experiment(std::string(TACK_SOURCE_DIR "/experiments/") + c.file, overrides),
+                        [&](const std::string& line) { outcome.trouble += line; });
+  simulation.start();
   for (int step = 0; step < c.steps; ++step) {
-    const StepReport report = stepper.advance();
+    const StepReport report = simulation.step();
     CHECK(report.intersections == 0);
     CHECK(report.min_distance > 0);
   }
-  outcome.x = stepper.state().x;
-  const auto x = world->rest.reshaped(3, world->rest.size() / 3);
+  outcome.x = simulation.state().x;
+  const auto x = simulation.world().rest.reshaped(3, simulation.world().rest.size() / 3);
   outcome.size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
   return outcome;
 }

@@ -5,13 +5,13 @@
 
 #include "geometry/errors.hpp"
 #include "tests/support/component_variants.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
 namespace {
 
-double vertical_velocity(const Simulation& s, const std::string& object) {
+double vertical_velocity(const TestRun& s, const std::string& object) {
   const Body& body = s.world->bodies[s.world->body_index(object)];
   double momentum = 0, mass = 0;
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
@@ -93,7 +93,7 @@ TEST_CASE("a stiff impact does not hide a body that falls freely", "[minimizer]"
         "{type: projected_newton, linear: {type: pcg, tolerance: 0.1}}", "{type: newton_pcg}",
         "{type: projected_newton, linear: {type: lagged_cholesky, tolerance: 0.5, max_iterations: 50}}"}) {
     INFO(solver);
-    Simulation s(two_boxes(solver));
+    TestRun s(two_boxes(solver));
     CHECK(s.step().converged);
     CHECK(vertical_velocity(s, "falls") == Approx(-0.0981).margin(0.01));  // 1 cm/s: the default tolerance
   }
@@ -102,7 +102,7 @@ TEST_CASE("a stiff impact does not hide a body that falls freely", "[minimizer]"
 TEST_CASE("a heavy block does not stop in mid-air, whatever minimises", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
-    Simulation s(heavy_on_light(type));
+    TestRun s(heavy_on_light(type));
     while (!s.stepper.finished()) s.step();
     CHECK(vertical_velocity(s, "heavy") == Approx(-0.5886).margin(0.01));
   }
@@ -111,7 +111,7 @@ TEST_CASE("a heavy block does not stop in mid-air, whatever minimises", "[minimi
 TEST_CASE("a start a picometre away does not end in a force that nothing balances", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
-    Simulation s(picometre + "solver: {type: " + type + ", max_iterations: 100, balance_tolerance: 0.01}\n");
+    TestRun s(picometre + "solver: {type: " + type + ", max_iterations: 100, balance_tolerance: 0.01}\n");
     CHECK(s.sample(0)[0] > 1e12);
     const bool newton = type == "projected_newton" || type == "newton_pcg";
     for (int i = 0; i < (newton ? 3 : 1); ++i) {
@@ -132,8 +132,8 @@ TEST_CASE("a start a picometre away does not end in a force that nothing balance
 TEST_CASE("a scene of a micrometre is solved as well as one of a metre", "[minimizer]") {
   for (const char* type : {"projected_newton", "lbfgs"}) {
     INFO(type);
-    Simulation s(micrometre(std::string("{type: ") + type + "}"));
-    Simulation exact(micrometre("{type: projected_newton, tolerance: 1e-9}"));
+    TestRun s(micrometre(std::string("{type: ") + type + "}"));
+    TestRun exact(micrometre("{type: projected_newton, tolerance: 1e-9}"));
     CHECK(s.config.solver->velocity_tolerance() == Approx(1e-3));  // a tenth of the contact distance in a step
     for (int i = 0; i < 20; ++i) {
       s.step();
@@ -147,7 +147,7 @@ TEST_CASE("a scene of a micrometre is solved as well as one of a metre", "[minim
 TEST_CASE("a quasi-static body without stress is at rest, whatever minimises", "[minimizer]") {
   for (const std::string& type : Registry<Minimizer>::kind().names()) {
     INFO(type);
-    Simulation s("time: {step: 10 ms, duration: 20 ms, integrator: quasi_static, max_halvings: 0}\n"
+    TestRun s("time: {step: 10 ms, duration: 20 ms, integrator: quasi_static, max_halvings: 0}\n"
                  "solver: {type: " + type + "}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.2, 0.1, 0.1], cells: [4, 3, 3]},\n"
                  "  place: {axis: [1, 2, 3], angle: 0.5, translate: [0.3, 0.1, 0.77]},\n"

@@ -10,7 +10,7 @@
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"
 #include "tests/support/rms_difference.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 #include "tests/support/step_problem.hpp"
 
 using namespace tack;
@@ -187,7 +187,7 @@ TEST_CASE("minimizers: a lack of time ends them at a feasible point", "[minimize
 TEST_CASE("minimizers: quasi-static steps", "[minimizer]") {
   // A bar without inertia that bends under gravity and is pulled: all linear forces are rest.
   const auto positions = [](const std::string& type) {
-    Simulation s("time: {step: 1, duration: 1, integrator: quasi_static}\ngravity: [0, -1, 0]\n"
+    TestRun s("time: {step: 1, duration: 1, integrator: quasi_static}\ngravity: [0, -1, 0]\n"
                  "solver: {type: " + type + ", force_tolerance: 1e-8, max_iterations: 5000}\n"
                  "objects: [{name: bar, shape: {type: box, size: [0.5, 0.1, 0.1], cells: [5, 2, 2]},\n"
                  "  energies: [{type: neo_hookean, young: 1e5, poisson: 0.3}],\n"
@@ -208,7 +208,7 @@ TEST_CASE("minimizers: a scripted plate that pushes", "[minimizer]") {
   // The plate would go through the block: it walks, with a pull that gradient methods find hard. It also moves
   // aside: pressed straight down, the block may give way to either side.
   const auto positions = [](const std::string& type) {
-    Simulation s("time: {step: 1, duration: 2, integrator: quasi_static}\n"
+    TestRun s("time: {step: 1, duration: 2, integrator: quasi_static}\n"
                  "solver: {type: " + type + ", force_tolerance: 1e-8}\n"
                  "objects:\n"
                  "  - {name: plate, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, 0.101, 0]},\n"

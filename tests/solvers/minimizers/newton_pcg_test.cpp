@@ -1,7 +1,7 @@
 // Inexact Newton against Newton with factors.
 #include <catch2/catch.hpp>
 
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -27,7 +27,7 @@ struct Dropped {
   int contacts = 0;
 };
 Dropped dropped(const std::string& solver) {
-  Simulation simulation(drop(solver));
+  TestRun simulation(drop(solver));
   Dropped d;
   for (int s = 0; s < 12; ++s) {
     const StepReport report = simulation.step();
@@ -59,5 +59,5 @@ TEST_CASE("inexact Newton does not take a badly solved step for a small one", "[
   const Dropped loose = dropped("{type: newton_pcg, tolerance: 1e-5, forcing_max: 0.5, forcing_min: 0.1}");
   CHECK((loose.x - exact.x).lpNorm<Eigen::Infinity>() < 1e-6);
   CHECK(loose.work.linear_solves > loose.work.iterations);
-  CHECK_THROWS(Simulation(drop("{type: newton_pcg, forcing_max: 1e-5, forcing_min: 1e-4}")));
+  CHECK_THROWS(TestRun(drop("{type: newton_pcg, forcing_max: 1e-5, forcing_min: 1e-4}")));
 }

@@ -1,4 +1,4 @@
-#include "framework/app/problem_dump.hpp"
+#include "framework/run/problem_dump.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,217 @@
+#include "framework/run/recorded_run.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "framework/config/describe.hpp"
+#include "framework/experiment/stored_experiment.hpp"
+#include "framework/experiment/tolerances.hpp"
+#include "framework/output/next_due.hpp"
+#include "framework/scene/resolution.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+void write_resolved(const RunFolder& folder, const Experiment& experiment) {
+  std::ofstream out(folder.scene());
+  out << to_yaml(fields_of(experiment));
+  out.close();
+  if (!out) throw InputError(fmt::format("cannot write {}", folder.scene().string()));
+}
+
+void warn_of_weak_wells(const World& world, Progress& progress) {
+  for (const AdhesionSummary& a : world.adhesion)
+    if (a.loss() > AdhesionSummary::tolerated_loss)
+      progress.warning(fmt::format(
+          "adhesion '{}' - '{}': the barrier's stiffness takes {:.0f}% of the work of adhesion "
+          "({:.4g} of {:.4g} J/m^2 remain); lower contact.barrier.stiffness",
+          a.between[0], a.between[1], 100 * a.loss(), a.effective, a.work_of_adhesion));
+}
+
+RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {
+  const std::filesystem::path root = RunFolder::chosen_root(settings.output, experiment.name);
+  return settings.resume ? RunFolder::open(root) : RunFolder::create(root);
+}
+
+}  // namespace
+
+RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, const Provenance& provenance,
+                         std::ostream& out, const ProgressOptions& progress)
+    : settings_(settings), provenance_(provenance), dump_(settings.dump_problems),
+      simulation_(std::move(loaded), [this](const std::string& line) { progress_.warning(line); }),
+      probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
+      log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
+  if (checkpoint_) set_totals(summary_, checkpoint_->totals);
+  else write_resolved(folder_, experiment_);
+  phases_before_ = summary_.phases;
+  summary_.name = experiment_.name;
+  summary_.version = provenance.version;
+  summary_.commit = provenance.commit;
+  summary_.threads = provenance.threads;
+  summary_.dofs = world_.dofs.size();
+  summary_.adhesion = world_.adhesion;
+  if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_);
+  const auto tell = [this](int iteration, double residual, double, double) {
+    progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
+  };
+  Simulation::Observers observers{tell, tell, {}};
+  if (profiler_)
+    observers.steps = [this](const VecX& x, const VecX& p, double feasible) { profiler_->tried(x, p, feasible); };
+  simulation_.observe(std::move(observers));
+}
+
+const RunSummary& RecordedRun::execute() {
+  tell_beginning();
+  std::optional<double> resumed_at;
+  if (checkpoint_) resumed_at = checkpoint_->state.time;
+  Recorder recorder(experiment_.output, experiment_.time, probes_, world_, folder_, clock_, resumed_at);
+  try {
+    simulate(recorder);
+  } catch (const SimulationError& error) {
+    summary_.status = RunStatus::simulation_failed;
+    summary_.error = error.what();
+    progress_.warning(fmt::format("error: {}", error.what()));
+  }
+  finish(recorder);
+  return summary_;
+}
+
+void RecordedRun::tell_beginning() {
+  if (folder_.moved_aside())
+    progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
+  progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
+                                world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.threads));
+  warn_of_weak_wells(world_, progress_);
+  for (const std::string& line : resolution_warnings(experiment_, world_)) progress_.warning(line);
+  for (const std::string& line : doubtful_tolerances(experiment_, world_)) progress_.warning(line);
+}
+
+std::optional<StateFile> RecordedRun::checkpoint() {
+  if (!settings_.resume) return std::nullopt;
+  StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(experiment_)), world_);
+  check_size(file, world_.rest.size() / 3, folder_.checkpoints().string());
+  return file;
+}
+
+void RecordedRun::simulate(Recorder& recorder) {
+  if (checkpoint_) {
+    progress_.message(fmt::format("resumed at step {}, t = {:.6g} s", checkpoint_->state.step,
+                                  checkpoint_->state.time));
+    simulation_.start_from(checkpoint_->state);
+  } else {
+    simulation_.start();
+    recorder.start(simulation_.state());
+  }
+  next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
+  progress_.begin(simulation_.state().time, experiment_.time.duration);
+  while (!simulation_.finished() && (settings_.steps == 0 || summary_.steps < settings_.steps)) {
+    prepare_dump();
+    const StepReport report = simulation_.step();
+    if (simulation_.interrupted()) {
+      summary_.status = RunStatus::interrupted;
+      return;
+    }
+    if (profiler_) profiler_->step(simulation_.state(), report);
+    dump_.after(report.solve.iterations);
+    recorder.step(simulation_.state(), report);
+    summary_.add(report);
+    tell_linear_solver();
+    progress_.step(report);
+    write_checkpoint();
+  }
+}
+
+// Once it has seen a system, and again when it has changed its mind.
+void RecordedRun::tell_linear_solver() {
+  const std::string solver = simulation_.solver().linear_solver();
+  if (solver == summary_.linear_solver) return;
+  summary_.linear_solver = solver;
+  progress_.detail("linear solver: " + solver);
+}
+
+void RecordedRun::prepare_dump() {
+  if (!dump_.wants(simulation_.state().step + 1)) return;
+  simulation_.start_from(simulation_.state());
+  dump_.before(world_.start, simulation_.stepper().next_step_size(),
+               [this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
+}
+
+void RecordedRun::finish_dump() {
+  dump_.finish([this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
+  for (const int step : dump_.missed())
+    progress_.warning(fmt::format("step {} was not reached: its problem is not stored", step));
+}
+
+StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) const {
+  StateFile file = state_file_of(kind, experiment_);
+  file.program = provenance_.version;
+  file.commit = provenance_.commit;
+  if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(world_);
+  file.state = state;
+  return file;
+}
+
+void RecordedRun::store_problem(const State& state, double h, int iterations) {
+  const PhaseScope scope(clock_, Phase::io);
+  StateFile file = state_file(StateFile::Kind::problem, state);
+  file.step_size = h;
+  std::filesystem::create_directories(folder_.problems());
+  const std::string name = RunFolder::default_root(experiment_.name).filename();
+  const auto path = folder_.problems() / fmt::format("{}.step{}.problem", name, state.step + 1);
+  write_state_file(path, file);
+  const std::string effort = iterations < 0 ? "" : fmt::format(" ({} iterations)", iterations);
+  progress_.message(fmt::format("step {}{} stored as {}", state.step + 1, effort, path.string()));
+}
+
+double RecordedRun::next_checkpoint_after(double time) const {
+  const auto interval = experiment_.output.checkpoint_interval;
+  if (!interval) return std::numeric_limits<double>::infinity();
+  return next_due(*interval, time, experiment_.time.step);
+}
+
+void RecordedRun::write_checkpoint() {
+  const State& state = simulation_.state();
+  if (state.time < next_checkpoint_ - 1e-9 * experiment_.time.step) return;
+  next_checkpoint_ = next_checkpoint_after(state.time);
+  const PhaseScope scope(clock_, Phase::io);
+  StateFile file = state_file(StateFile::Kind::checkpoint, state);
+  add_up_phases();
+  file.totals = totals_of(summary_);
+  write_state_file(checkpoint_path(folder_, state.step), file);
+  simulation_.start_from(state);
+}
+
+void RecordedRun::add_up_phases() {
+  const PhaseClock::Seconds& seconds = clock_.seconds();
+  for (int i = 0; i < phase_count; ++i) summary_.phases[i] = phases_before_[i] + seconds[i];
+}
+
+std::string RecordedRun::profile_of_run() {
+  const Profile profile = profiler_->finish(simulation_.state(), summary_);
+  write_profile(folder_.profile(), profile);
+  return profile_tables(profile);
+}
+
+void RecordedRun::finish(const Recorder& recorder) {
+  const bool complete = summary_.status == RunStatus::done && settings_.steps == 0;
+  if (complete) {
+    for (const Expectation& expectation : experiment_.expect) {
+      summary_.expect.push_back(evaluate(expectation, recorder.series()));
+      if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
+    }
+  }
+  finish_dump();
+  add_up_phases();
+  for (const double s : summary_.phases) summary_.wall_seconds += s;
+  write_summary(folder_.summary(), summary_);
+  progress_.finish();
+  progress_.message(profiler_ && simulation_.started() ? profile_of_run() : phase_table(summary_));
+  if (complete) progress_.message(expect_table(summary_.expect));
+  progress_.message(fmt::format("{}: {} steps, {} Newton iterations, smallest gap {:.4g} m; results in {}",
+                                to_string(summary_.status), summary_.steps, summary_.newton_iterations,
+                                summary_.min_distance, folder_.root().string()));
+}
+
+}  // namespace tack

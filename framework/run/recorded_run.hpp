@@ -1,0 +1,77 @@
+// A simulation whose results are kept: a folder with the experiment as it is resolved, steps, probes, frames,
+// checkpoints, stored problems, a profile and a summary; and what is told of it on the way.
+#pragma once
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/output/checkpoints.hpp"
+#include "framework/output/progress.hpp"
+#include "framework/output/recorder.hpp"
+#include "framework/output/summary.hpp"
+#include "framework/profile/profiler.hpp"
+#include "framework/run/problem_dump.hpp"
+#include "framework/run/simulation.hpp"
+
+namespace tack {
+
+struct RunSettings {
+  std::string output;                      // the folder; empty: results/<name>
+  int steps = 0;                           // 0: to the end
+  bool resume = false;                     // from the newest checkpoint of the folder
+  std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
+  bool profile = false;                    // tell what the run cost
+};
+
+// What ran, for the files: they tell how to make them again.
+struct Provenance {
+  std::string version, commit;
+  int threads = 0;
+};
+
+class RecordedRun {
+ public:
+  // Throws InputError before anything is written. `out` gets what is told.
+  RecordedRun(LoadedExperiment loaded, const RunSettings& settings, const Provenance& provenance, std::ostream& out,
+              const ProgressOptions& progress);
+
+  // To the end, or as far as it gets: a step that fails is told of in the summary. Throws InputError for results
+  // that cannot be written.
+  const RunSummary& execute();
+
+ private:
+  std::optional<StateFile> checkpoint();
+  void tell_beginning();
+  void simulate(Recorder& recorder);
+  void tell_linear_solver();
+  void prepare_dump();
+  void finish_dump();
+  StateFile state_file(StateFile::Kind kind, const State& state) const;
+  void store_problem(const State& state, double h, int iterations);
+  double next_checkpoint_after(double time) const;
+  void write_checkpoint();
+  void add_up_phases();
+  std::string profile_of_run();
+  void finish(const Recorder& recorder);
+
+  RunSettings settings_;
+  Provenance provenance_;
+  ProblemDump dump_;
+  Simulation simulation_;
+  const Experiment& experiment_ = simulation_.experiment();
+  World& world_ = simulation_.world();
+  PhaseClock& clock_ = simulation_.clock();
+  ProbeSet probes_;
+  RunFolder folder_;
+  std::optional<StateFile> checkpoint_;  // that the run goes on from
+  std::ofstream log_;
+  Progress progress_;
+  RunSummary summary_;
+  PhaseClock::Seconds phases_before_{};  // of the run that is resumed
+  std::optional<Profiler> profiler_;
+  double next_checkpoint_ = 0;  // s
+};
+
+}  // namespace tack

@@ -1,0 +1,20 @@
+#include "framework/run/simulation.hpp"
+
+#include "framework/config/bind.hpp"
+
+namespace tack {
+
+Simulation::Simulation(LoadedExperiment loaded, std::function<void(const std::string&)> warn)
+    : built_(std::move(loaded)), warn_(std::move(warn)) {}
+
+void Simulation::start_from(State state) {
+  world().start = std::move(state);
+  world().participants.forget();
+  stepper_.reset();
+  solver_ = instance_of(*experiment().solver);
+  stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);
+  stepper_->observe(observers_.minimizer, observers_.walk);
+  stepper_->observe_steps(observers_.steps);
+}
+
+}  // namespace tack

@@ -1,0 +1,55 @@
+// An experiment under way: its world, a solver of its own, the clock, and the state that is stepped on. Nothing is
+// written; see recorded_run.hpp.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "framework/experiment/built_experiment.hpp"
+#include "framework/stepping/time_stepper.hpp"
+
+namespace tack {
+
+class Simulation {
+ public:
+  // Builds the world; throws InputError as BuiltExperiment does. `warn` gets a line for each failed solve.
+  explicit Simulation(LoadedExperiment loaded, std::function<void(const std::string&)> warn = [](const std::string&) {});
+
+  const BuiltExperiment& built() const { return built_; }
+  const Experiment& experiment() const { return built_.experiment(); }
+  World& world() { return built_.world(); }
+  const World& world() const { return built_.world(); }
+  PhaseClock& clock() { return built_.clock(); }
+
+  // Before anything below: at the experiment's start, or from a state as a program would go on that was started
+  // there: with a solver and candidates of its own.
+  void start() { start_from(world().start); }
+  void start_from(State state);
+  bool started() const { return stepper_.has_value(); }
+
+  // One accepted step. Throws SimulationError when no step small enough succeeds.
+  StepReport step() { return stepper_->advance(); }
+  bool finished() const { return stepper_->finished(); }
+  bool interrupted() const { return stepper_->interrupted(); }
+  const State& state() const { return stepper_->state(); }
+  const Minimizer& solver() const { return *solver_; }
+  TimeStepper& stepper() { return *stepper_; }  // for those who study single steps; another one after start_from()
+
+  // Who is told of what (time_stepper.hpp), from the next start on.
+  struct Observers {
+    MinimizerProblem::Observer minimizer, walk;
+    TimeStepper::StepObserver steps;
+  };
+  void observe(Observers observers) { observers_ = std::move(observers); }
+
+ private:
+  BuiltExperiment built_;
+  std::function<void(const std::string&)> warn_;
+  Observers observers_;
+  std::unique_ptr<Minimizer> solver_;
+  std::optional<TimeStepper> stepper_;
+};
+
+}  // namespace tack

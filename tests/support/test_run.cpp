@@ -1,0 +1,18 @@
+#include "tests/support/test_run.hpp"
+
+#include "framework/config/bind.hpp"
+
+namespace tack {
+
+TestRun::TestRun(const std::string& yaml)
+    : simulation(parse_experiment("name: test\n" + yaml, "test.yaml"),
+                 [this](const std::string& line) { warnings.push_back(line); }),
+      stepper((simulation.start(), simulation.stepper())) {
+  for (const auto& probe : config.probes) probes.emplace_back(instance_of(*probe))->prepare(*world);
+}
+
+TestRun::~TestRun() = default;
+
+std::vector<double> TestRun::sample(size_t probe) { return probes[probe]->sample(*world, state()); }
+
+}  // namespace tack
