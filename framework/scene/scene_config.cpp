@@ -20,6 +20,7 @@ void ObjectConfig::fields(Fields& f) {
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.component_list("energies", energies, "its potential energies; an object that is all fixed needs none");
+  f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
   f.component_list("motion", motion, "prescribed motion of some vertices");
   f.component_list("loads", loads, "external forces");
   f.vector("velocity", velocity, units::velocity, "initial velocity of its free vertices");

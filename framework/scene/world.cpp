@@ -1,6 +1,7 @@
 #include "framework/scene/world.hpp"
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/core/damping_terms.hpp"
 
 namespace tack {
 

@@ -17,6 +17,7 @@ namespace tack {
 
 class ContactSystem;
 class ContactTerm;
+class DampingTerm;
 class FrictionTerm;
 
 struct World {
@@ -33,6 +34,7 @@ struct World {
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
+  std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;
   LoadTerm load_term;
   std::unique_ptr<ContactSystem> contact;  // null without contact
