@@ -17,7 +17,7 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
                              {"squared", Form::squared, "logarithm of the squared gap"}},
              "the argument of the barrier");
     f.optional_number("stiffness", given_stiffness_, units::pressure,
-                      "kappa; by default a tenth of the softer Young's modulus, or a twentieth of the "
+                      "kappa; by default a tenth of the softer Young's modulus (of an affine body: its stiffness), or a twentieth of the "
                       "pair's peak adhesive traction if that is less")
         .positive();
   }
@@ -47,7 +47,7 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
  private:
   static double default_stiffness(const PairMaterials& m) {
     constexpr double of_young = 0.1, of_adhesion = 0.05, without_material = 1e5;
-    double kappa = m.softer_young > 0 ? of_young * m.softer_young : without_material;
+    double kappa = m.softer_stiffness > 0 ? of_young * m.softer_stiffness : without_material;
     if (m.adhesion_peak > 0) kappa = std::min(kappa, of_adhesion * m.adhesion_peak);
     return kappa;
   }

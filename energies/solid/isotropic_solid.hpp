@@ -1,10 +1,10 @@
-// What every isotropic solid energy has in common: parameters, lumped mass, the term. A material is
+// What every isotropic solid energy has in common: parameters, lumped mass, the term. An elastic material is
 // one file: its density, its derivatives, and a TACK_REGISTER of IsotropicSolid<Material>.
 #pragma once
 
 #include <limits>
 
-#include "energies/solid/solid_term.hpp"
+#include "energies/solid/least_squares_solid.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"
 
@@ -24,27 +24,29 @@ inline Lame lame(double young, double poisson) {
 // Adds a quarter of each tet's mass to its vertices [kg].
 void add_tet_mass(const Body& body, const VecX& rest, double density, VecX& mass);
 
-template <class Material>
-class IsotropicSolid : public Energy {
+class SolidEnergy : public Energy {
  public:
-  void fields(Fields& f) override {
-    f.number("young", young_, units::pressure, "Young's modulus").required().positive();
-    f.number("poisson", poisson_, units::none, "Poisson's ratio").range(-0.99, 0.4999);
-    f.number("density", density_, units::density, "mass per rest volume").positive();
-  }
-  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
-    return std::make_unique<SolidTerm<Material>>(std::string(type()), Material{lame(young_, poisson_)}, body,
-                                                 rest);
-  }
+  void fields(Fields& f) override;
   void add_mass(const Body& body, const VecX& rest, VecX& mass) const override {
     add_tet_mass(body, rest, density_, mass);
   }
   std::optional<double> young() const override { return young_; }
 
+ protected:
+  Lame lame() const { return tack::lame(young_, poisson_); }
+
  private:
   double young_ = 1e5;      // Pa
   double poisson_ = 0.3;
   double density_ = 1000;   // kg/m^3
+};
+
+template <class Material>
+class IsotropicSolid : public SolidEnergy {
+ public:
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+    return std::make_unique<LeastSquaresSolid<Material>>(std::string(type()), Material{lame()}, body, rest);
+  }
 };
 
 }  // namespace tack

@@ -2,25 +2,23 @@
 // A material has
 //   Pack energy(const PackMat3& f) const;                             psi [J/m^3], infinite unless det F > 0
 //   PrincipalDerivatives derivatives(const PackVec3& stretches) const;
-//   RootSample stretch_root(double s) const, volume_root(double j) const;   see solid_residuals.hpp
+// or, where it differs from tet to tet, at(p): that of the tets pack_width * p on, one per lane.
 // Tets are computed pack_width at a time, one per lane. The Hessian is filtered in the principal frame, in
 // closed form but for one 3x3 matrix.
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 
 #include "energies/solid/principal.hpp"
-#include "energies/solid/solid_residuals.hpp"
+#include "energies/solid/svd3.hpp"
 #include "energies/solid/tet_geometry.hpp"
-#include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 
 template <class Material>
-class SolidTerm : public Term, public StencilRanges, public ResidualView {
+class SolidTerm : public Term, public StencilRanges {
  public:
   SolidTerm(std::string name, const Material& material, const Body& body, const VecX& rest)
       : Term(std::move(name)), material_(material), tets_(body.tets), rest_(packed(tet_rest_data(body, rest))) {}
@@ -31,7 +29,7 @@ class SolidTerm : public Term, public StencilRanges, public ResidualView {
       for (int t = first; t < last; t += pack_width) {
         const int n = std::min(pack_width, last - t);
         const TetRest<Pack>& rest = rest_[t / pack_width];
-        const Pack energy = rest.volume * material_.energy(deformation_gradient(rest, &tets_[t], n, x));
+        const Pack energy = rest.volume * material(t / pack_width).energy(deformation_gradient(rest, &tets_[t], n, x));
         for (int l = 0; l < n; ++l) sum += energy[l];
       }
       return sum;
@@ -60,31 +58,41 @@ class SolidTerm : public Term, public StencilRanges, public ResidualView {
     }
   }
 
-  // A negative lambda is no sum of squares.
-  const ResidualView* residual_view() const override { return material_.lame.lambda >= 0 ? this : nullptr; }
-
-  std::vector<ResidualBatch> residual_batches() const override {
-    return {{4, tet_residual_count, count(), tets_.empty() ? nullptr : tets_.front().data()}};
+  std::vector<Mat3> cauchy_stress(const VecX& x) const override {
+    std::vector<Mat3> stress(tets_.size());
+    for_each(count() / pack_width + 1, [&](int p) {
+      const int first = p * pack_width, n = std::min(pack_width, count() - first);
+      if (n <= 0) return;
+      const Svd3<Pack> svd = svd3(deformation_gradient(rest_[p], &tets_[first], n, x));
+      const PackVec3 principal = material(p).derivatives(svd.s).gradient.cwiseProduct(svd.s) / svd.s.prod();
+      const PackMat3 sigma = svd.u * principal.asDiagonal() * svd.u.transpose();
+      for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
+    }, chunk_size / pack_width);
+    return stress;
   }
 
-  bool residuals(const VecX& x, double* r, double* jacobian) const override {
-    std::atomic<bool> finite = true;
-    for_each(count(), [&](int t) {
-      const size_t at = static_cast<size_t>(t) * tet_residual_count;
-      const TetRest<Pack>& pack = rest_[t / pack_width];
-      const int lane = t % pack_width;
-      const TetRest<double> rest{get_lane<3, 3>(pack.shape, lane), pack.volume[lane]};
-      if (!tet_residuals(material_, rest, deformation_gradient(rest, tets_[t], x), r + at,
-                         jacobian ? jacobian + 12 * at : nullptr))
-        finite = false;
-    });
-    return finite;
+ protected:
+  int count() const { return static_cast<int>(tets_.size()); }
+
+  // Of one tet.
+  TetRest<double> rest_of(int t) const {
+    const TetRest<Pack>& pack = rest_[t / pack_width];
+    return {get_lane<3, 3>(pack.shape, t % pack_width), pack.volume[t % pack_width]};
   }
+  Mat3 deformation(int t, const VecX& x) const { return deformation_gradient(rest_of(t), tets_[t], x); }
+
+  Material material_;
+  std::vector<Tet> tets_;
+  std::vector<TetRest<Pack>> rest_;  // of pack_width tets each; the last lanes repeat the last tet
 
  private:
   static_assert(chunk_size % pack_width == 0 && grain % pack_width == 0);
 
-  // The last lanes repeat the last tet.
+  decltype(auto) material(int pack) const {
+    if constexpr (requires { material_.at(pack); }) return material_.at(pack);
+    else return (material_);
+  }
+
   static std::vector<TetRest<Pack>> packed(const std::vector<TetRest<double>>& rest) {
     const size_t packs = (rest.size() + pack_width - 1) / pack_width;
     std::vector<TetRest<Pack>> out(packs);
@@ -97,13 +105,11 @@ class SolidTerm : public Term, public StencilRanges, public ResidualView {
     return out;
   }
 
-  int count() const { return static_cast<int>(tets_.size()); }
-
   // Slots of the tets first .. first + n.
   void elements(int first, int n, const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
     const TetRest<Pack>& rest = rest_[first / pack_width];
     const Svd3<Pack> svd = svd3(deformation_gradient(rest, &tets_[first], n, x));
-    const PrincipalDerivatives d = material_.derivatives(svd.s);
+    const PrincipalDerivatives d = material(first / pack_width).derivatives(svd.s);
     const PackMat3 shape = rest.shape * svd.v;  // row a-1: V^T grad N_a
     PackMatrix<3, 4> g;
     for (int a = 0; a < 3; ++a)
@@ -147,10 +153,6 @@ class SolidTerm : public Term, public StencilRanges, public ResidualView {
     }
     return k;
   }
-
-  Material material_;
-  std::vector<Tet> tets_;
-  std::vector<TetRest<Pack>> rest_;  // of pack_width tets each
 };
 
 }  // namespace tack

@@ -152,10 +152,10 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
   add_linear(x, scales.body, gradient);
 }
 
-void Assembler::add_last_gradients(const Term* without, VecX& gradient) const {
+void Assembler::add_last_gradients(VecX& gradient) const {
   for (const Group* group : {&ranged_, &static_, &dynamic_}) {
     for (size_t i = 0; i < group->batches.size(); ++i) {
-      if (group->batch_terms[i] == without) continue;
+      if (!group->batch_terms[i]->stores()) continue;
       const PlacedBatch& placed = group->batches[i];
       const double* slot = group->gradient_slots.data() + 3 * static_cast<size_t>(placed.gradient_slot);
       for (int k = 0; k < placed.batch.arity * placed.batch.count; ++k, slot += 3)

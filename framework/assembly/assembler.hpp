@@ -33,9 +33,9 @@ class Assembler {
   void assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
                 const VecX& block_mass, VecX& gradient, BlockMatrix& matrix);
 
-  // Adds the stencils' gradients of the last evaluation, those of `without` left out, at every vertex,
+  // Adds the stencils' gradients of the last evaluation, of terms that store energy, at every vertex,
   // held ones included (3n) [N].
-  void add_last_gradients(const Term* without, VecX& gradient) const;
+  void add_last_gradients(VecX& gradient) const;
 
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;

@@ -119,7 +119,7 @@ std::optional<double> IncrementalPotential::first_value(const Term* term, const 
   return first_parts_[found - terms_.begin()];
 }
 
-VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x, const Term* without) {
+VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x) {
   if (q_.size() != size() || x_ != x) {
     VecX q;
     dofs_.gather(x, q);
@@ -127,7 +127,7 @@ VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x, const Term* w
   }
   gradient();
   VecX sum = VecX::Zero(x.size());
-  assembler_.add_last_gradients(without, sum);
+  assembler_.add_last_gradients(sum);
   return sum;
 }
 

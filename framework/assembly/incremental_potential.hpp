@@ -32,8 +32,8 @@ class IncrementalPotential : public Objective {
   double scale() const { return scales_.body; }  // beta h^2, or 1
   // What a term was at x if the step's first evaluation was there; nothing otherwise [J].
   std::optional<double> first_value(const Term* term, const VecX& x) const;
-  // Of all terms but `without`, held vertices included and linear terms left out, at x (3n) [N].
-  VecX gradient_at_all_vertices(const VecX& x, const Term* without);
+  // Of all terms that store energy, held vertices included and linear terms left out, at x (3n) [N].
+  VecX gradient_at_all_vertices(const VecX& x);
   // The largest components of forces at the point and of the gradient that were evaluated last [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
   double largest_element_force() const { return assembler_.largest_static_force(); }  // without contact

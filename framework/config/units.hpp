@@ -24,6 +24,7 @@ inline constexpr Unit volume{"m^3", "volume"};
 inline constexpr Unit curvature{"1/m", "curvature"};
 inline constexpr Unit time{"s", "time"};
 inline constexpr Unit frequency{"Hz", "frequency"};
+inline constexpr Unit rate{"1/s", "rate"};
 inline constexpr Unit angular_velocity{"rad/s", "angular velocity"};
 inline constexpr Unit velocity{"m/s", "velocity"};
 inline constexpr Unit acceleration{"m/s^2", "acceleration"};

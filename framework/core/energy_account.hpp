@@ -9,7 +9,7 @@ struct EnergyAccount {
   bool open = false;  // false: nothing is known of the state's energies yet
   // Of the state, of all that was free in the step before [J].
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;
-  double friction = 0;  // dissipated so far, tangential adhesion included [J]
+  double friction = 0, plastic = 0, damping = 0;  // dissipated so far; friction with tangential adhesion [J]
   VecX gradient;  // 3n: of elastic and contact energy [N]; empty if no script moves anything
 
   double unexplained = 0;  // energy that nothing put in, from the first step on [J]

@@ -15,10 +15,17 @@
 
 namespace tack {
 
+// What a time integrator takes for the velocities at the end x of a step: rate (x - still).
+struct EndVelocity {
+  double rate;  // 1/s
+  VecX still;   // 3n [m]
+};
+
 struct StepStart {
   const VecX& x;    // 3n [m]
   double time = 0;  // s
   double h = 0;     // the size of the step [s]
+  const EndVelocity* velocity = nullptr;  // null: the step over h
 };
 
 class StepParticipant {

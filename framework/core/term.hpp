@@ -66,6 +66,15 @@ class Term : public StepParticipant {
   // The term as least squares (residual_view.hpp); null if it has no such form.
   virtual const ResidualView* residual_view() const { return nullptr; }
 
+  // Whether its value is an energy that bodies have, and not one that stands for what a step dissipates.
+  virtual bool stores() const { return true; }
+  // What a step to x dissipates, once it is kept: before commit(); never negative [J].
+  virtual double dissipated(const VecX& /*x*/) const { return 0; }
+
+  // For records, of each element (stencil); empty if the term knows nothing of the kind.
+  virtual std::vector<Mat3> cauchy_stress(const VecX& /*x*/) const { return {}; }  // at x [Pa]
+  virtual std::vector<double> plastic_strain() const { return {}; }                // accumulated so far
+
  private:
   std::string name_;
 };

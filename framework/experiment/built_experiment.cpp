@@ -1,13 +1,28 @@
 #include "framework/experiment/built_experiment.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/experiment/tolerances.hpp"
 #include "framework/scene/build_world.hpp"
 
 namespace tack {
+namespace {
+
+void check_damping(const Experiment& e, const Value& root, const World& world) {
+  if (e.time.integrator->predict(world.start, e.time.step).inertia) return;
+  for (size_t i = 0; i < e.objects.size(); ++i)
+    if (e.objects[i].damping)
+      throw InputError(fmt::format("{}object '{}': damping acts on velocities, and with time.integrator: {} there are none; take "
+                                   "another integrator, or the damping out", place_of(root, "objects", i), e.objects[i].name,
+                                   e.time.integrator->type()));
+}
+
+}  // namespace
 
 BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
   const Experiment& e = loaded_.experiment;
   world_ = build_world(e, loaded_.root, e.time.step, clock_);
+  check_damping(e, loaded_.root, *world_);
   at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
   loaded_.experiment.solver = settled_solver(e, *world_, clock_);
 }

@@ -1,6 +1,7 @@
 #include "framework/output/recorder.hpp"
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/output/element_fields.hpp"
 #include "framework/output/next_due.hpp"
 
 namespace tack {
@@ -85,7 +86,8 @@ std::vector<PointField> Recorder::point_fields(const State& state) const {
 
 void Recorder::write_frame(const State& state) {
   const auto file = RunFolder::frame(pvd_.frames());
-  write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, point_fields(state));
+  write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, point_fields(state),
+            element_fields(output_.frame_fields, world_, state.x, geometry_));
   pvd_.add(state.time, file);
   schedule_frame(state.time);
 }

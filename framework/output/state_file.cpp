@@ -50,6 +50,8 @@ void for_each_field(Account& a, const Act& act) {
   act("unexplained", a.unexplained, Since::first);
   act("at_play", a.at_play, Since::first);
   act("friction", a.friction, Since::later);
+  act("plastic", a.plastic, Since::later);
+  act("damping", a.damping, Since::later);
 }
 
 template <class S, class Act>

@@ -3,7 +3,7 @@
 // Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], max_affine_strain, intersections,
-// inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_areas,
+// inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
 // dissipated_numerics [J] (stepping/energy_balance.hpp), damped_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
 // Numbers that are not finite are null.

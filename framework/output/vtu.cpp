@@ -86,17 +86,24 @@ void set_points(vtkUnstructuredGrid* grid, const FrameGeometry& geometry, const 
   grid->SetPoints(points);
 }
 
+vtkNew<vtkDoubleArray> to_array(const std::string& name, const VecX& values, int components, const std::string& unit) {
+  auto array = to_array(name, values, components);
+  if (!unit.empty()) array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), unit.c_str());
+  return array;
+}
+
+void add_field(vtkUnstructuredGrid* grid, const FrameGeometry& geometry, const CellField& field) {
+  require_size("cell field", field.name, field.values.size(), geometry.cells());
+  grid->GetCellData()->AddArray(to_array(field.name, field.values, 1, field.unit));
+}
+
 void add_field(vtkUnstructuredGrid* grid, const FrameGeometry& geometry, const PointField& field) {
   if (field.components != 1 && field.components != 3) {
     throw std::logic_error(fmt::format("field '{}' of a frame has {} components, expected 1 or 3",
                                        field.name, field.components));
   }
   require_size("field", field.name, field.values.size(), field.components * geometry.vertices);
-  const auto array = to_array(field.name, field.values, field.components);
-  if (!field.unit.empty()) {
-    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
-  }
-  grid->GetPointData()->AddArray(array);
+  grid->GetPointData()->AddArray(to_array(field.name, field.values, field.components, field.unit));
 }
 
 std::string to_text(vtkUnstructuredGrid* grid) {
@@ -115,11 +122,12 @@ std::string to_text(vtkUnstructuredGrid* grid) {
 }  // namespace
 
 void write_vtu(const std::filesystem::path& path, const FrameGeometry& geometry, const VecX& x,
-               double time, const std::vector<PointField>& fields) {
+               double time, const std::vector<PointField>& fields, const std::vector<CellField>& cell_fields) {
   vtkNew<vtkUnstructuredGrid> grid;
   set_points(grid, geometry, x);
   set_cells(grid, geometry);
   for (const PointField& field : fields) add_field(grid, geometry, field);
+  for (const CellField& field : cell_fields) add_field(grid, geometry, field);
   grid->GetFieldData()->AddArray(to_array("TimeValue", VecX::Constant(1, time), 1));
   replace_file(path, to_text(grid));
 }

@@ -1,7 +1,7 @@
 // One frame of a run as a VTK unstructured grid (.vtu) for ParaView.
 //
 // Points are all vertices of the scene in their order; cells are tets, then triangles, edges and
-// single points, each with the index of its object (cell array "object"). The time stands in the
+// single points, each with the index of its object (cell array "object") and further numbers. The time stands in the
 // field array TimeValue [s]. Numbers keep every bit: raw appended data, compressed by zlib. The
 // same frame gives the same bytes.
 // Errors: InputError naming the file when it cannot be written; std::logic_error when an array does
@@ -38,8 +38,15 @@ struct PointField {
   std::string unit;    // SI, such as "m/s"; kept in the file beside the array
 };
 
+// A number per cell.
+struct CellField {
+  std::string name;
+  VecX values;
+  std::string unit;
+};
+
 // x: 3 * vertices coordinates [m].
 void write_vtu(const std::filesystem::path& path, const FrameGeometry& geometry, const VecX& x,
-               double time, const std::vector<PointField>& fields);
+               double time, const std::vector<PointField>& fields, const std::vector<CellField>& cell_fields = {});
 
 }  // namespace tack

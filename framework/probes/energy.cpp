@@ -14,10 +14,13 @@ class EnergyProbe : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("term", term_, "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix");
+    f.text("term", term_,
+           "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix; or what was "
+           "dissipated so far: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping");
   }
   void prepare(const World& world) override {
     std::vector<std::string> names = {"total"};
+    for (const auto& [name, unused] : dissipated(world.start)) names.push_back(name);
     for (const auto& [name, unused] : energies_by_term(world, world.start)) names.push_back(name);
     if (std::find(names.begin(), names.end(), term_) == names.end())
       throw InputError(fmt::format("probe '{}': no energy term is named '{}'{}", name_, term_,
@@ -25,6 +28,8 @@ class EnergyProbe : public Probe {
   }
   Unit unit() const override { return units::energy; }
   std::vector<double> sample(const World& world, const State& state) override {
+    for (const auto& [name, value] : dissipated(state))
+      if (term_ == name) return {value};
     double sum = 0;
     for (const auto& [name, value] : energies_by_term(world, state))
       if (term_ == name || (term_ == "total" && is_stored(name))) sum += value;
@@ -32,6 +37,11 @@ class EnergyProbe : public Probe {
   }
 
  private:
+  static std::array<std::pair<const char*, double>, 3> dissipated(const State& s) {
+    return {{{"dissipated_friction", s.energy.friction}, {"dissipated_plastic", s.energy.plastic},
+             {"dissipated_damping", s.energy.damping}}};
+  }
+
   std::string term_ = "total";
 };
 

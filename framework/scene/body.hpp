@@ -16,6 +16,7 @@ struct Body {
   int first_vertex = 0;
   int vertex_count = 0;
   bool movable = true;  // some vertex is free at some time
+  int energy = 0;       // which of its energies is made, from 0: what terms that remember are told apart by
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, as in the mesh for sheets

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/core/damping_terms.hpp"
 #include "framework/scene/affine_bodies.hpp"
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
@@ -63,16 +64,30 @@ void hold_vertices(const ObjectConfig& object, int index, World& world) {
 }
 
 void add_energies(const ObjectConfig& object, int index, World& world) {
-  const Body& body = world.bodies[index];
+  Body& body = world.bodies[index];
   if (!body.movable) return;
-  if (object.body) return add_affine_masses(object, index, world);
+  const bool mass_damping = object.damping && object.damping->mass > 0;
+  if (object.body) {
+    add_affine_masses(object, index, world);
+    if (mass_damping)
+      world.damping_terms.push_back(std::make_unique<MassDamping>(body.frame[0], 4, world.mass, object.damping->mass));
+    if (object.damping && object.damping->stiffness > 0)
+      throw InputError(fmt::format("object '{}' is an affine body, which does not strain: damping.stiffness would do nothing; "
+                                   "take it away, or give damping.mass", object.name));
+    return;
+  }
   if (object.energies.empty())
     throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
                                  "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
   for (const auto& energy : object.energies) {
     world.elastic_terms.push_back(energy->make_term(body, world.rest));
     energy->add_mass(body, world.rest, world.mass);
+    if (object.damping && object.damping->stiffness > 0)
+      world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*world.elastic_terms.back(), object.damping->stiffness));
+    ++body.energy;
   }
+  if (mass_damping)
+    world.damping_terms.push_back(std::make_unique<MassDamping>(body.first_vertex, body.vertex_count, world.mass, object.damping->mass));
   world.tets.insert(world.tets.end(), body.tets.begin(), body.tets.end());
 }
 
@@ -210,12 +225,14 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   check_containment(root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
+  for (const auto& term : world->damping_terms) world->terms.push_back(term.get());
   if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   if (world->contact) world->participants.add(world->contact.get());
   for (const auto& term : world->elastic_terms) world->participants.add(term.get());
+  for (const auto& term : world->damping_terms) world->participants.add(term.get());
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})
     world->participants.add(term);
   if (world->contact_term) world->participants.add(world->contact_term.get());

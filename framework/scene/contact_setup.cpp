@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <tuple>
 
 #include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
@@ -126,14 +127,18 @@ class PairBuilder {
     return law;
   }
 
-  // 0 if no side has a Young's modulus.
-  double softer_young(int a, int b) const {
-    double softer = 0;
-    for (const int object : {a, b})
-      for (const auto& energy : scene_.objects[object].energies)
-        if (const auto young = energy->young())
-          if (softer == 0 || *young < softer) softer = *young;
-    return softer;
+  // Both 0 if no side has a modulus.
+  PairMaterials materials_of(int a, int b) const {
+    PairMaterials m{contact_.distance};
+    const auto lower = [](double& softer, double modulus) {
+      if (modulus > 0 && (softer == 0 || modulus < softer)) softer = modulus;
+    };
+    for (const int object : {a, b}) {
+      for (const auto& energy : scene_.objects[object].energies) lower(m.softer_young, energy->young().value_or(0));
+      lower(m.softer_stiffness, world_.bodies[object].stiffness);
+    }
+    lower(m.softer_stiffness, m.softer_young);
+    return m;
   }
 
   struct LawIds {
@@ -141,11 +146,10 @@ class PairBuilder {
   };
 
   LawIds laws_of(int a, int b, int config) {
-    const double young = softer_young(a, b);
-    const auto key = std::pair{config, young};
+    PairMaterials materials = materials_of(a, b);
+    const auto key = std::tuple{config, materials.softer_young, materials.softer_stiffness};
     if (const auto found = laws_.find(key); found != laws_.end()) return found->second;
     const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
-    PairMaterials materials{contact_.distance, young, 0};
     PairLaw pressure, guard;
     std::shared_ptr<NormalLaw> adhesion;
     try {
@@ -223,7 +227,7 @@ class PairBuilder {
   PairTable table_;
   ObjectPairFilter filter_;
   std::map<std::pair<int, int>, int> configs_;
-  std::map<std::pair<int, double>, LawIds> laws_;
+  std::map<std::tuple<int, double, double>, LawIds> laws_;
 };
 
 // With a range beyond the scene's own size, everything is in contact with everything: a mistake in a unit, and

@@ -21,6 +21,7 @@ void ObjectConfig::fields(Fields& f) {
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
   f.component_list("energies", energies, "its potential energies; one that is all fixed, or an affine body, needs none");
+  f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
   f.component_list("motion", motion, "prescribed motion of some vertices");
   f.component_list("loads", loads, "external forces");
   f.vector("velocity", velocity, units::velocity, "initial velocity of what is free of it");

@@ -10,6 +10,7 @@
 #include "framework/config/field.hpp"
 #include "framework/contact/normal_law.hpp"
 #include "framework/scene/body_model.hpp"
+#include "framework/scene/damping_config.hpp"
 #include "framework/scene/energy.hpp"
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
@@ -40,6 +41,7 @@ struct ObjectConfig {
   std::vector<NamedSelection> selections;
   std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
+  std::optional<DampingConfig> damping;
   std::vector<std::unique_ptr<Motion>> motion;
   std::vector<std::unique_ptr<Load>> loads;
   Vec3 velocity = Vec3::Zero();  // m/s

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/core/damping_terms.hpp"
 
 namespace tack {
 

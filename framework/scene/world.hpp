@@ -17,6 +17,7 @@ namespace tack {
 
 class ContactSystem;
 class ContactTerm;
+class DampingTerm;
 class FrictionTerm;
 class OrthogonalityTerm;
 
@@ -36,6 +37,7 @@ struct World {
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
   const OrthogonalityTerm* affine = nullptr;  // of them, that of affine bodies; null without any
+  std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;
   LoadTerm load_term;
   std::unique_ptr<ContactSystem> contact;  // null without contact

@@ -7,6 +7,7 @@
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/assembly/term_gradient.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/core/damping_terms.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/scene/energies.hpp"
 
@@ -55,6 +56,7 @@ void EnergyBalance::open(const State& state) {
 }
 
 void EnergyBalance::begin(const State& state, bool to_places) {
+  taken_ = {};
   start_ = state.energy;
   contact_.reset();
   if (!world_.contact || (start_.open && start_.contact == 0)) {
@@ -68,6 +70,16 @@ void EnergyBalance::begin(const State& state, bool to_places) {
   released_ = state.energy.open ? kinetic + gravity - start_.kinetic - start_.gravity : 0;
   start_.kinetic = kinetic;
   start_.gravity = gravity;
+}
+
+void EnergyBalance::end(const VecX& x) {
+  taken_ = {};
+  if (world_.friction) {
+    taken_.friction = world_.friction->dissipated(x, TangentialPart::friction);
+    taken_.adhesion = world_.friction->dissipated(x, TangentialPart::adhesion);
+  }
+  for (const auto& term : world_.elastic_terms) taken_.plastic += term->dissipated(x);
+  for (const auto& term : world_.damping_terms) taken_.damping += term->dissipated(x);
 }
 
 double EnergyBalance::load_work(const State& state, const VecX& way, double h) const {
@@ -91,13 +103,14 @@ void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) c
 // gradient: of elastic and contact energy at x.
 double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) {
   VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient), end = gradient;
-  VecX friction = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
-  for (VecX* forces : {&sum, &end, &friction}) world_.dofs.collect(*forces);
+  VecX drag = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
+  for (const auto& term : world_.damping_terms) term->add_mean_forces(x, drag);
+  for (VecX* forces : {&sum, &end, &drag}) world_.dofs.collect(*forces);
   double work = 0, at_end = 0;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
     if (world_.dofs.moves(v)) continue;
-    work += (vertex(sum, v) / 2 - vertex(friction, v)).dot(vertex(way, v));
-    at_end += (vertex(end, v) - vertex(friction, v)).dot(vertex(way, v));
+    work += (vertex(sum, v) / 2 - vertex(drag, v)).dot(vertex(way, v));
+    at_end += (vertex(end, v) - vertex(drag, v)).dot(vertex(way, v));
   }
   jerk_ = std::max(0.0, at_end - work);
   return work;
@@ -107,23 +120,22 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
                                  IncrementalPotential& potential) {
   const VecX way = state.x - state.x_before;
   EnergyAccount end = account_of(energies);
-  EnergyFlows flows;
+  EnergyFlows flows = taken_;
   flows.loads = load_work(state, way, h);
   flows.script = released_;
   jerk_ = 0;
   if (script_moves) {
-    end.gradient = potential.gradient_at_all_vertices(state.x, world_.friction.get());
+    end.gradient = potential.gradient_at_all_vertices(state.x);
     add_inertia_and_weight(state, end.gradient);
     flows.script += script_work(way, end.gradient, state.x);
   }
-  if (world_.friction) {
-    flows.friction = world_.friction->dissipated(state.x, TangentialPart::friction);
-    flows.adhesion = world_.friction->dissipated(state.x, TangentialPart::adhesion);
-  }
+  const double dissipated = flows.friction + flows.adhesion + flows.plastic + flows.damping;
   end.friction = start_.friction + flows.friction + flows.adhesion;
+  end.plastic = start_.plastic + flows.plastic;
+  end.damping = start_.damping + flows.damping;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
-  flows.numerics = before + flows.loads + flows.script - flows.friction - flows.adhesion - flows.areas - stored(end);
+  flows.numerics = before + flows.loads + flows.script - dissipated - flows.areas - stored(end);
   end.unexplained = start_.unexplained;
   end.lowest = start_.lowest;
   end.at_play = start_.at_play;
@@ -146,8 +158,8 @@ bool EnergyBalance::watch(EnergyAccount& account, const State& state, const Ener
   account.at_play = std::max(account.at_play,
                              account.kinetic + std::abs(account.elastic) + std::abs(account.contact));
   const double gain = account.unexplained - account.lowest;
-  // What friction took is known to first order of the step only.
-  const bool gained = gain > tolerated_gain * (account.at_play + account.friction) + solver_noise();
+  // What friction and damping took is known to first order of the step only.
+  const bool gained = gain > tolerated_gain * (account.at_play + account.friction + account.damping) + solver_noise();
   warning_.clear();
   if (!gained) return false;
   warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of what is at play, and "

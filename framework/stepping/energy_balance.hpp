@@ -1,12 +1,14 @@
 // Where the energy of each step came from and went. Of the free vertices' kinetic energy and gravity and
 // of all elastic and contact energies, E, a step changes
-//     E' - E = loads + script - friction - adhesion - areas - numerics,
+//     E' - E = loads + script - friction - adhesion - plastic - damping - areas - numerics,
 //   loads     the work of external loads, with the mean of their forces at both ends,
 //   script    that of the forces which hold or move scripted vertices: the mean of the elastic and contact
-//             forces at both ends, and friction, times their displacement; and the energy that vertices
+//             forces at both ends, and friction and damping, times their displacement; and the energy that vertices
 //             bring along when they are released, or take along when they are seized,
 //   friction  what sliding dissipated: force times slip, which is never negative,
 //   adhesion  the same of tangential adhesion,
+//   plastic   work of plastic flow, stress times plastic strain: also what hardening takes, which nothing gives back,
+//   damping   what the damping of objects took: C v . v h with the step's mean velocities, never negative,
 //   areas     what contact lost (or, below zero, gained) when its areas were taken anew at the start of the
 //             step, with nothing moving,
 //   numerics  the rest: what the integrator lost or, below zero, made. Of implicit Euler in a linear
@@ -37,7 +39,9 @@ class EnergyBalance {
   // Starts a step from `state`: contact has taken its areas, who is held is known, nothing has moved.
   // to_places: the script moves vertices in this step, so that its first evaluation is elsewhere.
   void begin(const State& state, bool to_places);
-  // The step from begin()'s state to `state`, which has those energies, is kept. script_moves: whether the
+  // The step is going to be kept and ends at x, where the terms still hold what they held in it.
+  void end(const VecX& x);
+  // The step from begin()'s state to `state`, which has those energies, is kept; end() has been called. script_moves: whether the
   // script may move vertices, in this or another step.
   EnergyFlows close(State& state, const Energies& energies, double h, bool script_moves,
                     IncrementalPotential& potential);
@@ -59,6 +63,7 @@ class EnergyBalance {
   EnergyAccount start_;         // of the state that the step starts from
   double released_ = 0;         // J: the energy that a change of who is held brought along
   std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known
+  EnergyFlows taken_;  // what end() found to be dissipated
   double jerk_ = 0;  // J: by how much the script's work is more with its forces at the end of the step
   std::string warning_;
 };

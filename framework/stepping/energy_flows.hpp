@@ -5,13 +5,14 @@ namespace tack {
 
 struct EnergyFlows {
   double loads = 0, script = 0;                                  // work done from outside
-  double friction = 0, adhesion = 0, areas = 0, numerics = 0;  // dissipated
+  double friction = 0, adhesion = 0, plastic = 0, damping = 0, areas = 0, numerics = 0;  // dissipated
   bool damped = false;  // done again by the integrator's fallback, because energy would have grown
   bool gained = false;  // energy has grown noticeably, and nothing put it in
 
   EnergyFlows& operator+=(const EnergyFlows& o) {
     loads += o.loads, script += o.script, friction += o.friction;
-    adhesion += o.adhesion, areas += o.areas, numerics += o.numerics;
+    adhesion += o.adhesion, plastic += o.plastic, damping += o.damping;
+    areas += o.areas, numerics += o.numerics;
     return *this;
   }
   // Calls act(column, number) for each, in the order of the files.
@@ -21,6 +22,8 @@ struct EnergyFlows {
     act("work_script", flows.script);
     act("dissipated_friction", flows.friction);
     act("dissipated_adhesion", flows.adhesion);
+    act("dissipated_plastic", flows.plastic);
+    act("dissipated_damping", flows.damping);
     act("dissipated_areas", flows.areas);
     act("dissipated_numerics", flows.numerics);
   }

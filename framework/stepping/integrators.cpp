@@ -43,6 +43,10 @@ class Bdf2 : public TimeIntegrator {
     v = (3 * x - 4 * old.x + old.x_before) / (2 * h);
     a = (3 * v - 4 * old.v + old.v_before) / (2 * h);
   }
+  EndVelocity end_velocity(const State& s, double h) const override {
+    if (!has_history(s, h)) return euler_.end_velocity(s, h);
+    return {3 / (2 * h), (4 * s.x - s.x_before) / 3};
+  }
   bool follows_contact() const override { return true; }
 
  private:
@@ -71,6 +75,7 @@ class Newmark : public TimeIntegrator {
     if (contact.size() > 0) a -= contact;
     v = 2 / h * (x - old.x) - old.v;
   }
+  EndVelocity end_velocity(const State& s, double h) const override { return {2 / h, s.x + h / 2 * s.v}; }
   bool follows_contact() const override { return true; }
   const TimeIntegrator* fallback() const override { return &euler_; }
   // A jump in a script's velocity would ring on for ever.

@@ -26,6 +26,8 @@ class TimeIntegrator : public Component {
   // what State::contact will be.
   virtual void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v,
                       VecX& a) const = 0;
+  // What update() makes of velocities; meaningless without inertia.
+  virtual EndVelocity end_velocity(const State& state, double h) const { return {1 / h, state.x}; }
   // Whether it uses State::contact; it stays empty otherwise.
   virtual bool follows_contact() const { return false; }
   // What repeats a step in which energy has grown noticeably, and nothing put it in (energy_balance.hpp);

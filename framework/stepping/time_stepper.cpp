@@ -7,6 +7,7 @@
 
 #include "framework/affine/orthogonality_term.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/core/damping_terms.hpp"
 #include "framework/core/interrupt.hpp"
 #include "framework/scene/energies.hpp"
 #include "framework/scene/scene_config.hpp"
@@ -56,6 +57,8 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
     term->begin_step({state_.x, t});
+  const EndVelocity now{1, state_.x - state_.v};
+  for (const auto& term : world_.damping_terms) term->begin_step({state_.x, t, 0, &now});
   VecX q;
   world_.dofs.gather(state_.x, q);
   potential_->begin_step(state_.x, state_.x, {}, false);
@@ -160,7 +163,9 @@ void TimeStepper::attempt_step(double h, const VecX* guess, Attempt& attempt) {
   hold(h);
   const TimeIntegrator::Prediction prediction = integrator_->predict(state_, h);
   inertia_ = prediction.inertia;
-  world_.participants.begin_step({state_.x, state_.time, h});
+  std::optional<EndVelocity> velocity;
+  if (!world_.damping_terms.empty()) velocity = integrator_->end_velocity(state_, h);
+  world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr});
   VecX places = state_.x;
   held_.place(state_.time + h, places);
   balance_.begin(state_, places != state_.x);
@@ -320,6 +325,7 @@ StepReport TimeStepper::advance() {
     if (wrong.empty()) {
       std::optional<State> undo;
       if (integrator_->fallback()) undo = state_;
+      balance_.end(attempt.x);
       commit(attempt.x, h);
       if (state_.time >= end - 1e-9 * whole) {
         ++state_.whole_steps;

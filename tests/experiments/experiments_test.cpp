@@ -75,6 +75,10 @@ TEST_CASE("experiment wall_cube/stuck_rough") { check_experiment("wall_cube/stuc
 TEST_CASE("experiment wall_cube/slides") { check_experiment("wall_cube/slides.yaml"); }
 TEST_CASE("experiment wall_cube/detaches") { check_experiment("wall_cube/detaches.yaml"); }
 
+TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
+TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
+TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
+
 TEST_CASE("experiment squash/block") { check_experiment("squash/block.yaml"); }
 TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.yaml"); }
 

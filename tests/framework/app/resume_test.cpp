@@ -84,6 +84,26 @@ TEST_CASE("what integrators remember of contact, and the balance of energy, surv
   }
 }
 
+TEST_CASE("plastic deformation survives a resume bit for bit") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", scene_text());
+  const Arguments plastic = {"--set", "objects.block.energies.0={type: von_mises, young: 1 MPa, yield_stress: 200, hardening: 10 kPa}",
+                             "objects.block.damping={stiffness: 1 ms}", "output.fields=[plastic_strain, von_mises_stress]",
+                             "probes=[{name: plastic_work, type: energy, term: dissipated_plastic}]"};
+  const auto go = [&](Arguments options) {
+    options.insert(options.end(), plastic.begin(), plastic.end());
+    return run(folder.path(), options);
+  };
+  REQUIRE(go({"-o", "whole"}).exit_code == 0);
+  REQUIRE(go({"-o", "parts", "--steps", "5"}).exit_code == 0);
+  REQUIRE(go({"-o", "parts", "--resume"}).exit_code == 0);
+  CHECK(file_text(folder.path() / "parts/probes.csv") == file_text(folder.path() / "whole/probes.csv"));
+  CHECK(file_text(folder.path() / "parts/frames/frame_000005.vtu") == file_text(folder.path() / "whole/frames/frame_000005.vtu"));
+  const CsvTable work = read_csv(folder.path() / "whole/probes.csv");
+  CHECK(work.rows[3].back() > 0);  // before the checkpoint, and after it
+  CHECK(work.rows.back().back() > work.rows[3].back());
+}
+
 TEST_CASE("what cannot be resumed is told, and nothing is written") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());

@@ -64,7 +64,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
       "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves", "linear_iterations",
       "line_search_evaluations", "contacts", "candidates", "min_distance", "energy_kinetic",
       "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "work_loads", "work_script",
-      "dissipated_friction", "dissipated_adhesion", "dissipated_areas", "dissipated_numerics", "residual",
+      "dissipated_friction", "dissipated_adhesion", "dissipated_plastic", "dissipated_damping", "dissipated_areas", "dissipated_numerics", "residual",
       "unbalanced_force", "tolerated_force", "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_filter",
       "seconds_factorize", "seconds_solve", "seconds_broad_phase", "seconds_narrow_phase", "seconds_ccd",
       "seconds_line_search", "seconds_check", "seconds_io"};
@@ -73,8 +73,8 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   for (const auto& row : steps.rows) {
     CHECK(row[10] > 0);                 // min_distance
     CHECK(row[10] < 1e-3);              // the block stays within reach of the floor
-    CHECK(row[23] <= row[24]);         // forces balance
-    CHECK(row[25] == 1);               // converged
+    CHECK(row[25] <= row[26]);         // forces balance
+    CHECK(row[27] == 1);               // converged
   }
 }
 

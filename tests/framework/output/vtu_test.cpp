@@ -63,6 +63,21 @@ TEST_CASE("a frame keeps every vertex bit for bit, and its time") {
   CHECK(time->GetTuple1(0) == 0.1 + 0.2);
 }
 
+TEST_CASE("a frame has numbers of cells, and cells without one") {
+  const TemporaryFolder folder;
+  VecX values(5);
+  values << 1.0 / 3, 2, std::nan(""), -4, 0;
+  write_vtu(folder.path() / "f.vtu", mixed(), coordinates(), 0, {}, {{"stress", values, "Pa"}});
+  const auto grid = read(folder.path() / "f.vtu");
+  vtkDataArray* stress = grid->GetCellData()->GetArray("stress");
+  REQUIRE(stress);
+  CHECK(std::string(stress->GetInformation()->Get(vtkDataArray::UNITS_LABEL())) == "Pa");
+  for (const int c : {0, 1, 3, 4}) CHECK(stress->GetTuple1(c) == values(c));
+  CHECK(std::isnan(stress->GetTuple1(2)));
+  CHECK_THROWS_AS(write_vtu(folder.path() / "f.vtu", mixed(), coordinates(), 0, {}, {{"stress", VecX::Zero(4), "Pa"}}),
+                  std::logic_error);
+}
+
 TEST_CASE("a frame has tets, triangles, edges and points, each with its object") {
   const TemporaryFolder folder;
   write_vtu(folder.path() / "f.vtu", mixed(), coordinates(), 0, {});

@@ -51,7 +51,8 @@ const std::string driven =
     "objects:\n"
     "  - {name: floor, shape: {type: box, size: [0.5, 0.02, 0.5], cells: [7, 1, 7]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
     "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.0505, 0]},\n"
-    "     energies: [{type: neo_hookean, young: 1e5}], loads: [{type: body_force, value: [0, 0, 0.3]}],\n"
+    "     energies: [{type: von_mises, young: 1e5, yield_stress: 300}], damping: {stiffness: 1 ms},\n"
+    "     loads: [{type: body_force, value: [0, 0, 0.3]}],\n"
     "     motion: [{type: translate, velocity: [0.2, 0, 0], until: 0.055, select: {type: face, direction: [0, 1, 0]}}]}\n"
     "contact:\n  distance: 1 mm\n"
     "  pairs: [{between: [block, floor], friction: {mu: 0.4}, adhesion: {type: fang, peak_traction: 1 kPa},\n"
@@ -70,10 +71,12 @@ TEST_CASE("the balance of energy adds up in every step, and every part of it is 
       const EnergyFlows& f = r.flows;
       const double after = stored(r);
       if (i > 0)
-        CHECK(after - before == Approx(f.loads + f.script - f.friction - f.adhesion - f.areas - f.numerics).margin(1e-13));
+        CHECK(after - before == Approx(f.loads + f.script - f.friction - f.adhesion - f.plastic - f.damping - f.areas - f.numerics).margin(1e-13));
       before = after;
       CHECK(f.friction >= 0);
       CHECK(f.adhesion >= 0);
+      CHECK(f.plastic >= 0);
+      CHECK(f.damping >= 0);
       sum += f;
     }
     EnergyFlows::for_each(sum, [](const char* name, double part) {

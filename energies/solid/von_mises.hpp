@@ -1,0 +1,85 @@
+// Von Mises plasticity on a St. Venant-Kirchhoff solid in Hencky strain, for several tets side by side.
+// F is the trial deformation F_tr = F Fp^-1, Fp that of the start of the step, e = ln s its Hencky strain, n = |dev e|.
+// Within the yield surface 2 mu n <= sqrt(2/3) (sigma_y + H a), a the accumulated plastic strain, i.e. n <= limit,
+//     psi = mu n^2 + K/2 (tr e)^2,
+// and beyond it the deviatoric part goes on with the slope that it has there, rising by 2 mu' per strain,
+//     psi = mu limit^2 + 2 mu limit r + mu' r^2 + K/2 (tr e)^2,   r = n - limit,   mu' = mu H / (3 mu + H).
+// That is the least of elastic energy and plastic work over all plastic flows, mu (n - g)^2 + K/2 (tr e)^2 +
+// w (sigma_y + H (a + w/2)) with w = sqrt(2/3) g, so that its stress is the return-mapped one. The stress of the
+// yield surface is Kirchhoff's.
+// Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo 1992 for the return mapping.
+#pragma once
+
+#include <Eigen/LU>
+
+#include "energies/solid/isotropic_solid.hpp"
+
+namespace tack {
+
+struct VonMisesLanes {
+  Lame lame;
+  double hardened;  // mu' [Pa]
+  Pack limit;       // largest elastic |dev e|
+
+  Pack energy(const PackMat3& f) const {
+    const Strain e = strain(svd3(f).s);
+    const Pack inside = lame.mu * e.norm * e.norm;
+    const Pack r = e.norm - limit;
+    const Pack beyond = lame.mu * limit * (limit + 2 * r) + hardened * r * r;
+    return select(f.determinant() > 0, select(r > 0, beyond, inside) + bulk() / 2 * e.trace * e.trace, infinity);
+  }
+
+  PrincipalDerivatives derivatives(const PackVec3& s) const {
+    const Strain e = strain(s);
+    const PackMask yields = e.norm > limit;
+    // tau = K tr e + c dev e, dtau/de = K + c (1 - 1/3) + w dev e dev e^T; c is the secant, w what it falls by.
+    const Pack norm = select(yields, e.norm, 1);
+    const Pack c = select(yields, 2 * (lame.mu * limit + hardened * (e.norm - limit)) / norm, 2 * lame.mu);
+    const Pack w = select(yields, (2 * hardened - c) / (norm * norm), 0);
+    const Pack pressure = bulk() * e.trace;
+    PackVec3 inverse;
+    for (int i = 0; i < 3; ++i) inverse(i) = 1 / s(i);
+    PrincipalDerivatives d;
+    for (int i = 0; i < 3; ++i) {
+      const Pack tau = pressure + c * e.deviator(i);
+      d.gradient(i) = tau * inverse(i);
+      for (int k = 0; k < 3; ++k)
+        d.hessian(i, k) = (bulk() - c / 3 + w * e.deviator(i) * e.deviator(k)) * inverse(i) * inverse(k);
+      d.hessian(i, i) += (c - tau) * inverse(i) * inverse(i);
+    }
+    return d;
+  }
+
+ private:
+  struct Strain {
+    Pack trace, norm;
+    PackVec3 deviator;
+  };
+  static Strain strain(const PackVec3& s) {
+    Strain e;
+    for (int i = 0; i < 3; ++i) e.deviator(i) = log(s(i));
+    e.trace = e.deviator.sum();
+    for (int i = 0; i < 3; ++i) e.deviator(i) -= e.trace / 3;
+    e.norm = sqrt(e.deviator.squaredNorm());
+    return e;
+  }
+  double bulk() const { return lame.lambda + 2 * lame.mu / 3; }
+};
+
+// Of a body, each of whose tets has its own yield surface.
+struct VonMises {
+  Lame lame;
+  double yield_stress;  // sigma_y [Pa]
+  double hardening;     // H: yield stress per accumulated plastic strain [Pa]
+  std::vector<Pack> limits = {};  // of pack_width tets each
+
+  VonMisesLanes at(int pack) const { return {lame, lame.mu * hardening / (3 * lame.mu + hardening), limits[pack]}; }
+  // The largest elastic |dev e| at an accumulated plastic strain.
+  double limit(double strain) const { return std::sqrt(2.0 / 3) * (yield_stress + hardening * strain) / (2 * lame.mu); }
+  // The plastic strain that the return mapping adds where |dev e| of the trial deformation is beyond a limit by r.
+  double flow(double r) const { return r > 0 ? std::sqrt(2.0 / 3) * r * 3 * lame.mu / (3 * lame.mu + hardening) : 0; }
+  // Work per volume of plastic flow that adds to an accumulated strain [J/m^3].
+  double work(double strain, double added) const { return added * (yield_stress + hardening * (strain + added / 2)); }
+};
+
+}  // namespace tack

@@ -1,0 +1,59 @@
+#include "framework/output/element_fields.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "framework/scene/world.hpp"
+#include "tests/support/scene.hpp"
+
+using namespace tack;
+
+namespace {
+
+// A held plate of 6 tets between two blocks of 6 and 12, the last one of two energies.
+const std::string scene =
+    "objects:\n"
+    "  - {name: soft, shape: {type: box, size: [1, 1, 1]}, energies: [{type: stvk_hencky, young: 1e5, poisson: 0.25}]}\n"
+    "  - {name: plate, shape: {type: box, size: [1, 1, 1]}, place: {translate: [2, 0, 0]}, motion: [fixed]}\n"
+    "  - {name: plastic, shape: {type: box, size: [1, 1, 1], cells: [2, 1, 1]}, place: {translate: [4, 0, 0]},\n"
+    "     energies: [{type: von_mises, young: 1e5, poisson: 0.25, yield_stress: 1e3}, {type: neo_hookean, young: 2e5}]}\n";
+
+}  // namespace
+
+TEST_CASE("von Mises stress and plastic strain of every element, where there are any") {
+  TestScene s(scene);
+  FrameGeometry geometry;
+  for (const Body& body : s.world->bodies) geometry.tets.insert(geometry.tets.end(), body.tets.begin(), body.tets.end());
+  const int plate = 6, plastic = 12, all = 24;
+  REQUIRE(geometry.cells() == all);
+  // Pure shear in logarithmic strains of +-0.1, about an axis askew.
+  const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  const Mat3 f = turn * Vec3(std::exp(0.1), std::exp(-0.1), 1).asDiagonal() * turn.transpose();
+  VecX x(s.world->rest.size());
+  for (int v = 0; v < x.size() / 3; ++v) vertex(x, v) = f * vertex(s.world->rest, v);
+
+  const auto fields = element_fields({"velocity", "von_mises_stress", "plastic_strain"}, *s.world, x, geometry);
+  REQUIRE(fields.size() == 2);
+  CHECK(fields[0].unit == "Pa");
+  const VecX &stress = fields[0].values, &strain = fields[1].values;
+  const double sheared = std::sqrt(3) * 1e5 / 2.5 * 2 * 0.1;  // sqrt(3) times the shear stress 2 mu 0.1
+  for (int c = 0; c < plate; ++c) CHECK(stress(c) == Approx(sheared).epsilon(1e-9));
+  for (int c = plate; c < plastic; ++c) CHECK(std::isnan(stress(c)));
+  // Both energies pull the same way: what the plastic one yields at, and neo-Hookean mu (s^2 - 1) / J, which has
+  // a component along the axis of no strain.
+  const double mu = 2e5 / 2.6, a = mu * (std::exp(0.2) - 1), b = mu * (std::exp(-0.2) - 1), y = 1e3 / std::sqrt(3);
+  const Vec3 principal(a + y, b - y, 0);
+  const Vec3 deviator = principal.array() - principal.mean();
+  for (int c = plastic; c < all; ++c) CHECK(stress(c) == Approx(std::sqrt(1.5) * deviator.norm()).epsilon(1e-9));
+  for (int c = 0; c < plastic; ++c) CHECK(std::isnan(strain(c)));
+  for (int c = plastic; c < all; ++c) CHECK(strain(c) == 0);
+
+  History history;
+  for (const auto& term : s.world->elastic_terms) {
+    term->commit(x, history);
+    term->remember(history);
+  }
+  const VecX after = element_fields({"plastic_strain"}, *s.world, x, geometry)[0].values;
+  for (int c = plastic; c < all; ++c) CHECK(after(c) == Approx(0.2 / std::sqrt(3) - 1e3 / (3 * 1e5 / 2.5)).epsilon(1e-9));
+  CHECK(element_fields({"velocity"}, *s.world, x, geometry).empty());
+}

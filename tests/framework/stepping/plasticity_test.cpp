@@ -1,0 +1,117 @@
+// Plastic solids in time steps: what is remembered, what is rolled back, and how Newton's method ends.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "tests/support/simulation.hpp"
+
+using namespace tack;
+
+namespace {
+
+// A block of E = 1 MPa that yields at 2 kPa, its upper face pulled up, by 2% a second.
+std::string pulled(const std::string& integrator, double h, const std::string& solver, double hardening = 1e5) {
+  return fmt::format(
+      "time: {{step: {}, duration: 10, integrator: {}}}\nsolver: {{type: projected_newton, linear: cholmod, {}}}\n"
+      "objects:\n"
+      "  - name: block\n    shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}}\n"
+      "    energies: [{{type: von_mises, young: 1e6, poisson: 0.3, yield_stress: 2e3, hardening: {}}}]\n"
+      "    motion: [{{type: fixed, select: {{type: face, direction: [0, -1, 0]}}}},\n"
+      "             {{type: translate, velocity: [0, 2e-3, 0], select: {{type: face, direction: [0, 1, 0]}}}}]\n",
+      h, integrator, solver, hardening);
+}
+
+const std::string precise = "stopping: force, force_tolerance: 1e-12";
+
+double largest_strain(const Simulation& run) {
+  const auto strain = run.world->elastic_terms[0]->plastic_strain();
+  return *std::max_element(strain.begin(), strain.end());
+}
+
+}  // namespace
+
+TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticity]") {
+  for (const double hardening : {1e5, 0.0}) {
+    INFO("H = " << hardening);
+    Simulation run(pulled("quasi_static", 0.2, precise + ", filter: none", hardening));
+    std::vector<double> residuals;
+    run.stepper.observe([&](int, double residual, double, double) { residuals.push_back(residual); });
+    for (int i = 0; i < 3; ++i) {
+      residuals.clear();
+      REQUIRE(run.step().halvings == 0);
+      // Of the digits that an iteration has, the next has twice as many, to where rounding ends it.
+      int doubled = 0;
+      for (size_t k = 1; k + 1 < residuals.size(); ++k) {
+        const double first = residuals.front();
+        const double before = residuals[k] / first, after = residuals[k + 1] / first;
+        if (before < 1e-2 && before > 1e-6) doubled += after < std::max(std::pow(before, 1.6), 1e-12);
+      }
+      CAPTURE(i, residuals);
+      if (i > 0) CHECK(doubled >= 1);
+      CHECK(residuals.size() <= 15);
+    }
+    CHECK(largest_strain(run) > 1e-3);
+  }
+}
+
+TEST_CASE("a step that fails and is halved leaves what is remembered as it was", "[plasticity]") {
+  Simulation run(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
+  run.step();
+  run.step();
+  const History before = run.state().history;
+  REQUIRE(before.count("block/energies/0/plastic_inverse"));
+  REQUIRE(largest_strain(run) > 0);
+  bool failed = false;
+  for (const double h : {0.4, 5.0, 200.0}) {
+    const Attempt attempt = run.stepper.solve(h);
+    failed = failed || !run.stepper.verdict(attempt).empty();
+    CHECK(run.state().history == before);
+  }
+  CHECK(failed);
+  // What follows is what it would have been.
+  Simulation other(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
+  other.step();
+  other.step();
+  run.step();
+  other.step();
+  CHECK((run.state().x - other.state().x).lpNorm<Eigen::Infinity>() <= 1e-9);
+  CHECK(largest_strain(run) == Approx(largest_strain(other)).epsilon(1e-6));
+  CHECK_FALSE(run.state().history == before);
+}
+
+TEST_CASE("plastic work, what is stored and what numerics took are the work of the script", "[plasticity]") {
+  for (const std::string integrator : {"quasi_static", "implicit_euler", "bdf2", "newmark"}) {
+    INFO(integrator);
+    Simulation run(pulled(integrator, 0.02, "tolerance: 1e-8, force_tolerance: 1e-10"));
+    EnergyFlows sum;
+    StepReport last;
+    for (int i = 0; i < 50; ++i) {
+      sum += (last = run.step()).flows;
+      CHECK(last.flows.plastic >= 0);
+    }
+    double stored = 0;
+    for (const auto& [term, energy] : last.energies) stored += energy;
+    CHECK(sum.script == Approx(stored + sum.plastic + sum.numerics).epsilon(1e-9));
+    CHECK(std::abs(sum.numerics) <= 0.01 * sum.script);
+    CHECK(sum.plastic > 0.5 * sum.script);
+    CHECK(run.state().energy.plastic == Approx(sum.plastic).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("ten steps of plastic flow end where many do", "[plasticity]") {
+  const auto end = [](int steps) {
+    Simulation run(pulled("quasi_static", 1.0 / steps, precise));
+    for (int i = 0; i < steps; ++i) run.step();
+    return std::pair(run.state().energy.plastic, run.state().x);
+  };
+  const auto [few, x_of_few] = end(10);
+  const auto [many, x_of_many] = end(200);
+  CHECK(few == Approx(many).epsilon(0.01));
+  CHECK((x_of_few - x_of_many).norm() <= 0.01 * (x_of_many - Simulation(pulled("quasi_static", 1, precise)).world->rest).norm());
+}
+
+TEST_CASE("methods that want sums of squares refuse a plastic solid by name", "[plasticity]") {
+  CHECK_THROWS_WITH(Simulation("solver: {type: ceres_trust_region}\nobjects: [{name: box, shape: {type: box, size: [1, 1, 1]},\n"
+                               "  energies: [{type: von_mises, young: 1e5, yield_stress: 1e3}]}]\n"),
+                    Catch::Contains("'von_mises'"));
+}
