@@ -150,6 +150,28 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
   add_linear(x, scales.body, gradient);
+  take_held_directions_out(gradient);
+}
+
+void Assembler::take_held_directions_out(VecX& gradient) const {
+  for (const DofMap::HeldBlock& h : dofs_.held_blocks())
+    gradient.segment<3>(3 * h.block) -= (h.held * gradient.segment<3>(3 * h.block)).eval();
+}
+
+// Rows and columns of held directions are those of a multiple of the identity.
+void Assembler::take_held_directions_out(BlockMatrix& matrix) const {
+  if (dofs_.held_blocks().empty()) return;
+  std::vector<const Mat3*> held(dofs_.block_count(), nullptr);
+  for (const DofMap::HeldBlock& h : dofs_.held_blocks()) held[h.block] = &h.held;
+  for (int c = 0; c < matrix.columns(); ++c)
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      const int r = matrix.row[k];
+      if (held[r]) matrix.block(k) -= (*held[r] * matrix.block(k)).eval();
+      if (held[c]) matrix.block(k) -= (matrix.block(k) * *held[c]).eval();
+      if (r != c || !held[c]) continue;
+      const double size = matrix.block(k).trace();
+      matrix.block(k) += (size > 0 ? size : 1.0) * *held[c];
+    }
 }
 
 void Assembler::add_last_gradients(VecX& gradient) const {
@@ -237,6 +259,8 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
   static_.gather_hessian(scales.body, static_positions_, matrix);
   if (!options.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
   add_linear(x, scales.body, gradient);
+  take_held_directions_out(gradient);
+  take_held_directions_out(matrix);
 }
 
 }  // namespace tack

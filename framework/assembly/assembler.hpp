@@ -68,6 +68,8 @@ class Assembler {
   void number_parts();
   void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;
+  void take_held_directions_out(VecX& gradient) const;
+  void take_held_directions_out(BlockMatrix& matrix) const;
 
   const DofMap& dofs_;
   PhaseClock& clock_;

@@ -41,6 +41,7 @@ void IncrementalPotential::begin_step(const VecX& x_start, const VecX& predictio
   x_ = x_start;
   dofs_.follow(x_);
   dofs_.gather(prediction, prediction_);
+  dofs_.keep_held(x_, prediction_);
   mixed_inertia_.begin_step(prediction, scales.body, inertia);
   scales_ = scales;
   inertia_ = inertia;
@@ -51,7 +52,8 @@ void IncrementalPotential::begin_step(const VecX& x_start, const VecX& predictio
 
 void IncrementalPotential::move_to(const VecX& q) {
   q_ = q;
-  dofs_.scatter(q, x_);
+  dofs_.keep_held(x_, q_);
+  dofs_.scatter(q_, x_);
   value_known_ = gradient_known_ = false;
   on_move_(x_);
 }

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
+
+#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -21,7 +22,7 @@ class Leaves {
 
   const std::map<int, double>& of(int v) {
     if (state_[v] == done) return leaves_[v];
-    if (state_[v] == open) throw std::logic_error("a vertex depends on itself");
+    if (state_[v] == open) throw InputError("vertices follow each other in a circle (attach); let one of the objects lead");
     state_[v] = open;
     if (!of_[v]) {
       leaves_[v] = {{v, 1.0}};
@@ -43,7 +44,8 @@ class Leaves {
 
 }  // namespace
 
-DofMap::DofMap(std::span<const char> movable, const Dependences& dependences) : block_of_(movable.size(), -1) {
+DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, const std::vector<HeldDirections>& held)
+    : block_of_(movable.size(), -1) {
   Leaves leaves(static_cast<int>(dependences.empty() ? 0 : movable.size()), dependences);
   const auto depends = [&](int v) { return !dependences.empty() && leaves.depends(v); };
   for (int i = 0; i < vertex_count(); ++i) {
@@ -75,6 +77,9 @@ DofMap::DofMap(std::span<const char> movable, const Dependences& dependences) : 
     block_parts_.insert(block_parts_.end(), blocks.begin(), blocks.end());
     block_start_.push_back(static_cast<int>(block_parts_.size()));
   }
+  for (const HeldDirections& h : held)
+    if (owns(h.vertex)) held_blocks_.push_back({block_of_[h.vertex], h.held});
+  std::sort(held_blocks_.begin(), held_blocks_.end(), [](const HeldBlock& a, const HeldBlock& b) { return a.block < b.block; });
 }
 
 void DofMap::gather(const VecX& x, VecX& q) const {
@@ -83,8 +88,16 @@ void DofMap::gather(const VecX& x, VecX& q) const {
 }
 
 void DofMap::scatter(const VecX& q, VecX& x) const {
+  std::vector<Vec3> kept;
+  for (const HeldBlock& h : held_blocks_) kept.emplace_back(h.held * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block)));
   for (int b = 0; b < block_count(); ++b) vertex(x, vertex_of_[b]) = q.segment<3>(3 * b);
+  for (size_t i = 0; i < kept.size(); ++i) vertex(x, vertex_of_[held_blocks_[i].block]) += kept[i];
   follow(x);
+}
+
+void DofMap::keep_held(const VecX& x, VecX& q) const {
+  for (const HeldBlock& h : held_blocks_)
+    q.segment<3>(3 * h.block) += h.held * (vertex(x, vertex_of_[h.block]) - q.segment<3>(3 * h.block));
 }
 
 void DofMap::follow(VecX& x) const {

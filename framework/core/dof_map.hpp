@@ -4,6 +4,8 @@
 //   held       own none; x0 is their place,
 //   dependent  are a sum of others with weights (dependence.hpp), in the end of free and held ones. One that depends
 //              on one free vertex alone, with weight 1, shares its block.
+// Of a free vertex some directions may be held: its block keeps three numbers, of which only those across count, and
+// gradients and Hessians are projected onto these.
 // Energies see the configuration x of all vertices (3n), minimisers the unknowns q (3m).
 #pragma once
 
@@ -15,6 +17,12 @@
 
 namespace tack {
 
+// A free vertex of which some directions are held: a roller, a slider, a plane of symmetry.
+struct HeldDirections {
+  int vertex = -1;
+  Mat3 held = Mat3::Zero();  // projects onto them
+};
+
 class DofMap {
  public:
   struct Part {
@@ -23,8 +31,9 @@ class DofMap {
   };
 
   DofMap() = default;
-  // movable[i] != 0 where vertex i is not held. Throws std::logic_error if vertices depend on themselves.
-  explicit DofMap(std::span<const char> movable, const Dependences& dependences = {});
+  // movable[i] != 0 where vertex i is not held. Throws InputError if vertices depend on themselves.
+  explicit DofMap(std::span<const char> movable, const Dependences& dependences = {},
+                  const std::vector<HeldDirections>& held = {});
 
   int vertex_count() const { return static_cast<int>(block_of_.size()); }
   int block_count() const { return static_cast<int>(vertex_of_.size()); }
@@ -39,6 +48,13 @@ class DofMap {
   // Whether every block moves one vertex alone, and with weight 1.
   bool plain() const { return mixed_.empty() && !shares_; }
 
+  // The blocks of which some directions are held, ascending, and what projects onto those.
+  struct HeldBlock {
+    int block;
+    Mat3 held;
+  };
+  const std::vector<HeldBlock>& held_blocks() const { return held_blocks_; }
+
   const std::vector<int>& dependents() const { return dependents_; }  // ascending
   // What the k-th of them is a sum of.
   std::span<const Part> parts(int k) const { return {parts_.data() + start_[k], parts_.data() + start_[k + 1]}; }
@@ -51,6 +67,8 @@ class DofMap {
 
   void gather(const VecX& x, VecX& q) const;   // q <- the free part of x
   void scatter(const VecX& q, VecX& x) const;  // x's free part <- q; held vertices keep theirs, dependent ones follow
+  // Makes the held directions of q those of x.
+  void keep_held(const VecX& x, VecX& q) const;
   void follow(VecX& x) const;                  // puts the dependent vertices of x where the others say
   // Adds what acts on dependent vertices (3n) to those that they depend on: W^T, held vertices included.
   void collect(VecX& forces) const;
@@ -62,6 +80,7 @@ class DofMap {
   std::vector<int> vertex_of_;
   std::vector<int> dependents_, start_{0};
   std::vector<Part> parts_;
+  std::vector<HeldBlock> held_blocks_;
   std::vector<char> mixed_;  // per vertex; empty without any
   bool shares_ = false;
   std::vector<int> block_entry_, block_start_{0};

@@ -55,11 +55,15 @@ class Reaction : public VectorProbe {
     VecX gradient = VecX::Zero(state.x.size());
     for (const Term* term : world.terms) add_term_gradient(*term, state.x, gradient);
     for (int v = 0; v < world.dofs.vertex_count(); ++v)
-      if (world.dofs.block(v) < 0) vertex(gradient, v) += world.mass(v) * vertex(state.a, v);
+      vertex(gradient, v) += world.mass(v) * vertex(state.a, v);
     world.dofs.collect(gradient);
     Vec3 sum = Vec3::Zero();
     for (const int v : set_.vertices())
       if (!world.dofs.moves(v)) sum += vertex(gradient, v);
+    for (const DofMap::HeldBlock& h : world.dofs.held_blocks()) {
+      const int v = world.dofs.vertex_of_block(h.block);
+      if (std::binary_search(set_.vertices().begin(), set_.vertices().end(), v)) sum += h.held * vertex(gradient, v);
+    }
     return sum;
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace tack {
 namespace {
@@ -36,12 +37,12 @@ void substitute(const Row& by, int pivot, Row& row) {
   for (const auto& [held, weight] : by.on_held) row.on_held[held] -= factor * weight;
 }
 
-// What the vertices of a frame follow where some that it carries are held; `leads` are the held ones that they do.
-Dependences frame_follows(const AffineFrame& body, const std::vector<char>& free, std::vector<int>& leads) {
+// What the vertices of a frame follow where others place some that it carries; `leads` are those of them that they do.
+Dependences frame_follows(const AffineFrame& body, const std::set<int>& led, std::vector<int>& leads) {
   Dependences found;
   std::vector<Row> rows;
   for (const AffineFrame::Carried& c : body.carried)
-    if (!free.empty() && !free[c.vertex]) rows.push_back({c.vertex, c.weights});
+    if (led.count(c.vertex)) rows.push_back({c.vertex, c.weights});
   while (!rows.empty() && found.size() < 4) {
     size_t best = 0;
     int pivot = 0;
@@ -68,9 +69,15 @@ std::vector<char> Bindings::active(double t) const {
 
 Dependences Bindings::at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
   Dependences all = lasting_;
+  std::set<int> led;
+  for (int v = 0; v < static_cast<int>(free.size()); ++v)
+    if (!free[v]) led.insert(v);
+  for (size_t i = 0; i < ties_.size(); ++i)
+    for (const Dependence& d : ties_[i].dependences)
+      if (active_ties[i]) led.insert(d.vertex);
   for (const AffineFrame& body : frames_) {
     std::vector<int> leads;
-    for (Dependence& d : frame_follows(body, free, leads)) all.push_back(std::move(d));
+    for (Dependence& d : frame_follows(body, led, leads)) all.push_back(std::move(d));
     for (const AffineFrame::Carried& c : body.carried) {
       if (std::find(leads.begin(), leads.end(), c.vertex) != leads.end()) continue;
       Dependence& d = all.emplace_back(Dependence{c.vertex, {}});
@@ -78,8 +85,12 @@ Dependences Bindings::at(const std::vector<char>& free, const std::vector<char>&
         if (c.weights[k] != 0) d.on.emplace_back(body.frame[k], c.weights[k]);
     }
   }
+  // Of what is tied of an affine body, the leads alone: the others follow its frame.
+  std::set<int> following;
+  for (const Dependence& d : all) following.insert(d.vertex);
   for (size_t i = 0; i < ties_.size(); ++i)
-    if (active_ties[i]) all.insert(all.end(), ties_[i].dependences.begin(), ties_[i].dependences.end());
+    for (const Dependence& d : ties_[i].dependences)
+      if (active_ties[i] && !following.count(d.vertex)) all.push_back(d);
   return all;
 }
 

@@ -38,8 +38,8 @@ class Bindings {
 
   // Which ties act at time t [s].
   std::vector<char> active(double t) const;
-  // With those ties, where the vertices with free[v] == 0 are held. Where vertices of an affine body are held, as many
-  // of its frame follow them as they are independent places: one leaves it three, on a line two, in a plane one.
+  // With those ties, where the vertices with free[v] == 0 are held. Where vertices of an affine body are held or tied, as
+  // many of its frame follow them as they are independent places: one leaves it three, on a line two, in a plane one.
   // free may be empty: nothing is held.
   Dependences at(const std::vector<char>& free, const std::vector<char>& active_ties) const;
 

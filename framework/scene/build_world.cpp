@@ -54,8 +54,15 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
 void hold_vertices(const ObjectConfig& object, int index, World& world) {
   for (size_t i = 0; i < object.motion.size(); ++i) {
     const Motion& motion = *object.motion[i];
-    world.script.add({&motion, select(motion.selection(), world.selection_context(index)),
-                      fmt::format("motion {} ({}) of '{}'", i, motion.type(), object.name)});
+    const std::string name = fmt::format("motion {} ({}) of '{}'", i, motion.type(), object.name);
+    std::vector<int> vertices = select(motion.selection(), world.selection_context(index));
+    if (motion.partial() && object.body) {
+      if (static_cast<int>(vertices.size()) != world.bodies[index].vertex_count)
+        throw InputError(fmt::format("{}: holds some directions of a part of an affine body; select all of it, or hold "
+                                     "vertices whole (on a line: a hinge, one: a joint)", name));
+      vertices = world.bodies[index].frame;
+    }
+    world.script.add({&motion, std::move(vertices), name});
   }
   Body& body = world.bodies[index];
   body.movable = false;
@@ -211,10 +218,12 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
                        "select, from and until)");
     });
-  const std::vector<char> free = world->script.free(world->script.active(first_step / 2));
-  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)));
+  for_each_object(scene, root, [&](size_t i) { add_attachments(scene, static_cast<int>(i), *world); });
+  const std::vector<char> active = world->script.active(first_step / 2), free = world->script.free(active);
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)), world->script.held_directions(active));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], static_cast<int>(i), *world); });
   add_affine_terms(scene, first_step, *world);
+  add_springs(scene, root, *world);
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;

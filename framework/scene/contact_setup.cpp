@@ -57,7 +57,12 @@ class PairBuilder {
     for (int a = 0; a < n; ++a) {
       for (int b = a; b < n; ++b) {
         const int index = config_of(a, b);
-        if (index >= 0 && !contact_.pairs[index].contact) {
+        const bool attached = std::count(world_.attached.begin(), world_.attached.end(), std::pair{a, b}) > 0;
+        if (attached && index >= 0 && contact_.pairs[index].contact)
+          throw pair_error(static_cast<size_t>(index),
+                           fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
+                                       "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
+        if (attached || (index >= 0 && !contact_.pairs[index].contact)) {
           filter_.set(a, b, false);
           continue;
         }

@@ -7,9 +7,25 @@ void Motion::fields(Fields& f) {
   f.number("from", from_, units::time, "when it seizes them; they are free before").nonnegative();
   f.optional_number("until", until_, units::time,
                     "when it lets go of them, with the velocity they have; never unless given");
+  f.optional_vector("along", along_, units::none,
+                    "holds only the component along this direction; the vertices are free across it (a roller, a plane of "
+                    "symmetry). What another motion holds whole is not asked");
+  f.optional_vector("across", across_, units::none,
+                    "holds only the components across this direction; the vertices are free along it (a slider)");
+  for (const char* key : {"along", "across"})
+    f.check(key, [this]() -> std::string {
+      if (along_ && across_) return "give either along or across";
+      return (along_ && along_->norm() == 0) || (across_ && across_->norm() == 0) ? "must not be zero" : "";
+    });
   f.check("until", [this]() -> std::string {
     return until() > from_ ? "" : "must be later than from";
   });
+}
+
+Mat3 Motion::held_directions() const {
+  if (along_) return along_->normalized() * along_->normalized().transpose();
+  if (across_) return Mat3::Identity() - across_->normalized() * across_->normalized().transpose();
+  return Mat3::Identity();
 }
 
 namespace {

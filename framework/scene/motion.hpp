@@ -25,6 +25,10 @@ class Motion : public Component {
   double from() const { return from_; }                                                     // s
   double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
 
+  // Whether it holds its vertices in some directions only, and what projects onto those that it does.
+  bool partial() const { return along_ || across_; }
+  Mat3 held_directions() const;
+
   // Writes where the vertices are at time t [s] into their rows of x; rest, anchor: 3n [m].
   virtual void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,
                      VecX& x) const = 0;
@@ -35,6 +39,7 @@ class Motion : public Component {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
   double from_ = 0;
   std::optional<double> until_;
+  std::optional<Vec3> along_, across_;
 };
 
 }  // namespace tack

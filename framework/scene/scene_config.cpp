@@ -23,6 +23,7 @@ void ObjectConfig::fields(Fields& f) {
   f.component_list("energies", energies, "its potential energies; one that is all fixed, or an affine body, needs none");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
   f.component_list("motion", motion, "prescribed motion of some vertices");
+  f.list("attach", attach, "vertices that follow another object; where the two touch at the start they are in no contact, then or later");
   f.component_list("loads", loads, "external forces");
   f.vector("velocity", velocity, units::velocity, "initial velocity of what is free of it");
   f.vector("spin", spin, units::angular_velocity, "initial angular velocity of what is free of it, about its centre of mass");
@@ -70,6 +71,7 @@ void SceneConfig::fields(Fields& f) {
   f.vector("gravity", gravity, units::acceleration, "acceleration of every mass");
   f.list("objects", objects, "what is simulated").required().nonempty();
   f.list("selections", selections, "as those of an object, of all objects of which they choose a vertex");
+  f.list("springs", springs, "springs between objects");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
 }
 

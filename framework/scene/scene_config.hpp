@@ -9,6 +9,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/contact/normal_law.hpp"
+#include "framework/scene/attachment.hpp"
 #include "framework/scene/body_model.hpp"
 #include "framework/scene/damping_config.hpp"
 #include "framework/scene/energy.hpp"
@@ -16,6 +17,7 @@
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
 #include "framework/scene/shape_source.hpp"
+#include "framework/scene/springs.hpp"
 
 namespace tack {
 
@@ -43,6 +45,7 @@ struct ObjectConfig {
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
   std::vector<std::unique_ptr<Motion>> motion;
+  std::vector<AttachConfig> attach;
   std::vector<std::unique_ptr<Load>> loads;
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 spin = Vec3::Zero();      // rad/s
@@ -76,6 +79,7 @@ struct SceneConfig {
   Vec3 gravity = Vec3::Zero();  // m/s^2
   std::vector<ObjectConfig> objects;
   std::vector<NamedSelection> selections;
+  std::vector<SpringConfig> springs;
   std::optional<ContactConfig> contact;
   void fields(Fields& f);
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "geometry/errors.hpp"
 
@@ -25,6 +26,13 @@ void check_places(const std::vector<int>& vertices, double t, const VecX& x) {
   }
 }
 
+// Two motions of the same vertices: a whole one has precedence over partial ones.
+bool contradict(const Motion& a, const Motion& b) {
+  constexpr double round_off = 1e-9;
+  if (a.partial() != b.partial()) return false;
+  return !a.partial() || (a.held_directions() * b.held_directions()).norm() > round_off;
+}
+
 std::string end_of(double until) {
   return std::isfinite(until) ? fmt::format("{} s", until) : "the end";
 }
@@ -34,15 +42,24 @@ std::string end_of(double until) {
 void Script::add(Hold hold) {
   const Motion& motion = *hold.motion;
   for (const Hold& other : holds_) {
-    if (!at_the_same_time(motion, *other.motion)) continue;
+    if (!at_the_same_time(motion, *other.motion) || !contradict(motion, *other.motion)) continue;
     std::vector<int> both;
     std::set_intersection(hold.vertices.begin(), hold.vertices.end(), other.vertices.begin(),
                           other.vertices.end(), std::back_inserter(both));
     if (both.empty()) continue;
-    throw InputError(fmt::format("{} and {} hold {} vertices at once, from {} s to {}; give them different "
+    throw InputError(fmt::format("{} and {} hold {} vertices at once{}, from {} s to {}; give them different "
                                  "vertices (select) or times (from, until)", other.name, hold.name, both.size(),
+                                 motion.partial() ? " in directions that are not at right angles" : "",
                                  std::max(motion.from(), other.motion->from()),
                                  end_of(std::min(motion.until(), other.motion->until()))));
+  }
+  if (motion.partial()) {
+    for (const int v : hold.vertices) {
+      ever_held_[v] = 1;
+      if (motion.moves()) moves_[v] = 1;
+    }
+    holds_.push_back(std::move(hold));
+    return;
   }
   const bool always = motion.from() <= 0 && !std::isfinite(motion.until());
   const int group = motion.moves() ? static_cast<int>(holds_.size()) + 1 : 0;  // all that is fixed: 0
@@ -64,21 +81,42 @@ std::vector<char> Script::active(double t) const {
 std::vector<char> Script::free(const std::vector<char>& active) const {
   std::vector<char> free(ever_free_.size(), 1);
   for (size_t i = 0; i < holds_.size(); ++i)
-    if (active[i])
+    if (active[i] && !holds_[i].motion->partial())
       for (const int v : holds_[i].vertices) free[v] = 0;
   return free;
 }
 
+std::vector<HeldDirections> Script::held_directions(const std::vector<char>& active) const {
+  const std::vector<char> free = this->free(active);
+  std::map<int, Mat3> held;
+  for (size_t i = 0; i < holds_.size(); ++i)
+    if (active[i] && holds_[i].motion->partial())
+      for (const int v : holds_[i].vertices)
+        if (free[v]) held.try_emplace(v, Mat3::Zero()).first->second += holds_[i].motion->held_directions();
+  std::vector<HeldDirections> all;
+  for (const auto& [v, directions] : held) all.push_back({v, directions});
+  return all;
+}
+
 void Script::place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
                    VecX& x) const {
-  for (size_t i = 0; i < holds_.size(); ++i) {
-    if (!active[i]) continue;
-    try {
-      holds_[i].motion->place(holds_[i].vertices, rest, anchor, t, x);
-      check_places(holds_[i].vertices, t, x);
-    } catch (const SimulationError& error) {
-      throw SimulationError(fmt::format("{}: {}", holds_[i].name, error.what()));
-    }
+  for (const bool partial : {true, false})
+    for (size_t i = 0; i < holds_.size(); ++i)
+      if (active[i] && holds_[i].motion->partial() == partial) place(holds_[i], rest, anchor, t, x);
+}
+
+void Script::place(const Hold& hold, const VecX& rest, const VecX& anchor, double t, VecX& x) {
+  try {
+    VecX before;
+    if (hold.motion->partial()) before = x;
+    hold.motion->place(hold.vertices, rest, anchor, t, x);
+    check_places(hold.vertices, t, x);
+    if (!hold.motion->partial()) return;
+    const Mat3 held = hold.motion->held_directions();
+    for (const int v : hold.vertices)
+      vertex(x, v) = (vertex(before, v) + held * (vertex(x, v) - vertex(before, v))).eval();
+  } catch (const SimulationError& error) {
+    throw SimulationError(fmt::format("{}: {}", hold.name, error.what()));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/core/dof_map.hpp"
 #include "framework/scene/motion.hpp"
 
 namespace tack {
@@ -21,19 +22,23 @@ class Script {
       : ever_held_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
         rigid_group_(vertex_count, -1) {}
 
-  // Throws InputError if another motion holds one of the vertices at the same time.
+  // Throws InputError if another motion holds one of the vertices at the same time: both whole, or both in directions
+  // that are not at right angles.
   void add(Hold hold);
   const std::vector<Hold>& holds() const { return holds_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
-  // Which of the holds act at time t [s], and which vertices those leave free.
+  // Which of the holds act at time t [s], and which vertices those leave free, in some directions at least.
   std::vector<char> active(double t) const;
   std::vector<char> free(const std::vector<char>& active) const;
+  // Of the latter, those of which they hold some directions.
+  std::vector<HeldDirections> held_directions(const std::vector<char>& active) const;
   // Writes where the active holds have their vertices at time t into x; anchor, rest: 3n [m].
   void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
              VecX& x) const;
 
   bool ever_held(int v) const { return ever_held_[v]; }
+  bool moves(int v) const { return moves_[v]; }  // some hold moves it
   bool ever_free(int v) const { return ever_free_[v]; }
   // Whether the vertex may ever be elsewhere than at its start.
   bool may_move(int v) const { return ever_free_[v] || moves_[v]; }
@@ -41,6 +46,8 @@ class Script {
   int rigid_group(int v) const { return rigid_group_[v]; }
 
  private:
+  static void place(const Hold& hold, const VecX& rest, const VecX& anchor, double t, VecX& x);
+
   std::vector<Hold> holds_;
   std::vector<char> ever_held_, ever_free_, moves_;
   std::vector<int> rigid_group_;

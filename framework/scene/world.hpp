@@ -20,6 +20,7 @@ class ContactTerm;
 class DampingTerm;
 class FrictionTerm;
 class OrthogonalityTerm;
+class SpringTerm;
 
 struct World {
   World();
@@ -31,11 +32,13 @@ struct World {
   VecX mass;              // n [kg]
   Script script;          // who is held when
   Bindings bindings;      // which vertices follow others
+  std::vector<std::pair<int, int>> attached;  // bodies that touch where one is attached to the other, ascending
   DofMap dofs;            // of the present step; the first before it
   std::vector<Tet> tets;  // of all bodies that may move
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
+  std::vector<const SpringTerm*> springs;     // of them, those of springs
   const OrthogonalityTerm* affine = nullptr;  // of them, that of affine bodies; null without any
   std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;

@@ -94,10 +94,15 @@ double EnergyBalance::load_work(const State& state, const VecX& way, double h) c
   return work;
 }
 
-// Vertices that several unknowns move hand their inertia and weight on to held ones, too.
+// Vertices that several unknowns move hand their inertia and weight on to held ones, too, and what is held in some
+// directions has its own.
 void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) const {
   for (const int v : world_.dofs.dependents())
-    if (world_.dofs.moves(v)) vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
+    if (world_.dofs.mixed(v)) vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
+  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks()) {
+    const int v = world_.dofs.vertex_of_block(h.block);
+    vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);
+  }
 }
 
 // gradient: of elastic and contact energy at x.
@@ -107,10 +112,15 @@ double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const V
   for (const auto& term : world_.damping_terms) term->add_mean_forces(x, drag);
   for (VecX* forces : {&sum, &end, &drag}) world_.dofs.collect(*forces);
   double work = 0, at_end = 0;
-  for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
-    if (world_.dofs.moves(v)) continue;
-    work += (vertex(sum, v) / 2 - vertex(drag, v)).dot(vertex(way, v));
-    at_end += (vertex(end, v) - vertex(drag, v)).dot(vertex(way, v));
+  const auto add = [&](int v, const Vec3& held_way) {
+    work += (vertex(sum, v) / 2 - vertex(drag, v)).dot(held_way);
+    at_end += (vertex(end, v) - vertex(drag, v)).dot(held_way);
+  };
+  for (int v = 0; v < world_.dofs.vertex_count(); ++v)
+    if (!world_.dofs.moves(v)) add(v, vertex(way, v));
+  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks()) {
+    const int v = world_.dofs.vertex_of_block(h.block);
+    add(v, h.held * vertex(way, v));
   }
   jerk_ = std::max(0.0, at_end - work);
   return work;

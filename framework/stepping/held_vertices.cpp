@@ -66,7 +66,7 @@ bool HeldVertices::change(const State& state, double middle) {
 DofMap HeldVertices::dofs_of(const std::vector<char>& active) const {
   const std::vector<char> free = script_.free(active);
   const auto ties = active.begin() + static_cast<std::ptrdiff_t>(script_.holds().size());
-  return DofMap(free, bindings_.at(free, {ties, active.end()}));
+  return DofMap(free, bindings_.at(free, {ties, active.end()}), script_.held_directions(active));
 }
 
 std::vector<char> HeldVertices::moving() const {
@@ -81,7 +81,7 @@ void HeldVertices::place(double t, VecX& x) const {
   const VecX placed = x;
   dofs_.follow(x);
   for (size_t i = 0; i < script_.holds().size(); ++i) {
-    if (!active_[i]) continue;
+    if (!active_[i] || script_.holds()[i].motion->partial()) continue;
     for (const int v : script_.holds()[i].vertices) check_followed(script_.holds()[i], v, placed, x);
   }
 }
@@ -112,7 +112,9 @@ int HeldVertices::straight_parts(double t, double h) const {
 }
 
 bool HeldVertices::may_move() const {
-  return std::any_of(held_.begin(), held_.end(), [&](int v) { return script_.may_move(v); });
+  const auto& partly = dofs_.held_blocks();
+  return std::any_of(held_.begin(), held_.end(), [&](int v) { return script_.may_move(v); }) ||
+         std::any_of(partly.begin(), partly.end(), [&](const auto& h) { return script_.moves(dofs_.vertex_of_block(h.block)); });
 }
 
 }  // namespace tack

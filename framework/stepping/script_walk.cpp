@@ -64,8 +64,10 @@ void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   std::vector<int> moving;
   std::vector<char> depends(world_.dofs.vertex_count(), 0);
   for (const int v : world_.dofs.dependents()) depends[v] = 1;
+  std::vector<char> partly(world_.dofs.vertex_count(), 0);
+  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks()) partly[world_.dofs.vertex_of_block(h.block)] = 1;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
-    if (!world_.dofs.moves(v) && !depends[v] && vertex(x, v) != vertex(places, v)) moving.push_back(v);
+    if ((!world_.dofs.moves(v) || partly[v]) && !depends[v] && vertex(x, v) != vertex(places, v)) moving.push_back(v);
   if (potential_ && moving == moving_) return;
   moving_ = std::move(moving);
   std::vector<char> unknown(world_.dofs.vertex_count());

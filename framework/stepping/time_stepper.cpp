@@ -253,6 +253,20 @@ void TimeStepper::check_wall_limit(const std::string& wrong) const {
                                     wrong.empty() ? "" : "; " + wrong));
 }
 
+// As of held vertices, in the directions in which vertices are held.
+void TimeStepper::update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const {
+  if (world_.dofs.held_blocks().empty()) return;
+  std::vector<int> vertices;
+  for (const DofMap::HeldBlock& held : world_.dofs.held_blocks()) vertices.push_back(world_.dofs.vertex_of_block(held.block));
+  VecX v_held = v, a_held = a;
+  integrator_->update_held(state_, x, h, vertices, v_held, a_held);
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    const Mat3& held = world_.dofs.held_blocks()[i].held;
+    vertex(v, vertices[i]) += held * (vertex(v_held, vertices[i]) - vertex(v, vertices[i]));
+    vertex(a, vertices[i]) += held * (vertex(a_held, vertices[i]) - vertex(a, vertices[i]));
+  }
+}
+
 void TimeStepper::commit(const VecX& x, double h) {
   VecX v, a, contact;
   if (world_.contact && time_.integrator->follows_contact()) {
@@ -261,6 +275,7 @@ void TimeStepper::commit(const VecX& x, double h) {
   }
   integrator_->update(state_, x, contact, h, v, a);
   integrator_->update_held(state_, x, h, held_.vertices(), v, a);
+  update_held_directions(x, h, v, a);
   world_.dofs.follow(v);
   world_.dofs.follow(a);
   held_.commit(state_);

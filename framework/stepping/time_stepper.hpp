@@ -76,6 +76,7 @@ class TimeStepper {
   void set_accelerations(double t, const std::vector<int>& vertices);
   VecX first_guess(double h);
   VecX contact_accelerations(const VecX& x) const;
+  void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;
   double largest_step(const VecX& x, const VecX& p);
   double largest_tried_step();
   double feasible_step(const VecX& q, const VecX& p);

@@ -1,0 +1,104 @@
+#include "framework/scene/spring_term.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// The stiffness across a spring that pushes is negative: a projection takes it out.
+double across(double force, double length, SpdFilter filter) {
+  return length > 0 ? filtered(force / length, filter) : 0.0;
+}
+
+}  // namespace
+
+void SpringTerm::add(Edge vertices, const Spring& spring) {
+  vertices_.push_back(vertices);
+  springs_.push_back(spring);
+  broken_.push_back(0);
+}
+
+int SpringTerm::intact() const { return static_cast<int>(std::count(broken_.begin(), broken_.end(), 0)); }
+
+Vec3 SpringTerm::force(const VecX& x) const {
+  Vec3 sum = Vec3::Zero();
+  for (int s = 0; s < count(); ++s) {
+    const Vec3 d = span(s, x);
+    const double l = d.norm();
+    if (!broken_[s] && l > 0) sum += springs_[s].stiffness * (l - springs_[s].length) / l * d;
+  }
+  return sum;
+}
+
+void SpringTerm::remember(const History& history) {
+  const std::vector<double>* broken = remembered(history, history_, 1, count());
+  for (int s = 0; s < count(); ++s) broken_[s] = broken && (*broken)[s] != 0;
+}
+
+bool SpringTerm::breaks(int s, const VecX& x) const {
+  return !broken_[s] && springs_[s].stiffness * std::abs(span(s, x).norm() - springs_[s].length) > springs_[s].strength;
+}
+
+void SpringTerm::commit(const VecX& x, History& history) const {
+  HistoryArray& array = history[history_];
+  array = {1, {broken_.begin(), broken_.end()}, {}};
+  for (int s = 0; s < count(); ++s)
+    if (breaks(s, x)) array.values[s] = 1;
+}
+
+double SpringTerm::dissipated(const VecX& x) const {
+  double sum = 0;
+  for (int s = 0; s < count(); ++s)
+    if (breaks(s, x)) sum += energy(s, x);
+  return sum;
+}
+
+double SpringTerm::energy(int s, const VecX& x) const {
+  if (broken_[s]) return 0;
+  const double stretch = span(s, x).norm() - springs_[s].length;
+  return springs_[s].stiffness / 2 * stretch * stretch;
+}
+
+double SpringTerm::value(const VecX& x) const {
+  return sum_chunks(count(), [&](int first, int last) {
+    double sum = 0;
+    for (int s = first; s < last; ++s) sum += energy(s, x);
+    return sum;
+  });
+}
+
+void SpringTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+  for_each(count(), [&](int s) {
+    const Vec3 d = span(s, x);
+    const double l = d.norm(), k = broken_[s] ? 0 : springs_[s].stiffness, force = k * (l - springs_[s].length);
+    const Vec3 n = l > 0 ? Vec3(d / l) : Vec3::Zero();
+    Eigen::Map<Vec3>{gradient + 6 * static_cast<size_t>(s)} = -force * n;
+    Eigen::Map<Vec3>{gradient + 6 * static_cast<size_t>(s) + 3} = force * n;
+    if (!hessian) return;
+    // Without a length at rest it is isotropic, also where its ends meet.
+    const Mat3 h = springs_[s].length == 0 ? Mat3(k * Mat3::Identity())
+                                           : Mat3(k * n * n.transpose() + across(force, l, filter) * (Mat3::Identity() - n * n.transpose()));
+    double* out = hessian + 27 * static_cast<size_t>(s);
+    Eigen::Map<Mat3>{out} = h;
+    Eigen::Map<Mat3>{out + 9} = -h;
+    Eigen::Map<Mat3>{out + 18} = h;
+  });
+}
+
+bool SpringTerm::residuals(const VecX& x, double* r, double* jacobian) const {
+  for (int s = 0; s < count(); ++s) {
+    const Vec3 d = span(s, x);
+    const double l = d.norm(), root = broken_[s] ? 0 : std::sqrt(springs_[s].stiffness);
+    r[s] = root * (l - springs_[s].length);
+    if (!jacobian) continue;
+    const Vec3 n = l > 0 ? Vec3(d / l) : Vec3::UnitX();
+    Eigen::Map<Vec3>{jacobian + 6 * static_cast<size_t>(s)} = -root * n;
+    Eigen::Map<Vec3>{jacobian + 6 * static_cast<size_t>(s) + 3} = root * n;
+  }
+  return true;
+}
+
+}  // namespace tack

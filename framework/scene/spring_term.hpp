@@ -1,0 +1,52 @@
+// Springs between pairs of vertices: sum_s k_s/2 (l_s - L_s)^2, l_s their lengths. One whose force at the end of a
+// step is above what it bears is broken from the next step on, for good: that is remembered.
+#pragma once
+
+#include <limits>
+
+#include "framework/core/residual_view.hpp"
+#include "framework/core/term.hpp"
+
+namespace tack {
+
+class SpringTerm : public Term, public ResidualView {
+ public:
+  // name: in messages and of the history.
+  explicit SpringTerm(std::string name) : Term("springs"), history_(name + "/broken"), label_(std::move(name)) {}
+
+  struct Spring {
+    double stiffness = 0;  // N/m
+    double length = 0;     // m, at rest
+    double strength = std::numeric_limits<double>::infinity();  // N
+  };
+  void add(Edge vertices, const Spring& spring);
+  const std::string& label() const { return label_; }
+  int count() const { return static_cast<int>(springs_.size()); }
+  int intact() const;
+  // What the springs exert on their first vertices in sum [N].
+  Vec3 force(const VecX& x) const;
+
+  void remember(const History& history) override;
+  void commit(const VecX& x, History& history) const override;
+  double dissipated(const VecX& x) const override;  // by those that break
+
+  double value(const VecX& x) const override;
+  std::vector<StencilBatch> batches() const override { return {{2, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }
+  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override;
+
+  const ResidualView* residual_view() const override { return this; }
+  std::vector<ResidualBatch> residual_batches() const override { return {{2, 1, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }
+  bool residuals(const VecX& x, double* r, double* jacobian) const override;
+
+ private:
+  Vec3 span(int s, const VecX& x) const { return vertex(x, vertices_[s][1]) - vertex(x, vertices_[s][0]); }
+  bool breaks(int s, const VecX& x) const;
+  double energy(int s, const VecX& x) const;
+
+  std::string history_, label_;
+  std::vector<Edge> vertices_;
+  std::vector<Spring> springs_;
+  std::vector<char> broken_;
+};
+
+}  // namespace tack
