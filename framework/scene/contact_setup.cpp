@@ -58,7 +58,7 @@ class PairBuilder {
       for (int b = a; b < n; ++b) {
         const int index = config_of(a, b);
         if (index >= 0 && !contact_.pairs[index].contact) {
-          filter_.set(a, b, false);
+          colliding_.set(a, b, false);
           continue;
         }
         // Without a law, but the exact check sees one being driven through the other.
@@ -69,7 +69,7 @@ class PairBuilder {
   }
 
   PairTable& table() { return table_; }
-  const ObjectPairFilter& filter() const { return filter_; }
+  const CollidingObjects& colliding() const { return colliding_; }
 
  private:
   const Value* pairs_value() const {
@@ -129,7 +129,7 @@ class PairBuilder {
 
   // Both 0 if no side has a modulus.
   PairMaterials materials_of(int a, int b) const {
-    PairMaterials m{contact_.distance};
+    PairMaterials m{contact_.contact_distance};
     const auto lower = [](double& softer, double modulus) {
       if (modulus > 0 && (softer == 0 || modulus < softer)) softer = modulus;
     };
@@ -225,7 +225,7 @@ class PairBuilder {
   const Value& root_;
   World& world_;
   PairTable table_;
-  ObjectPairFilter filter_;
+  CollidingObjects colliding_;
   std::map<std::pair<int, int>, int> configs_;
   std::map<std::tuple<int, double, double>, LawIds> laws_;
 };
@@ -278,7 +278,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   builder.build(sizes);
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
-                                                  builder.filter(), clock);
+                                                  builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
