@@ -50,7 +50,6 @@ class FangAdhesion : public NormalLawOf<FangAdhesion, AdhesionLaw> {
   double range() const override { return dhat_a_; }
   double peak_traction() const override;
   double work_of_adhesion() const override { return -energy(0.0); }
-  std::vector<double> kinks() const override { return {dhat_p_, dhat_a_}; }
 
   template <class T>
   T energy(const T& d) const {

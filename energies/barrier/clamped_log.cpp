@@ -1,4 +1,4 @@
-// The clamped logarithmic barrier of IPC, with its stiffness in pascals.
+// The clamped logarithmic barrier of IPC, with its stiffness in pascals; dhat is the contact distance.
 //   plain:   b(d) = -kappa dhat (d/dhat - 1)^2 ln(d/dhat),        0 < d < dhat   (the paper, eq. 2)
 //   squared: the same in s = d^2 with dhat^2 for dhat and a stiffness that makes the force at
 //            d = dhat/2 equal to the plain form's.
@@ -23,25 +23,25 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
   }
 
   void prepare(const PairMaterials& m) override {
-    dhat_ = m.contact_distance;
+    contact_distance_ = m.contact_distance;
     kappa_ = given_stiffness_ ? *given_stiffness_ : default_stiffness(m);
     if (form_ == Form::plain) return;
     // plain: b'(dhat/2) = -kappa g(1/2); squared: -kappa_s 2 d g(1/4), g(r) = 2 (r-1) ln r + (r-1)^2 / r
     const auto g = [](double r) { return 2 * (r - 1) * std::log(r) + (r - 1) * (r - 1) / r; };
-    kappa_ *= g(0.5) / (dhat_ * g(0.25));
+    kappa_ *= g(0.5) / (contact_distance_ * g(0.25));
   }
 
-  double range() const override { return dhat_; }
+  double range() const override { return contact_distance_; }
 
   template <class T>
   T energy(const T& d) const {
     using std::log;
     if (form_ == Form::plain) {
-      const T r = d / T(dhat_);
-      return T(-kappa_ * dhat_) * (r - T(1)) * (r - T(1)) * log(r);
+      const T r = d / T(contact_distance_);
+      return T(-kappa_ * contact_distance_) * (r - T(1)) * (r - T(1)) * log(r);
     }
-    const T r = d * d / T(dhat_ * dhat_);
-    return T(-kappa_ * dhat_ * dhat_) * (r - T(1)) * (r - T(1)) * log(r);
+    const T r = d * d / T(contact_distance_ * contact_distance_);
+    return T(-kappa_ * contact_distance_ * contact_distance_) * (r - T(1)) * (r - T(1)) * log(r);
   }
 
  private:
@@ -54,8 +54,8 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
 
   Form form_ = Form::plain;
   std::optional<double> given_stiffness_;
-  double dhat_ = 1e-3;   // m
-  double kappa_ = 1e5;   // Pa; for the squared form Pa/m
+  double contact_distance_ = 1e-3;  // m
+  double kappa_ = 1e5;              // Pa; for the squared form Pa/m
 };
 
 TACK_REGISTER(BarrierLaw, ClampedLogBarrier, "clamped_log",

@@ -2,7 +2,7 @@
 // Conventions of the derivatives follow Stomakhin et al. 2012 and Smith et al. 2019.
 #pragma once
 
-#include "framework/assembly/pack_filter.hpp"
+#include "framework/assembly/pack_projection.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -22,20 +22,20 @@ struct PrincipalHessian {
 };
 
 // Makes symmetric 3x3 matrices positive semi-definite; leaves definite ones alone.
-void filter_diagonal(PackMat3& a, SpdFilter filter);
+void project_diagonal(PackMat3& a, Projection projection);
 
-inline PrincipalHessian principal_hessian(const PackVec3& s, const PrincipalDerivatives& d, SpdFilter filter) {
+inline PrincipalHessian principal_hessian(const PackVec3& s, const PrincipalDerivatives& d, Projection projection) {
   PrincipalHessian h;
   h.diagonal = d.hessian;
-  filter_diagonal(h.diagonal, filter);
+  project_diagonal(h.diagonal, projection);
   for (int i = 0; i < 3; ++i) {
     for (int j = i + 1; j < 3; ++j) {
       // Stretching mode: the divided difference, or its limit where the stretches (nearly) agree.
       const Pack gap = s(i) - s(j), sum = s(i) + s(j);
       const Pack limit = 0.5 * (d.hessian(i, i) + d.hessian(j, j)) - d.hessian(i, j);
       const Pack quotient = (d.gradient(i) - d.gradient(j)) / gap;
-      const Pack stretch = filtered(select(abs(gap) < 1e-6 * sum, limit, quotient), filter);
-      const Pack twist = filtered(Pack((d.gradient(i) + d.gradient(j)) / sum), filter);
+      const Pack stretch = projected(select(abs(gap) < 1e-6 * sum, limit, quotient), projection);
+      const Pack twist = projected(Pack((d.gradient(i) + d.gradient(j)) / sum), projection);
       h.same(i, j) = h.same(j, i) = 0.5 * (stretch + twist);
       h.cross(i, j) = h.cross(j, i) = 0.5 * (stretch - twist);
     }

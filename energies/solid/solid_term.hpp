@@ -3,7 +3,7 @@
 //   Pack energy(const PackMat3& f) const;                             psi [J/m^3], infinite unless det F > 0
 //   PrincipalDerivatives derivatives(const PackVec3& stretches) const;
 // or, where it differs from tet to tet, at(p): that of the tets pack_width * p on, one per lane.
-// Tets are computed pack_width at a time, one per lane. The Hessian is filtered in the principal frame, in
+// Tets are computed pack_width at a time, one per lane. The Hessian is projected in the principal frame, in
 // closed form but for one 3x3 matrix.
 #pragma once
 
@@ -40,20 +40,20 @@ class SolidTerm : public Term, public StencilRanges {
     return {{4, count(), tets_.empty() ? nullptr : tets_.front().data()}};
   }
 
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient,
+  void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override {
     for_each_chunk(count(), [&](int, int first, int last) {
-      range_derivatives(x, filter, first, last, gradient + 12 * static_cast<size_t>(first),
+      range_derivatives(x, projection, first, last, gradient + 12 * static_cast<size_t>(first),
                         hessian ? hessian + 90 * static_cast<size_t>(first) : nullptr);
     });
   }
 
   const StencilRanges* ranges() const override { return this; }
 
-  void range_derivatives(const VecX& x, SpdFilter filter, int first, int last, double* gradient,
+  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
                          double* hessian) const override {
     for (int t = first; t < last; t += pack_width, gradient += 12 * pack_width) {
-      elements(t, std::min(pack_width, last - t), x, filter, gradient, hessian);
+      elements(t, std::min(pack_width, last - t), x, projection, gradient, hessian);
       if (hessian) hessian += 90 * pack_width;
     }
   }
@@ -106,7 +106,7 @@ class SolidTerm : public Term, public StencilRanges {
   }
 
   // Slots of the tets first .. first + n.
-  void elements(int first, int n, const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+  void elements(int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
     const TetRest<Pack>& rest = rest_[first / pack_width];
     const Svd3<Pack> svd = svd3(deformation_gradient(rest, &tets_[first], n, x));
     const PrincipalDerivatives d = material(first / pack_width).derivatives(svd.s);
@@ -118,7 +118,7 @@ class SolidTerm : public Term, public StencilRanges {
     store_lanes(g.data(), 12, gradient, n);
     if (!hessian) return;
     alignas(64) Pack slots[90];
-    blocks(svd.u, shape, principal_hessian(svd.s, d, filter), rest.volume, slots);
+    blocks(svd.u, shape, principal_hessian(svd.s, d, projection), rest.volume, slots);
     store_lanes(slots, 90, hessian, n);
   }
 

@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
 #include "geometry/parallel.hpp"
 
@@ -56,7 +56,7 @@ std::vector<StencilBatch> OrthogonalityTerm::batches() const {
   return {{4, static_cast<int>(frames_.size()), frames_.empty() ? nullptr : frames_.front().data()}};
 }
 
-void OrthogonalityTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+void OrthogonalityTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
   for_each(static_cast<int>(bodies_.size()), [&](int b) {
     const Mat3 a = map_of(b, x), strain = strain_of(a);
     const auto c = corners(b);
@@ -72,7 +72,7 @@ void OrthogonalityTerm::derivatives(const VecX& x, SpdFilter filter, double* gra
         h.block<3, 3>(3 * i, 3 * j) = modulus * (ci.dot(strain * cj) * Mat3::Identity() + 0.5 * (ci.dot(cj) * outer) +
                                                  0.5 * (a * cj) * (a * ci).transpose());
       }
-    if (filter != SpdFilter::none) project_stencil_psd<4>(h, filter);
+    if (projection != Projection::none) project_stencil_psd<4>(h, projection);
     store_blocks<4>(h, hessian + 90 * static_cast<size_t>(b));
   }, 16);
 }

@@ -62,12 +62,12 @@ std::vector<PlacedBatch> Assembler::Group::mapped_batches() const {
   return all;
 }
 
-void Assembler::Group::evaluate(const VecX& x, SpdFilter filter, bool with_hessian, TermTimes* times) {
+void Assembler::Group::evaluate(const VecX& x, Projection projection, bool with_hessian, TermTimes* times) {
   for (size_t t = 0; t < terms.size(); ++t) {
     double* hessian =
         with_hessian ? hessian_slots.data() + 9 * static_cast<size_t>(first_hessian[t]) : nullptr;
     const TermScope scope(times, terms[t], with_hessian ? Evaluation::hessian : Evaluation::gradient);
-    terms[t]->derivatives(x, filter, gradient_slots.data() + 3 * static_cast<size_t>(first_gradient[t]),
+    terms[t]->derivatives(x, projection, gradient_slots.data() + 3 * static_cast<size_t>(first_gradient[t]),
                           hessian);
   }
 }
@@ -145,7 +145,7 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, false);
   for (Group* group : groups()) {
-    group->evaluate(x, SpdFilter::none, false, clock_.term_times());
+    group->evaluate(x, Projection::none, false, clock_.term_times());
     group->reduced.reduce(group->gradient_slots.data(), nullptr);
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
@@ -221,15 +221,15 @@ void Assembler::locate_static_blocks() {
   locate(static_.hessian_map.target, static_positions_);
 }
 
-void Assembler::evaluate_ranged(const VecX& x, const HessianOptions& options) {
+void Assembler::evaluate_ranged(const VecX& x, const HessianRequest& request) {
   double* const gradients = ranged_.gradient_slots.data();
   TermTimes* const times = clock_.term_times();
-  if (!times) return ranged_sums_.evaluate(x, options.filter, options.clamp_at, gradients);
-  const std::vector<double> seconds = ranged_sums_.timed_evaluate(x, options.filter, options.clamp_at, gradients);
+  if (!times) return ranged_sums_.evaluate(x, request.projection, request.clamp_at, gradients);
+  const std::vector<double> seconds = ranged_sums_.timed_evaluate(x, request.projection, request.clamp_at, gradients);
   for (size_t t = 0; t < seconds.size(); ++t) times->add(ranged_.terms[t], Evaluation::hessian, seconds[t]);
 }
 
-void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
+void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,
                          const VecX& block_mass, VecX& gradient, BlockMatrix& matrix) {
   const PhaseScope scope(clock_, Phase::assembly);
   dynamic_.place(dofs_, true);
@@ -243,21 +243,21 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianO
   for (Group* group : groups()) {
     const bool dynamic = group == &dynamic_;
     if (group == &ranged_) {
-      evaluate_ranged(x, options);
+      evaluate_ranged(x, request);
     } else {
-      const SpdFilter filter = dynamic ? options.dynamic_filter.value_or(options.filter) : options.filter;
-      group->evaluate(x, filter, true, clock_.term_times());
+      const Projection projection = dynamic ? request.dynamic_projection.value_or(request.projection) : request.projection;
+      group->evaluate(x, projection, true, clock_.term_times());
     }
-    if (options.clamp_at && group != &ranged_) {
-      const PhaseScope filtering(clock_, Phase::filter);
-      group->clamp_at(*options.clamp_at, dofs_);
+    if (request.clamp_at && group != &ranged_) {
+      const PhaseScope projecting(clock_, Phase::projection);
+      group->clamp_at(*request.clamp_at, dofs_);
     }
     group->reduced.reduce(group->gradient_slots.data(), group == &ranged_ ? nullptr : group->hessian_slots.data());
     group->gather_gradient(dynamic ? scales.contact : scales.body, gradient);
   }
   ranged_sums_.gather(scales.body, ranged_positions_, matrix);
   static_.gather_hessian(scales.body, static_positions_, matrix);
-  if (!options.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
+  if (!request.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
   add_linear(x, scales.body, gradient);
   take_held_directions_out(gradient);
   take_held_directions_out(matrix);

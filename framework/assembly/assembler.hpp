@@ -11,6 +11,7 @@
 #include "framework/assembly/local_sums.hpp"
 #include "framework/assembly/reduced_stencils.hpp"
 #include "framework/assembly/term_scales.hpp"
+#include "framework/core/objective.hpp"
 #include "framework/core/phase_clock.hpp"
 
 namespace tack {
@@ -22,15 +23,8 @@ class Assembler {
   // Adds the gradients of the terms times their scales, in the unknowns (3m), to `gradient`.
   void add_gradient(const VecX& x, const TermScales& scales, VecX& gradient);
 
-  struct HessianOptions {
-    SpdFilter filter = SpdFilter::none;
-    std::optional<SpdFilter> dynamic_filter = {};  // of the dynamic terms, if it is another
-    // Clamps the stencils that touch an unknown block with a flag, after `filter`.
-    const std::vector<char>* clamp_at = nullptr;
-    bool without_dynamic = false;  // the Hessian leaves dynamic terms out; the gradient does not
-  };
-  // The same, and matrix <- scales * Hessians + diag(block_mass) with each stencil filtered.
-  void assemble(const VecX& x, const TermScales& scales, const HessianOptions& options,
+  // The same, and matrix <- scales * Hessians + diag(block_mass) as requested.
+  void assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,
                 const VecX& block_mass, VecX& gradient, BlockMatrix& matrix);
 
   // Adds the stencils' gradients of the last evaluation, of terms that store energy, at every vertex,
@@ -56,7 +50,7 @@ class Assembler {
 
     double largest_force() const;
     void place(const DofMap& dofs, bool with_hessian);
-    void evaluate(const VecX& x, SpdFilter filter, bool with_hessian, TermTimes* times);
+    void evaluate(const VecX& x, Projection projection, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
     std::vector<PlacedBatch> mapped_batches() const;
     void gather_gradient(double scale, VecX& gradient) const;
@@ -64,7 +58,7 @@ class Assembler {
   };
 
   std::vector<Group*> groups() { return {&ranged_, &static_, &dynamic_}; }
-  void evaluate_ranged(const VecX& x, const HessianOptions& options);
+  void evaluate_ranged(const VecX& x, const HessianRequest& request);
   void number_parts();
   void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;

@@ -133,25 +133,11 @@ VecX IncrementalPotential::gradient_at_all_vertices(const VecX& x) {
   return sum;
 }
 
-const BlockMatrix& IncrementalPotential::assemble(const Assembler::HessianOptions& options) {
+const BlockMatrix& IncrementalPotential::hessian(const HessianRequest& request) {
   start_gradient();
-  assembler_.assemble(x_, scales_, options, block_mass_, gradient_, matrix_);
+  assembler_.assemble(x_, scales_, request, block_mass_, gradient_, matrix_);
   gradient_known_ = true;
   return matrix_;
-}
-
-const BlockMatrix& IncrementalPotential::hessian(SpdFilter filter) { return assemble({.filter = filter}); }
-
-const BlockMatrix& IncrementalPotential::partly_clamped_hessian(const std::vector<char>& block) {
-  return assemble({.clamp_at = &block});
-}
-
-const BlockMatrix& IncrementalPotential::hessian_of_exact_elements(SpdFilter filter) {
-  return assemble({.filter = SpdFilter::none, .dynamic_filter = filter});
-}
-
-const BlockMatrix& IncrementalPotential::contactless_hessian() {
-  return assemble({.filter = SpdFilter::clamp, .without_dynamic = true});
 }
 
 LeastSquares IncrementalPotential::least_squares() const {

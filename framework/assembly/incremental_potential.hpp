@@ -44,10 +44,7 @@ class IncrementalPotential : public Objective {
   double value() override;
   double value_noise() const override;
   const VecX& gradient() override;
-  const BlockMatrix& hessian(SpdFilter filter) override;
-  const BlockMatrix& partly_clamped_hessian(const std::vector<char>& block) override;
-  const BlockMatrix& hessian_of_exact_elements(SpdFilter filter) override;
-  const BlockMatrix& contactless_hessian() override;
+  const BlockMatrix& hessian(const HessianRequest& request) override;
   LeastSquares least_squares() const override;
   int value_count() const override { return value_count_; }
 
@@ -55,7 +52,6 @@ class IncrementalPotential : public Objective {
   double inertia_value() const;
   double value_of(const Term& term) const;
   void start_gradient();
-  const BlockMatrix& assemble(const Assembler::HessianOptions& options);
 
   MixedInertia mixed_inertia_;  // of vertices that several unknowns move
   std::vector<const Term*> terms_;

@@ -94,7 +94,7 @@ std::vector<BlockKey> LocalSums::number_sums(Chunk& chunk, const DofMap& dofs) {
   return keys;
 }
 
-void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+void LocalSums::evaluate(const Chunk& chunk, const VecX& x, Projection projection, const std::vector<char>* clamp_at,
                          double* gradient_slots) {
   constexpr int grain = StencilRanges::grain;
   const int arity = chunk.batch.arity, blocks = hessian_blocks(arity);
@@ -106,7 +106,7 @@ void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, co
   double* gradient = gradient_slots + 3 * chunk.gradient_slot;
   for (int first = chunk.first; first < chunk.last; first += grain, gradient += 3 * grain * arity) {
     const int last = std::min(first + grain, chunk.last);
-    chunk.term->range_derivatives(x, filter, first, last, gradient, slots.data());
+    chunk.term->range_derivatives(x, projection, first, last, gradient, slots.data());
     const double* block = slots.data();
     if (clamp_at) clamp_stencils(chunk.batch, first, last, *clamp_at, *dofs_, slots.data());
     for (int k = 0; k < blocks * (last - first); ++k, ++sum, block += 9)
@@ -114,12 +114,12 @@ void LocalSums::evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, co
   }
 }
 
-void LocalSums::evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at, double* gradient_slots) {
+void LocalSums::evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at, double* gradient_slots) {
   for_each(static_cast<int>(chunks_.size()),
-           [&](int c) { evaluate(chunks_[c], x, filter, clamp_at, gradient_slots); }, 1);
+           [&](int c) { evaluate(chunks_[c], x, projection, clamp_at, gradient_slots); }, 1);
 }
 
-std::vector<double> LocalSums::timed_evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+std::vector<double> LocalSums::timed_evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
                                               double* gradient_slots) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
@@ -127,7 +127,7 @@ std::vector<double> LocalSums::timed_evaluate(const VecX& x, SpdFilter filter, c
   const auto start = Clock::now();
   for_each(static_cast<int>(chunks_.size()), [&](int c) {
     const auto begun = Clock::now();
-    evaluate(chunks_[c], x, filter, clamp_at, gradient_slots);
+    evaluate(chunks_[c], x, projection, clamp_at, gradient_slots);
     of_chunk[c] = since(begun);
   }, 1);
   const double all = since(start);

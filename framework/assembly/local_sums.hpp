@@ -19,11 +19,11 @@ class LocalSums {
   const std::vector<BlockKey>& targets() const { return targets_; }
 
   // Sums the Hessians, and writes all gradient slots. Stencils that touch an unknown block with a flag are clamped
-  // after `filter`, if flags are given.
-  void evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at, double* gradient_slots);
+  // after `projection`, if flags are given.
+  void evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at, double* gradient_slots);
 
   // The same, and how long it took, by term [s]: the time of all, shared as their chunks took it.
-  std::vector<double> timed_evaluate(const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+  std::vector<double> timed_evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
                                      double* gradient_slots);
 
   // Adds scale * sums to the matrix, where target k is at positions[k].
@@ -42,7 +42,7 @@ class LocalSums {
   };
 
   std::vector<BlockKey> number_sums(Chunk& chunk, const DofMap& dofs);
-  void evaluate(const Chunk& chunk, const VecX& x, SpdFilter filter, const std::vector<char>* clamp_at,
+  void evaluate(const Chunk& chunk, const VecX& x, Projection projection, const std::vector<char>* clamp_at,
                 double* gradient_slots);
 
   const DofMap* dofs_ = nullptr;

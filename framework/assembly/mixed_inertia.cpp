@@ -30,7 +30,7 @@ std::vector<StencilBatch> MixedInertia::batches() const {
   return {{1, static_cast<int>(vertices_.size()), vertices_.data()}};
 }
 
-void MixedInertia::derivatives(const VecX& x, SpdFilter, double* gradient, double* hessian) const {
+void MixedInertia::derivatives(const VecX& x, Projection, double* gradient, double* hessian) const {
   for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) {
     const double mass = factor_ * mass_(i);
     Eigen::Map<Vec3>{gradient + 3 * static_cast<size_t>(i)} = mass * (vertex(x, vertices_[i]) - vertex(prediction_, i));

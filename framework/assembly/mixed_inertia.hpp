@@ -21,7 +21,7 @@ class MixedInertia : public Term {
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
  private:
   std::vector<int> vertices_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
 
 namespace tack {
@@ -13,7 +13,7 @@ template <int K>
 void clamp_slots(double* slots) {
   Eigen::Matrix<double, 3 * K, 3 * K> hessian;
   load_blocks<K>(slots, hessian);
-  project_stencil_psd<K>(hessian, SpdFilter::clamp);
+  project_stencil_psd<K>(hessian, Projection::clamp);
   store_blocks<K>(hessian, slots);
 }
 
@@ -26,7 +26,7 @@ void clamp_slots(int arity, double* slots) {
     case 5: return clamp_slots<5>(slots);
     case 6: return clamp_slots<6>(slots);
   }
-  throw std::logic_error("no stencil filter of this arity");
+  throw std::logic_error("no projection of stencils of this arity");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ void add_term_gradient(const Term& term, const VecX& x, VecX& gradient) {
   size_t slots = 0;
   for (const StencilBatch& b : batches) slots += static_cast<size_t>(b.arity) * b.count;
   std::vector<double> gradients(3 * slots);
-  term.derivatives(x, SpdFilter::none, gradients.data(), nullptr);
+  term.derivatives(x, Projection::none, gradients.data(), nullptr);
   const double* slot = gradients.data();
   for (const StencilBatch& b : batches)
     for (int k = 0; k < b.arity * b.count; ++k, slot += 3)

@@ -13,11 +13,11 @@ constexpr double one_and_the_same = 1e-6;
 constexpr double one_potential = 1e-9;         // relative
 constexpr double one_and_the_same_run = 1e-3;  // small differences grow from step to step
 
-Value settings(const char* filter, const char* linear, double tolerance) {
+Value settings(const char* projection, const char* linear, double tolerance) {
   Value solver = parse_string("stopping: velocity\nmax_iterations: 5000\n", "(reference)");
   // With `type`, whatever the scene's solver is gives way to it.
   solver.set("type", Value::scalar("projected_newton"));
-  solver.set("filter", Value::scalar(filter));
+  solver.set("projection", Value::scalar(projection));
   solver.set("linear", Value::scalar(linear));
   solver.set("force_tolerance", Value::number(tolerance));  // of quasi-static steps
   return solver;
@@ -56,8 +56,8 @@ double rms_distance(const World& world, const VecX& a, const VecX& b) {
 
 Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest) {
   Reference reference;
-  const auto solve = [&](const char* filter, const char* linear, double to) {
-    auto trial = std::make_unique<Trial>(what, TrialSettings{settings(filter, linear, to), to, step_size});
+  const auto solve = [&](const char* projection, const char* linear, double to) {
+    auto trial = std::make_unique<Trial>(what, TrialSettings{settings(projection, linear, to), to, step_size});
     reference.status = trial->run().status;
     return trial;
   };

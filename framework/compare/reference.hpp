@@ -1,5 +1,5 @@
 // What errors are measured against: projected Newton with a tolerance far below those compared, and a
-// second one with another filter and another linear solver. How far the two are apart tells how much
+// second one with another projection and another linear solver. How far the two are apart tells how much
 // of an error is to be believed.
 #pragma once
 

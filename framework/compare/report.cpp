@@ -30,7 +30,7 @@ std::string header(const CompareConfig& config, const MeasuredOn& on) {
 
 std::string references(const Comparison& c) {
   std::string out = "\n## References\n\nProjected Newton (clamped) to the tolerance shown; *apart* is the largest distance to "
-                    "a second solution with absolute filter and CHOLMOD: errors below it mean nothing.\n\n"
+                    "a second solution with absolute projection and CHOLMOD: errors below it mean nothing.\n\n"
                     "| problem | h [s] | unknowns | size [m] | tolerance [m/s] | apart [m] | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
   for (const ReferenceRow& r : c.references) {
     std::string remark = r.other_branch ? "**the two are different solutions**" : "";

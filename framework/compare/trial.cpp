@@ -11,7 +11,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/experiment/stored_experiment.hpp"
-#include "framework/scene/energies.hpp"
+#include "framework/scene/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -178,7 +178,7 @@ void Trial::look_at_end() {
   if (world.contact) {
     ContactSystem& contact = *world.contact;
     result_.intersections +=
-        static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.filter(), 100).size());
+        static_cast<int>(find_intersections(contact.surface().mesh, result_.x, contact.colliding(), 100).size());
     contact.move_to(result_.x);
   }
   result_.probes = probes_.sample(world, simulation_.state());

@@ -28,9 +28,9 @@ double mean_edge_of(const ContactSurface& surface) {
 
 }  // namespace
 
-ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter,
+ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingObjects colliding,
                              PhaseClock& clock)
-    : surface_(std::move(surface)), pairs_(std::move(pairs)), filter_(filter), clock_(clock) {
+    : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   for (int a = 0; a < pairs_.objects(); ++a)
     for (int b = a; b < pairs_.objects(); ++b)
@@ -64,7 +64,7 @@ int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 
 void ContactSystem::forget() {
   contacts_ = {};
-  broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, filter_);
+  broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);
   narrow_phase_ = std::make_unique<NarrowPhase>(
       surface_, pairs_, [this](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
         broad_phase_->triangles_near(t, inside, out);

@@ -7,7 +7,7 @@
 #include "framework/contact/contact_set.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_participant.hpp"
-#include "geometry/broad_phase/object_pair_filter.hpp"
+#include "geometry/broad_phase/colliding_objects.hpp"
 
 namespace tack {
 
@@ -16,7 +16,7 @@ class NarrowPhase;
 
 class ContactSystem : public StepParticipant {
  public:
-  ContactSystem(ContactSurface surface, PairTable pairs, ObjectPairFilter filter, PhaseClock& clock);
+  ContactSystem(ContactSurface surface, PairTable pairs, CollidingObjects colliding, PhaseClock& clock);
   ~ContactSystem();
 
   // Which vertices are free at present (non-zero): no force is computed between primitives without
@@ -42,7 +42,7 @@ class ContactSystem : public StepParticipant {
   const Candidates& candidates() const;
   const ContactSurface& surface() const { return surface_; }
   const PairTable& pairs() const { return pairs_; }
-  const ObjectPairFilter& filter() const { return filter_; }
+  const CollidingObjects& colliding() const { return colliding_; }
   int broad_phase_builds() const;
   double range() const { return range_; }
   // How far vertices may go in one search without its boxes being mostly empty [m].
@@ -54,7 +54,7 @@ class ContactSystem : public StepParticipant {
 
   ContactSurface surface_;
   PairTable pairs_;
-  ObjectPairFilter filter_;
+  CollidingObjects colliding_;
   PhaseClock& clock_;
   double range_ = 0;       // the largest of all laws [m]
   double edge_range_ = 0;  // the largest of those between edges [m]

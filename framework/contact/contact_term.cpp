@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "framework/contact/stencil_energy.hpp"
-#include "framework/contact/stencil_filter.hpp"
+#include "framework/contact/stencil_projection.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -123,15 +123,15 @@ std::vector<StencilBatch> ContactTerm::batches() const {
   return batches;
 }
 
-void ContactTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
+void ContactTerm::derivatives(const VecX& x, Projection projection, double* gradient,
                               double* hessian) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);
     using Energy = StencilEnergy<K>;
     constexpr int n = Energy::n, slots = 9 * hessian_blocks(K::arity);
-    if (hessian && filter != SpdFilter::none) {
+    if (hessian && projection != Projection::none) {
       for_each_sampled_chunk<K>(x, laws(LawPart::all), stencils, [&](int first, int last, const ChunkSamples<K>& chunk) {
-        filtered_derivatives<K>(x, stencils, first, last, thresholds, chunk.gap.data(), chunk.sample.data(), filter,
+        projected_derivatives<K>(x, stencils, first, last, thresholds, chunk.gap.data(), chunk.sample.data(), projection,
                                 gradient, hessian);
       });
     } else {

@@ -27,7 +27,7 @@ class ContactTerm : public Term {
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient,
+  void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   const ResidualView* residual_view() const override { return &residuals_; }
 

@@ -90,7 +90,7 @@ std::vector<StencilBatch> FrictionTerm::batches() const {
   return batches;
 }
 
-void FrictionTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient,
+void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gradient,
                                double* hessian) const {
   for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
     constexpr int slots = 9 * hessian_blocks(K);
@@ -104,7 +104,7 @@ void FrictionTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient
       for (int i = 0; i < K; ++i)
         Eigen::Map<Vec3>(gradient + 3 * (K * static_cast<size_t>(n) + i)) = c[i] * slope;
       if (!hessian) return;
-      const Mat3 curvature = slip.curvature(s, filter);
+      const Mat3 curvature = slip.curvature(s, projection);
       double* out = hessian + slots * static_cast<size_t>(n);
       for (int i = 0; i < K; ++i)
         for (int j = 0; j <= i; ++j, out += 9) Eigen::Map<Mat3>{out} = c[i] * c[j] * curvature;

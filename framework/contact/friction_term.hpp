@@ -6,7 +6,7 @@
 // follows h.
 //
 // The Hessian of a contact is c c^T (x) T H T^T (slip.hpp): its only nonzero eigenvalues are |c|^2
-// times those of H, so filtering is in closed form.
+// times those of H, so projecting is in closed form.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ class FrictionTerm : public Term, public ResidualView {
   double value(const VecX& x) const override { return part_value(x, TangentialPart::all); }
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient,
+  void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
 
   // Least squares (friction_residuals.cpp).

@@ -2,7 +2,7 @@
 // adhesion are normal laws; the laws of a pair of materials are summed before anything else happens.
 //
 // To add one, derive from NormalLawOf<MyLaw, AdhesionLaw> (or BarrierLaw), give the parameters in
-// fields(), the range, the kinks, and the formula once:
+// fields(), the range, and the formula once:
 //     template <class T> T energy(const T& d) const;     // 0 < d < range()
 // then TACK_REGISTER it in the same file.
 #pragma once
@@ -24,7 +24,7 @@ struct LawSample {
 
 // What a law may know about the pair of objects that it is used for.
 struct PairMaterials {
-  double contact_distance = 0;  // dhat_b [m]
+  double contact_distance = 0;  // dhat_b of the paper [m]
   double softer_young = 0;      // the smaller Young's modulus of the two sides [Pa]; 0 if neither has one
   double softer_stiffness = 0;  // the same where an affine body's stiffness counts as a modulus [Pa]
   double adhesion_peak = 0;     // peak traction of the pair's adhesion [Pa]; 0 without adhesion
@@ -36,8 +36,6 @@ class NormalLaw : public Component {
   // does not go with the pair.
   virtual void prepare(const PairMaterials& materials) = 0;
   virtual double range() const = 0;  // phi = phi' = 0 at and beyond [m]
-  // Gaps at which phi'' jumps, ascending, the range included.
-  virtual std::vector<double> kinks() const { return {range()}; }
 
   // Adds phi and its derivatives at n gaps.
   virtual void add_samples(int n, const double* d, LawSample* out) const = 0;

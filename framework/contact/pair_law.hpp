@@ -1,5 +1,5 @@
 // The sum of the normal laws of one pair of materials: barrier + adhesion, one scalar law per pair,
-// differentiated once and made positive semi-definite once (method: sum before filtering).
+// differentiated once and made positive semi-definite once (method: sum before projecting).
 #pragma once
 
 #include <memory>

@@ -5,7 +5,7 @@
 
 #include "framework/contact/lagged_contacts.hpp"
 #include "framework/contact/tangential_law.hpp"
-#include "framework/core/spd_filter.hpp"
+#include "framework/core/projection.hpp"
 
 namespace tack {
 
@@ -36,12 +36,12 @@ struct Slip {
 
   Vec3 slope(const SlipSample& s) const { return c.tangents * (s.slope_over_y * u); }
 
-  // T H T^T with H = E'' along u and E'/y across, filtered.
-  Mat3 curvature(const SlipSample& s, SpdFilter filter) const {
-    const double across = filtered(s.slope_over_y, filter);
+  // T H T^T with H = E'' along u and E'/y across, projected.
+  Mat3 curvature(const SlipSample& s, Projection projection) const {
+    const double across = projected(s.slope_over_y, projection);
     // Where E'/y falls with y, y^2/2 times it lies above E: a step with the exact curvature, which is
     // zero for whole friction, overshoots from sliding into sticking.
-    const double along = filter == SpdFilter::majorize ? across : filtered(s.curvature, filter);
+    const double along = projection == Projection::majorize ? across : projected(s.curvature, projection);
     // Without slip both eigenvalues are equal, and any direction will do.
     const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));
     return across * c.tangents * c.tangents.transpose() +

@@ -61,7 +61,7 @@ double DampingTerm::value(const VecX& x) const { return velocity_.rate / 2 * squ
 
 double DampingTerm::dissipated(const VecX& x) const { return std::max(0.0, square(x - start_) / h_); }
 
-void DampingTerm::derivatives(const VecX& x, SpdFilter, double* gradient, double* hessian) const {
+void DampingTerm::derivatives(const VecX& x, Projection, double* gradient, double* hessian) const {
   const VecX v = velocity_.rate * (x - velocity_.still);
   const double* blocks = blocks_.data();
   for (const StencilBatch& b : batches_) {
@@ -96,7 +96,7 @@ StiffnessDamping::StiffnessDamping(const Term& elastic, double beta)
 
 void StiffnessDamping::begin_step(const StepStart& start) {
   DampingTerm::begin_step(start);
-  elastic_.derivatives(start.x, SpdFilter::clamp, gradient_.data(), blocks().data());
+  elastic_.derivatives(start.x, Projection::clamp, gradient_.data(), blocks().data());
   for (double& number : blocks()) number *= beta_;
 }
 

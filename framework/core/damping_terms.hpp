@@ -17,7 +17,7 @@ class DampingTerm : public Term {
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override { return batches_; }
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
   // (x - x_n)^T C (x - x_n) / h: the work of the mean forces.
   double dissipated(const VecX& x) const override;

@@ -3,15 +3,25 @@
 // computed twice.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "framework/core/block_matrix.hpp"
-#include "framework/core/spd_filter.hpp"
+#include "framework/core/projection.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
 
 struct LeastSquares;
+
+// Which Hessian. The dynamic part is what changes with the point's contacts; the rest is inertia and elasticity.
+struct HessianRequest {
+  Projection projection = Projection::none;           // of every stencil
+  std::optional<Projection> dynamic_projection = {};  // of the dynamic ones, if it is another
+  // Flags of unknown blocks (3 unknowns): stencils that touch one with a flag are clamped, after `projection`.
+  const std::vector<char>* clamp_at = nullptr;
+  bool without_dynamic = false;  // leaves the dynamic part out; the gradient has it all the same
+};
 
 class Objective {
  public:
@@ -23,16 +33,8 @@ class Objective {
   // A bound on the rounding error of value(), to tell descent from noise.
   virtual double value_noise() const = 0;
   virtual const VecX& gradient() = 0;
-  // The gradient too is up to date afterwards. One matrix: the next call of any of these overwrites it.
-  virtual const BlockMatrix& hessian(SpdFilter filter) = 0;
-  // Clamps the stencils that touch an unknown block (3 unknowns) with block[b] != 0, and only those.
-  virtual const BlockMatrix& partly_clamped_hessian(const std::vector<char>& /*block*/) {
-    return hessian(SpdFilter::clamp);
-  }
-  // Filters only what changes with the point's contacts: elements stay exact, and it may be indefinite.
-  virtual const BlockMatrix& hessian_of_exact_elements(SpdFilter filter) { return hessian(filter); }
-  // Clamped, of what does not change with the point's contacts: inertia and elasticity.
-  virtual const BlockMatrix& contactless_hessian() { return hessian(SpdFilter::clamp); }
+  // The gradient too is up to date afterwards. One matrix: the next call overwrites it.
+  virtual const BlockMatrix& hessian(const HessianRequest& request) = 0;
   // At the present point (residual_view.hpp). Throws InputError if the objective is no sum of squares.
   virtual LeastSquares least_squares() const;
   virtual int value_count() const = 0;  // evaluations of value() so far

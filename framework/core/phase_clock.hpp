@@ -15,12 +15,12 @@ namespace tack {
 
 class TermTimes;
 
-enum class Phase { other, assembly, filter, factorize, solve, broad_phase, narrow_phase, ccd,
+enum class Phase { other, assembly, projection, factorize, solve, broad_phase, narrow_phase, ccd,
                    line_search, check, io, count };
 
 inline constexpr int phase_count = static_cast<int>(Phase::count);
 inline constexpr std::array<std::string_view, phase_count> phase_names = {
-    "other", "assembly", "filter", "factorize", "solve", "broad_phase", "narrow_phase", "ccd",
+    "other", "assembly", "projection", "factorize", "solve", "broad_phase", "narrow_phase", "ccd",
     "line_search", "check", "io"};
 
 class PhaseClock {

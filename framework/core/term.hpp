@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/spd_filter.hpp"
+#include "framework/core/projection.hpp"
 #include "framework/core/step_participant.hpp"
 #include "geometry/types.hpp"
 
@@ -34,7 +34,7 @@ class StencilRanges {
   static constexpr int grain = 32;
 
   // Writes the slots of the stencils first .. last - 1; those of `first` are at the beginning.
-  virtual void range_derivatives(const VecX& x, SpdFilter filter, int first, int last, double* gradient,
+  virtual void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
                                  double* hessian) const = 0;
 
  protected:
@@ -54,7 +54,7 @@ class Term : public StepParticipant {
   virtual bool dynamic() const { return false; }
 
   // Writes every gradient slot, and every Hessian slot unless `hessian` is null.
-  virtual void derivatives(const VecX& x, SpdFilter filter, double* gradient,
+  virtual void derivatives(const VecX& x, Projection projection, double* gradient,
                            double* hessian) const;
 
   // The term's stencils by ranges; null if it gives them only all at once.
@@ -79,6 +79,6 @@ class Term : public StepParticipant {
   std::string name_;
 };
 
-inline void Term::derivatives(const VecX&, SpdFilter, double*, double*) const {}
+inline void Term::derivatives(const VecX&, Projection, double*, double*) const {}
 
 }  // namespace tack

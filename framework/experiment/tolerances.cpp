@@ -34,7 +34,7 @@ double smallest_size(const World& world) {
 
 double velocity_tolerance(const Experiment& experiment, const World& world) {
   double way = of_size * smallest_size(world);
-  if (experiment.contact) way = std::min(way, of_distance * experiment.contact->distance);
+  if (experiment.contact) way = std::min(way, of_distance * experiment.contact->contact_distance);
   return way > 0 ? std::min(usual, way / experiment.time.step) : usual;
 }
 
@@ -50,7 +50,7 @@ double stiffness_at_rest(const World& world, PhaseClock& clock) {
   dofs.gather(world.rest, q);
   potential.begin_step(world.rest, world.rest, {}, false);
   potential.move_to(q);
-  const BlockMatrix& hessian = potential.hessian(SpdFilter::none);
+  const BlockMatrix& hessian = potential.hessian({Projection::none});
   double largest = 0;
   for (int c = 0; c < hessian.columns(); ++c)
     largest = std::max(largest, hessian.block(hessian.column_start[c]).diagonal().maxCoeff());
@@ -95,7 +95,7 @@ std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const
   std::vector<std::string> lines;
   if (!experiment.contact || !has_inertia(experiment, world) || experiment.solver->stopping() != Stopping::velocity) return lines;
   const double tolerance = experiment.solver->velocity_tolerance(), way = tolerance * experiment.time.step;
-  const double distance = experiment.contact->distance;
+  const double distance = experiment.contact->contact_distance;
   if (way > of_distance * distance * (1 + 1e-9))
     lines.push_back(fmt::format(
         "solver.tolerance {:.4g} m/s lets a step of {:.4g} s end {:.4g} m off, and the contact distance is {:.4g} m; "

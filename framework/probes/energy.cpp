@@ -3,7 +3,7 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
-#include "framework/scene/energies.hpp"
+#include "framework/scene/energy_records.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/errors.hpp"
 

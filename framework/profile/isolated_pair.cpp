@@ -110,10 +110,10 @@ PairTable table_of(const PairTable& all, const Cut& cut) {
   return own;
 }
 
-ObjectPairFilter filter_of(const Cut& cut) {
-  ObjectPairFilter filter(false);
-  both_ways(cut, [&](int i, int j) { filter.set(i, j, true); });
-  return filter;
+CollidingObjects colliding_in(const Cut& cut) {
+  CollidingObjects colliding(false);
+  both_ways(cut, [&](int i, int j) { colliding.set(i, j, true); });
+  return colliding;
 }
 
 // The sides that integrated, of which there is one for each ordered pair of objects.
@@ -148,8 +148,8 @@ std::array<double, evaluation_count> seconds_of_stencils(const Term& term, const
   if (vertices == 0) return {};
   std::vector<double> gradient(3 * vertices), hessian(9 * blocks);
   return {seconds_of([&] { term.value(x); }),
-          seconds_of([&] { term.derivatives(x, SpdFilter::none, gradient.data(), nullptr); }),
-          seconds_of([&] { term.derivatives(x, SpdFilter::clamp, gradient.data(), hessian.data()); })};
+          seconds_of([&] { term.derivatives(x, Projection::none, gradient.data(), nullptr); }),
+          seconds_of([&] { term.derivatives(x, Projection::clamp, gradient.data(), hessian.data()); })};
 }
 
 void bound_step(ContactSystem& contact, const VecX& x, const VecX& p, PhaseClock& clock) {
@@ -173,7 +173,7 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
 
   PhaseClock clock;
   ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),
-                        filter_of(cut), clock);
+                        colliding_in(cut), clock);
   contact.set_free(cut.part(free));
   contact.set_sides_before(sides_of(world.contact->sides(), world.contact->pairs().objects(), cut));
   const ContactTerm term(contact);

@@ -139,7 +139,7 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
 void check_start(const Value& root, const World& world) {
   if (!world.contact) return;
   const ContactSurface& surface = world.contact->surface();
-  const auto hits = find_intersections(surface.mesh, world.rest, world.contact->filter(), 5);
+  const auto hits = find_intersections(surface.mesh, world.rest, world.contact->colliding(), 5);
   if (hits.empty()) return;
   std::string list;
   int a = 0, b = 0;

@@ -63,7 +63,7 @@ class PairBuilder {
                            fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
                                        "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
         if (attached || (index >= 0 && !contact_.pairs[index].contact)) {
-          filter_.set(a, b, false);
+          colliding_.set(a, b, false);
           continue;
         }
         // Without a law, but the exact check sees one being driven through the other.
@@ -74,7 +74,7 @@ class PairBuilder {
   }
 
   PairTable& table() { return table_; }
-  const ObjectPairFilter& filter() const { return filter_; }
+  const CollidingObjects& colliding() const { return colliding_; }
 
  private:
   const Value* pairs_value() const {
@@ -134,7 +134,7 @@ class PairBuilder {
 
   // Both 0 if no side has a modulus.
   PairMaterials materials_of(int a, int b) const {
-    PairMaterials m{contact_.distance};
+    PairMaterials m{contact_.contact_distance};
     const auto lower = [](double& softer, double modulus) {
       if (modulus > 0 && (softer == 0 || modulus < softer)) softer = modulus;
     };
@@ -230,7 +230,7 @@ class PairBuilder {
   const Value& root_;
   World& world_;
   PairTable table_;
-  ObjectPairFilter filter_;
+  CollidingObjects colliding_;
   std::map<std::pair<int, int>, int> configs_;
   std::map<std::tuple<int, double, double>, LawIds> laws_;
 };
@@ -283,7 +283,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   builder.build(sizes);
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
-                                                  builder.filter(), clock);
+                                                  builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);

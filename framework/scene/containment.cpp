@@ -30,7 +30,7 @@ std::vector<int> candidates(const World& world, int around) {
   std::vector<int> inside;
   for (const int v : mesh.vertices) {
     const int body = mesh.vertex_object[v];
-    const bool relevant = body != around && world.contact->filter().allows(body, around) &&
+    const bool relevant = body != around && world.contact->colliding().allows(body, around) &&
                           (world.bodies[body].movable || world.bodies[around].movable);
     if (relevant && box.contains(vertex(world.rest, v))) inside.push_back(v);
   }

@@ -13,7 +13,7 @@ struct Containment {
   int around, tet;      // the solid, and which of its tets the vertex is in (from 0)
 };
 
-// The first surface vertex that lies in a tet of another object, of those that may touch (the contact's filter)
+// The first surface vertex that lies in a tet of another object, of those that may touch (ContactSystem::colliding)
 // and can move against each other. Exact. Surfaces without tets are hollow: nothing is inside them.
 std::optional<Containment> find_containment(const World& world);
 

@@ -53,7 +53,7 @@ class TermStudy {
 
   void look(const VecX& q, const VecX& direction) {
     potential_.move_to(q);
-    const BlockMatrix& hessian = potential_.hessian(SpdFilter::none);
+    const BlockMatrix& hessian = potential_.hessian({Projection::none});
     const VecX gradient = potential_.gradient();
     const VecX rows = absolute_product(hessian, direction);
     std::vector<VecX> slope_errors, curvature_errors;

@@ -91,7 +91,7 @@ class Warnings {
   }
 
   void body(int i) {
-    const double range = world_.contact->pairs().point(i, i).range, distance = scene_.contact->distance;
+    const double range = world_.contact->pairs().point(i, i).range, distance = scene_.contact->contact_distance;
     const SurfaceMeasure& m = measures_[i];
     const std::string& name = world_.bodies[i].name;
     if (!world_.bodies[i].movable) return;

@@ -53,7 +53,7 @@ void PairConfig::fields(Fields& f) {
 }
 
 void ContactConfig::fields(Fields& f) {
-  f.number("distance", distance, units::length, "dhat_b: gap below which surfaces repel").positive();
+  f.number("distance", contact_distance, units::length, "dhat_b: gap below which surfaces repel").positive();
   f.component("barrier", barrier, "repulsion of every pair");
   f.number("guard", guard, units::none,
            "range, in contact distances, of the pairs that only keep surfaces apart (edge-edge, and "

@@ -65,7 +65,7 @@ struct PairConfig {
 
 struct ContactConfig {
   enum class Weights { area, pair };
-  double distance = 1e-3;  // dhat_b [m]
+  double contact_distance = 1e-3;  // m
   double guard = 0.5;      // range of guard stencils, in contact distances
   Weights weights = Weights::area;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");

@@ -9,7 +9,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/core/minimizer.hpp"
-#include "framework/scene/energies.hpp"
+#include "framework/scene/energy_records.hpp"
 
 namespace tack {
 namespace {

@@ -32,7 +32,7 @@ class Minimizer;
 
 class EnergyBalance {
  public:
-  using Energies = std::vector<std::pair<std::string, double>>;  // scene/energies.hpp
+  using Energies = std::vector<std::pair<std::string, double>>;  // scene/energy_records.hpp
 
   EnergyBalance(const World& world, const Minimizer& solver) : world_(world), solver_(solver) {}
 

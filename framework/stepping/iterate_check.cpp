@@ -35,7 +35,7 @@ std::string describe_infeasibility(const World& world, const VecX& x) {
   }
   if (!world.contact) return "";
   const CollisionMesh& mesh = world.contact->surface().mesh;
-  const auto hits = find_intersections(mesh, x, world.contact->filter(), 1);
+  const auto hits = find_intersections(mesh, x, world.contact->colliding(), 1);
   if (hits.empty()) return "";
   const Edge& e = mesh.edges[hits[0].edge];
   const Triangle& t = mesh.triangles[hits[0].triangle];

@@ -91,7 +91,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   potential_->set_mass(masses(0, prediction.inertia));
   potential_->begin_step(x, prediction.x, prediction.scales(), true);
   potential_->move_to(q);
-  const BlockMatrix& matrix = potential_->hessian(SpdFilter::clamp);
+  const BlockMatrix& matrix = potential_->hessian({Projection::clamp});
   double sum = 0;
   for (int c = 0; c < matrix.columns(); ++c) sum += matrix.block(matrix.column_start[c]).trace();
   return sum > 0 ? sum / matrix.size() : 1.0;  // nothing resists: any pull will do

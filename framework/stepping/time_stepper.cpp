@@ -9,7 +9,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/core/interrupt.hpp"
-#include "framework/scene/energies.hpp"
+#include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/obstacle.hpp"
 #include "geometry/errors.hpp"
@@ -234,7 +234,7 @@ std::string TimeStepper::verdict(const Attempt& attempt) {
     return fmt::format("tet {} inverted", tet);
   }
   if (!world_.contact) return "";
-  const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->filter(), 1);
+  const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->colliding(), 1);
   found_.intersections += static_cast<int>(hits.size());
   return hits.empty() ? "" : "the surfaces intersect";
 }

@@ -50,8 +50,8 @@ void check_finite(const VecX& values, const char* name) {
 
 }  // namespace
 
-BroadPhase::BroadPhase(const CollisionMesh& mesh, ObjectPairFilter filter)
-    : mesh_(mesh), finder_(mesh, std::move(filter)) {}
+BroadPhase::BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding)
+    : mesh_(mesh), finder_(mesh, std::move(colliding)) {}
 
 bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_range,
                         double skin) {

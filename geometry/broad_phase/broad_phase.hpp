@@ -21,7 +21,7 @@ namespace tack {
 class BroadPhase {
  public:
   // The mesh must outlive the broad phase and not change.
-  BroadPhase(const CollisionMesh& mesh, ObjectPairFilter filter);
+  BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding);
 
   // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if range grew since
   // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty

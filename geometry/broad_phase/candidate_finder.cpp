@@ -15,13 +15,13 @@ template <std::size_t M, std::size_t N>
 struct MayTouch {
   const Primitives<M>& first;
   const Primitives<N>& second;
-  const ObjectPairFilter& filter;
+  const CollidingObjects& colliding;
   bool dissolved;  // whether groups count for nothing
 
   bool accept(int a, int b) const {
     if (!dissolved && first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
-           filter.allows(first.objects[a], second.objects[b]);
+           colliding.allows(first.objects[a], second.objects[b]);
   }
   std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
 };
@@ -37,8 +37,8 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
 
 }  // namespace
 
-CandidateFinder::CandidateFinder(const CollisionMesh& mesh, ObjectPairFilter filter)
-    : filter_(std::move(filter)) {
+CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding)
+    : colliding_(std::move(colliding)) {
   for (const int v : mesh.vertices) points_.add({v}, v, mesh);
   for (const int v : mesh.codim_points) codim_points_.add({v}, v, mesh);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) edges_.add(mesh.edges[e], e, mesh);
@@ -51,12 +51,12 @@ void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflati
   const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation), ...); };
   refresh(points_, codim_points_, codim_edges_, triangles_);
   edges_.refresh_tree(vertex_boxes, edge_inflation);
-  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, filter_, dissolved_},
+  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, dissolved_},
                 candidates.point_triangle);
-  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, filter_, dissolved_}, candidates.edge_edge);
-  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, filter_, dissolved_},
+  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, dissolved_}, candidates.edge_edge);
+  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, colliding_, dissolved_},
                 candidates.point_edge);
-  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, filter_, dissolved_},
+  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, colliding_, dissolved_},
                 candidates.point_point);
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/broad_phase/candidates.hpp"
-#include "geometry/broad_phase/object_pair_filter.hpp"
+#include "geometry/broad_phase/colliding_objects.hpp"
 #include "geometry/broad_phase/primitives.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
 
@@ -11,7 +11,7 @@ namespace tack {
 // Keeps one tree per kind of primitive between searches.
 class CandidateFinder {
  public:
-  CandidateFinder(const CollisionMesh& mesh, ObjectPairFilter filter);
+  CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding);
 
   // All pairs whose boxes overlap: a primitive's box is the union of its vertices' boxes (by global
   // id; finite and not empty for surface vertices), inflated [m].
@@ -24,7 +24,7 @@ class CandidateFinder {
   void triangles_in(const Aabb& box, std::vector<int>& out) const;
 
  private:
-  ObjectPairFilter filter_;
+  CollidingObjects colliding_;
   bool dissolved_ = false;
   Primitives<1> points_, codim_points_;
   Primitives<2> edges_, codim_edges_;

@@ -1,6 +1,6 @@
 // The pairs of primitives that may come within contact range: supersets, as indices into a
 // CollisionMesh. Left out: pairs that share a vertex, pairs in which nothing is movable or that are
-// rigid together, and pairs of objects that the filter excludes. Particles meet surfaces as point-triangle pairs, rods meet
+// rigid together, and pairs of objects that may not touch. Particles meet surfaces as point-triangle pairs, rods meet
 // everything that has edges as edge-edge pairs.
 #pragma once
 

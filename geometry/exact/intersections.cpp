@@ -38,14 +38,14 @@ bool segment_meets_triangle(const Vec3& p_, const Vec3& q_, const Vec3& a_, cons
 struct EdgeMeetsTriangle {
   const Primitives<2>& edges;
   const Primitives<3>& triangles;
-  const ObjectPairFilter& filter;
+  const CollidingObjects& colliding;
   const VecX& x;
 
   bool accept(int e, int t) const {
     const auto& [p, q] = edges.vertices[e];
     const auto& [a, b, c] = triangles.vertices[t];
     return !share_vertex(edges.vertices[e], triangles.vertices[t]) &&
-           filter.allows(edges.objects[e], triangles.objects[t]) &&
+           colliding.allows(edges.objects[e], triangles.objects[t]) &&
            segment_meets_triangle(vertex(x, p), vertex(x, q), vertex(x, a), vertex(x, b),
                                   vertex(x, c));
   }
@@ -79,13 +79,13 @@ std::vector<Aabb> vertex_boxes(const CollisionMesh& mesh, const VecX& x) {
 }  // namespace
 
 std::vector<EdgeTriangleHit> find_intersections(const CollisionMesh& mesh, const VecX& x,
-                                                const ObjectPairFilter& filter, int max_hits,
+                                                const CollidingObjects& colliding, int max_hits,
                                                 bool movable_only) {
   const std::vector<Aabb> boxes = vertex_boxes(mesh, x);
   const auto edges = collect(mesh.edges, mesh, boxes, movable_only);
   const auto triangles = collect(mesh.triangles, mesh, boxes, movable_only);
   std::vector<std::array<int, 2>> pairs;
-  overlap_pairs(edges.tree, triangles.tree, EdgeMeetsTriangle{edges, triangles, filter, x}, pairs);
+  overlap_pairs(edges.tree, triangles.tree, EdgeMeetsTriangle{edges, triangles, colliding, x}, pairs);
   const auto count = std::min(pairs.size(), static_cast<std::size_t>(std::max(max_hits, 0)));
   std::vector<EdgeTriangleHit> hits;
   for (std::size_t i = 0; i < count; ++i) hits.push_back({pairs[i][0], pairs[i][1]});

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-#include "geometry/broad_phase/object_pair_filter.hpp"
+#include "geometry/broad_phase/colliding_objects.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
 
 namespace tack {
@@ -23,7 +23,7 @@ struct EdgeTriangleHit {
 // every global vertex. With `movable_only`, pairs in which no vertex is movable are skipped. Throws
 // SimulationError if a coordinate of x is not finite, InputError if x is too short.
 std::vector<EdgeTriangleHit> find_intersections(const CollisionMesh& mesh, const VecX& x,
-                                                const ObjectPairFilter& filter, int max_hits,
+                                                const CollidingObjects& colliding, int max_hits,
                                                 bool movable_only = true);
 
 }  // namespace tack

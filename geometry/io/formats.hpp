@@ -1,4 +1,4 @@
-// The readers and writers behind read_mesh and write_mesh, one foreign library per .cpp. They
+// The readers behind read_mesh, one foreign library per .cpp. They
 // expect an existing, non-empty file and leave the last checks of indices and coordinates to
 // read_mesh.
 #pragma once
@@ -16,9 +16,5 @@ Mesh read_stl(const std::filesystem::path& path);
 Mesh read_vtk(const std::filesystem::path& path);
 Mesh read_vtu(const std::filesystem::path& path);
 Mesh read_msh(const std::filesystem::path& path);
-
-void write_obj(const std::filesystem::path& path, const Mesh& mesh);
-void write_vtu(const std::filesystem::path& path, const Mesh& mesh);
-void write_msh(const std::filesystem::path& path, const Mesh& mesh);
 
 }  // namespace tack

@@ -71,14 +71,4 @@ Mesh read_mesh(const std::filesystem::path& path) {
   return mesh;
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
-  validate_indices(mesh, path.string());
-  const std::string extension = path.extension().string();
-  if (extension == ".obj") return write_obj(path, mesh);
-  if (extension == ".vtu") return write_vtu(path, mesh);
-  if (extension == ".msh") return write_msh(path, mesh);
-  throw InputError(fmt::format("{}: meshes are not written as \"{}\": use .obj, .vtu or .msh",
-                               path.string(), extension));
-}
-
 }  // namespace tack

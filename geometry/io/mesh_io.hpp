@@ -1,5 +1,4 @@
-// Mesh files in and out; the format follows from the extension (upper or lower case; lower case for
-// output).
+// Mesh files; the format follows from the extension (upper or lower case).
 //   .obj       v, f (any polygon), l, p; groups (g, o) become tags
 //   .ply .off  polygon meshes, ASCII and (.ply) binary
 //   .stl       ASCII and binary; equal corners are merged, as the format has no shared vertices
@@ -22,8 +21,5 @@
 namespace tack {
 
 Mesh read_mesh(const std::filesystem::path& path);
-
-// .obj (no tets), .vtu, .msh (4.1, binary); coordinates keep every bit. Tags are not written.
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
 }  // namespace tack

@@ -122,40 +122,6 @@ Mesh read_model(const std::string& name) {
   return mesh;
 }
 
-template <std::size_t N>
-void write_elements(int type, const std::vector<std::array<int, N>>& elements, int entity,
-                    std::size_t& next) {
-  std::vector<std::size_t> tags, nodes;
-  for (const auto& element : elements) {
-    tags.push_back(next++);
-    for (int v : element) nodes.push_back(static_cast<std::size_t>(v) + 1);
-  }
-  if (!tags.empty()) gmsh::model::mesh::addElementsByType(entity, type, tags, nodes);
-}
-
-void write_model(const std::string& name, const Mesh& mesh) {
-  gmsh::model::add("mesh");
-  for (int dimension = 0; dimension <= 3; ++dimension) {
-    gmsh::model::addDiscreteEntity(dimension, 1);
-  }
-  std::vector<std::size_t> tags(mesh.vertices.size());
-  std::iota(tags.begin(), tags.end(), 1);
-  std::vector<double> coordinates;
-  for (const Vec3& x : mesh.vertices) coordinates.insert(coordinates.end(), x.begin(), x.end());
-  gmsh::model::mesh::addNodes(3, 1, tags, coordinates);
-  std::vector<std::array<int, 1>> points;
-  for (int v : mesh.points) points.push_back({v});
-  std::size_t next = 1;
-  write_elements(tet_type, mesh.tets, 1, next);
-  write_elements(triangle_type, mesh.triangles, 1, next);
-  write_elements(line_type, mesh.edges, 1, next);
-  write_elements(point_type, points, 1, next);
-  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
-  gmsh::option::setNumber("Mesh.Binary", 1);
-  gmsh::option::setNumber("Mesh.SaveAll", 1);
-  gmsh::write(name);
-}
-
 // Gmsh reports errors as strings.
 template <class Work>
 auto translate_errors(const std::string& name, const char* remedy, const Work& work) {
@@ -182,14 +148,6 @@ Mesh read_msh(const std::filesystem::path& path) {
   precheck_msh(name);
   return translate_errors(name, "the .msh file is damaged, export it again",
                           [&] { return read_model(name); });
-}
-
-void write_msh(const std::filesystem::path& path, const Mesh& mesh) {
-  const std::string name = path.string();
-  translate_errors(name, "check the folder and the disk", [&] {
-    write_model(name, mesh);
-    return std::filesystem::file_size(path);  // throws when nothing was written
-  });
 }
 
 }  // namespace tack

@@ -157,19 +157,4 @@ class ObjReader {
 
 Mesh read_obj(const std::filesystem::path& path) { return ObjReader(path).read(); }
 
-void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
-  if (!mesh.tets.empty()) {
-    throw InputError(path.string() + ": .obj files hold no tets: write .vtu or .msh");
-  }
-  std::ofstream file(path);
-  for (const Vec3& x : mesh.vertices) file << fmt::format("v {} {} {}\n", x.x(), x.y(), x.z());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    file << fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
-  }
-  for (const auto& [a, b] : mesh.edges) file << fmt::format("l {} {}\n", a + 1, b + 1);
-  for (int v : mesh.points) file << fmt::format("p {}\n", v + 1);
-  file.close();
-  if (!file) throw InputError(path.string() + ": cannot be written: check the folder and the disk");
-}
-
 }  // namespace tack

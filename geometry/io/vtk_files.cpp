@@ -1,4 +1,4 @@
-// .stl, .vtk (legacy) and .vtu through VTK; .vtu out.
+// .stl, .vtk (legacy) and .vtu through VTK.
 #include <fmt/format.h>
 #include <vtkCellTypes.h>
 #include <vtkDataSet.h>
@@ -7,12 +7,9 @@
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkPointSet.h>
-#include <vtkPoints.h>
 #include <vtkSTLReader.h>
 #include <vtkStringOutputWindow.h>
-#include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
-#include <vtkXMLUnstructuredGridWriter.h>
 
 #include <mutex>
 
@@ -136,26 +133,6 @@ Mesh to_mesh(vtkDataSet& data, const std::string& name) {
   return mesh;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> to_grid(const Mesh& mesh) {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Vec3& x : mesh.vertices) points->InsertNextPoint(x.data());
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  grid->SetPoints(points);
-  grid->Allocate();
-  const auto insert = [&](int type, const auto& elements) {
-    for (const auto& element : elements) {
-      const std::vector<vtkIdType> ids(element.begin(), element.end());
-      grid->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
-    }
-  };
-  insert(VTK_TETRA, mesh.tets);
-  insert(VTK_TRIANGLE, mesh.triangles);
-  insert(VTK_LINE, mesh.edges);
-  for (int v : mesh.points) insert(VTK_VERTEX, std::array<std::array<int, 1>, 1>{{{v}}});
-  return grid;
-}
-
 }  // namespace
 
 Mesh read_stl(const std::filesystem::path& path) {
@@ -179,15 +156,6 @@ Mesh read_vtk(const std::filesystem::path& path) {
 Mesh read_vtu(const std::filesystem::path& path) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   return to_mesh(*read_data_set(reader.Get(), path.string()), path.string());
-}
-
-void write_vtu(const std::filesystem::path& path, const Mesh& mesh) {
-  QuietVtk quiet;
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(path.c_str());
-  writer->SetInputData(to_grid(mesh));
-  if (writer->Write() == 1 && quiet.first_message().empty()) return;
-  throw InputError(path.string() + ": cannot be written: check the folder and the disk");
 }
 
 }  // namespace tack

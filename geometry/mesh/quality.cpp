@@ -1,7 +1,5 @@
 #include "geometry/mesh/quality.hpp"
 
-#include <cmath>
-
 namespace tack {
 
 double tet_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
@@ -22,19 +20,6 @@ double triangle_area(const Mesh& mesh, int triangle) {
   const auto& x = mesh.vertices;
   const auto& [a, b, c] = mesh.triangles[triangle];
   return triangle_area(x[a], x[b], x[c]);
-}
-
-double tet_quality(const Mesh& mesh, int tet) {
-  double squared_edges = 0;
-  const Tet& t = mesh.tets[tet];
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < i; ++j) {
-      squared_edges += (mesh.vertices[t[i]] - mesh.vertices[t[j]]).squaredNorm();
-    }
-  }
-  if (squared_edges == 0) return 0;
-  const double volume = tet_volume(mesh, tet);
-  return std::copysign(12.0 * std::pow(3.0 * std::abs(volume), 2.0 / 3.0) / squared_edges, volume);
 }
 
 std::vector<int> inverted_tets(const Mesh& mesh) {

@@ -1,5 +1,5 @@
-// Sizes and shape measures of elements: volumes [m^3], areas [m^2], the mean ratio of a tet, and
-// the tets that are inverted. Signs are those of rounded determinants, not of exact predicates.
+// Sizes of elements: volumes [m^3], areas [m^2], and the tets that are inverted. Signs are those of rounded
+// determinants, not of exact predicates.
 #pragma once
 
 #include <vector>
@@ -14,10 +14,6 @@ double tet_volume(const Mesh& mesh, int tet);
 
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 double triangle_area(const Mesh& mesh, int triangle);
-
-// Mean ratio 12 (3 |V|)^(2/3) / (sum of the six squared edges), with the sign of V: 1 for a regular
-// tet, 0 for a flat one, negative for an inverted one (Liu, Joe 1994).
-double tet_quality(const Mesh& mesh, int tet);
 
 // Indices of the tets whose volume is not positive.
 std::vector<int> inverted_tets(const Mesh& mesh);

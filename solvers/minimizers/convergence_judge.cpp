@@ -19,7 +19,7 @@ void ConvergenceJudge::begin() { begun_ = false; }
 double ConvergenceJudge::verdict(const MinimizerProblem& problem, MinimizerResult& result) {
   VecX p;
   if (!problem.norm_of_direction) return problem.stopping_norm(p, problem.objective.gradient());
-  const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
+  const BlockMatrix& hessian = problem.objective.hessian({Projection::clamp});
   if (!newton_solve(*linear_, hessian, problem.objective.gradient(), p, problem.clock, result))
     return std::numeric_limits<double>::infinity();
   return check_.norm(*linear_, hessian, problem, p, result);

@@ -73,7 +73,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
 }
 
 // p <- p + beta s, s the last step, so that p . (change of the gradient along s) = 0: the exact Hessian's curvature
-// along s, which a filter may have missed. Where the model holds, beta vanishes. Not below 0, as after a restart.
+// along s, which a projection may have missed. Where the model holds, beta vanishes. Not below 0, as after a restart.
 void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
   if (too_stiff_ && gradient_before_.size() == gradient.size()) {
     const VecX s = q - q_before_, change = gradient - gradient_before_;
@@ -109,7 +109,7 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
   return MinimizerStatus::converged;
 }
 
-// Negative curvatures that a filter has taken out of stencils make Newton steps short where others would
+// Negative curvatures that a projection has taken out of stencils make Newton steps short where others would
 // outweigh them: at the end of p the objective still falls. Then further steps along it, as long as its slope and
 // the last decrease say, are worth more than a new direction. As long as they decrease the objective, and none
 // is blocked.

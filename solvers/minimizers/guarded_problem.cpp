@@ -48,7 +48,7 @@ bool GuardedProblem::begin_round() {
   if (!std::isfinite(accepted_value_) || !accepted_gradient_.allFinite()) stop(MinimizerStatus::not_finite);
   if (!over()) look();
   if (over()) return false;
-  VecX diagonal = diagonal_of(objective.hessian(SpdFilter::clamp));
+  VecX diagonal = diagonal_of(objective.hessian({Projection::clamp}));
   const double floor = 1e-12 * diagonal.maxCoeff();
   diagonal = diagonal.cwiseMax(floor > 0 ? floor : 1);
   const VecX root = diagonal.cwiseSqrt().cwiseInverse();

@@ -38,7 +38,7 @@ class NewtonPcg : public DescentMinimizer {
   }
 
   MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
-    const BlockMatrix& hessian = problem.objective.hessian(SpdFilter::clamp);
+    const BlockMatrix& hessian = problem.objective.hessian({Projection::clamp});
     const VecX& gradient = problem.objective.gradient();
     const auto solve = [&](double residual) {
       linear_->set_tolerance(residual);

@@ -13,22 +13,22 @@ namespace tack {
 
 class ProjectedNewton : public DescentMinimizer {
  public:
-  enum class Filter { none, clamp, contacts, absolute, on_demand, progressive, adaptive };
+  enum class Policy { none, clamp, contacts, absolute, on_demand, progressive, adaptive };
 
   void fields(Fields& f) override {
     DescentMinimizer::fields(f);
-    f.choice("filter", filter_,
-             {{"none", Filter::none, "the exact Hessian, shifted where it is not positive definite"},
-              {"clamp", Filter::clamp, "negative eigenvalues of stencils become zero"},
-              {"contacts", Filter::contacts,
+    f.choice("projection", policy_,
+             {{"none", Policy::none, "the exact Hessian, shifted where it is not positive definite"},
+              {"clamp", Policy::clamp, "negative eigenvalues of stencils become zero"},
+              {"contacts", Policy::contacts,
                "clamp contacts only; elements too where the system turns out not to be positive definite"},
-              {"absolute", Filter::absolute, "negative eigenvalues of stencils change sign"},
-              {"on_demand", Filter::on_demand,
+              {"absolute", Policy::absolute, "negative eigenvalues of stencils change sign"},
+              {"on_demand", Policy::on_demand,
                "clamp where the system turns out not to be positive definite (Longva et al. 2023)"},
-              {"progressive", Filter::progressive,
+              {"progressive", Policy::progressive,
                "clamp the stencils at large residuals, more of them until the system is positive definite "
                "(Fernandez-Fernandez et al. 2026)"},
-              {"adaptive", Filter::adaptive,
+              {"adaptive", Policy::adaptive,
                "clamp while steps do what the quadratic model says, absolute otherwise (Chen et al. 2024)"}},
              "how the Hessian is made positive definite");
     f.component("linear", linear_, "solver of the Newton system");
@@ -54,9 +54,9 @@ class ProjectedNewton : public DescentMinimizer {
   MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
     shift_ = 0;
     linear_->expect_indefinite(false);
-    const bool solved = filter_ == Filter::progressive ? solve_progressively(problem, p, result)
-                        : filter_ == Filter::contacts  ? solve_with_exact_elements(problem, p, result)
-                                                       : try_unfiltered(problem, p, result);
+    const bool solved = policy_ == Policy::progressive ? solve_progressively(problem, p, result)
+                        : policy_ == Policy::contacts  ? solve_with_exact_elements(problem, p, result)
+                                                       : try_unprojected(problem, p, result);
     return solved || solve_shifted(problem, p, result) ? MinimizerStatus::converged
                                                        : MinimizerStatus::factorization_failed;
   }
@@ -68,12 +68,12 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
  private:
-  SpdFilter spd_filter() const {
-    switch (filter_) {
-      case Filter::none: return SpdFilter::none;
-      case Filter::absolute: return SpdFilter::absolute;
-      case Filter::adaptive: return model_fits_ ? SpdFilter::clamp : SpdFilter::absolute;
-      default: return careful_ ? SpdFilter::majorize : SpdFilter::clamp;
+  Projection projection() const {
+    switch (policy_) {
+      case Policy::none: return Projection::none;
+      case Policy::absolute: return Projection::absolute;
+      case Policy::adaptive: return model_fits_ ? Projection::clamp : Projection::absolute;
+      default: return careful_ ? Projection::majorize : Projection::clamp;
     }
   }
 
@@ -84,11 +84,11 @@ class ProjectedNewton : public DescentMinimizer {
     return newton_solve(*linear_, hessian, gradient, p, problem.clock, result) && p.dot(gradient) < 0;
   }
 
-  // On demand: after a few failures in one minimisation, all further systems are filtered at once.
-  bool try_unfiltered(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
+  // On demand: after a few failures in one minimisation, all further systems are projected at once.
+  bool try_unprojected(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     constexpr int patience = 2;
-    if (filter_ != Filter::on_demand || indefinite_ >= patience) return false;
-    if (solve(problem.objective.hessian(SpdFilter::none), problem, p, result)) return true;
+    if (policy_ != Policy::on_demand || indefinite_ >= patience) return false;
+    if (solve(problem.objective.hessian({Projection::none}), problem, p, result)) return true;
     ++indefinite_;
     return false;
   }
@@ -97,7 +97,7 @@ class ProjectedNewton : public DescentMinimizer {
   bool solve_with_exact_elements(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     if (waited_++ < wait_) return false;
     linear_->expect_indefinite(true);
-    if (solve(problem.objective.hessian_of_exact_elements(spd_filter()), problem, p, result)) {
+    if (solve(problem.objective.hessian({.dynamic_projection = projection()}), problem, p, result)) {
       wait_ = 0;
       return true;
     }
@@ -112,10 +112,10 @@ class ProjectedNewton : public DescentMinimizer {
   bool solve_progressively(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     constexpr double tighten = 0.1, relax = 2, all = 1e-4;
     for (; clamped_from_ > all; clamped_from_ = std::min(clamped_from_, 1.0) * tighten) {
-      const BlockMatrix& hessian = clamped_from_ > 1 ? problem.objective.hessian(SpdFilter::none)
-                                                     : problem.objective.partly_clamped_hessian(
-                                                           large_residuals(problem.objective.gradient()));
-      if (solve(hessian, problem, p, result)) {
+      std::vector<char> flags;
+      if (clamped_from_ <= 1) flags = large_residuals(problem.objective.gradient());
+      const HessianRequest request{.clamp_at = flags.empty() ? nullptr : &flags};
+      if (solve(problem.objective.hessian(request), problem, p, result)) {
         clamped_from_ = std::min(relax * clamped_from_, 2.0);
         return true;
       }
@@ -124,7 +124,7 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
   bool solve_shifted(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
-    hessian_ = &problem.objective.hessian(spd_filter());
+    hessian_ = &problem.objective.hessian({projection()});
     const auto shift =
         shifted_solve(*linear_, *hessian_, problem.objective.gradient(), p, problem.clock, result);
     shift_ = shift.value_or(0);
@@ -144,7 +144,7 @@ class ProjectedNewton : public DescentMinimizer {
   static constexpr double fit = 0.01;
   static constexpr double little = 0.25;  // of it, where the step went too far
 
-  Filter filter_ = Filter::contacts;
+  Policy policy_ = Policy::contacts;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
   DirectionCheck check_;
   const BlockMatrix* hessian_ = nullptr;  // of the last direction

@@ -1,5 +1,5 @@
 // The systems of Newton steps, H p = -g. Factorises a Hessian that may be semi-definite (free rigid motions of a quasi-static body) or, without
-// a filter, indefinite: its diagonal gets a shift that grows until the factorisation runs through and
+// a projection, indefinite: its diagonal gets a shift that grows until the factorisation runs through and
 // the direction p = -H^-1 g is finite and descends.
 #pragma once
 

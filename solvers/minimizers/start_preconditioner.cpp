@@ -21,7 +21,7 @@ void StartPreconditioner::fields(Fields& f) {
 bool StartPreconditioner::begin(const MinimizerProblem& problem, MinimizerResult& result) {
   Objective& objective = problem.objective;
   const BlockMatrix& hessian =
-      kind_ == Kind::elastic ? objective.contactless_hessian() : objective.hessian(SpdFilter::clamp);
+      objective.hessian({.projection = Projection::clamp, .without_dynamic = kind_ == Kind::elastic});
   if (kind_ != Kind::block_diagonal) {
     VecX p;
     return shifted_solve(*linear_, hessian, objective.gradient(), p, problem.clock, result).has_value();

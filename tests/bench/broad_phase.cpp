@@ -19,7 +19,7 @@ void broad_phase_build(benchmark::State& state) {
   const ContactSystem& contact = *scene->world->contact;
   size_t candidates = 0;
   for (auto _ : state) {
-    BroadPhase broad_phase(contact.surface().mesh, contact.filter());
+    BroadPhase broad_phase(contact.surface().mesh, contact.colliding());
     broad_phase.update(scene->world->rest, VecX(), range, skin_of(state));
     candidates = broad_phase.candidates().size();
   }
@@ -31,7 +31,7 @@ BENCHMARK(broad_phase_build)->ArgName("skin")->Arg(0)->Arg(1)->Apply(in_millisec
 void broad_phase_rebuild(benchmark::State& state) {
   const auto scene = sheets("area", Laws::barrier_and_adhesion);
   const ContactSystem& contact = *scene->world->contact;
-  BroadPhase broad_phase(contact.surface().mesh, contact.filter());
+  BroadPhase broad_phase(contact.surface().mesh, contact.colliding());
   const VecX here = scene->world->rest;
   const VecX there = here + VecX::Constant(here.size(), 3 * range);
   bool back = false;
@@ -46,7 +46,7 @@ BENCHMARK(broad_phase_rebuild)->ArgName("skin")->Arg(0)->Arg(1)->Apply(in_millis
 void broad_phase_still_covered(benchmark::State& state) {
   const auto scene = sheets("area", Laws::barrier_and_adhesion);
   const ContactSystem& contact = *scene->world->contact;
-  BroadPhase broad_phase(contact.surface().mesh, contact.filter());
+  BroadPhase broad_phase(contact.surface().mesh, contact.colliding());
   broad_phase.update(scene->world->rest, VecX(), range, range);
   for (auto _ : state)
     benchmark::DoNotOptimize(broad_phase.update(scene->world->rest, VecX(), range, range));

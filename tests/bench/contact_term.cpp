@@ -48,34 +48,34 @@ void contact_gradient(benchmark::State& state) {
   const World& world = *scene->world;
   Slots slots(*world.contact_term);
   for (auto _ : state)
-    world.contact_term->derivatives(world.rest, SpdFilter::none, slots.gradient.data(), nullptr);
+    world.contact_term->derivatives(world.rest, Projection::none, slots.gradient.data(), nullptr);
 }
 BENCHMARK(contact_gradient)->Apply(cases);
 
-void hessian(benchmark::State& state, SpdFilter filter) {
+void hessian(benchmark::State& state, Projection projection) {
   const auto scene = scene_of(state);
   const World& world = *scene->world;
   Slots slots(*world.contact_term);
   for (auto _ : state)
-    world.contact_term->derivatives(world.rest, filter, slots.gradient.data(), slots.hessian.data());
+    world.contact_term->derivatives(world.rest, projection, slots.gradient.data(), slots.hessian.data());
   state.counters["per_stencil"] =
       benchmark::Counter(slots.stencils, benchmark::Counter::kIsIterationInvariantRate |
                                              benchmark::Counter::kInvert);
 }
-void contact_hessian(benchmark::State& state) { hessian(state, SpdFilter::none); }
-void contact_hessian_clamped(benchmark::State& state) { hessian(state, SpdFilter::clamp); }
+void contact_hessian(benchmark::State& state) { hessian(state, Projection::none); }
+void contact_hessian_clamped(benchmark::State& state) { hessian(state, Projection::clamp); }
 BENCHMARK(contact_hessian)->Apply(cases);
 BENCHMARK(contact_hessian_clamped)->Apply(cases);
 
-void assembled(benchmark::State& state, SpdFilter filter) {
+void assembled(benchmark::State& state, Projection projection) {
   const auto scene = scene_of(state);
   StepPotential potential(*scene);
-  potential->hessian(filter);
-  for (auto _ : state) benchmark::DoNotOptimize(potential->hessian(filter).values.data());
-  state.counters["blocks"] = potential->hessian(filter).blocks();
+  potential->hessian({projection});
+  for (auto _ : state) benchmark::DoNotOptimize(potential->hessian({projection}).values.data());
+  state.counters["blocks"] = potential->hessian({projection}).blocks();
 }
-void contact_assembled_hessian(benchmark::State& state) { assembled(state, SpdFilter::none); }
-void contact_assembled_hessian_clamped(benchmark::State& state) { assembled(state, SpdFilter::clamp); }
+void contact_assembled_hessian(benchmark::State& state) { assembled(state, Projection::none); }
+void contact_assembled_hessian_clamped(benchmark::State& state) { assembled(state, Projection::clamp); }
 BENCHMARK(contact_assembled_hessian)->Apply(cases);
 BENCHMARK(contact_assembled_hessian_clamped)->Apply(cases);
 

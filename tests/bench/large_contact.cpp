@@ -18,7 +18,7 @@ void plates_broad_phase(benchmark::State& state) {
   const ContactSystem& contact = *scene->world->contact;
   size_t candidates = 0;
   for (auto _ : state) {
-    BroadPhase broad_phase(contact.surface().mesh, contact.filter());
+    BroadPhase broad_phase(contact.surface().mesh, contact.colliding());
     broad_phase.update(scene->world->rest, VecX(), contact.range(), contact.range() / 2);
     candidates = broad_phase.candidates().size();
   }
@@ -68,9 +68,9 @@ void plates_assembled_gradient(benchmark::State& state) {
 
 void plates_assembled_hessian(benchmark::State& state) {
   Held held;
-  held.potential->hessian(SpdFilter::clamp);
-  for (auto _ : state) benchmark::DoNotOptimize(held.potential->hessian(SpdFilter::clamp).values.data());
-  state.counters["blocks"] = held.potential->hessian(SpdFilter::clamp).blocks();
+  held.potential->hessian({Projection::clamp});
+  for (auto _ : state) benchmark::DoNotOptimize(held.potential->hessian({Projection::clamp}).values.data());
+  state.counters["blocks"] = held.potential->hessian({Projection::clamp}).blocks();
 }
 
 void plates_ccd(benchmark::State& state) {
@@ -88,7 +88,7 @@ void plates_exact_check(benchmark::State& state) {
   const auto scene = plates();
   const ContactSystem& contact = *scene->world->contact;
   for (auto _ : state)
-    benchmark::DoNotOptimize(find_intersections(contact.surface().mesh, scene->world->rest, contact.filter(), 1).size());
+    benchmark::DoNotOptimize(find_intersections(contact.surface().mesh, scene->world->rest, contact.colliding(), 1).size());
 }
 
 BENCHMARK(plates_broad_phase)->Apply(in_milliseconds);

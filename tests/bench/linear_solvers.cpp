@@ -36,7 +36,7 @@ const Systems& systems() {
     for (int round = 0; round < 2; ++round) {
       for (int i = 0; i < 2; ++i) {
         potential.move_to(states[i]);
-        s.matrix[i] = potential->hessian(SpdFilter::clamp);
+        s.matrix[i] = potential->hessian({Projection::clamp});
         s.right_side[i] = -potential->gradient();
       }
     }

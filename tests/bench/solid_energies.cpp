@@ -57,7 +57,7 @@ void solid(benchmark::State& state, const std::string& name, Order order) {
     if (order == Order::value) {
       benchmark::DoNotOptimize(term->value(box.x));
     } else {
-      term->derivatives(box.x, SpdFilter::clamp, gradient.data(), second);
+      term->derivatives(box.x, Projection::clamp, gradient.data(), second);
       benchmark::ClobberMemory();
     }
   }
@@ -69,7 +69,7 @@ void assembled_blocks(benchmark::State& state) {
   const auto scene = two_blocks();
   StepPotential potential(*scene);
   potential.move_to(scene->world->rest + random_motion(scene->world->rest.size() / 3, 1e-3));
-  for (auto _ : state) benchmark::DoNotOptimize(potential->hessian(SpdFilter::clamp).values.data());
+  for (auto _ : state) benchmark::DoNotOptimize(potential->hessian({Projection::clamp}).values.data());
 }
 BENCHMARK(assembled_blocks)->Apply(in_milliseconds);
 

@@ -1,6 +1,7 @@
 // Every barrier and adhesion, with every form, whatever laws exist.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 
 #include "framework/contact/normal_law.hpp"
 #include "tests/support/component_variants.hpp"
@@ -32,9 +33,33 @@ void for_each_law(const Check& check) {
   }
 }
 
+// The gap below the range at which phi'' jumps, if there is one: where it changes most, looked at ever more closely.
+std::optional<double> inner_kink(const NormalLaw& law) {
+  double low = 1e-3 * law.range(), high = (1 - 1e-9) * law.range(), change = 0;
+  const double whole = std::abs(law.at(0.5 * law.range()).curvature);
+  for (int parts = 4096; high - low > 1e-15 * law.range(); parts = 4) {
+    const double width = (high - low) / parts, from = low;
+    change = 0;
+    for (int i = 0; i < parts; ++i) {
+      const double a = from + i * width, here = std::abs(law.at(a + width).curvature - law.at(a).curvature);
+      if (here >= change) change = here, low = a;
+    }
+    if (low + width >= high) break;
+    high = low + width;
+  }
+  if (change < 1e-3 * whole) return std::nullopt;
+  return 0.5 * (low + high);
+}
+
+// Gaps at which phi'' jumps, ascending, the range included.
+std::vector<double> kinks_of(const NormalLaw& law) {
+  const auto inner = inner_kink(law);
+  return inner ? std::vector{*inner, law.range()} : std::vector{law.range()};
+}
+
 // The ends of the intervals on which a law is smooth: 0, the kinks.
 std::vector<double> ends_of(const NormalLaw& law) {
-  std::vector<double> ends = law.kinks();
+  std::vector<double> ends = kinks_of(law);
   ends.insert(ends.begin(), 0.0);
   return ends;
 }
@@ -66,7 +91,7 @@ void check_derivatives(const NormalLaw& law) {
 
 // Value and slope do not jump.
 void check_continuity(const NormalLaw& law) {
-  for (const double kink : law.kinks()) {
+  for (const double kink : kinks_of(law)) {
     INFO("kink at " << kink << " m");
     const double e = 1e-7 * kink;
     const LawSample low = law.at(kink - e), high = law.at(kink + e);
@@ -79,7 +104,6 @@ void check_continuity(const NormalLaw& law) {
 
 void check_end(const NormalLaw& law) {
   const double range = law.range();
-  CHECK(law.kinks().back() == Approx(range).epsilon(1e-14));
   for (const double d : {range, 1.001 * range, 10 * range, 1e3}) {
     const LawSample s = law.at(d);
     CHECK((s.value == 0 && s.slope == 0 && s.curvature == 0));

@@ -70,7 +70,7 @@ TEST_CASE("solids: gradient and Hessian are those of the value", "[solids]") {
   for_each_term([](const Term& term) {
     for_each_deformation([&](const VecX& x) {
       const VecX gradient = dense_gradient(term, x);
-      const MatX hessian = dense_hessian(term, x, SpdFilter::none);
+      const MatX hessian = dense_hessian(term, x, Projection::none);
       const double stiffness = hessian.cwiseAbs().maxCoeff(), step = 2e-5 * 0.1;
       const VecX slopes = gradient_by_differences([&](const VecX& y) { return term.value(y); }, x, step);
       const MatX curvatures =
@@ -82,25 +82,25 @@ TEST_CASE("solids: gradient and Hessian are those of the value", "[solids]") {
   });
 }
 
-TEST_CASE("solids: filtered Hessians are positive semi-definite", "[solids]") {
+TEST_CASE("solids: projected Hessians are positive semi-definite", "[solids]") {
   for_each_term([](const Term& term) {
-    bool filtered_something = false;
+    bool projected_something = false;
     for_each_deformation([&](const VecX& x) {
-      const MatX exact = dense_hessian(term, x, SpdFilter::none);
-      const MatX clamped = dense_hessian(term, x, SpdFilter::clamp);
-      const MatX absolute = dense_hessian(term, x, SpdFilter::absolute);
+      const MatX exact = dense_hessian(term, x, Projection::none);
+      const MatX clamped = dense_hessian(term, x, Projection::clamp);
+      const MatX absolute = dense_hessian(term, x, Projection::absolute);
       const double tiny = 1e-12 * exact.cwiseAbs().maxCoeff();
-      for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute})
-        for_each_stencil_hessian(term, x, filter, [&](const MatX& h, const int*) {
+      for (const Projection projection : {Projection::clamp, Projection::absolute})
+        for_each_stencil_hessian(term, x, projection, [&](const MatX& h, const int*) {
           REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.cwiseAbs().maxCoeff());
         });
       REQUIRE(smallest_eigenvalue(clamped - exact) >= -10 * tiny);  // only negative parts are lifted
       REQUIRE(smallest_eigenvalue(absolute - clamped) >= -10 * tiny);
-      filtered_something = filtered_something || (clamped - exact).norm() > 1e6 * tiny;
+      projected_something = projected_something || (clamped - exact).norm() > 1e6 * tiny;
     });
-    CHECK(filtered_something);  // or the deformations above are too tame
-    const MatX rest = dense_hessian(term, box().rest, SpdFilter::none);
-    CHECK((dense_hessian(term, box().rest, SpdFilter::clamp) - rest).norm() <= 1e-12 * rest.norm());
+    CHECK(projected_something);  // or the deformations above are too tame
+    const MatX rest = dense_hessian(term, box().rest, Projection::none);
+    CHECK((dense_hessian(term, box().rest, Projection::clamp) - rest).norm() <= 1e-12 * rest.norm());
   });
 }
 
@@ -120,7 +120,7 @@ TEST_CASE("solids: rigid motions cost nothing", "[solids]") {
 
 TEST_CASE("solids: at rest there is no energy and no force", "[solids]") {
   for_each_term([](const Term& term) {
-    const double stiffness = dense_hessian(term, box().rest, SpdFilter::none).cwiseAbs().maxCoeff();
+    const double stiffness = dense_hessian(term, box().rest, Projection::none).cwiseAbs().maxCoeff();
     CHECK(dense_gradient(term, box().rest).lpNorm<Eigen::Infinity>() <= 1e-14 * stiffness);
     CHECK(std::abs(term.value(box().rest)) <= 1e-15 * stiffness);
     for_each_deformation([&](const VecX& x) { CHECK(term.value(x) >= -1e-15 * stiffness); });

@@ -204,7 +204,7 @@ TEST_CASE("von Mises: value, gradient and Hessian agree on both sides of the yie
       const VecX x = point.at(random.rotation() * s.asDiagonal() * turn.transpose() * unloaded);
       CHECK((point.term().dissipated(x) > 0) == (reach > 1));
       const double step = 0.02 * limit * 0.1;  // m: stays on its side
-      const MatX hessian = dense_hessian(point.term(), x, SpdFilter::none);
+      const MatX hessian = dense_hessian(point.term(), x, Projection::none);
       const VecX gradient = dense_gradient(point.term(), x);
       const double stiffness = hessian.cwiseAbs().maxCoeff();
       const VecX slopes = gradient_by_differences([&](const VecX& y) { return point.term().value(y); }, x, step);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "geometry/io/mesh_io.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "geometry/shapes/surfaces.hpp"
 #include "tests/fuzz/forked_run.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
+#include "tests/support/write_mesh.hpp"
 
 namespace tack {
 namespace {

@@ -68,7 +68,7 @@ std::vector<HardCase> hard_cases() {
 const std::vector<HardSolver>& hard_solvers() {
   static const std::vector<HardSolver> solvers = {
       {"projected_newton", {}},
-      {"filter: absolute", {"solver.filter=absolute"}},
+      {"projection: absolute", {"solver.projection=absolute"}},
       {"linear: cholmod", {"solver.linear=cholmod"}},
       {"newton_pcg", {"solver.type=newton_pcg"}},
       {"lbfgs", {"solver.type=lbfgs"}},

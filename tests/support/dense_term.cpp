@@ -13,7 +13,7 @@ VecX dense_gradient(const Term& term, const VecX& x) {
   return gradient;
 }
 
-void for_each_stencil_hessian(const Term& term, const VecX& x, SpdFilter filter, const VisitStencil& visit) {
+void for_each_stencil_hessian(const Term& term, const VecX& x, Projection projection, const VisitStencil& visit) {
   const auto batches = term.batches();
   size_t gradients = 0, blocks = 0;
   for (const StencilBatch& b : batches) {
@@ -21,7 +21,7 @@ void for_each_stencil_hessian(const Term& term, const VecX& x, SpdFilter filter,
     blocks += static_cast<size_t>(hessian_blocks(b.arity)) * b.count;
   }
   std::vector<double> gradient(3 * gradients), hessian(9 * blocks);
-  term.derivatives(x, filter, gradient.data(), hessian.data());
+  term.derivatives(x, projection, gradient.data(), hessian.data());
   const double* slot = hessian.data();
   for (const StencilBatch& b : batches) {
     for (int s = 0; s < b.count; ++s) {
@@ -38,9 +38,9 @@ void for_each_stencil_hessian(const Term& term, const VecX& x, SpdFilter filter,
   }
 }
 
-MatX dense_hessian(const Term& term, const VecX& x, SpdFilter filter) {
+MatX dense_hessian(const Term& term, const VecX& x, Projection projection) {
   MatX sum = MatX::Zero(x.size(), x.size());
-  for_each_stencil_hessian(term, x, filter, [&](const MatX& h, const int* v) {
+  for_each_stencil_hessian(term, x, projection, [&](const MatX& h, const int* v) {
     for (int i = 0; i < h.rows() / 3; ++i)
       for (int j = 0; j < h.rows() / 3; ++j)
         sum.block<3, 3>(3 * v[i], 3 * v[j]) += h.block<3, 3>(3 * i, 3 * j);
@@ -67,9 +67,9 @@ double smallest_eigenvalue(const MatX& symmetric) {
   return Eigen::SelfAdjointEigenSolver<MatX>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()(0);
 }
 
-MatX projected(const MatX& symmetric, SpdFilter filter) {
+MatX projected(const MatX& symmetric, Projection projection) {
   const Eigen::SelfAdjointEigenSolver<MatX> eigen(symmetric);
-  const VecX values = eigen.eigenvalues().unaryExpr([&](double v) { return filtered(v, filter); });
+  const VecX values = eigen.eigenvalues().unaryExpr([&](double v) { return projected(v, projection); });
   return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
 }
 

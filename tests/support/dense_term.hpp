@@ -11,11 +11,11 @@ namespace tack {
 using MatX = Eigen::MatrixXd;
 
 VecX dense_gradient(const Term& term, const VecX& x);
-MatX dense_hessian(const Term& term, const VecX& x, SpdFilter filter);
+MatX dense_hessian(const Term& term, const VecX& x, Projection projection);
 
 // The Hessian of each stencil as a matrix over its own rows and columns only, 3K x 3K, with its vertices.
 using VisitStencil = std::function<void(const MatX& hessian, const int* vertices)>;
-void for_each_stencil_hessian(const Term& term, const VecX& x, SpdFilter filter, const VisitStencil& visit);
+void for_each_stencil_hessian(const Term& term, const VecX& x, Projection projection, const VisitStencil& visit);
 
 // f'(0) from fourth-order central differences of f(-2h), f(-h), f(h), f(2h); numbers or vectors.
 template <class F>
@@ -35,7 +35,7 @@ MatX hessian_by_differences(const std::function<VecX(const VecX&)>& gradient, co
 
 double smallest_eigenvalue(const MatX& symmetric);
 // The projection by a full eigenvalue decomposition.
-MatX projected(const MatX& symmetric, SpdFilter filter);
+MatX projected(const MatX& symmetric, Projection projection);
 
 // Sums over all vertices.
 Vec3 total(const VecX& vectors);

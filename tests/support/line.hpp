@@ -16,7 +16,7 @@ class Line : public Objective {
   double value() override { return ++count_, value_(x); }
   double value_noise() const override { return noise_; }
   const VecX& gradient() override { return gradient_ = VecX::Constant(1, slope_(x)); }
-  const BlockMatrix& hessian(SpdFilter) override { return matrix_; }
+  const BlockMatrix& hessian(const HessianRequest&) override { return matrix_; }
   int value_count() const override { return count_; }
 
   double x = 0;

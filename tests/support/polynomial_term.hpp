@@ -28,10 +28,10 @@ class PolynomialTerm : public Term, public StencilRanges {
     for (int s = 0; s < count(); ++s) sum += std::pow(u(x, s).squaredNorm(), 2) / 4;
     return sum;
   }
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override {
-    range_derivatives(x, filter, 0, count(), gradient, hessian);
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+    range_derivatives(x, projection, 0, count(), gradient, hessian);
   }
-  void range_derivatives(const VecX& x, SpdFilter, int first, int last, double* gradient,
+  void range_derivatives(const VecX& x, Projection, int first, int last, double* gradient,
                          double* hessian) const override {
     for (int s = first; s < last; ++s) {
       const Vec3 us = u(x, s);

@@ -19,7 +19,7 @@ repeat: 2
 tolerances: [1 mm/s, 0.01 mm/s]
 time_steps: [10 ms, 5 ms]
 solvers:
-  - {name: clamp, solver: {filter: clamp}}
+  - {name: clamp, solver: {projection: clamp}}
   - {name: weak, solver: {type: projected_newton, max_iterations: 1}}
 )";
 
@@ -103,7 +103,7 @@ TEST_CASE("mistakes in a comparison are told with their place, and nothing is wr
     return result.err;
   };
   CHECK(contains(error_of("repeat:", "repaet:"), "compare.yaml:5:1: unknown key 'repaet' in the comparison; did you mean 'repeat'?"));
-  CHECK(contains(error_of("filter: clamp", "filtre: clamp"), "compare.yaml:9:28: unknown key 'filtre' in minimizer"));
+  CHECK(contains(error_of("projection: clamp", "projektion: clamp"), "compare.yaml:9:28: unknown key 'projektion' in minimizer"));
   CHECK(contains(error_of("projected_newton", "newton"), "unknown minimizer 'newton'"));
   CHECK(contains(error_of("name: weak", "name: clamp"), "two solvers are named 'clamp'"));
   CHECK(contains(error_of("base: scene.yaml", "base: nowhere.yaml"), "nowhere.yaml"));

@@ -4,11 +4,11 @@
 #include <thread>
 
 #include "framework/output/csv.hpp"
-#include "geometry/io/mesh_io.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
+#include "tests/support/write_mesh.hpp"
 
 using namespace tack;
 namespace fs = std::filesystem;

@@ -52,7 +52,7 @@ struct Problem {
   // Scale times the sum over the free unknowns, plus the masses.
   MatX expected_hessian(const TermScales& scales) const {
     MatX full = MatX::Zero(x.size(), x.size());
-    for (const Term* term : terms) full += scales.of(*term) * dense_hessian(*term, x, SpdFilter::none);
+    for (const Term* term : terms) full += scales.of(*term) * dense_hessian(*term, x, Projection::none);
     MatX free = w.transpose() * full * w;
     for (int r = 0; r < dofs.block_count(); ++r)
       free.block<3, 3>(3 * r, 3 * r) += mass(r) * Mat3::Identity();
@@ -66,7 +66,7 @@ struct Problem {
   void check(Assembler& assembler, BlockMatrix& matrix) const {
     const TermScales scales{0.3, 0.7};
     VecX gradient = VecX::Constant(dofs.size(), 2.0), alone = VecX::Zero(dofs.size());
-    assembler.assemble(x, scales, {SpdFilter::none}, mass, gradient, matrix);
+    assembler.assemble(x, scales, {Projection::none}, mass, gradient, matrix);
     assembler.add_gradient(x, scales, alone);
     const MatX hessian = expected_hessian(scales);
     CHECK((dense(matrix) - hessian).norm() <= 1e-13 * hessian.norm());
@@ -100,7 +100,7 @@ TEST_CASE("the toy term's derivatives are those of its value", "[assembly]") {
     CHECK((slopes - dense_gradient(*term, p.x)).norm() <= 1e-8 * (1 + slopes.norm()));
     const MatX curvatures =
         hessian_by_differences([&](const VecX& y) { return dense_gradient(*term, y); }, p.x, 1e-3);
-    CHECK((curvatures - dense_hessian(*term, p.x, SpdFilter::none)).norm() <= 1e-8 * (1 + curvatures.norm()));
+    CHECK((curvatures - dense_hessian(*term, p.x, Projection::none)).norm() <= 1e-8 * (1 + curvatures.norm()));
   }
 }
 

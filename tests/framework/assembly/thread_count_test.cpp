@@ -44,7 +44,7 @@ Evaluation evaluate(int threads) {
   VecX q;
   world.dofs.gather(x, q);
   potential.move_to(q);
-  const BlockMatrix& matrix = potential.hessian(SpdFilter::clamp);
+  const BlockMatrix& matrix = potential.hessian({Projection::clamp});
   return {potential.value(), potential.gradient(), matrix.values, matrix.row,
           static_cast<int>(world.contact->contacts().size())};
 }

@@ -1,5 +1,5 @@
 // Hard steps of the experiments, stored in tests/data/problems (store_problems.sh): each is minimised with every
-// filter of the Hessian, by the default one in hardly more iterations than by the best of them, and all come to
+// projection of the Hessian, by the default one in hardly more iterations than by the best of them, and all come to
 // the same minimum, or to another one that is known to exist. Counts are compared on one machine: the last bits,
 // and so the numbers of iterations, differ from one to the next.
 #include <algorithm>
@@ -26,7 +26,7 @@ const std::vector<StoredProblem> problems = {
 
 }  // namespace
 
-TEST_CASE("hard steps converge within their bounds, with every filter to a minimum that is known", "[compare][problems]") {
+TEST_CASE("hard steps converge within their bounds, with every projection to a minimum that is known", "[compare][problems]") {
   for (const StoredProblem& stored : problems) {
     INFO(stored.name);
     const CompareCase what = problem_case(std::string(TACK_TEST_DATA "/problems/") + stored.name + ".problem");
@@ -34,16 +34,16 @@ TEST_CASE("hard steps converge within their bounds, with every filter to a minim
     REQUIRE(reference.found());
     if (!stored.branches) CHECK_FALSE(reference.other_branch);
     std::map<std::string, int> iterations;
-    for (const char* filter : {"clamp", "absolute", "on_demand"}) {
-      INFO(filter);
-      Trial trial(what, {parse_string(std::string("{filter: ") + filter + "}", "(test)"), 1e-5, what.step_size});
+    for (const char* projection : {"clamp", "absolute", "on_demand"}) {
+      INFO(projection);
+      Trial trial(what, {parse_string(std::string("{projection: ") + projection + "}", "(test)"), 1e-5, what.step_size});
       trial.record();
       const TrialResult& result = trial.run();
       REQUIRE_FALSE(trial.history().empty());
       if (!what.quasi_static) CHECK(trial.history().back().residual <= 1);
       CHECK(result.status == "converged");
       CHECK(result.intersections == 0);
-      iterations[filter] = result.iterations;
+      iterations[projection] = result.iterations;
       const Branch branch = branch_of(what, reference, what.step_size, result.x);
       if (!stored.branches) CHECK(branch.kind != Branch::Kind::another);
       CHECK(largest_distance(trial.world(), result.x, branch.x) < 1e-3 * what.size);

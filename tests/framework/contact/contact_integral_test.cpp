@@ -295,7 +295,7 @@ TEST_CASE("contact integral: points inside triangles have the derivatives of the
   CHECK(set.sample_triangle.size() > 10);
   const ContactTerm& term = *world.contact_term;
   const VecX gradient = dense_gradient(term, x);
-  const MatX hessian = dense_hessian(term, x, SpdFilter::none);
+  const MatX hessian = dense_hessian(term, x, Projection::none);
   const auto at = [&](const VecX& y, const auto& evaluate) {
     world.contact->move_to(y);
     return evaluate(y);
@@ -307,8 +307,8 @@ TEST_CASE("contact integral: points inside triangles have the derivatives of the
   CHECK((slopes - gradient).lpNorm<Eigen::Infinity>() <= 1e-5 * gradient.lpNorm<Eigen::Infinity>());
   CHECK((curvatures - hessian).cwiseAbs().maxCoeff() <= 1e-4 * hessian.cwiseAbs().maxCoeff());
   world.contact->move_to(x);
-  for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute})
-    for_each_stencil_hessian(term, x, filter, [](const MatX& h, const int*) {
+  for (const Projection projection : {Projection::clamp, Projection::absolute})
+    for_each_stencil_hessian(term, x, projection, [](const MatX& h, const int*) {
       REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.cwiseAbs().maxCoeff());
     });
 }

@@ -59,7 +59,7 @@ TEST_CASE("contact: gradient and Hessian are those of the value, all stencils ac
     CHECK(set.edge_edge.size() > 0);
     CHECK(nearly_parallel(set, c.x) > 3);
     const VecX gradient = dense_gradient(c.term(), c.x);
-    const MatX hessian = dense_hessian(c.term(), c.x, SpdFilter::none);
+    const MatX hessian = dense_hessian(c.term(), c.x, Projection::none);
     const auto value_at = [&](const VecX& y) {
       c.system().move_to(y);
       return c.term().value(y);
@@ -76,15 +76,15 @@ TEST_CASE("contact: gradient and Hessian are those of the value, all stencils ac
   }
 }
 
-TEST_CASE("contact: filtered stencils are positive semi-definite", "[contact]") {
+TEST_CASE("contact: projected stencils are positive semi-definite", "[contact]") {
   for (const std::string& weights : weightings) {
     Cluster c(weights);
-    const MatX exact = dense_hessian(c.term(), c.x, SpdFilter::none);
-    for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute}) {
-      for_each_stencil_hessian(c.term(), c.x, filter, [](const MatX& h, const int*) {
+    const MatX exact = dense_hessian(c.term(), c.x, Projection::none);
+    for (const Projection projection : {Projection::clamp, Projection::absolute}) {
+      for_each_stencil_hessian(c.term(), c.x, projection, [](const MatX& h, const int*) {
         REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.cwiseAbs().maxCoeff());
       });
-      const MatX lifted = dense_hessian(c.term(), c.x, filter) - exact;
+      const MatX lifted = dense_hessian(c.term(), c.x, projection) - exact;
       CHECK(smallest_eigenvalue(lifted) >= -1e-10 * exact.cwiseAbs().maxCoeff());
     }
   }
@@ -142,5 +142,5 @@ TEST_CASE("contact: exactly parallel edges have finite derivatives", "[contact]"
   CHECK(nearly_parallel(scene.world->contact->contacts(), x) > 0);
   CHECK(std::isfinite(scene.world->contact_term->value(x)));
   CHECK(dense_gradient(*scene.world->contact_term, x).allFinite());
-  CHECK(dense_hessian(*scene.world->contact_term, x, SpdFilter::clamp).allFinite());
+  CHECK(dense_hessian(*scene.world->contact_term, x, Projection::clamp).allFinite());
 }

@@ -52,7 +52,7 @@ TEST_CASE("friction term: gradient and Hessian are those of the value", "[fricti
     CHECK(c.term().contacts().threes.size() > 0);
     CHECK(c.term().contacts().fours.size() > 20);
     const VecX gradient = dense_gradient(c.term(), c.x);
-    const MatX hessian = dense_hessian(c.term(), c.x, SpdFilter::none);
+    const MatX hessian = dense_hessian(c.term(), c.x, Projection::none);
     const VecX slopes = gradient_by_differences([&](const VecX& y) { return c.term().value(y); }, c.x, 1e-8);
     const MatX curvatures =
         hessian_by_differences([&](const VecX& y) { return dense_gradient(c.term(), y); }, c.x, 1e-9);
@@ -61,18 +61,18 @@ TEST_CASE("friction term: gradient and Hessian are those of the value", "[fricti
   }
 }
 
-TEST_CASE("friction term: the closed-form filter is the numerical one", "[friction]") {
+TEST_CASE("friction term: the closed-form projection is the numerical one", "[friction]") {
   for (const double slip : slips) {
     Cluster c(0.5, slip);
-    for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute}) {
+    for (const Projection projection : {Projection::clamp, Projection::absolute}) {
       std::vector<MatX> expected;
       bool concave = false;
-      for_each_stencil_hessian(c.term(), c.x, SpdFilter::none, [&](const MatX& h, const int*) {
+      for_each_stencil_hessian(c.term(), c.x, Projection::none, [&](const MatX& h, const int*) {
         concave = concave || smallest_eigenvalue(h) < -1e-6 * h.norm();
-        expected.push_back(projected(h, filter));
+        expected.push_back(projected(h, projection));
       });
       size_t i = 0;
-      for_each_stencil_hessian(c.term(), c.x, filter, [&](const MatX& h, const int*) {
+      for_each_stencil_hessian(c.term(), c.x, projection, [&](const MatX& h, const int*) {
         CHECK((h - expected[i]).cwiseAbs().maxCoeff() <= 1e-9 * (1e-300 + expected[i].cwiseAbs().maxCoeff()));
         ++i;
       });

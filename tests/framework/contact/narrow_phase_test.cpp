@@ -43,7 +43,7 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
     TestScene scene(crowd(contact));
     const ContactSystem& system = *scene.world->contact;
     RandomMotions random(23);
-    BroadPhase broad_phase(system.surface().mesh, system.filter());
+    BroadPhase broad_phase(system.surface().mesh, system.colliding());
     const NearTriangles near = [&](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
       broad_phase.triangles_near(t, inside, out);
     };

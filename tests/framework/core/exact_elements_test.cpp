@@ -1,4 +1,4 @@
-// Hessians of which only contacts are filtered.
+// Hessians of which only contacts are projected.
 #include <catch2/catch.hpp>
 
 #include "tests/support/on_floor.hpp"
@@ -22,12 +22,12 @@ double difference(const MatX& a, const MatX& b) { return (a - b).norm() / b.norm
 
 }  // namespace
 
-TEST_CASE("contacts are filtered, elements stay exact", "[assembly]") {
+TEST_CASE("contacts are projected, elements stay exact", "[assembly]") {
   StepProblem step(near);
   IncrementalPotential& potential = step.potential;
   const auto hessians = [&] {
-    const MatX partly = dense(potential.hessian_of_exact_elements(SpdFilter::clamp));
-    const MatX clamped = dense(potential.hessian(SpdFilter::clamp)), exact = dense(potential.hessian(SpdFilter::none));
+    const MatX partly = dense(potential.hessian({.dynamic_projection = Projection::clamp}));
+    const MatX clamped = dense(potential.hessian({Projection::clamp})), exact = dense(potential.hessian({Projection::none}));
     return std::array{partly, clamped, exact};
   };
   const VecX rest = step.q;

@@ -41,7 +41,7 @@ const std::string header =
     "candidates,min_distance,energy_kinetic,energy_barrier,work_loads,work_script,dissipated_friction,"
     "dissipated_adhesion,dissipated_plastic,dissipated_damping,dissipated_areas,dissipated_numerics,residual,unbalanced_force,tolerated_force,converged,"
     "lag_iterations,friction_residual,wall_seconds,"
-    "seconds_other,seconds_assembly,seconds_filter,seconds_factorize,seconds_solve,"
+    "seconds_other,seconds_assembly,seconds_projection,seconds_factorize,seconds_solve,"
     "seconds_broad_phase,seconds_narrow_phase,seconds_ccd,seconds_line_search,seconds_check,"
     "seconds_io\n";
 const std::string first =

@@ -22,8 +22,8 @@ class Spoilt : public Term {
   double value(const VecX& x) const override { return right_.value(x); }
   std::vector<StencilBatch> batches() const override { return right_.batches(); }
   bool dynamic() const override { return right_.dynamic(); }
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override {
-    right_.derivatives(x, filter, gradient, hessian);
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+    right_.derivatives(x, projection, gradient, hessian);
     int vectors = 0, blocks = 0;
     for (const StencilBatch& b : batches()) {
       vectors += b.arity * b.count;
@@ -55,7 +55,7 @@ class Half : public Term {
   }
   double value(const VecX& x) const override { return 0.5 * value_ * stretch(x).squaredNorm(); }
   std::vector<StencilBatch> batches() const override { return {{2, 1, vertices_}}; }
-  void derivatives(const VecX& x, SpdFilter, double* gradient, double* hessian) const override {
+  void derivatives(const VecX& x, Projection, double* gradient, double* hessian) const override {
     Eigen::Map<Vec3>{gradient} = slope_ * stretch(x);
     Eigen::Map<Vec3>{gradient + 3} = -slope_ * stretch(x);
     if (!hessian) return;

@@ -6,8 +6,8 @@
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"
 #include "tests/support/random_blocks.hpp"
-#include "tests/support/test_run.hpp"
 #include "tests/support/step_problem.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -34,7 +34,7 @@ TEST_CASE("what a direction misses is bounded, whatever the residual", "[steppin
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.02}");
   Convergence convergence = step.convergence(*minimizer);
   step.potential.move_to(step.q);
-  const MatX hessian = dense(step.potential.hessian(SpdFilter::clamp));
+  const MatX hessian = dense(step.potential.hessian({Projection::clamp}));
   const Eigen::LDLT<MatX> factor(hessian);
   const auto n = hessian.rows();
   double sharpest = 1e300;

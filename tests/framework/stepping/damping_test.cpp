@@ -10,7 +10,7 @@
 #include "framework/scene/derivative_check.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/dense_term.hpp"
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -28,7 +28,7 @@ struct Vibration : TestScene {
             "    damping: {{stiffness: {}, mass: {} 1/s}}\n"
             "    motion: [{{type: fixed, select: {{type: face, direction: [0, -1, 0]}}}}]\n",
             h, integrator, beta, alpha)) {
-    const MatX full = dense_hessian(*world->elastic_terms[0], world->rest, SpdFilter::none);
+    const MatX full = dense_hessian(*world->elastic_terms[0], world->rest, Projection::none);
     const int n = world->dofs.block_count();
     MatX k(3 * n, 3 * n);
     VecX m(3 * n);
@@ -123,7 +123,7 @@ TEST_CASE("stiffness damping leaves free fall alone, mass damping ends at g / al
     const auto falling = [&](const std::string& damping) {
       return header(integrator) + "gravity: [0, -9.81, 0]\nobjects: [" + block + ", velocity: [1, 2, 0]" + damping + "}]\n";
     };
-    Simulation stiff(falling(", damping: {stiffness: 20 ms}")), free(falling("")), heavy(falling(", damping: {mass: 5 1/s}"));
+    TestRun stiff(falling(", damping: {stiffness: 20 ms}")), free(falling("")), heavy(falling(", damping: {mass: 5 1/s}"));
     double damped = 0;
     for (int i = 0; i < 40; ++i) {
       damped += stiff.step().flows.damping;
@@ -165,7 +165,7 @@ TEST_CASE("what damping dissipates is what a vibration loses", "[damping]") {
 TEST_CASE("what a script does against damping is dissipated", "[damping]") {
   for (const std::string integrator : {"implicit_euler", "newmark"}) {
     INFO(integrator);
-    Simulation run(header(integrator) + "objects: [" + block +
+    TestRun run(header(integrator) + "objects: [" + block +
                    ", damping: {stiffness: 0.2 s}, motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}},\n"
                    "  {type: formula, y: 0.001 * (1 - cos(10 * t)), select: {type: face, direction: [0, 1, 0]}}]}]\n");
     EnergyFlows sum;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "framework/assembly/incremental_potential.hpp"
-#include "framework/scene/energies.hpp"
+#include "framework/scene/energy_records.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;

@@ -21,7 +21,7 @@ Vec3 momentum(const TestRun& run) {
 
 bool intersects(const TestRun& run) {
   const ContactSystem& contact = *run.world->contact;
-  return !find_intersections(contact.surface().mesh, run.state().x, contact.filter(), 1).empty();
+  return !find_intersections(contact.surface().mesh, run.state().x, contact.colliding(), 1).empty();
 }
 
 double front_of(const TestRun& run, int body) {

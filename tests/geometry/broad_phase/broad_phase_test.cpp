@@ -36,10 +36,10 @@ TEST_CASE("candidates are what testing all pairs finds", "[broad_phase]") {
     for (const double motion : {0.0, 0.03}) {
       const VecX x = scene.x();
       const VecX p = motion > 0.0 ? random_motion(random, x.size(), motion) : VecX();
-      BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+      BroadPhase broad_phase(scene.mesh, CollidingObjects());
       REQUIRE(broad_phase.update(x, p, kRange, kSkin));
       const Candidates expected =
-          BruteForce(scene.mesh, ObjectPairFilter(), x, p, kRange, kSkin).find();
+          BruteForce(scene.mesh, CollidingObjects(), x, p, kRange, kSkin).find();
       REQUIRE(expected.edge_edge.size() > 50);
       require_equal(broad_phase.candidates(), expected);
     }
@@ -47,7 +47,7 @@ TEST_CASE("candidates are what testing all pairs finds", "[broad_phase]") {
 
 TEST_CASE("every kind of pair occurs where rods and particles are", "[broad_phase]") {
   const Scene scene = mixed(12, 60);
-  BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+  BroadPhase broad_phase(scene.mesh, CollidingObjects());
   broad_phase.update(scene.x(), VecX(), 0.1, 0.0);
   const Candidates& found = broad_phase.candidates();
   REQUIRE(!found.point_triangle.empty());
@@ -61,18 +61,18 @@ TEST_CASE("immovable pairs and excluded objects give no candidates", "[broad_pha
   Scene scene = triangle_soup(150);
   scene.freeze(1);
   scene.mesh.vertex_movable[0] = 0;  // one vertex of a triangle that can still move
-  ObjectPairFilter filter;
-  filter.set(2, 0, false);
-  filter.set(0, 0, false);
-  BroadPhase broad_phase(scene.mesh, filter);
+  CollidingObjects colliding;
+  colliding.set(2, 0, false);
+  colliding.set(0, 0, false);
+  BroadPhase broad_phase(scene.mesh, colliding);
   broad_phase.update(scene.x(), VecX(), kRange, kSkin);
   const Candidates expected =
-      BruteForce(scene.mesh, filter, scene.x(), VecX(), kRange, kSkin).find();
+      BruteForce(scene.mesh, colliding, scene.x(), VecX(), kRange, kSkin).find();
   REQUIRE(!expected.point_triangle.empty());
   require_equal(broad_phase.candidates(), expected);
 
   for (const int object : {0, 2}) scene.freeze(object);
-  BroadPhase frozen(scene.mesh, ObjectPairFilter());
+  BroadPhase frozen(scene.mesh, CollidingObjects());
   frozen.update(scene.x(), VecX(), kRange, kSkin);
   REQUIRE(frozen.candidates().size() == 0);
 }
@@ -81,7 +81,7 @@ TEST_CASE("no move inside the safe boxes brings a new pair into range", "[broad_
   std::mt19937 random(5);
   for (const Scene& scene : all_scenes()) {
     const VecX x = scene.x(), p = random_motion(random, x.size(), 0.02);
-    BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+    BroadPhase broad_phase(scene.mesh, CollidingObjects());
     broad_phase.update(x, p, kRange, kSkin);
     const auto& kept = broad_phase.candidates().edge_edge;
     for (int trial = 0; trial < 5; ++trial) {
@@ -91,7 +91,7 @@ TEST_CASE("no move inside the safe boxes brings a new pair into range", "[broad_
       REQUIRE(broad_phase.covers(y));
       REQUIRE_FALSE(broad_phase.update(y, VecX(), kRange, kSkin));
       const Candidates near =
-          BruteForce(scene.mesh, ObjectPairFilter(), y, VecX(), kRange, 0.0).find();
+          BruteForce(scene.mesh, CollidingObjects(), y, VecX(), kRange, 0.0).find();
       REQUIRE(
           std::includes(kept.begin(), kept.end(), near.edge_edge.begin(), near.edge_edge.end()));
     }
@@ -102,7 +102,7 @@ TEST_CASE("no move inside the safe boxes brings a new pair into range", "[broad_
 TEST_CASE("candidates are rebuilt exactly when they must be", "[broad_phase]") {
   const Scene scene = two_sheets(6, 0.01);
   const VecX x = scene.x(), none;
-  BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+  BroadPhase broad_phase(scene.mesh, CollidingObjects());
   REQUIRE_FALSE(broad_phase.covers(x));
   REQUIRE(broad_phase.update(x, none, 0.02, 0.01));
   REQUIRE_FALSE(broad_phase.update(x, none, 0.02, 0.01));
@@ -124,7 +124,7 @@ TEST_CASE("interior vertices have no safe box to leave", "[broad_phase]") {
   const int inside = scene.add_vertex(Vec3(0.5, 0.5, 0.005), 0);
   scene.mesh.vertices.pop_back();
   VecX x = scene.x();
-  BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+  BroadPhase broad_phase(scene.mesh, CollidingObjects());
   broad_phase.update(x, VecX(), 0.02, 0.0);
   x[3 * inside] = 100.0;
   REQUIRE_FALSE(broad_phase.update(x, VecX(), 0.02, 0.0));
@@ -134,10 +134,10 @@ TEST_CASE("refitted trees find what new ones find", "[broad_phase]") {
   std::mt19937 random(9);
   for (const Scene& scene : all_scenes()) {
     VecX x = scene.x();
-    BroadPhase kept(scene.mesh, ObjectPairFilter());
+    BroadPhase kept(scene.mesh, CollidingObjects());
     for (int step = 0; step < 6; ++step) {  // from small moves to a shuffle
       kept.update(x, VecX(), kRange, kSkin);
-      BroadPhase fresh(scene.mesh, ObjectPairFilter());
+      BroadPhase fresh(scene.mesh, CollidingObjects());
       fresh.update(x, VecX(), kRange, kSkin);
       require_equal(kept.candidates(), fresh.candidates());
       x += random_motion(random, x.size(), 0.01 * (1 << step));
@@ -151,7 +151,7 @@ TEST_CASE("candidates are the same for one and two threads", "[broad_phase]") {
   std::vector<Candidates> found;
   for (const std::size_t threads : {1, 2}) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+    BroadPhase broad_phase(scene.mesh, CollidingObjects());
     broad_phase.update(scene.x(), VecX(), 0.005, 0.0);
     found.push_back(broad_phase.candidates());
   }
@@ -161,12 +161,12 @@ TEST_CASE("candidates are the same for one and two threads", "[broad_phase]") {
 
 TEST_CASE("no object at all, and a range beyond all distances", "[broad_phase]") {
   const CollisionMesh empty;
-  BroadPhase nothing(empty, ObjectPairFilter());
+  BroadPhase nothing(empty, CollidingObjects());
   REQUIRE(nothing.update(VecX(), VecX(), 0.1, 0.1));
   REQUIRE(nothing.candidates().size() == 0);
 
   const Scene scene = triangle_soup(20);
-  BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+  BroadPhase broad_phase(scene.mesh, CollidingObjects());
   broad_phase.update(scene.x(), VecX(), 10.0, 0.0);
   REQUIRE(broad_phase.candidates().point_triangle.size() == 60 * 19);
   REQUIRE(broad_phase.candidates().edge_edge.size() == 60 * 57 / 2);
@@ -175,7 +175,7 @@ TEST_CASE("no object at all, and a range beyond all distances", "[broad_phase]")
 TEST_CASE("bad input to the broad phase is refused", "[broad_phase]") {
   const Scene scene = two_sheets(4, 0.01);
   VecX x = scene.x();
-  BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+  BroadPhase broad_phase(scene.mesh, CollidingObjects());
   REQUIRE_THROWS_AS(broad_phase.update(VecX::Zero(5), VecX(), 0.1, 0.0), InputError);
   REQUIRE_THROWS_AS(broad_phase.update(x, VecX::Zero(5), 0.1, 0.0), InputError);
   REQUIRE_THROWS_AS(broad_phase.update(x, VecX(), -0.1, 0.0), InputError);

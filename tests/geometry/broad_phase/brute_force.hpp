@@ -10,13 +10,13 @@ namespace tack::scenes {
 
 struct BruteForce {
   const CollisionMesh& mesh;
-  const ObjectPairFilter& filter;
+  const CollidingObjects& colliding;
   std::vector<Aabb> safe_boxes;  // by global vertex
   double inflation;
 
-  BruteForce(const CollisionMesh& mesh_, const ObjectPairFilter& filter_, const VecX& x,
+  BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x,
              const VecX& p, double range, double skin)
-      : mesh(mesh_), filter(filter_), safe_boxes(x.size() / 3), inflation(0.5 * range) {
+      : mesh(mesh_), colliding(colliding_), safe_boxes(x.size() / 3), inflation(0.5 * range) {
     for (const int v : mesh.vertices) {
       safe_boxes[v].include(Vec3(vertex(x, v)));
       if (p.size() != 0) safe_boxes[v].include(Vec3(vertex(x, v) + vertex(p, v)));
@@ -38,7 +38,7 @@ struct BruteForce {
     }
     box_a.inflate(inflation);
     box_b.inflate(inflation);
-    return movable && filter.allows(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]) &&
+    return movable && colliding.allows(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]) &&
            box_a.overlaps(box_b);
   }
   std::vector<int> edge(int e) const { return {mesh.edges[e][0], mesh.edges[e][1]}; }

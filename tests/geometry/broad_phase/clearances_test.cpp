@@ -65,7 +65,7 @@ TEST_CASE("clearances: no move inside the safe boxes brings a pair closer", "[br
     for (const double motion : {1e-9, 0.02})
       for (const double offset : {0.0, 1e5}) {
         const VecX x = scene.x().array() + offset, p = random_motion(random, x.size(), motion);
-        BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+        BroadPhase broad_phase(scene.mesh, CollidingObjects());
         broad_phase.update(x, p, range, skin);
         for (int trial = 0; trial < 5; ++trial) {
           const VecX y = inside_boxes(random, x, p, 0.4999 * skin);
@@ -80,7 +80,7 @@ TEST_CASE("clearances: they grow where hardly anything moves, and hold when it d
   std::mt19937 random(17);
   for (const Scene& scene : all_scenes()) {
     const VecX x = scene.x();
-    BroadPhase broad_phase(scene.mesh, ObjectPairFilter());
+    BroadPhase broad_phase(scene.mesh, CollidingObjects());
     broad_phase.update(x, VecX(), range, skin);
     const int loose = check_clearances(scene.mesh, broad_phase.candidates(), x).apart;
     int tight = loose, renewed = 0;

@@ -26,7 +26,7 @@ int hits(const Vec3& p, const Vec3& q, bool tilted = false) {
   scene.mesh.triangles.push_back({a, b, c});
   const int first = scene.add_vertex(map * p, 1);
   scene.add_rod_edge(first, scene.add_vertex(map * q, 1));
-  return static_cast<int>(find_intersections(scene.mesh, scene.x(), ObjectPairFilter(), 10).size());
+  return static_cast<int>(find_intersections(scene.mesh, scene.x(), CollidingObjects(), 10).size());
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ TEST_CASE("degenerate triangles and edges are segments and points", "[intersecti
     scene.add_vertex(b, 1);
     scene.add_vertex(c, 1);
     scene.mesh.triangles.push_back({corner, corner + 1, corner + 2});
-    return !find_intersections(scene.mesh, scene.x(), ObjectPairFilter(), 1).empty();
+    return !find_intersections(scene.mesh, scene.x(), CollidingObjects(), 1).empty();
   };
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(2, 0, 0), above(0.5, 0, 1), below(0.5, 0, -1), m(0.5, 0, 0);
   CHECK(meets(above, below, a, b, c));        // sliver crossed
@@ -96,37 +96,37 @@ TEST_CASE("a quick proof of disjointness never contradicts the exact answer", "[
 TEST_CASE("sheets: apart, crossing, and passing through each other", "[intersections]") {
   const Scene scene = scenes::two_sheets(20, 1e-6);
   VecX x = scene.x();
-  REQUIRE(find_intersections(scene.mesh, x, ObjectPairFilter(), 10).empty());
+  REQUIRE(find_intersections(scene.mesh, x, CollidingObjects(), 10).empty());
   for (const double angle : {0.1, 1.0, 2.0}) {  // flat sheets in general position: nearly coplanar
     VecX turned = x;
     const Mat3 rotation = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     for (const int v : scene.mesh.vertices) vertex(turned, v) = rotation * Vec3(vertex(x, v));
-    REQUIRE(find_intersections(scene.mesh, turned, ObjectPairFilter(), 10).empty());
+    REQUIRE(find_intersections(scene.mesh, turned, CollidingObjects(), 10).empty());
   }
   const int v = 210;  // in the middle of the lower sheet
   x[3 * v + 2] = 2e-6;
-  const auto hits = find_intersections(scene.mesh, x, ObjectPairFilter(), 1000);
+  const auto hits = find_intersections(scene.mesh, x, CollidingObjects(), 1000);
   REQUIRE(hits.size() > 3);
   for (const auto& [edge, triangle] : hits) {
     const Edge& e = scene.mesh.edges[edge];
     const Triangle& t = scene.mesh.triangles[triangle];
     REQUIRE((e[0] == v || e[1] == v || t[0] == v || t[1] == v || t[2] == v));
   }
-  ObjectPairFilter only_self;
+  CollidingObjects only_self;
   only_self.set(0, 1, false);
   REQUIRE(find_intersections(scene.mesh, x, only_self, 1000).empty());
 }
 
 TEST_CASE("a sheet that crosses itself", "[intersections]") {
   REQUIRE(find_intersections(scenes::folded_sheet(20, 0.02).mesh,
-                             scenes::folded_sheet(20, 0.02).x(), ObjectPairFilter(), 1)
+                             scenes::folded_sheet(20, 0.02).x(), CollidingObjects(), 1)
               .empty());
   Scene scene;  // a tube that closes beyond a full turn, with a pitch: it passes through itself
   scene.add_sheet(30, 0, [](double u, double v) {
     const double angle = 2.4 * M_PI * u, radius = 1.0 + 0.2 * std::sin(1.25 * angle);
     return Vec3(radius * std::cos(angle), radius * std::sin(angle), v);
   });
-  REQUIRE(!find_intersections(scene.mesh, scene.x(), ObjectPairFilter(), 1).empty());
+  REQUIRE(!find_intersections(scene.mesh, scene.x(), CollidingObjects(), 1).empty());
 }
 
 TEST_CASE("limits, flags and threads of the intersection check", "[intersections]") {
@@ -135,20 +135,20 @@ TEST_CASE("limits, flags and threads of the intersection check", "[intersections
   std::vector<std::vector<EdgeTriangleHit>> runs;
   for (const std::size_t threads : {1, 2}) {
     tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    runs.push_back(find_intersections(scene.mesh, x, ObjectPairFilter(), 1 << 20));
+    runs.push_back(find_intersections(scene.mesh, x, CollidingObjects(), 1 << 20));
   }
   REQUIRE(runs[0].size() > 20);
   REQUIRE(runs[0] == runs[1]);
-  const auto few = find_intersections(scene.mesh, x, ObjectPairFilter(), 5);
+  const auto few = find_intersections(scene.mesh, x, CollidingObjects(), 5);
   REQUIRE(few == std::vector<EdgeTriangleHit>(runs[0].begin(), runs[0].begin() + 5));
 
   for (const int object : {0, 1, 2}) scene.freeze(object);
-  REQUIRE(find_intersections(scene.mesh, x, ObjectPairFilter(), 1 << 20).empty());
-  REQUIRE(find_intersections(scene.mesh, x, ObjectPairFilter(), 1 << 20, false) == runs[0]);
+  REQUIRE(find_intersections(scene.mesh, x, CollidingObjects(), 1 << 20).empty());
+  REQUIRE(find_intersections(scene.mesh, x, CollidingObjects(), 1 << 20, false) == runs[0]);
 
   VecX broken = x;
   broken[5] = std::numeric_limits<double>::infinity();
-  REQUIRE_THROWS_AS(find_intersections(scene.mesh, broken, ObjectPairFilter(), 1), SimulationError);
-  REQUIRE_THROWS_AS(find_intersections(scene.mesh, VecX::Zero(3), ObjectPairFilter(), 1),
+  REQUIRE_THROWS_AS(find_intersections(scene.mesh, broken, CollidingObjects(), 1), SimulationError);
+  REQUIRE_THROWS_AS(find_intersections(scene.mesh, VecX::Zero(3), CollidingObjects(), 1),
                     InputError);
 }

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/tet_quality.hpp"
+
 using namespace tack;
 
 TEST_CASE("volume, area and mean ratio have their closed-form values", "[mesh]") {

@@ -10,6 +10,7 @@
 #include "geometry/mesh/surface.hpp"
 #include "geometry/mesh/validate.hpp"
 #include "tests/support/closed_surface.hpp"
+#include "tests/support/tet_quality.hpp"
 
 using namespace tack;
 using std::numbers::pi;

@@ -40,7 +40,7 @@ struct Fall {
     return p;
   }
   bool intersects(const VecX& y) const {
-    return !find_intersections(world.contact->surface().mesh, y, world.contact->filter(), 1).empty();
+    return !find_intersections(world.contact->surface().mesh, y, world.contact->colliding(), 1).empty();
   }
 };
 

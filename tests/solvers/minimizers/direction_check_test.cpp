@@ -54,7 +54,7 @@ Judged judged(LinearSolver& linear, double tolerance) {
   MinimizerProblem problem{step.potential, {}, {}, step.clock};
   convergence.judge(problem);
   step.potential.move_to(step.q);
-  const BlockMatrix& hessian = step.potential.hessian(SpdFilter::clamp);
+  const BlockMatrix& hessian = step.potential.hessian({Projection::clamp});
   const VecX b = -step.potential.gradient();
   Judged result;
   result.exact = dense(hessian).ldlt().solve(b);

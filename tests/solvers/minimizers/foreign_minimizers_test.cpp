@@ -25,7 +25,7 @@ class Told : public Objective {
   double value() override { return ++count_, value_(q_); }
   double value_noise() const override { return 0; }
   const VecX& gradient() override { return gradient_ = gradient_at_(q_); }
-  const BlockMatrix& hessian(SpdFilter) override { return matrix_; }
+  const BlockMatrix& hessian(const HessianRequest&) override { return matrix_; }
   int value_count() const override { return count_; }
 
  private:

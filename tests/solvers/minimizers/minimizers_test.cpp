@@ -10,8 +10,8 @@
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"
 #include "tests/support/rms_difference.hpp"
-#include "tests/support/test_run.hpp"
 #include "tests/support/step_problem.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -102,11 +102,11 @@ TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
       // The plate is wider than the block's way: between two points on its upper side there is no crossing.
       for (int y = 1; y < problem.q.size(); y += 3) REQUIRE(problem.path[i](y) > 0);
       REQUIRE(find_intersections(surface.mesh, problem.configuration(problem.path[i]),
-                                 problem.world->contact->filter(), 1).empty());
+                                 problem.world->contact->colliding(), 1).empty());
       if (i > 0 && i % 7 == 0) {
         for (const double t : {0.2, 0.4, 0.6, 0.8}) {
           const VecX between = (1 - t) * problem.path[i - 1] + t * problem.path[i];
-          REQUIRE(find_intersections(surface.mesh, problem.configuration(between), problem.world->contact->filter(),
+          REQUIRE(find_intersections(surface.mesh, problem.configuration(between), problem.world->contact->colliding(),
                                      1).empty());
         }
       }

@@ -37,7 +37,7 @@ class Separable : public Objective, private ResidualView {
   }
   double value_noise() const override { return 0; }
   const VecX& gradient() override { return gradient_ = q_.unaryExpr(curve_.slope); }
-  const BlockMatrix& hessian(SpdFilter) override {
+  const BlockMatrix& hessian(const HessianRequest&) override {
     gradient();
     matrix_.block(0) = Vec3(q_.unaryExpr(curve_.curvature)).asDiagonal();
     return matrix_;
@@ -162,15 +162,15 @@ TEST_CASE("a minimum where forces do not balance is none", "[minimizer]") {
 TEST_CASE("an indefinite Hessian leads on to a minimum, not to a claim of one", "[minimizer]") {
   const Curve wells = {[](double x) { return x * x * (x * x / 4 - 0.5); }, [](double x) { return x * (x * x - 1); },
                        [](double x) { return 3 * x * x - 1; }};
-  for (const char* filter : {"none", "clamp", "contacts", "absolute", "on_demand", "progressive", "adaptive"}) {
-    INFO(filter);
-    const Ended e = minimize(std::string("projected_newton, filter: ") + filter, wells, 1, 300, Vec3(1e-7, 1e-7, 1e-7));
+  for (const char* projection : {"none", "clamp", "contacts", "absolute", "on_demand", "progressive", "adaptive"}) {
+    INFO(projection);
+    const Ended e = minimize(std::string("projected_newton, projection: ") + projection, wells, 1, 300, Vec3(1e-7, 1e-7, 1e-7));
     CHECK(e.result.status == MinimizerStatus::converged);
     CHECK((e.q.cwiseAbs() - Vec3(1, 1, 1)).norm() < 1e-5);
   }
 }
 
-// As a filtered Hessian is where much of it was clamped: Newton's steps alone would take 0.95 of the way each.
+// As a projected Hessian is where much of it was clamped: Newton's steps alone would take 0.95 of the way each.
 TEST_CASE("steps of Hessians that are too stiff are prolonged as far as they are free", "[minimizer]") {
   const std::string type = GENERATE("projected_newton", "newton_pcg");
   const Curve stiff = {[](double x) { return x * x / 2; }, [](double x) { return x; }, [](double) { return 20.0; }};

@@ -1,4 +1,4 @@
-#include "framework/scene/energies.hpp"
+#include "framework/scene/energy_records.hpp"
 
 #include <map>
 

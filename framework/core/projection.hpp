@@ -3,7 +3,7 @@
 
 namespace tack {
 
-enum class SpdFilter {
+enum class Projection {
   none,      // the exact Hessian
   clamp,     // negative eigenvalues become zero (Teran et al. 2005; the paper, section 5)
   absolute,  // negative eigenvalues become their absolute value (Chen et al. 2024)
@@ -11,9 +11,9 @@ enum class SpdFilter {
 };
 
 // One eigenvalue under the policy.
-inline double filtered(double eigenvalue, SpdFilter filter) {
-  if (eigenvalue >= 0 || filter == SpdFilter::none) return eigenvalue;
-  return filter == SpdFilter::absolute ? -eigenvalue : 0.0;
+inline double projected(double eigenvalue, Projection projection) {
+  if (eigenvalue >= 0 || projection == Projection::none) return eigenvalue;
+  return projection == Projection::absolute ? -eigenvalue : 0.0;
 }
 
 }  // namespace tack

@@ -3,17 +3,17 @@
 // and an early Cholesky test leaves blocks alone that are definite there already.
 #pragma once
 
-#include "framework/core/spd_filter.hpp"
+#include "framework/core/projection.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
 
 // N = 2, 3, 6, 9: plain eigenvalue projection.
 template <int N>
-void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter);
+void project_psd(Eigen::Matrix<double, N, N>& hessian, Projection projection);
 
 // Arity 2 to 6, translation invariant: 3K x 3K.
 template <int K>
-void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter filter);
+void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projection projection);
 
 }  // namespace tack

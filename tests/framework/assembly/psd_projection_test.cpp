@@ -1,4 +1,4 @@
-#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/psd_projection.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,42 +24,42 @@ MatX translation_invariant(const MatX& a) {
 }
 
 template <int N>
-MatX plain(const MatX& a, SpdFilter filter) {
+MatX plain(const MatX& a, Projection projection) {
   Eigen::Matrix<double, N, N> hessian = a;
-  project_psd<N>(hessian, filter);
+  project_psd<N>(hessian, projection);
   return hessian;
 }
 template <int K>
-MatX stencil(const MatX& a, SpdFilter filter) {
+MatX stencil(const MatX& a, Projection projection) {
   Eigen::Matrix<double, 3 * K, 3 * K> hessian = a;
-  project_stencil_psd<K>(hessian, filter);
+  project_stencil_psd<K>(hessian, projection);
   return hessian;
 }
 
-using Projection = MatX (*)(const MatX&, SpdFilter);
+using Project = MatX (*)(const MatX&, Projection);
 
-void check_plain(int n, Projection project) {
+void check_plain(int n, Project project) {
   RandomMotions random(n);
   for (int trial = 0; trial < 50; ++trial) {
     const MatX a = random_symmetric(n, random);
-    for (const SpdFilter filter : {SpdFilter::none, SpdFilter::clamp, SpdFilter::absolute})
-      CHECK((project(a, filter) - projected(a, filter)).norm() <= 1e-13 * a.norm());
+    for (const Projection projection : {Projection::none, Projection::clamp, Projection::absolute})
+      CHECK((project(a, projection) - projected(a, projection)).norm() <= 1e-13 * a.norm());
     const MatX definite = a * a.transpose() + 1e-6 * MatX::Identity(n, n);
-    CHECK(project(definite, SpdFilter::clamp) == definite);  // untouched
+    CHECK(project(definite, Projection::clamp) == definite);  // untouched
   }
 }
 
-void check_stencil(int k, Projection project) {
+void check_stencil(int k, Project project) {
   RandomMotions random(10 + k);
   for (int trial = 0; trial < 50; ++trial) {
     const MatX a = translation_invariant(random_symmetric(3 * k, random));
-    for (const SpdFilter filter : {SpdFilter::none, SpdFilter::clamp, SpdFilter::absolute}) {
-      const MatX filtered = project(a, filter);
-      CHECK((filtered - projected(a, filter)).norm() <= 1e-13 * a.norm());
-      CHECK((translation_invariant(filtered) - filtered).norm() <= 1e-13 * a.norm());
+    for (const Projection projection : {Projection::none, Projection::clamp, Projection::absolute}) {
+      const MatX result = project(a, projection);
+      CHECK((result - projected(a, projection)).norm() <= 1e-13 * a.norm());
+      CHECK((translation_invariant(result) - result).norm() <= 1e-13 * a.norm());
     }
     const MatX definite = translation_invariant(a * a.transpose());
-    CHECK((project(definite, SpdFilter::absolute) - definite).norm() <= 1e-13 * definite.norm());
+    CHECK((project(definite, Projection::absolute) - definite).norm() <= 1e-13 * definite.norm());
   }
 }
 
@@ -79,8 +79,8 @@ TEST_CASE("projections of stencils agree with it too and keep translations free"
 }
 
 TEST_CASE("one eigenvalue under each policy", "[assembly]") {
-  CHECK(filtered(-2, SpdFilter::none) == -2);
-  CHECK(filtered(-2, SpdFilter::clamp) == 0);
-  CHECK(filtered(-2, SpdFilter::absolute) == 2);
-  for (const SpdFilter f : {SpdFilter::none, SpdFilter::clamp, SpdFilter::absolute}) CHECK(filtered(3, f) == 3);
+  CHECK(projected(-2, Projection::none) == -2);
+  CHECK(projected(-2, Projection::clamp) == 0);
+  CHECK(projected(-2, Projection::absolute) == 2);
+  for (const Projection f : {Projection::none, Projection::clamp, Projection::absolute}) CHECK(projected(3, f) == 3);
 }

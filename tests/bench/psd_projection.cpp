@@ -1,5 +1,5 @@
 // Projection of stencil Hessians: definite ones, which an early test leaves alone, and indefinite ones.
-#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/psd_projection.hpp"
 
 #include <random>
 
@@ -30,19 +30,19 @@ std::vector<Eigen::Matrix<double, 3 * K, 3 * K>> stencil_hessians(bool definite)
 }
 
 template <int K>
-void psd_filter(benchmark::State& state) {
+void psd_projection(benchmark::State& state) {
   const auto given = stencil_hessians<K>(state.range(0) == 0);
   auto work = given;
   for (auto _ : state) {
     work = given;  // a small part of the time
-    for (auto& h : work) project_stencil_psd<K>(h, SpdFilter::clamp);
+    for (auto& h : work) project_stencil_psd<K>(h, Projection::clamp);
     benchmark::DoNotOptimize(work.data());
   }
   state.SetItemsProcessed(state.iterations() * count);
 }
-BENCHMARK_TEMPLATE(psd_filter, 2)->ArgName("indefinite")->Arg(0)->Arg(1)->UseRealTime();
-BENCHMARK_TEMPLATE(psd_filter, 3)->ArgName("indefinite")->Arg(0)->Arg(1)->UseRealTime();
-BENCHMARK_TEMPLATE(psd_filter, 4)->ArgName("indefinite")->Arg(0)->Arg(1)->UseRealTime();
+BENCHMARK_TEMPLATE(psd_projection, 2)->ArgName("indefinite")->Arg(0)->Arg(1)->UseRealTime();
+BENCHMARK_TEMPLATE(psd_projection, 3)->ArgName("indefinite")->Arg(0)->Arg(1)->UseRealTime();
+BENCHMARK_TEMPLATE(psd_projection, 4)->ArgName("indefinite")->Arg(0)->Arg(1)->UseRealTime();
 
 }  // namespace
 }  // namespace tack::bench

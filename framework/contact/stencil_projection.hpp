@@ -5,8 +5,8 @@
 // result.
 #pragma once
 
-#include "framework/assembly/pack_filter.hpp"
-#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/pack_projection.hpp"
+#include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
 #include "framework/contact/distance_frame.hpp"
 #include "framework/contact/stencil_energy.hpp"
@@ -32,7 +32,7 @@ class StencilPack {
   }
 
   // Slots of each stencil: see Term.
-  void derivatives(SpdFilter filter, Pack* gradient, Pack* hessian) const {
+  void derivatives(Projection projection, Pack* gradient, Pack* hessian) const {
     for (int i = 0; i < K; ++i)
       for (int d = 0; d < 3; ++d) gradient[3 * i + d] = slope_ * w_(i) * n_(d);
 
@@ -69,7 +69,7 @@ class StencilPack {
     form(3, 3) = turn * free_(0);
     form(4, 4) = turn * free_(1);
     form(3, 4) = form(4, 3) = 0;
-    project_psd<5>(form, filter);
+    project_psd<5>(form, projection);
 
     const PackMat3 within = tangents * PackMatrix<2, 2>(form.template bottomRightCorner<2, 2>()) * tangents.transpose();
     const PackMatrix<K, 3> half = e * PackMat3(form.template topLeftCorner<3, 3>());
@@ -110,11 +110,11 @@ bool is_mollified(const std::array<Vec3, Kind::arity>& c, double eps_x) {
   return false;
 }
 
-// Slots of the stencils [first, last), Hessians filtered. gap and law: of the first and so on; thresholds:
+// Slots of the stencils [first, last), Hessians projected. gap and law: of the first and so on; thresholds:
 // eps_x of all edge-edge stencils, else null.
 template <class Kind>
-void filtered_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last, const double* thresholds,
-                          const double* gap, const LawSample* law, SpdFilter filter, double* gradient,
+void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last, const double* thresholds,
+                          const double* gap, const LawSample* law, Projection projection, double* gradient,
                           double* hessian) {
   using Energy = StencilEnergy<Kind>;
   constexpr int n = Energy::n, slots = 9 * hessian_blocks(Kind::arity);
@@ -131,7 +131,7 @@ void filtered_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int f
       if (thresholds && is_mollified<PointKind>(c, thresholds[i])) mollified |= 1u << l;
     }
     Pack g[3 * points], h[9 * StencilPack<points>::blocks];
-    pack.derivatives(filter, g, h);
+    pack.derivatives(projection, g, h);
     double* const g_out = gradient + n * static_cast<size_t>(at);
     double* const h_out = hessian + slots * static_cast<size_t>(at);
     if constexpr (is_sample<Kind>) {
@@ -158,7 +158,7 @@ void filtered_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int f
       typename Energy::Vector full_g;
       typename Energy::Matrix full_h;
       Energy::derivatives(x, stencils[i], law[i - first], gap[i - first], thresholds[i], full_g, full_h);
-      project_stencil_psd<Kind::arity>(full_h, filter);
+      project_stencil_psd<Kind::arity>(full_h, projection);
       Eigen::Map<typename Energy::Vector>(g_out + n * l) = full_g;
       store_blocks<Kind::arity>(full_h, h_out + slots * l);
     }

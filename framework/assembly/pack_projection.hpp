@@ -1,15 +1,15 @@
 // Projections of several symmetric matrices side by side onto the positive semi-definite cone.
 #pragma once
 
-#include "framework/core/spd_filter.hpp"
+#include "framework/core/projection.hpp"
 #include "geometry/pack.hpp"
 
 namespace tack {
 
 // One eigenvalue of each under the policy.
-inline Pack filtered(const Pack& eigenvalue, SpdFilter filter) {
-  if (filter == SpdFilter::none) return eigenvalue;
-  return select(eigenvalue < 0, filter == SpdFilter::absolute ? -eigenvalue : Pack(0), eigenvalue);
+inline Pack projected(const Pack& eigenvalue, Projection projection) {
+  if (projection == Projection::none) return eigenvalue;
+  return select(eigenvalue < 0, projection == Projection::absolute ? -eigenvalue : Pack(0), eigenvalue);
 }
 
 namespace detail {
@@ -49,8 +49,8 @@ template <int N>
 // By cyclic Jacobi rotations, until off-diagonal entries are below round-off of each matrix. A matrix's result
 // does not depend on the others. What is not finite stays so; entries whose squares overflow count as such.
 template <int N>
-void project_psd(PackMatrix<N, N>& a, SpdFilter filter) {
-  if (filter == SpdFilter::none) return;
+void project_psd(PackMatrix<N, N>& a, Projection projection) {
+  if (projection == Projection::none) return;
   PackMatrix<N, N> v;
   for (int i = 0; i < N * N; ++i) v(i) = i % (N + 1) == 0 ? 1.0 : 0.0;
   const Pack size = a.squaredNorm();
@@ -63,7 +63,7 @@ void project_psd(PackMatrix<N, N>& a, SpdFilter filter) {
   }
   PackMatrix<N, N> scaled;
   for (int j = 0; j < N; ++j) {
-    const Pack lambda = filtered(a(j, j), filter);
+    const Pack lambda = projected(a(j, j), projection);
     for (int i = 0; i < N; ++i) scaled(i, j) = v(i, j) * lambda;
   }
   for (int i = 0; i < N; ++i) {

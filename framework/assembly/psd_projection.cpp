@@ -1,4 +1,4 @@
-#include "framework/assembly/psd_filter.hpp"
+#include "framework/assembly/psd_projection.hpp"
 
 #include <array>
 #include <cmath>
@@ -56,12 +56,12 @@ bool positive_definite(Eigen::Matrix<double, N, N> a) {
 }  // namespace
 
 template <int N>
-void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter) {
-  if (filter == SpdFilter::none || positive_definite<N>(hessian)) return;
+void project_psd(Eigen::Matrix<double, N, N>& hessian, Projection projection) {
+  if (projection == Projection::none || positive_definite<N>(hessian)) return;
   const SymmetricEigen<N> eigen(hessian);
-  hessian.setZero();  // sum of filtered lambda v v^T
+  hessian.setZero();  // sum of projected lambda v v^T
   for (int i = 0; i < N; ++i) {
-    const double lambda = filtered(eigen.values()(i), filter);
+    const double lambda = projected(eigen.values()(i), projection);
     if (lambda == 0) continue;
     const auto v = eigen.vectors().col(i);
     for (int c = 0; c < N; ++c)
@@ -70,8 +70,8 @@ void project_psd(Eigen::Matrix<double, N, N>& hessian, SpdFilter filter) {
 }
 
 template <int K>
-void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter filter) {
-  if (filter == SpdFilter::none) return;
+void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projection projection) {
+  if (projection == Projection::none) return;
   constexpr int n = 3 * (K - 1), full = 3 * K;
   Eigen::Matrix<double, full, full> work = hessian;
   for (int c = 0; c < full; ++c)
@@ -80,7 +80,7 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter
     for (int d = 0; d < 3; ++d) reduce<K>(&work(r, d), 3 * full);
   const Eigen::Matrix<double, n, n> before = work.template topLeftCorner<n, n>();
   Eigen::Matrix<double, n, n> after = before;
-  project_psd<n>(after, filter);
+  project_psd<n>(after, projection);
   if (after == before) return;
   work.template topLeftCorner<n, n>() = after;
   for (int r = 0; r < n; ++r)
@@ -90,14 +90,14 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, SpdFilter
   hessian = work;
 }
 
-template void project_psd<2>(Eigen::Matrix<double, 2, 2>&, SpdFilter);
-template void project_psd<3>(Mat3&, SpdFilter);
-template void project_psd<6>(Eigen::Matrix<double, 6, 6>&, SpdFilter);
-template void project_psd<9>(Mat9&, SpdFilter);
-template void project_stencil_psd<2>(Eigen::Matrix<double, 6, 6>&, SpdFilter);
-template void project_stencil_psd<3>(Mat9&, SpdFilter);
-template void project_stencil_psd<4>(Mat12&, SpdFilter);
-template void project_stencil_psd<5>(Eigen::Matrix<double, 15, 15>&, SpdFilter);
-template void project_stencil_psd<6>(Eigen::Matrix<double, 18, 18>&, SpdFilter);
+template void project_psd<2>(Eigen::Matrix<double, 2, 2>&, Projection);
+template void project_psd<3>(Mat3&, Projection);
+template void project_psd<6>(Eigen::Matrix<double, 6, 6>&, Projection);
+template void project_psd<9>(Mat9&, Projection);
+template void project_stencil_psd<2>(Eigen::Matrix<double, 6, 6>&, Projection);
+template void project_stencil_psd<3>(Mat9&, Projection);
+template void project_stencil_psd<4>(Mat12&, Projection);
+template void project_stencil_psd<5>(Eigen::Matrix<double, 15, 15>&, Projection);
+template void project_stencil_psd<6>(Eigen::Matrix<double, 18, 18>&, Projection);
 
 }  // namespace tack

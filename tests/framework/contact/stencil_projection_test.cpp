@@ -1,5 +1,5 @@
 // The projection in five dimensions, of several stencils side by side, against that of the whole Hessian.
-#include "framework/contact/stencil_filter.hpp"
+#include "framework/contact/stencil_projection.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -39,12 +39,12 @@ struct Batch {
     }
   }
 
-  // Counts the stencils whose Hessians the filter changes.
+  // Counts the stencils whose Hessians the projection changes.
   int check(double tolerance) const {
     int changed = 0;
-    for (const SpdFilter filter : {SpdFilter::clamp, SpdFilter::absolute}) {
+    for (const Projection projection : {Projection::clamp, Projection::absolute}) {
       std::vector<double> gradient(n * count), hessian(slots * count);
-      filtered_derivatives<Kind>(x, stencils, 0, count, thresholds.data(), gap.data(), law.data(), filter,
+      projected_derivatives<Kind>(x, stencils, 0, count, thresholds.data(), gap.data(), law.data(), projection,
                                  gradient.data(), hessian.data());
       for (int i = 0; i < count; ++i) {
         typename StencilEnergy<Kind>::Vector g;
@@ -52,12 +52,12 @@ struct Batch {
         StencilEnergy<Kind>::derivatives(x, stencils[i], law[i], gap[i], thresholds[i], g, exact);
         load_blocks<Kind::arity>(hessian.data() + slots * i, fast);
         const double scale = exact.norm();
-        // A sample's Hessian is filtered as that of its point: semi-definite and above, but no projection.
+        // A sample's Hessian is that of its point, projected: semi-definite and above, but not its own projection.
         if constexpr (is_sample<Kind>) {
           REQUIRE(smallest_eigenvalue(fast) >= -1e-12 * scale);
           REQUIRE(smallest_eigenvalue(fast - exact) >= -1e-9 * scale);
         } else {
-          REQUIRE((fast - projected(exact, filter)).norm() <= tolerance * scale);
+          REQUIRE((fast - projected(exact, projection)).norm() <= tolerance * scale);
         }
         REQUIRE((Eigen::Map<const VecX>(gradient.data() + n * i, n) - g).norm() <= tolerance * g.norm());
         changed += (fast - exact).norm() > 1e-6 * scale;
@@ -76,7 +76,7 @@ Eigen::Matrix<double, 3, K> points(RandomStencils& random) {
 
 }  // namespace
 
-TEST_CASE("filtered stencils: points and points, lines, planes", "[contact]") {
+TEST_CASE("projected stencils: points and points, lines, planes", "[contact]") {
   RandomStencils random(5);
   int changed = 0;
   for (int trial = 0; trial < 20; ++trial) {
@@ -89,7 +89,7 @@ TEST_CASE("filtered stencils: points and points, lines, planes", "[contact]") {
   CHECK(changed > 1000);
 }
 
-TEST_CASE("filtered stencils: edges that cross, and whose ends are closest", "[contact]") {
+TEST_CASE("projected stencils: edges that cross, and whose ends are closest", "[contact]") {
   RandomStencils random(6);
   int changed = 0, ends = 0;
   for (int trial = 0; trial < 20; ++trial) {
@@ -106,20 +106,20 @@ TEST_CASE("filtered stencils: edges that cross, and whose ends are closest", "[c
   CHECK(ends > 100);
 }
 
-TEST_CASE("filtered stencils: mollified edges among others", "[contact]") {
+TEST_CASE("projected stencils: mollified edges among others", "[contact]") {
   RandomStencils random(7);
   const auto corners = [&](int i) { return random.crossing(0.01, i % 3 == 0 ? 0.01 : 1.0); };
   CHECK(Batch<EdgeEdgeKind>(random, 0.1, corners).check(1e-9) > 10);
 }
 
-TEST_CASE("filtered stencils: points inside triangles", "[contact]") {
+TEST_CASE("projected stencils: points inside triangles", "[contact]") {
   RandomStencils random(8);
   CHECK(Batch<SampleKind<PointPointKind>>(random, 0, [&](int) { return points<4>(random); }).check(1e-9) > 5);
   CHECK(Batch<SampleKind<PointEdgeKind>>(random, 0, [&](int) { return points<5>(random); }).check(1e-9) > 5);
   CHECK(Batch<SampleKind<PointTriangleKind>>(random, 0, [&](int) { return points<6>(random); }).check(1e-9) > 5);
 }
 
-TEST_CASE("filtered stencils: tiny gaps and slivers stay semi-definite and free of translations", "[contact]") {
+TEST_CASE("projected stencils: tiny gaps and slivers stay semi-definite and free of translations", "[contact]") {
   RandomStencils random(9);
   constexpr int slots = Batch<PointTriangleKind>::slots;
   for (int trial = 0; trial < 20; ++trial) {
@@ -127,8 +127,8 @@ TEST_CASE("filtered stencils: tiny gaps and slivers stay semi-definite and free 
       return random.above_triangle(random.log_uniform(1e-12, 1e-6), random.log_uniform(1e-5, 1));
     });
     std::vector<double> gradient(12 * b.count), hessian(slots * b.count);
-    filtered_derivatives<PointTriangleKind>(b.x, b.stencils, 0, b.count, nullptr, b.gap.data(), b.law.data(),
-                                            SpdFilter::clamp, gradient.data(), hessian.data());
+    projected_derivatives<PointTriangleKind>(b.x, b.stencils, 0, b.count, nullptr, b.gap.data(), b.law.data(),
+                                            Projection::clamp, gradient.data(), hessian.data());
     for (int i = 0; i < b.count; ++i) {
       Mat12 h;
       load_blocks<4>(hessian.data() + slots * i, h);

@@ -7,9 +7,9 @@
 
 namespace tack {
 
-class ObjectPairFilter {
+class CollidingObjects {
  public:
-  explicit ObjectPairFilter(bool otherwise = true) : otherwise_(otherwise) {}
+  explicit CollidingObjects(bool otherwise = true) : otherwise_(otherwise) {}
 
   // Object ids are >= 0; the table grows as needed.
   void set(int a, int b, bool allowed) {

@@ -1,4 +1,4 @@
-#include "framework/assembly/pack_filter.hpp"
+#include "framework/assembly/pack_projection.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -34,21 +34,21 @@ template <int N>
 void check() {
   RandomMotions random(N);
   for (int trial = 0; trial < 50; ++trial) {
-    for (const SpdFilter filter : {SpdFilter::none, SpdFilter::clamp, SpdFilter::absolute}) {
+    for (const Projection projection : {Projection::none, Projection::clamp, Projection::absolute}) {
       for (int first = 0; first < 8; first += pack_width) {
         std::array<Eigen::Matrix<double, N, N>, pack_width> given;
         PackMatrix<N, N> pack;
         for (int l = 0; l < pack_width; ++l) set_lane<N, N>(pack, l, given[l] = sample<N>(first + l, random));
-        project_psd<N>(pack, filter);
+        project_psd<N>(pack, projection);
         for (int l = 0; l < pack_width; ++l) {
           const Eigen::Matrix<double, N, N> fast = get_lane<N, N>(pack, l);
           INFO("kind " << first + l);
-          REQUIRE((fast - projected(given[l], filter)).norm() <= 2e-14 * given[l].norm());
-          if (filter != SpdFilter::none) REQUIRE(fast == fast.transpose());
+          REQUIRE((fast - projected(given[l], projection)).norm() <= 2e-14 * given[l].norm());
+          if (projection != Projection::none) REQUIRE(fast == fast.transpose());
           // alone as among others
           PackMatrix<N, N> alone;
           for (int k = 0; k < pack_width; ++k) set_lane<N, N>(alone, k, given[l]);
-          project_psd<N>(alone, filter);
+          project_psd<N>(alone, projection);
           REQUIRE(get_lane<N, N>(alone, l) == fast);
         }
       }
@@ -72,7 +72,7 @@ TEST_CASE("projections side by side leave what is not finite so, in its lane alo
       for (int l = 0; l < pack_width; ++l) set_lane<3, 3>(pack, l, Mat3(-Mat3::Identity()));
       pack(entry).set(1, bad);
       pack(entry % 3, entry / 3).set(1, bad);
-      project_psd<3>(pack, SpdFilter::clamp);
+      project_psd<3>(pack, Projection::clamp);
       CHECK(!get_lane<3, 3>(pack, 1).allFinite());
       CHECK(get_lane<3, 3>(pack, 0).norm() == 0);
     }

@@ -1,0 +1,55 @@
+// A run from a program of one's own: no command line, no exit codes.
+#include "framework/run/recorded_run.hpp"
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "framework/config/describe.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+
+namespace {
+
+LoadedExperiment tiny() { return parse_experiment(tiny_scene, "tiny.yaml"); }
+
+}  // namespace
+
+TEST_CASE("a run is recorded without the command line", "[run]") {
+  const TemporaryFolder folder;
+  RunSettings settings;
+  settings.output = (folder.path() / "results").string();
+  settings.steps = 2;
+  std::ostringstream told;
+  RecordedRun run(tiny(), settings, {"1.2.3", "abc", 1}, told, {});
+  const RunSummary& summary = run.execute();
+  CHECK(summary.status == RunStatus::done);
+  CHECK(summary.steps == 2);
+  CHECK(contains(told.str(), "done: 2 steps"));
+  for (const char* file : {"scene.yaml", "steps.csv", "probes.csv", "summary.json", "log.txt"})
+    CHECK(std::filesystem::exists(folder.path() / "results" / file));
+  CHECK(contains(file_text(folder.path() / "results/summary.json"), "\"1.2.3\""));
+}
+
+TEST_CASE("a run leaves its specification as it is", "[run]") {
+  Simulation simulation(tiny());
+  const std::string before = to_yaml(fields_of(simulation.experiment()));
+  simulation.start();
+  simulation.step();
+  CHECK(to_yaml(fields_of(simulation.experiment())) == before);
+  CHECK(&simulation.solver() != simulation.experiment().solver.get());
+}
+
+TEST_CASE("what goes on from a state has the bits of what went there", "[run]") {
+  Simulation whole(tiny()), second(tiny());
+  whole.start();
+  whole.step();
+  const State middle = whole.state();
+  whole.start_from(middle);
+  second.start_from(middle);
+  whole.step();
+  second.step();
+  CHECK(whole.state().time > middle.time);
+  CHECK((whole.state().x == second.state().x && whole.state().v == second.state().v));
+}

@@ -1,0 +1,95 @@
+#include "tests/support/write_mesh.hpp"
+
+#include <fmt/format.h>
+#include <gmsh.h>
+#include <vtkCellTypes.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <fstream>
+#include <numeric>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
+  std::ofstream file(path);
+  for (const Vec3& x : mesh.vertices) file << fmt::format("v {} {} {}\n", x.x(), x.y(), x.z());
+  for (const auto& [a, b, c] : mesh.triangles) file << fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
+  for (const auto& [a, b] : mesh.edges) file << fmt::format("l {} {}\n", a + 1, b + 1);
+  for (const int v : mesh.points) file << fmt::format("p {}\n", v + 1);
+}
+
+void write_vtu(const std::filesystem::path& path, const Mesh& mesh) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vec3& x : mesh.vertices) points->InsertNextPoint(x.data());
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(points);
+  grid->Allocate();
+  const auto insert = [&](int type, const auto& elements) {
+    for (const auto& element : elements) {
+      const std::vector<vtkIdType> ids(element.begin(), element.end());
+      grid->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+    }
+  };
+  insert(VTK_TETRA, mesh.tets);
+  insert(VTK_TRIANGLE, mesh.triangles);
+  insert(VTK_LINE, mesh.edges);
+  for (const int v : mesh.points) insert(VTK_VERTEX, std::array<std::array<int, 1>, 1>{{{v}}});
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(grid);
+  writer->Write();
+}
+
+template <std::size_t N>
+void add_elements(int type, const std::vector<std::array<int, N>>& elements, std::size_t& next) {
+  std::vector<std::size_t> tags, nodes;
+  for (const auto& element : elements) {
+    tags.push_back(next++);
+    for (const int v : element) nodes.push_back(static_cast<std::size_t>(v) + 1);
+  }
+  if (!tags.empty()) gmsh::model::mesh::addElementsByType(1, type, tags, nodes);
+}
+
+void write_msh(const std::filesystem::path& path, const Mesh& mesh) {
+  constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
+  gmsh::initialize(0, nullptr, false);
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::model::add("mesh");
+  for (int dimension = 0; dimension <= 3; ++dimension) gmsh::model::addDiscreteEntity(dimension, 1);
+  std::vector<std::size_t> tags(mesh.vertices.size());
+  std::iota(tags.begin(), tags.end(), 1);
+  std::vector<double> coordinates;
+  for (const Vec3& x : mesh.vertices) coordinates.insert(coordinates.end(), x.begin(), x.end());
+  gmsh::model::mesh::addNodes(3, 1, tags, coordinates);
+  std::vector<std::array<int, 1>> points;
+  for (const int v : mesh.points) points.push_back({v});
+  std::size_t next = 1;
+  add_elements(tet_type, mesh.tets, next);
+  add_elements(triangle_type, mesh.triangles, next);
+  add_elements(line_type, mesh.edges, next);
+  add_elements(point_type, points, next);
+  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
+  gmsh::option::setNumber("Mesh.Binary", 1);
+  gmsh::option::setNumber("Mesh.SaveAll", 1);
+  gmsh::write(path.string());
+  gmsh::finalize();
+}
+
+}  // namespace
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+  const std::string extension = path.extension().string();
+  if (extension == ".obj" && mesh.tets.empty()) write_obj(path, mesh);
+  if (extension == ".vtu") write_vtu(path, mesh);
+  if (extension == ".msh") write_msh(path, mesh);
+  if (!std::filesystem::exists(path)) throw InputError(path.string() + ": not written");
+}
+
+}  // namespace tack
