@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "tests/support/simulation.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 
@@ -23,7 +23,7 @@ std::string pulled(const std::string& integrator, double h, const std::string& s
 
 const std::string precise = "stopping: force, force_tolerance: 1e-12";
 
-double largest_strain(const Simulation& run) {
+double largest_strain(const TestRun& run) {
   const auto strain = run.world->elastic_terms[0]->plastic_strain();
   return *std::max_element(strain.begin(), strain.end());
 }
@@ -33,7 +33,7 @@ double largest_strain(const Simulation& run) {
 TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticity]") {
   for (const double hardening : {1e5, 0.0}) {
     INFO("H = " << hardening);
-    Simulation run(pulled("quasi_static", 0.2, precise + ", filter: none", hardening));
+    TestRun run(pulled("quasi_static", 0.2, precise + ", filter: none", hardening));
     std::vector<double> residuals;
     run.stepper.observe([&](int, double residual, double, double) { residuals.push_back(residual); });
     for (int i = 0; i < 3; ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
 }
 
 TEST_CASE("a step that fails and is halved leaves what is remembered as it was", "[plasticity]") {
-  Simulation run(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
+  TestRun run(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   run.step();
   run.step();
   const History before = run.state().history;
@@ -69,7 +69,7 @@ TEST_CASE("a step that fails and is halved leaves what is remembered as it was",
   }
   CHECK(failed);
   // What follows is what it would have been.
-  Simulation other(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
+  TestRun other(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   other.step();
   other.step();
   run.step();
@@ -82,7 +82,7 @@ TEST_CASE("a step that fails and is halved leaves what is remembered as it was",
 TEST_CASE("plastic work, what is stored and what numerics took are the work of the script", "[plasticity]") {
   for (const std::string integrator : {"quasi_static", "implicit_euler", "bdf2", "newmark"}) {
     INFO(integrator);
-    Simulation run(pulled(integrator, 0.02, "tolerance: 1e-8, force_tolerance: 1e-10"));
+    TestRun run(pulled(integrator, 0.02, "tolerance: 1e-8, force_tolerance: 1e-10"));
     EnergyFlows sum;
     StepReport last;
     for (int i = 0; i < 50; ++i) {
@@ -100,18 +100,18 @@ TEST_CASE("plastic work, what is stored and what numerics took are the work of t
 
 TEST_CASE("ten steps of plastic flow end where many do", "[plasticity]") {
   const auto end = [](int steps) {
-    Simulation run(pulled("quasi_static", 1.0 / steps, precise));
+    TestRun run(pulled("quasi_static", 1.0 / steps, precise));
     for (int i = 0; i < steps; ++i) run.step();
     return std::pair(run.state().energy.plastic, run.state().x);
   };
   const auto [few, x_of_few] = end(10);
   const auto [many, x_of_many] = end(200);
   CHECK(few == Approx(many).epsilon(0.01));
-  CHECK((x_of_few - x_of_many).norm() <= 0.01 * (x_of_many - Simulation(pulled("quasi_static", 1, precise)).world->rest).norm());
+  CHECK((x_of_few - x_of_many).norm() <= 0.01 * (x_of_many - TestRun(pulled("quasi_static", 1, precise)).world->rest).norm());
 }
 
 TEST_CASE("methods that want sums of squares refuse a plastic solid by name", "[plasticity]") {
-  CHECK_THROWS_WITH(Simulation("solver: {type: ceres_trust_region}\nobjects: [{name: box, shape: {type: box, size: [1, 1, 1]},\n"
+  CHECK_THROWS_WITH(TestRun("solver: {type: ceres_trust_region}\nobjects: [{name: box, shape: {type: box, size: [1, 1, 1]},\n"
                                "  energies: [{type: von_mises, young: 1e5, yield_stress: 1e3}]}]\n"),
                     Catch::Contains("'von_mises'"));
 }
