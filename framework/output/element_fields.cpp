@@ -21,7 +21,9 @@ void for_each_solid(const World& world, const Act& act) {
   for (const Body& body : world.bodies) first.push_back(first.back() + static_cast<int>(body.tets.size()));
   for (const auto& term : world.elastic_terms) {
     const auto batches = term->batches();
-    if (batches.size() == 1 && batches[0].arity == 4) act(*term, first[world.body_of(batches[0].vertices[0])]);
+    if (batches.size() != 1 || batches[0].arity != 4) continue;
+    const int vertex = batches[0].vertices[0];
+    if (vertex < world.mesh_vertex_count()) act(*term, first[world.body_of(vertex)]);  // else of an affine body
   }
 }
 

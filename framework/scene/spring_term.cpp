@@ -9,8 +9,8 @@ namespace tack {
 namespace {
 
 // The stiffness across a spring that pushes is negative: a projection takes it out.
-double across(double force, double length, SpdFilter filter) {
-  return length > 0 ? filtered(force / length, filter) : 0.0;
+double across(double force, double length, Projection projection) {
+  return length > 0 ? projected(force / length, projection) : 0.0;
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ double SpringTerm::value(const VecX& x) const {
   });
 }
 
-void SpringTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const {
+void SpringTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
   for_each(count(), [&](int s) {
     const Vec3 d = span(s, x);
     const double l = d.norm(), k = broken_[s] ? 0 : springs_[s].stiffness, force = k * (l - springs_[s].length);
@@ -80,7 +80,7 @@ void SpringTerm::derivatives(const VecX& x, SpdFilter filter, double* gradient, 
     if (!hessian) return;
     // Without a length at rest it is isotropic, also where its ends meet.
     const Mat3 h = springs_[s].length == 0 ? Mat3(k * Mat3::Identity())
-                                           : Mat3(k * n * n.transpose() + across(force, l, filter) * (Mat3::Identity() - n * n.transpose()));
+                                           : Mat3(k * n * n.transpose() + across(force, l, projection) * (Mat3::Identity() - n * n.transpose()));
     double* out = hessian + 27 * static_cast<size_t>(s);
     Eigen::Map<Mat3>{out} = h;
     Eigen::Map<Mat3>{out + 9} = -h;

@@ -32,7 +32,7 @@ class SpringTerm : public Term, public ResidualView {
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override { return {{2, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }
-  void derivatives(const VecX& x, SpdFilter filter, double* gradient, double* hessian) const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {{2, 1, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }

@@ -10,6 +10,7 @@
 #include "framework/scene/derivative_check.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/dense_term.hpp"
+#include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -46,7 +47,7 @@ struct Vibration : TestScene {
     world->dofs.scatter(shape, mode);
     world->start.x += mode;
     zeta = alpha / (2 * omega) + beta * omega / 2;
-    stepper.emplace(*world, config, clock, [](const std::string&) {});
+    stepper.emplace(*world, config, config.time, *solver, clock, [](const std::string&) {});
   }
 
   // Of the mode, in units of the start.
@@ -198,6 +199,21 @@ TEST_CASE("quasi-static steps refuse damping, and damping takes units of its own
   CHECK_THROWS_WITH(scene("newmark", "{mass: 1 s}"), Catch::Contains("expects a rate (1/s)"));
   CHECK_THROWS_WITH(scene("newmark", "{stiffness: -1 ms}"), Catch::Contains("stiffness"));
   CHECK_NOTHROW(scene("newmark", "{mass: 0.1 1/s}"));
+}
+
+TEST_CASE("an affine body takes damping of its mass, and refuses that of its stiffness", "[damping]") {
+  const auto affine = [](const std::string& damping) {
+    return header("newmark") + "objects: [{name: rigid, shape: {type: box, size: [0.2, 0.1, 0.1]}, body: affine,\n"
+           "  velocity: [1, 2, 0], spin: [0, 0, 0.1], damping: " + damping + "}]\n";
+  };
+  TestRun run(affine("{mass: 5 1/s}"));
+  const Vec3 start = run.world->centre_of_mass(0, run.state().x);
+  double lost = 0;
+  for (int i = 0; i < 40; ++i) lost += run.step().flows.damping;
+  const double left = std::exp(-5 * run.state().time);  // of the velocity
+  CHECK((run.world->centre_of_mass(0, run.state().x) - start).isApprox((1 - left) / 5 * Vec3(1, 2, 0), 1e-3));
+  CHECK(lost == Approx(0.5 * 2 * (5 + 0.01 * (0.04 + 0.01) / 12) * (1 - left * left)).epsilon(1e-3));
+  CHECK_THROWS_WITH(TestRun(affine("{stiffness: 1 ms}")), Catch::Contains("'rigid' is an affine body"));
 }
 
 TEST_CASE("a scene without damping has no terms of it", "[damping]") {
