@@ -1,0 +1,45 @@
+#include "geometry/mesh/mass_properties.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/errors.hpp"
+#include "geometry/mesh/surface.hpp"
+#include "geometry/shapes/solids.hpp"
+
+using namespace tack;
+using Catch::Contains;
+
+namespace {
+
+Mesh surface_of(const Mesh& solid) {
+  Mesh mesh;
+  mesh.vertices = solid.vertices;
+  mesh.triangles = extract_surface(solid).triangles;
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("mass properties of a box, far from the origin, by its tets and by its surface", "[mass]") {
+  Mesh box = box_tets({0.2, 0.4, 0.6}, {2, 3, 1});
+  translate(box, {10, -3, 5});
+  for (const Mesh& mesh : {box, surface_of(box)}) {
+    const MassProperties p = mass_properties(mesh);
+    CHECK(p.volume == Approx(0.048).epsilon(1e-10));
+    CHECK((p.centroid - Vec3(10, -3, 5)).norm() < 1e-12);
+    const Vec3 squares = 0.048 / 12 * Vec3(0.04, 0.16, 0.36);
+    CHECK((p.moments - Mat3(squares.asDiagonal())).norm() < 1e-10 * squares.norm());
+  }
+}
+
+TEST_CASE("mass properties need a closed surface that is turned outwards", "[mass]") {
+  Mesh box = surface_of(box_tets({1, 1, 1}, {1, 1, 1}));
+  Mesh open = box, inside_out = box, mixed = box, sheetless;
+  open.triangles.pop_back();
+  for (Triangle& t : inside_out.triangles) std::swap(t[0], t[1]);
+  std::swap(mixed.triangles[0][0], mixed.triangles[0][1]);
+  CHECK_THROWS_WITH(mass_properties(open), Contains("not closed"));
+  CHECK_THROWS_WITH(mass_properties(inside_out), Contains("outwards"));
+  CHECK_THROWS_WITH(mass_properties(mixed), Contains("not oriented alike"));
+  CHECK_THROWS_WITH(mass_properties(sheetless), Contains("neither tets nor triangles"));
+}
