@@ -32,9 +32,9 @@ struct Box {
 // Null if the energy is not one of solids with the usual parameters.
 std::unique_ptr<Term> solid_term(const std::string& name, const Box& box) {
   try {
-    const bool flows = Registry<Energy>::kind().prototype(name).find("yield_stress");
+    const Fields fields = Registry<Energy>::kind().prototype(name);
     const std::string text = fmt::format("{{type: {}, young: 0.1 MPa, poisson: 0.4, density: 1000{}}}", name,
-                                         flows ? ", yield_stress: 10 kPa" : "");
+                                         fields.find("yield_stress") ? ", yield_stress: 10 kPa" : "");
     return bind_component<Energy>(parse_string(text, "bench"))->make_term(box.body, box.rest);
   } catch (const InputError&) {
     return nullptr;

@@ -86,8 +86,8 @@ TEST_CASE("summary.json has exactly the documented keys") {
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "energy", "error",
                                          "expect", "failed_solves", "intersections",
-                                         "inverted_tets", "linear_solver", "max_contacts",
-                                         "max_affine_strain", "max_unbalanced_force", "min_distance", "name",
+                                         "inverted_tets", "linear_solver", "max_affine_strain",
+                                         "max_contacts", "max_unbalanced_force", "min_distance", "name",
                                          "phases", "status", "steps", "threads", "totals",
                                          "unconverged_lags", "version", "wall_seconds"});
   CHECK(json["expect"] == nlohmann::json::array());
