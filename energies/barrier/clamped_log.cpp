@@ -17,7 +17,7 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
                              {"squared", Form::squared, "logarithm of the squared gap"}},
              "the argument of the barrier");
     f.optional_number("stiffness", given_stiffness_, units::pressure,
-                      "kappa; by default a tenth of the softer Young's modulus (of an affine body: its stiffness), or a twentieth of the "
+                      "kappa; by default a tenth of the softer Young's modulus (of an affine body: a hundredth of its stiffness), or a twentieth of the "
                       "pair's peak adhesive traction if that is less")
         .positive();
   }
