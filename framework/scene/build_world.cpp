@@ -114,6 +114,7 @@ void check_mass(const Value& root, const World& world) {
 void start_state(const SceneConfig& scene, World& world) {
   State& s = world.start;
   s.x = world.rest;
+  world.dofs.follow(s.x);
   s.v = s.a = VecX::Zero(world.rest.size());
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const ObjectConfig& object = scene.objects[i];

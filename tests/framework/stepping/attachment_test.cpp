@@ -67,7 +67,7 @@ TEST_CASE("what is attached to an affine body rides on it, and is let go with it
   TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n"
               "  - {name: wheel, shape: {type: box, size: [0.2, 0.2, 0.2]}, body: affine, spin: [0, 0, 5]}\n"
               "  - {name: ball, shape: {type: box, size: [0.02, 0.02, 0.02]}, place: {translate: [0.11, 0, 0]}, energies: [{type: neo_hookean, young: 1e5, density: 100}],\n"
-              "     attach: [{to: wheel, until: 50 ms}], spin: [0, 0, 5], velocity: [0, 0.55, 0]}\n");
+              "     attach: [{to: wheel, within: 3 cm, until: 50 ms}], spin: [0, 0, 5], velocity: [0, 0.55, 0]}\n");
   const int ball = run.world->bodies[1].first_vertex;
   const double reach = run.rest(ball).norm();
   for (int i = 0; i < 50; ++i) run.step();
