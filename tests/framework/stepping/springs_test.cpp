@@ -19,7 +19,7 @@ std::string pulled(const std::string& spring, const std::string& time = "time: {
          "  - {name: far, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [9, 0, 0]}, body: affine}\n"
          "springs: [" + spring + "]\n";
 }
-const std::string link =
+const std::string linked =
     "{name: link, from: {object: hook, select: {type: box, min: [-1, 0, -1], max: [0, 1, 0]}}, to: {object: ceiling}, stiffness: 1000, breaking_force: 25}";
 
 }  // namespace
@@ -42,7 +42,7 @@ TEST_CASE("springs: derivatives are those of the value, also of those that are c
 }
 
 TEST_CASE("a spring breaks at its force, and stays broken", "[springs]") {
-  TestRun run(pulled(link));
+  TestRun run(pulled(linked));
   REQUIRE(run.world->springs.size() == 1);
   const SpringTerm& springs = *run.world->springs[0];
   CHECK(springs.count() == 1);
