@@ -98,7 +98,7 @@ int HeldVertices::straight_parts(double t, double h) const {
     VecX start = rest_, end = rest_;
     place(from, start);
     place(until, end);
-    for (size_t i = 0; i < active_.size(); ++i) {
+    for (size_t i = 0; i < script_.holds().size(); ++i) {
       const Script::Hold& hold = script_.holds()[i];
       const bool turning = active_[i] && hold.motion->moves() && hold.motion->rigid();
       if (turning && more_than_a_quarter(hold.vertices, start, end)) return true;

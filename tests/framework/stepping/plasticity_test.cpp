@@ -33,7 +33,7 @@ double largest_strain(const TestRun& run) {
 TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticity]") {
   for (const double hardening : {1e5, 0.0}) {
     INFO("H = " << hardening);
-    TestRun run(pulled("quasi_static", 0.2, precise + ", filter: none", hardening));
+    TestRun run(pulled("quasi_static", 0.2, precise + ", projection: none", hardening));
     std::vector<double> residuals;
     run.stepper.observe([&](int, double residual, double, double) { residuals.push_back(residual); });
     for (int i = 0; i < 3; ++i) {
