@@ -5,7 +5,7 @@ namespace tack {
 void DampingConfig::fields(Fields& f) {
   f.number("stiffness", stiffness, units::time,
            "beta: times the stiffness of its energies at the start of each step; damps deformation, fast vibrations most, and no "
-           "rigid motion. A vibration of angular frequency w loses beta w / 2 of critical").nonnegative();
+           "translation. A vibration of angular frequency w loses beta w / 2 of critical").nonnegative();
   f.number("mass", mass, units::rate,
            "alpha: times its mass; damps every motion, falling too. A vibration of angular frequency w loses alpha / (2 w) of "
            "critical").nonnegative();
