@@ -47,7 +47,8 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
  private:
   static double default_stiffness(const PairMaterials& m) {
     constexpr double of_young = 0.1, of_adhesion = 0.05, without_material = 1e5;
-    double kappa = m.softer_stiffness > 0 ? of_young * m.softer_stiffness : without_material;
+    const double modulus = m.softer_stiffness > 0 ? m.softer_stiffness : m.softer_young;
+    double kappa = modulus > 0 ? of_young * modulus : without_material;
     if (m.adhesion_peak > 0) kappa = std::min(kappa, of_adhesion * m.adhesion_peak);
     return kappa;
   }

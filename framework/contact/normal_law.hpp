@@ -26,8 +26,8 @@ struct LawSample {
 struct PairMaterials {
   double contact_distance = 0;  // dhat_b of the paper [m]
   double softer_young = 0;      // the smaller Young's modulus of the two sides [Pa]; 0 if neither has one
-  double softer_stiffness = 0;  // the same, an affine body having a hundredth of its stiffness [Pa]
   double adhesion_peak = 0;     // peak traction of the pair's adhesion [Pa]; 0 without adhesion
+  double softer_stiffness = 0;  // as softer_young, an affine body having a hundredth of its stiffness [Pa]; 0: as that
 };
 
 class NormalLaw : public Component {

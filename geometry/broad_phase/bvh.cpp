@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "geometry/broad_phase/space_order.hpp"
@@ -10,8 +11,11 @@
 
 namespace tack {
 
-Bvh::Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active)
+Bvh::Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active, const std::vector<int>& kin)
     : primitive_active_(active) {
+  if (!kin.empty() && kin.size() != boxes.size())
+    throw InputError(fmt::format("Bvh: {} boxes but {} numbers of kin; give one a box or none", boxes.size(), kin.size()));
+  if (std::any_of(kin.begin(), kin.end(), [](int k) { return k >= 0; })) primitive_kin_ = kin;
   if (!active.empty() && active.size() != boxes.size())
     throw InputError(fmt::format("Bvh: {} boxes but {} activity flags; give one flag a box or none",
                                  boxes.size(), active.size()));
@@ -31,9 +35,10 @@ bool Bvh::update(const std::vector<Aabb>& boxes, double growth) {
 }
 
 void Bvh::order_by_position(const std::vector<Aabb>& boxes) {
-  order_ = space_order(boxes);
+  order_ = space_order(boxes, primitive_kin_);
   order_.resize((boxes.size() + Box8::width - 1) / Box8::width * Box8::width, -1);
   fill(boxes);
+  fill_kin();
   built_area_ = node_area();
 }
 
@@ -47,6 +52,24 @@ void Bvh::lay_out_levels() {
   boxes_.resize(level_begin_.back());
   bounds_.resize(level_begin_.back());
   active_.resize(level_begin_.back());
+}
+
+void Bvh::fill_kin() {
+  if (primitive_kin_.empty()) return;
+  kin_.assign(level_begin_.back(), -1);
+  for (int level = 0; level < levels(); ++level) {
+    const int count = level == 0 ? size() : groups(level - 1);
+    const auto of = [&](int child) {
+      return level == 0 ? primitive_kin_[order_[child]] : kin_[level_begin_[level - 1] + child];
+    };
+    for (int group = 0; group < groups(level); ++group) {
+      const int first = group * Box8::width, last = std::min(first + Box8::width, count);
+      int common = of(first);
+      for (int child = first + 1; child < last; ++child)
+        if (of(child) != common) common = -1;
+      kin_[level_begin_[level] + group] = common;
+    }
+  }
 }
 
 void Bvh::fill(const std::vector<Aabb>& boxes) {

@@ -5,7 +5,8 @@
 // good.
 //
 // Each primitive may be active or inactive (obstacles); a search never reports two inactive ones
-// and skips whole subtrees for that reason.
+// and skips whole subtrees for that reason. Primitives may be kin, that is, of one rigid group: these lie next to each
+// other in the order, so that most nodes hold no others, and searches for partners that are not kin skip them whole.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +20,9 @@ namespace tack {
 class Bvh {
  public:
   Bvh() = default;
-  // `active` (one flag a primitive) may be empty: all active. Throws InputError if sizes disagree.
-  explicit Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active = {});
+  // `active` (one flag a primitive) may be empty: all active. `kin` (one number a primitive; -1: kin to none) may be
+  // empty: none are. Throws InputError if sizes disagree.
+  explicit Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active = {}, const std::vector<int>& kin = {});
 
   // New boxes for the same primitives. Keeps the order (refit) unless the summed surface area of
   // the nodes has grown by more than `growth` since the order was made. Returns true if re-ordered.
@@ -36,6 +38,8 @@ class Bvh {
   const Aabb& bound(int level, int group) const { return bounds_[level_begin_[level] + group]; }
   // Bit i: lane i holds, or leads to, an active primitive.
   unsigned active(int level, int group) const { return active_[level_begin_[level] + group]; }
+  // The number that all primitives below a group have in common; -1 if there is none.
+  int kin(int level, int group) const { return kin_.empty() ? -1 : kin_[level_begin_[level] + group]; }
   // The primitives in the lanes of a group of level 0; -1 in lanes that hold none.
   const int* primitives(int group) const { return order_.data() + group * Box8::width; }
 
@@ -43,6 +47,7 @@ class Bvh {
   void order_by_position(const std::vector<Aabb>& boxes);
   void lay_out_levels();
   void fill(const std::vector<Aabb>& boxes);
+  void fill_kin();
   void fill_group(const std::vector<Aabb>& boxes, int level, int group);
   double node_area() const;
 
@@ -53,6 +58,7 @@ class Bvh {
   std::vector<Box8> boxes_;
   std::vector<Aabb> bounds_;
   std::vector<std::uint8_t> active_;
+  std::vector<int> primitive_kin_, kin_;  // empty: no primitives are kin
   double built_area_ = 0.0;  // half areas summed [m^2]
 };
 

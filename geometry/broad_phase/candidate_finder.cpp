@@ -17,12 +17,15 @@ struct MayTouch {
   const Primitives<N>& second;
   const CollidingObjects& colliding;
   bool dissolved;  // whether groups count for nothing
+  const Rivals& rivals;
 
   bool accept(int a, int b) const {
     if (!dissolved && first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
            colliding.allows(first.objects[a], second.objects[b]);
   }
+  bool skips_kin() const { return !dissolved; }
+  bool alone(int kin, const Aabb& box) const { return !rivals.near(kin, box); }
   std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
 };
 
@@ -38,7 +41,7 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
 }  // namespace
 
 CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding)
-    : colliding_(std::move(colliding)) {
+    : colliding_(std::move(colliding)), rivals_(mesh) {
   for (const int v : mesh.vertices) points_.add({v}, v, mesh);
   for (const int v : mesh.codim_points) codim_points_.add({v}, v, mesh);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) edges_.add(mesh.edges[e], e, mesh);
@@ -51,19 +54,20 @@ void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflati
   const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation), ...); };
   refresh(points_, codim_points_, codim_edges_, triangles_);
   edges_.refresh_tree(vertex_boxes, edge_inflation);
-  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, dissolved_},
+  rivals_.find(vertex_boxes, std::max(inflation, edge_inflation));
+  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, dissolved_, rivals_},
                 candidates.point_triangle);
-  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, dissolved_}, candidates.edge_edge);
-  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, colliding_, dissolved_},
+  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, dissolved_, rivals_}, candidates.edge_edge);
+  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, colliding_, dissolved_, rivals_},
                 candidates.point_edge);
-  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, colliding_, dissolved_},
+  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, colliding_, dissolved_, rivals_},
                 candidates.point_point);
 }
 
 void CandidateFinder::triangles_in(const Aabb& box, std::vector<int>& out) const {
   if (triangles_.tree.size() == 0) return;
   const size_t before = out.size();
-  detail::visit_groups(triangles_.tree, box, false, [&](int group) {
+  detail::visit_groups(triangles_.tree, box, false, -1, [&](int group) {
     for (unsigned lanes = triangles_.tree.boxes(0, group).overlap_mask(box); lanes != 0; lanes &= lanes - 1)
       out.push_back(triangles_.ids[triangles_.tree.primitives(group)[std::countr_zero(lanes)]]);
   });

@@ -4,6 +4,7 @@
 #include "geometry/broad_phase/candidates.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
 #include "geometry/broad_phase/primitives.hpp"
+#include "geometry/broad_phase/rivals.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
 
 namespace tack {
@@ -29,6 +30,7 @@ class CandidateFinder {
   Primitives<1> points_, codim_points_;
   Primitives<2> edges_, codim_edges_;
   Primitives<3> triangles_;
+  Rivals rivals_;
 };
 
 }  // namespace tack

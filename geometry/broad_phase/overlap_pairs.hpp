@@ -10,6 +10,9 @@
 // `Relation` is plain data with two inlined members, for query q and primitive t:
 //   bool accept(int q, int t) const             whether the overlapping pair is wanted
 //   std::array<int, 2> pair(int q, int t) const what to write
+// and, if it may not want pairs of kin (bvh.hpp),
+//   bool skips_kin() const                      whether it does not
+//   bool alone(int kin, const Aabb& box) const  whether nothing else overlaps the box, where it does not
 // The result is ordered by q, then t.
 #pragma once
 
@@ -25,9 +28,9 @@ namespace tack {
 namespace detail {
 
 // Calls visit(leaf group) for the groups of the tree that may hold partners of the box. If
-// `only_active`, subtrees without an active primitive are skipped.
+// `only_active`, subtrees without an active primitive are skipped; so are those that are all `but_kin`, unless that is -1.
 template <class Visit>
-void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, const Visit& visit) {
+void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, int but_kin, const Visit& visit) {
   struct Node {
     int level, group;
   };
@@ -42,8 +45,10 @@ void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, const Visi
     }
     unsigned lanes = tree.boxes(level, group).overlap_mask(box);
     if (only_active) lanes &= tree.active(level, group);
-    for (; lanes != 0; lanes &= lanes - 1)
-      stack[top++] = {level - 1, group * Box8::width + std::countr_zero(lanes)};
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int child = group * Box8::width + std::countr_zero(lanes);
+      if (but_kin < 0 || tree.kin(level - 1, child) != but_kin) stack[top++] = {level - 1, child};
+    }
   }
 }
 
@@ -72,11 +77,11 @@ using Rows = std::array<Row, Box8::width>;
 
 // With Same, queries and tree are the same tree, and only pairs q < t are found.
 template <bool Same>
-void search_group(const Bvh& queries, int group, const Bvh& tree, Rows& rows) {
+void search_group(const Bvh& queries, int group, const Bvh& tree, bool skip_kin, Rows& rows) {
   const Box8& boxes = queries.boxes(0, group);
   const unsigned active = queries.active(0, group);
   for (Row& row : rows) row.count = 0;
-  visit_groups(tree, queries.bound(0, group), active == 0, [&](int leaf) {
+  visit_groups(tree, queries.bound(0, group), active == 0, skip_kin ? queries.kin(0, group) : -1, [&](int leaf) {
     const int* ids = tree.primitives(leaf);
     for (unsigned lanes = boxes.overlap_mask(tree.bound(0, leaf)); lanes != 0; lanes &= lanes - 1) {
       const int lane = std::countr_zero(lanes);
@@ -95,6 +100,8 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
   if (queries.size() == 0 || tree.size() == 0) return;
   constexpr int task_groups = 32;
   const int groups = queries.groups(0), tasks = (groups + task_groups - 1) / task_groups;
+  bool skip_kin = false;
+  if constexpr (requires { relation.skips_kin(); }) skip_kin = relation.skips_kin();
   std::vector<std::vector<int>> partners(tasks);
   std::vector<std::size_t> begin(queries.size() + 1, 0);  // first the counts, then the places
   const auto for_groups = [&](int task, const auto& visit) {
@@ -105,7 +112,11 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
   for_each(tasks, [&](int task) {
     Rows rows;
     for_groups(task, [&](int group, int lanes) {
-      search_group<Same>(queries, group, tree, rows);
+      if constexpr (requires { relation.skips_kin(); }) {
+        const int kin = skip_kin ? queries.kin(0, group) : -1;
+        if (kin >= 0 && relation.alone(kin, queries.bound(0, group))) return;
+      }
+      search_group<Same>(queries, group, tree, skip_kin, rows);
       for (int lane = 0; lane < lanes; ++lane) {
         const int query = queries.primitives(group)[lane];
         rows[lane].filter_and_sort(query, relation);

@@ -41,7 +41,7 @@ struct Primitives {
     if (tree.size() == static_cast<int>(boxes.size()))
       tree.update(boxes);
     else
-      tree = Bvh(boxes, movable);
+      tree = Bvh(boxes, movable, groups);
   }
 };
 

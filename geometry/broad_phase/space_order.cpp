@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
+#include <tuple>
 
 #include "geometry/parallel.hpp"
 
@@ -27,25 +27,33 @@ std::uint64_t morton_code(const Vec3& cell) {
   return code;
 }
 
+Vec3 centre(const Aabb& box) { return 0.5 * (box.lo + box.hi); }
+
 }  // namespace
 
-std::vector<int> space_order(const std::vector<Aabb>& boxes) {
+std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<int>& kin) {
   Aabb all;
-  for (const Aabb& box : boxes) all.include(Vec3(0.5 * (box.lo + box.hi)));
+  for (const Aabb& box : boxes) all.include(centre(box));
   constexpr double cells = (1 << 21) - 1;
   const double extent = boxes.empty() ? 0.0 : (all.hi - all.lo).maxCoeff();
   const double scale = extent > 0.0 ? cells / extent : 0.0;
 
-  std::vector<std::pair<std::uint64_t, int>> keys(boxes.size());
+  const auto code = [&](const Vec3& x) { return morton_code((scale * (x - all.lo)).cwiseMin(cells)); };
+
+  // Kin are where the first of them is, and in order among themselves.
+  std::vector<std::uint64_t> first_of(kin.empty() ? 0 : *std::max_element(kin.begin(), kin.end()) + 1);
+  for (int i = static_cast<int>(kin.size()) - 1; i >= 0; --i)
+    if (kin[i] >= 0) first_of[kin[i]] = code(centre(boxes[i]));
+  std::vector<std::tuple<std::uint64_t, int, std::uint64_t, int>> keys(boxes.size());
   for_each(static_cast<int>(boxes.size()), [&](int i) {
-    const Vec3 offset = 0.5 * (boxes[i].lo + boxes[i].hi) - all.lo;
-    keys[i] = {morton_code((scale * offset).cwiseMin(cells)), i};
+    const std::uint64_t own = code(centre(boxes[i]));
+    const int of = kin.empty() ? -1 : kin[i];
+    keys[i] = {of >= 0 ? first_of[of] : own, of, own, i};
   }, 4096);
   tbb::parallel_sort(keys.begin(), keys.end());
 
   std::vector<int> order(boxes.size());
-  std::transform(keys.begin(), keys.end(), order.begin(),
-                 [](const auto& key) { return key.second; });
+  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return std::get<3>(key); });
   return order;
 }
 

@@ -10,6 +10,6 @@
 namespace tack {
 
 // The permutation: order[k] is the index of the k-th box. Boxes must be finite and not empty.
-std::vector<int> space_order(const std::vector<Aabb>& boxes);
+std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<int>& kin = {});
 
 }  // namespace tack
