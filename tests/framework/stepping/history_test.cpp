@@ -18,6 +18,7 @@
 #include "framework/run/recorded_run.hpp"
 #include "framework/scene/derivative_check.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
