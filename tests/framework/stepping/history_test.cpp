@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "framework/compare/trial.hpp"
+#include "framework/config/parse.hpp"
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/run/recorded_run.hpp"
 #include "framework/scene/derivative_check.hpp"
@@ -269,7 +270,7 @@ TEST_CASE("the history is part of a stored problem", "[history]") {
   CHECK(same(again.state(), end));
 
   const CompareCase what = problem_case(path.string());
-  Trial trial(what, {.solver = {}, .tolerance = 1e-3, .step_size = what.step_size});
+  Trial trial(what, {parse_string("{type: projected_newton, linear: cholmod}", "test"), 1e-3, what.step_size});
   CHECK((trial.run().x == end.x));
 
   // Without it, the step ends elsewhere.
