@@ -25,23 +25,22 @@ class FreeFlight : public Stepper {
     if (world.friction) throw InputError("free_flight knows no friction");
   }
   void prepare(const StepperContext& context) override { world_ = &context.world; }
-  void attempt(const Step& step, const VecX* guess, Attempt& attempt) override {
-    if (guess) attempt.x = *guess;
+  void attempt(const Step& step, const VecX* /*guess*/, Attempt& attempt) override {
     for (int v = 0; v < world_->dofs.vertex_count(); ++v)
       if (world_->dofs.moves(v))
         vertex(attempt.x, v) =
             vertex(step.state.x, v) + step.h * vertex(step.state.v, v) + step.h * step.h * world_->gravity;
     world_->participants.move_to(attempt.x);
-    longest_tried_ = step.h;
+    tried_ = step.h;
   }
   Verdict verdict(const Attempt&) override {
-    if (longest_tried_ <= longest_) return {};
+    if (tried_ <= longest_) return {};
     return {"too far ahead", "take smaller steps"};
   }
 
  private:
   double longest_ = 1;  // s
-  double longest_tried_ = 0;
+  double tried_ = 0;    // likewise
   World* world_ = nullptr;
 };
 
