@@ -55,7 +55,7 @@ void IncrementalPotential::move_to(const VecX& q) {
   dofs_.keep_held(x_, q_);
   dofs_.scatter(q_, x_);
   value_known_ = gradient_known_ = false;
-  on_move_(x_);
+  if (on_move_) on_move_(x_);
 }
 
 double IncrementalPotential::inertia_value() const {

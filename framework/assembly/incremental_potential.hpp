@@ -16,10 +16,10 @@ namespace tack {
 
 class IncrementalPotential : public Objective {
  public:
-  // mass: lumped, per vertex [kg]. `on_move` is told of every new configuration before the terms
+  // mass: lumped, per vertex [kg]. `on_move`, if given, is told of every new configuration before the terms
   // are evaluated there (contact finds its active pairs).
   IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs, const VecX& mass,
-                       PhaseClock& clock, std::function<void(const VecX& x)> on_move);
+                       PhaseClock& clock, std::function<void(const VecX& x)> on_move = {});
 
   // Other masses from the next step on.
   void set_mass(const VecX& mass);
@@ -28,6 +28,7 @@ class IncrementalPotential : public Objective {
   // configuration that holds the fixed vertices.
   void begin_step(const VecX& x_start, const VecX& prediction, const TermScales& scales, bool inertia);
 
+  const DofMap& dofs() const { return dofs_; }
   const VecX& configuration() const { return x_; }
   double scale() const { return scales_.body; }  // beta h^2, or 1
   // What a term was at x if the step's first evaluation was there; nothing otherwise [J].

@@ -45,7 +45,7 @@ double stiffness_at_rest(const World& world, PhaseClock& clock) {
   const DofMap dofs(free);
   std::vector<const Term*> elements;
   for (const auto& term : world.elastic_terms) elements.push_back(term.get());
-  IncrementalPotential potential(elements, dofs, world.mass, clock, [](const VecX&) {});
+  IncrementalPotential potential(elements, dofs, world.mass, clock);
   VecX q;
   dofs.gather(world.rest, q);
   potential.begin_step(world.rest, world.rest, {}, false);

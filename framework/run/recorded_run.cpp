@@ -56,7 +56,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
   };
-  Simulation::Observers observers{tell, tell, {}};
+  StepObservers observers{tell, tell, {}};
   if (profiler_)
     observers.steps = [this](const VecX& x, const VecX& p, double feasible) { profiler_->tried(x, p, feasible); };
   simulation_.observe(std::move(observers));

@@ -13,8 +13,7 @@ void Simulation::start_from(State state) {
   stepper_.reset();
   solver_ = instance_of(*experiment().solver);
   stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);
-  stepper_->observe(observers_.minimizer, observers_.walk);
-  stepper_->observe_steps(observers_.steps);
+  stepper_->observe(observers_);
 }
 
 }  // namespace tack

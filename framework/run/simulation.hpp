@@ -37,17 +37,13 @@ class Simulation {
   const Minimizer& solver() const { return *solver_; }
   TimeStepper& stepper() { return *stepper_; }  // for those who study single steps; another one after start_from()
 
-  // Who is told of what (time_stepper.hpp), from the next start on.
-  struct Observers {
-    MinimizerProblem::Observer minimizer, walk;
-    TimeStepper::StepObserver steps;
-  };
-  void observe(Observers observers) { observers_ = std::move(observers); }
+  // Who is told of what, from the next start on.
+  void observe(StepObservers observers) { observers_ = std::move(observers); }
 
  private:
   BuiltExperiment built_;
   std::function<void(const std::string&)> warn_;
-  Observers observers_;
+  StepObservers observers_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;
 };

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <random>
 
-#include "framework/assembly/incremental_potential.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/local_lengths.hpp"
+#include "framework/scene/step_potential.hpp"
 
 namespace tack {
 namespace {
@@ -44,9 +44,7 @@ VecX absolute_product(const BlockMatrix& matrix, const VecX& d) {
 class TermStudy {
  public:
   TermStudy(const Term& term, World& world, PhaseClock& clock)
-      : potential_({&term}, world.dofs, VecX::Zero(world.mass.size()), clock, [&world](const VecX& x) {
-          world.participants.move_to(x);
-        }),
+      : potential_(world, clock, {&term}, world.dofs, VecX::Zero(world.mass.size())),
         check_{term.name(), {}, {}} {
     potential_.begin_step(world.start.x, world.start.x, {}, false);
   }
@@ -87,7 +85,7 @@ class TermStudy {
   const DerivativeCheck& check() const { return check_; }
 
  private:
-  IncrementalPotential potential_;
+  StepPotential potential_;
   DerivativeCheck check_;
 };
 

@@ -56,9 +56,8 @@ struct ScriptWalk::Pull {
   }
 };
 
-ScriptWalk::ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, LargestStep largest_step)
-    : world_(world), minimizer_(instance_of(like)), clock_(clock),
-      largest_step_(std::move(largest_step)) {}
+ScriptWalk::ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
+    : world_(world), minimizer_(instance_of(like)), clock_(clock), steps_(steps) {}
 
 void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   std::vector<int> moving;
@@ -74,8 +73,7 @@ void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   for (size_t v = 0; v < unknown.size(); ++v) unknown[v] = world_.dofs.moves(static_cast<int>(v));
   for (const int v : moving_) unknown[v] = 1;
   dofs_ = DofMap(unknown, world_.dofs.dependences());
-  potential_.emplace(world_.terms, dofs_, world_.mass, clock_,
-                     [this](const VecX& at) { world_.participants.move_to(at); });
+  potential_.emplace(world_, clock_, world_.terms, dofs_, world_.mass);
 }
 
 VecX ScriptWalk::masses(double pull, bool inertia) const {
@@ -98,12 +96,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
 }
 
 void ScriptWalk::minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer) {
-  const auto feasible_step = [&](const VecX& q, const VecX& p) {
-    VecX x = potential_->configuration(), direction = VecX::Zero(x.size());
-    dofs_.scatter(q, x);
-    dofs_.scatter(p, direction);
-    return largest_step_(x, direction);
-  };
+  const auto feasible_step = [&](const VecX& q, const VecX& p) { return steps_.largest_tried(*potential_, q, p); };
   const auto norm = [&](const VecX& p, const VecX&) {
     double next_step = 0;
     for (const int v : moving_) next_step = std::max(next_step, p.segment<3>(3 * dofs_.block(v)).norm());
@@ -122,7 +115,7 @@ bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
   VecX last = VecX::Zero(x.size());
   for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
   dofs_.follow(last);
-  if (largest_step_(x, last) < 1) return false;
+  if (steps_.largest_tried(x, last) < 1) return false;
   for (const int v : moving_) vertex(x, v) = vertex(places, v);
   dofs_.follow(x);
   return true;

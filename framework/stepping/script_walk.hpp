@@ -8,24 +8,20 @@
 // there, if that last move is free; otherwise K grows.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/scene/step_potential.hpp"
+#include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
 
 class ScriptWalk {
  public:
-  // The largest t in [0, 1] such that x + s p is feasible for all s in [0, t] (3n each).
-  using LargestStep = std::function<double(const VecX& x, const VecX& p)>;
-
-  ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, LargestStep largest_step);
+  ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps);
 
   struct Result {
     MinimizerResult solve;  // sums over its minimisations
@@ -50,10 +46,10 @@ class ScriptWalk {
   World& world_;
   std::unique_ptr<Minimizer> minimizer_;  // its own: the factors that it keeps are those of its unknowns
   PhaseClock& clock_;
-  LargestStep largest_step_;
+  FeasibleSteps& steps_;
   std::vector<int> moving_;  // the scripted vertices that have to move
   DofMap dofs_;              // the free and the moving vertices
-  std::optional<IncrementalPotential> potential_;
+  std::optional<StepPotential> potential_;
 };
 
 }  // namespace tack

@@ -1,11 +1,11 @@
-// The steps of a simulation, typed: how long, how many, and how each becomes a minimisation.
+// The steps of a simulation, typed: how long, how many, and how each is solved.
 #pragma once
 
 #include <memory>
 #include <optional>
 
 #include "framework/config/field.hpp"
-#include "framework/stepping/time_integrator.hpp"
+#include "framework/stepping/stepper.hpp"
 
 namespace tack {
 
@@ -15,6 +15,7 @@ struct TimeConfig {
   std::optional<double> wall_limit;  // s of wall time
   int max_halvings = 8;
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
+  std::unique_ptr<Stepper> stepper = Registry<Stepper>::make("incremental_potential");
   void fields(Fields& f);
 };
 

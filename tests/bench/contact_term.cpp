@@ -69,10 +69,9 @@ BENCHMARK(contact_hessian_clamped)->Apply(cases);
 
 void assembled(benchmark::State& state, Projection projection) {
   const auto scene = scene_of(state);
-  StepPotential potential(*scene);
-  potential->hessian({projection});
-  for (auto _ : state) benchmark::DoNotOptimize(potential->hessian({projection}).values.data());
-  state.counters["blocks"] = potential->hessian({projection}).blocks();
+  scene->potential.hessian({projection});
+  for (auto _ : state) benchmark::DoNotOptimize(scene->potential.hessian({projection}).values.data());
+  state.counters["blocks"] = scene->potential.hessian({projection}).blocks();
 }
 void contact_assembled_hessian(benchmark::State& state) { assembled(state, Projection::none); }
 void contact_assembled_hessian_clamped(benchmark::State& state) { assembled(state, Projection::clamp); }
@@ -81,12 +80,11 @@ BENCHMARK(contact_assembled_hessian_clamped)->Apply(cases);
 
 void contact_assembled_gradient(benchmark::State& state) {
   const auto scene = scene_of(state);
-  StepPotential potential(*scene);
   for (auto _ : state) {
     state.PauseTiming();
-    potential.move_to(scene->world->rest);
+    scene->move_to(scene->world->rest);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(potential->gradient().data());
+    benchmark::DoNotOptimize(scene->potential.gradient().data());
   }
 }
 BENCHMARK(contact_assembled_gradient)->Apply(cases);

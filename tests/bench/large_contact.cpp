@@ -42,35 +42,28 @@ void plates_lag_friction(benchmark::State& state) {
   for (auto _ : state) scene->world->friction->lag(scene->world->rest);
 }
 
-// A potential of the plates, with friction held at rest.
-struct Held {
-  Held() : scene(plates()), potential(*scene) { scene->world->participants.begin_step({scene->world->rest, 0, h}); }
-  std::unique_ptr<Scene> scene;
-  StepPotential potential;
-};
-
 void plates_value(benchmark::State& state) {
-  Held held;
-  const World& world = *held.scene->world;
+  const auto scene = plates();
+  const World& world = *scene->world;
   for (auto _ : state)
     benchmark::DoNotOptimize(world.contact_term->value(world.rest) + world.friction->value(world.rest));
 }
 
 void plates_assembled_gradient(benchmark::State& state) {
-  Held held;
+  const auto scene = plates();
   for (auto _ : state) {
     state.PauseTiming();
-    held.potential.move_to(held.scene->world->rest);
+    scene->move_to(scene->world->rest);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(held.potential->gradient().data());
+    benchmark::DoNotOptimize(scene->potential.gradient().data());
   }
 }
 
 void plates_assembled_hessian(benchmark::State& state) {
-  Held held;
-  held.potential->hessian({Projection::clamp});
-  for (auto _ : state) benchmark::DoNotOptimize(held.potential->hessian({Projection::clamp}).values.data());
-  state.counters["blocks"] = held.potential->hessian({Projection::clamp}).blocks();
+  const auto scene = plates();
+  scene->potential.hessian({Projection::clamp});
+  for (auto _ : state) benchmark::DoNotOptimize(scene->potential.hessian({Projection::clamp}).values.data());
+  state.counters["blocks"] = scene->potential.hessian({Projection::clamp}).blocks();
 }
 
 void plates_ccd(benchmark::State& state) {

@@ -30,14 +30,13 @@ const Systems& systems() {
   static const Systems made = [] {
     const auto scene = two_blocks();
     const auto states = neighbouring_states();
-    StepPotential potential(*scene);
     Systems s;
     // The pattern grows to hold both states; only then both matrices have the same one.
     for (int round = 0; round < 2; ++round) {
       for (int i = 0; i < 2; ++i) {
-        potential.move_to(states[i]);
-        s.matrix[i] = potential->hessian({Projection::clamp});
-        s.right_side[i] = -potential->gradient();
+        scene->move_to(states[i]);
+        s.matrix[i] = scene->potential.hessian({Projection::clamp});
+        s.right_side[i] = -scene->potential.gradient();
       }
     }
     return s;

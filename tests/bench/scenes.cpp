@@ -4,11 +4,7 @@
 
 #include <random>
 
-#include "framework/contact/contact_system.hpp"
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/scene/build_world.hpp"
-#include "geometry/mesh/mesh.hpp"
+#include "framework/scene/energy.hpp"
 
 namespace tack::bench {
 namespace {
@@ -16,9 +12,10 @@ namespace {
 constexpr const char* sheets_text = R"(
 name: sheets
 objects:
-  - {{name: lower, shape: {{type: grid, size: [1, 1], cells: [99, 99]}}}}
+  - {{name: lower, shape: {{type: grid, size: [1, 1], cells: [99, 99]}}, energies: [bench_mass]}}
   - name: upper
     shape: {{type: grid, size: [1, 1], cells: [99, 99]}}
+    energies: [bench_mass]
     place: {{axis: [0, 1, 0], angle: 7 deg, translate: [0, 0.25 mm, 0]}}
 contact:
   distance: 1 mm
@@ -47,76 +44,50 @@ objects:
 contact: {distance: 1 mm, friction: {mu: 0.5, eps_v: 1 cm/s}}
 )";
 
-// An open sheet as a body of the world; it has no energy, so build_world() would refuse it.
-void add_sheet(const ObjectConfig& object, World& world) {
-  Mesh mesh = object.shape->make();
-  rotate(mesh, object.place.axis, object.place.angle);
-  translate(mesh, object.place.translate);
-  Body body;
-  body.name = object.name;
-  body.first_vertex = static_cast<int>(world.rest.size()) / 3;
-  body.vertex_count = static_cast<int>(mesh.vertices.size());
-  body.triangles = mesh.triangles;
-  for (Triangle& t : body.triangles)
-    for (int& v : t) v += body.first_vertex;
-  world.rest.conservativeResize(world.rest.size() + 3 * body.vertex_count);
-  for (int i = 0; i < body.vertex_count; ++i)
-    vertex(world.rest, body.first_vertex + i) = mesh.vertices[i];
-  world.bodies.push_back(std::move(body));
-}
+// Mass that nothing holds together: without energies build_world() refuses what can move.
+class Mass : public Energy {
+ public:
+  std::unique_ptr<Term> make_term(const Body&, const VecX&) const override { return std::make_unique<Nothing>(); }
+  void add_mass(const Body& body, const VecX&, VecX& mass) const override {
+    mass.segment(body.first_vertex, body.vertex_count).setConstant(1e-4);
+  }
 
-std::unique_ptr<Scene> built(LoadedExperiment loaded) {
-  return std::unique_ptr<Scene>(new Scene{std::make_unique<BuiltExperiment>(std::move(loaded)), {}, nullptr});
-}
+ private:
+  struct Nothing : Term {
+    Nothing() : Term("nothing") {}
+    double value(const VecX&) const override { return 0; }
+  };
+};
+
+TACK_REGISTER(Energy, Mass, "bench_mass", "0.1 g per vertex.", "benchmarks");
 
 }  // namespace
 
-std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
-  const bool adhesive = laws == Laws::barrier_and_adhesion;
-  std::unique_ptr<Scene> scene(
-      new Scene{nullptr, parse_experiment(fmt::format(sheets_text, weights, adhesive ? adhesion_text : ""), "sheets"),
-                std::make_unique<World>()});
-  World& world = *scene->world;
-  for (const ObjectConfig& object : scene->loaded.experiment.objects) add_sheet(object, world);
-  const Eigen::Index n = world.rest.size() / 3;
-  world.mass = VecX::Constant(n, 1e-4);
-  world.dofs = DofMap(std::vector<char>(static_cast<size_t>(n), 1));
-  build_contact(scene->loaded.experiment, scene->loaded.root, scene->clock, world);
-  world.terms = {world.contact_term.get()};
-  world.contact->begin_step({world.rest});
-  world.contact->move_to(world.rest);
-  return scene;
+Scene::Scene(LoadedExperiment loaded)
+    : simulation(std::move(loaded)), step((simulation.start(), simulation.stepper().open(simulation.experiment().time.step))) {
+  move_to(step.state.x);
 }
 
-std::unique_ptr<Scene> plates() {
-  auto scene = built(parse_experiment(plates_text, "plates"));
-  scene->world->contact->begin_step({scene->world->rest});
-  scene->world->contact->move_to(scene->world->rest);
-  return scene;
+void Scene::move_to(const VecX& x) {
+  VecX q;
+  world->dofs.gather(x, q);
+  potential.move_to(q);
 }
+
+std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
+  const bool adhesive = laws == Laws::barrier_and_adhesion;
+  return std::make_unique<Scene>(
+      parse_experiment(fmt::format(sheets_text, weights, adhesive ? adhesion_text : ""), "sheets"));
+}
+
+std::unique_ptr<Scene> plates() { return std::make_unique<Scene>(parse_experiment(plates_text, "plates")); }
 
 LoadedExperiment loaded(const std::string& file, std::vector<std::string> overrides) {
   overrides.emplace_back("output.frames=false");
   return load_experiment(TACK_SOURCE_DIR "/experiments/" + file, overrides);
 }
 
-std::unique_ptr<Scene> two_blocks() { return built(loaded("stack/two_blocks.yaml")); }
-
-StepPotential::StepPotential(Scene& scene)
-    : world_(*scene.world),
-      potential_(world_.terms, world_.dofs, world_.mass, scene.clock,
-                 [this](const VecX& x) { if (world_.contact) world_.contact->move_to(x); }) {
-  constexpr double h = 0.01;  // s
-  if (world_.contact) world_.contact->begin_step({world_.rest});
-  potential_.begin_step(world_.rest, world_.rest, {h * h, h * h}, true);
-  move_to(world_.rest);
-}
-
-void StepPotential::move_to(const VecX& x) {
-  VecX q;
-  world_.dofs.gather(x, q);
-  potential_.move_to(q);
-}
+std::unique_ptr<Scene> two_blocks() { return std::make_unique<Scene>(loaded("stack/two_blocks.yaml")); }
 
 VecX random_motion(Eigen::Index vertices, double half_width) {
   std::mt19937 generator(1);

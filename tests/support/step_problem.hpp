@@ -1,11 +1,10 @@
-// The minimisation of the first step of a scene, with everything that a minimiser is told and asks for
+// The first step of a scene as the time loop opens it, with everything that a minimiser is told and asks for
 // in the open.
 #pragma once
 
-#include "framework/assembly/incremental_potential.hpp"
-#include "framework/core/step_filter.hpp"
 #include "framework/stepping/convergence.hpp"
-#include "framework/stepping/time_integrator.hpp"
+#include "framework/stepping/feasible_steps.hpp"
+#include "framework/stepping/time_stepper.hpp"
 #include "tests/support/scene.hpp"
 
 namespace tack {
@@ -21,9 +20,10 @@ struct StepProblem : TestScene {
   // From the start; q is where it ends, and `path` the points from which steps were tried, and the end.
   MinimizerResult minimize(Minimizer& minimizer, MinimizerProblem::Observer observer = {});
 
-  IncrementalPotential potential;
-  std::vector<std::unique_ptr<StepFilter>> filters;
-  TimeIntegrator::Prediction prediction;
+  TimeStepper stepper;
+  const Step step;
+  StepPotential& potential;
+  FeasibleSteps steps;
   VecX q;
   std::vector<VecX> path;
 };

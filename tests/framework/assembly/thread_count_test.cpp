@@ -2,10 +2,8 @@
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
-#include "framework/assembly/incremental_potential.hpp"
 #include "framework/contact/contact_term.hpp"
-#include "framework/stepping/time_stepper.hpp"
-#include "tests/support/scene.hpp"
+#include "tests/support/step_problem.hpp"
 #include "tests/support/tet_body.hpp"
 
 using namespace tack;
@@ -34,19 +32,12 @@ struct Evaluation {
 
 Evaluation evaluate(int threads) {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-  TestScene scene(boxes);
-  World& world = *scene.world;
-  IncrementalPotential potential(world.terms, world.dofs, world.mass, scene.clock,
-                                 [&](const VecX& x) { world.contact->move_to(x); });
+  StepProblem step(boxes);
   RandomMotions random(6);
-  const VecX x = world.rest + 2e-4 * random.vectors(world.rest.size());
-  potential.begin_step(x, world.rest, {1e-4, 1e-4}, true);
-  VecX q;
-  world.dofs.gather(x, q);
-  potential.move_to(q);
-  const BlockMatrix& matrix = potential.hessian({Projection::clamp});
-  return {potential.value(), potential.gradient(), matrix.values, matrix.row,
-          static_cast<int>(world.contact->contacts().size())};
+  step.potential.move_to(step.q + 2e-4 * random.vectors(step.q.size()));
+  const BlockMatrix& matrix = step.potential.hessian({Projection::clamp});
+  return {step.potential.value(), step.potential.gradient(), matrix.values, matrix.row,
+          static_cast<int>(step.world->contact->contacts().size())};
 }
 
 VecX simulate(int threads) {

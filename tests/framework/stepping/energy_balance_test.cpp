@@ -180,8 +180,7 @@ TEST_CASE("a script's work is what it stores, a load's what it moves", "[energy_
 TEST_CASE("energy that nothing put in is noticed", "[energy_balance]") {
   TestRun run(header("implicit_euler", 0.01) + "objects: [" + block + ", velocity: [1, 0, 0]}]\n");
   World& world = *run.world;
-  PhaseClock clock;
-  IncrementalPotential potential(world.terms, world.dofs, world.mass, clock, [](const VecX&) {});
+  StepPotential potential(world, run.clock);
   EnergyBalance balance(world, *run.config.solver);
   State state = world.start;
   const auto step_to = [&](double speed) {

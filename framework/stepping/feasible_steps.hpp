@@ -1,0 +1,44 @@
+// How far unknowns may move: by all step filters, and remembering what was tried last, for messages.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/core/step_filter.hpp"
+#include "framework/scene/step_potential.hpp"
+#include "framework/stepping/iterate_check.hpp"
+
+namespace tack {
+
+class FeasibleSteps {
+ public:
+  // The filters that have something to watch in the world. check: is shown every state that a step is asked for
+  // from; may be null.
+  FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check = nullptr);
+
+  // The largest t in (0, 1] such that x + s p (3n) is feasible for s in [0, t]. Throws OutOfTime.
+  double largest(const VecX& x, const VecX& p);
+  // The same of a step that a minimiser wants to take, of which the observer is told.
+  double largest_tried(const VecX& x, const VecX& p);
+  // Of unknowns of the potential, whose configuration holds the rest.
+  double largest_tried(const StepPotential& potential, const VecX& q, const VecX& p);
+  // Nothing has been tried yet.
+  void reset() { x_.resize(0); }
+  // "; the last step was ..." about what cut the one that was tried last, or "".
+  std::string blocker() const;
+
+  using Observer = std::function<void(const VecX& x, const VecX& p, double feasible)>;
+  void observe(Observer observer) { observer_ = std::move(observer); }
+
+ private:
+  World& world_;
+  PhaseClock& clock_;
+  IterateCheck* check_;
+  std::vector<std::unique_ptr<StepFilter>> filters_;
+  VecX x_, p_;  // tried last (3n); x_ is empty before
+  Observer observer_;
+};
+
+}  // namespace tack

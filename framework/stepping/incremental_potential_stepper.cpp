@@ -1,0 +1,184 @@
+// The step as a minimisation of its incremental potential, from a feasible start along feasible ways
+// (the paper, eq. 1; Li et al. 2020, Incremental Potential Contact).
+// Scripted vertices are at their places at the end of every step: they are moved there together with
+// the first guess of the others if that is free, and walk there otherwise (script_follower.hpp).
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "framework/contact/contact_system.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/stepping/convergence.hpp"
+#include "framework/stepping/feasible_steps.hpp"
+#include "framework/stepping/script_follower.hpp"
+#include "framework/stepping/stepper.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "geometry/exact/orientation.hpp"
+
+namespace tack {
+namespace {
+
+constexpr const char* loosen =
+    "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)";
+constexpr const char* leave_room = "leave room for what the script pushes";
+
+// What it has while a run lasts.
+class Minimization {
+ public:
+  Minimization(const StepperContext& context, const StepObservers& observers);
+  void begin(bool new_unknowns);
+  void attempt(const Step& step, const VecX* guess, Attempt& attempt);
+  Verdict verdict(const Attempt& attempt);
+
+ private:
+  VecX first_guess(const Step& step);
+  bool start(const Step& step, const VecX* guess, Attempt& attempt, VecX& q);
+  void minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt);
+  std::string failure(const Attempt& attempt) const;
+
+  World& world_;
+  const SceneConfig& scene_;
+  Minimizer& solver_;
+  PhaseClock& clock_;
+  const StepObservers& observers_;
+  Convergence convergence_;
+  std::optional<IterateCheck> check_;
+  FeasibleSteps steps_;
+  ScriptFollower follower_;
+};
+
+Minimization::Minimization(const StepperContext& context, const StepObservers& observers)
+    : world_(context.world), scene_(context.scene), solver_(context.solver), clock_(context.clock), observers_(observers),
+      convergence_(world_, solver_),
+      check_(solver_.checks_iterates() ? std::optional<IterateCheck>(std::in_place, world_, clock_) : std::nullopt),
+      steps_(world_, clock_, check_ ? &*check_ : nullptr),
+      follower_(world_, solver_, clock_, steps_) {
+  steps_.observe([this](const VecX& x, const VecX& p, double feasible) {
+    if (observers_.steps) observers_.steps(x, p, feasible);
+  });
+}
+
+void Minimization::begin(bool new_unknowns) {
+  steps_.reset();
+  if (new_unknowns) follower_.reset();
+}
+
+void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt) {
+  if (check_) check_->begin(step.state.step + 1, "the first guess");
+  convergence_.begin_step(step.potential, step.h, step.prediction.inertia);
+  VecX q;
+  if (!start(step, guess, attempt, q) || world_.dofs.size() == 0) return;
+  if (check_) check_->begin(step.state.step + 1, "the minimisation");
+  MinimizerProblem problem{step.potential,
+                           [&](const VecX& from, const VecX& p) { return steps_.largest_tried(step.potential, from, p); },
+                           {}, clock_};
+  problem.observer = observers_.minimizer;
+  convergence_.judge(problem);
+  minimize_lagged(problem, q, attempt);
+}
+
+// A feasible q with the scripted vertices at their places; false if they do not get there.
+bool Minimization::start(const Step& step, const VecX* guess, Attempt& attempt, VecX& q) {
+  if (guess) {
+    world_.dofs.gather(*guess, q);
+    return true;
+  }
+  if (!step.scripted()) {
+    q = first_guess(step);
+    return true;
+  }
+  const ScriptWalk::Result start = follower_.follow(step, check_ ? &*check_ : nullptr, observers_.walk);
+  attempt.result = start.solve;
+  attempt.failure = start.failure;
+  if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return false;
+  if (check_) check_->at(start.x);
+  world_.dofs.gather(start.x, q);
+  return true;
+}
+
+// Where the motion would go with the acceleration of the last step, as far as that is feasible and
+// better than staying: minimisers start closer to the solution.
+VecX Minimization::first_guess(const Step& step) {
+  VecX q, p;
+  world_.dofs.gather(step.state.x, q);
+  if (!step.prediction.inertia) return q;
+  world_.dofs.gather(step.h * (step.state.v + step.h * step.state.a), p);
+  if (p.isZero()) return q;
+  step.potential.move_to(q);
+  const double staying = step.potential.value();
+  const VecX guess = q + steps_.largest_tried(step.potential, q, p) * p;
+  step.potential.move_to(guess);
+  return step.potential.value() < staying ? guess : q;
+}
+
+// The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.
+void Minimization::minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt) {
+  const auto minimize = [&] {
+    const MinimizerResult before = attempt.result;
+    attempt.result = solver_.minimize(problem, q);
+    attempt.result.add_work(before);
+    attempt.unbalanced_force = convergence_.balance().unbalanced;
+    attempt.tolerated_force = convergence_.balance().tolerated;
+    world_.dofs.scatter(q, attempt.x);
+    if (check_) check_->at(attempt.x);
+  };
+  minimize();
+  if (!world_.friction) return;
+  const LaggingConfig& lagging = scene_.contact->lagging;
+  for (attempt.lag_iterations = 1;; ++attempt.lag_iterations) {
+    if (attempt.result.status != MinimizerStatus::converged) return;
+    world_.participants.move_to(attempt.x);
+    attempt.friction_residual = world_.friction->residual(attempt.x);
+    attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
+    const bool reached = lagging.until && attempt.lag_converged;
+    if (reached || attempt.lag_iterations >= lagging.iterations) return;
+    world_.participants.lag(attempt.x);
+    minimize();
+  }
+}
+
+// Why the solve gave nothing to look at, or "".
+std::string Minimization::failure(const Attempt& attempt) const {
+  if (!attempt.failure.empty()) return attempt.failure + steps_.blocker();
+  if (attempt.result.status == MinimizerStatus::converged) return "";
+  const bool late = attempt.result.status == MinimizerStatus::time_limit && !clock_.deadline().run_passed();
+  const std::string limit = late ? fmt::format(" (solver.time_limit: {} s)", *solver_.time_limit()) : "";
+  return fmt::format("{}{} after {} iterations, {:.3g} times the tolerance{}", to_string(attempt.result.status), limit,
+                     attempt.result.iterations, attempt.result.residual, steps_.blocker());
+}
+
+Verdict Minimization::verdict(const Attempt& attempt) {
+  Verdict v{failure(attempt), attempt.failure.empty() ? loosen : leave_room};
+  if (!v.wrong.empty()) return v;
+  const PhaseScope scope(clock_, Phase::check);
+  if (const int tet = first_inverted_tet(world_.tets, attempt.x); tet >= 0) {
+    v.inverted_tets = 1;
+    v.wrong = fmt::format("tet {} inverted", tet);
+  } else if (world_.contact) {
+    const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->colliding(), 1);
+    v.intersections = static_cast<int>(hits.size());
+    if (!hits.empty()) v.wrong = "the surfaces intersect";
+  }
+  return v;
+}
+
+class IncrementalPotentialStepper : public Stepper {
+ public:
+  void prepare(const StepperContext& context) override { minimization_.emplace(context, observers_); }
+  void begin(bool new_unknowns) override { minimization_->begin(new_unknowns); }
+  void attempt(const Step& step, const VecX* guess, Attempt& attempt) override {
+    minimization_->attempt(step, guess, attempt);
+  }
+  Verdict verdict(const Attempt& attempt) override { return minimization_->verdict(attempt); }
+
+ private:
+  std::optional<Minimization> minimization_;
+};
+
+TACK_REGISTER(Stepper, IncrementalPotentialStepper, "incremental_potential",
+              "Minimises the incremental potential of the step; nothing that it keeps intersects or is inverted.",
+              "Fang et al., eq. 1; Li et al. 2020, Incremental Potential Contact");
+
+}  // namespace
+}  // namespace tack
