@@ -1,5 +1,7 @@
 #include "framework/assembly/mixed_inertia.hpp"
 
+#include <cmath>
+
 namespace tack {
 
 MixedInertia::MixedInertia(const VecX& mass, const DofMap& dofs) : Term("inertia") {
@@ -36,6 +38,19 @@ void MixedInertia::derivatives(const VecX& x, Projection, double* gradient, doub
     Eigen::Map<Vec3>{gradient + 3 * static_cast<size_t>(i)} = mass * (vertex(x, vertices_[i]) - vertex(prediction_, i));
     if (hessian) Eigen::Map<Mat3>{hessian + 9 * static_cast<size_t>(i)} = mass * Mat3::Identity();
   }
+}
+
+std::vector<ResidualBatch> MixedInertia::residual_batches() const {
+  return {{1, 3, static_cast<int>(vertices_.size()), vertices_.data()}};
+}
+
+bool MixedInertia::residuals(const VecX& x, double* r, double* jacobian) const {
+  for (int i = 0; i < static_cast<int>(vertices_.size()); ++i) {
+    const double root = std::sqrt(factor_ * mass_(i));
+    Eigen::Map<Vec3>{r + 3 * static_cast<size_t>(i)} = root * (vertex(x, vertices_[i]) - vertex(prediction_, i));
+    if (jacobian) Eigen::Map<Mat3>{jacobian + 9 * static_cast<size_t>(i)} = root * Mat3::Identity();
+  }
+  return true;
 }
 
 }  // namespace tack

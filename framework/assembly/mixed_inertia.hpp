@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "framework/core/dof_map.hpp"
+#include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
-class MixedInertia : public Term {
+class MixedInertia : public Term, public ResidualView {
  public:
   // Of those that have a mass. mass: per vertex [kg].
   MixedInertia(const VecX& mass, const DofMap& dofs);
@@ -22,6 +23,10 @@ class MixedInertia : public Term {
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+
+  const ResidualView* residual_view() const override { return this; }
+  std::vector<ResidualBatch> residual_batches() const override;
+  bool residuals(const VecX& x, double* r, double* jacobian) const override;
 
  private:
   std::vector<int> vertices_;

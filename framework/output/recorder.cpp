@@ -67,17 +67,18 @@ void Recorder::sample(const State& state) { probes_.add(state.time, probe_set_.s
 
 std::vector<PointField> Recorder::point_fields(const State& state) const {
   std::vector<PointField> fields;
+  const auto add_force = [&](const std::string& name, VecX forces) {
+    world_.collect_on_meshes(forces);
+    fields.push_back({name, 3, std::move(forces), "N"});
+  };
   for (const std::string& name : output_.frame_fields) {
     if (name == "velocity") fields.push_back({name, 3, state.v, "m/s"});
     if (name == "displacement") fields.push_back({name, 3, state.x - world_.rest, "m"});
     if (name == "mass") fields.push_back({name, 1, world_.mass, "kg"});
     if (!world_.contact_term) continue;
-    if (name == "contact_force")
-      fields.push_back({name, 3, world_.contact_term->forces(state.x, LawPart::all), "N"});
-    if (name == "adhesion_force")
-      fields.push_back({name, 3, world_.contact_term->forces(state.x, LawPart::adhesion), "N"});
-    if (name == "friction_force" && world_.friction)
-      fields.push_back({name, 3, world_.friction->forces(state.x, TangentialPart::all), "N"});
+    if (name == "contact_force") add_force(name, world_.contact_term->forces(state.x, LawPart::all));
+    if (name == "adhesion_force") add_force(name, world_.contact_term->forces(state.x, LawPart::adhesion));
+    if (name == "friction_force" && world_.friction) add_force(name, world_.friction->forces(state.x, TangentialPart::all));
   }
   // Vertices that are in no mesh are not shown.
   for (PointField& field : fields) field.values.conservativeResize(field.components * geometry_.vertices);

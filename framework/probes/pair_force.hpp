@@ -28,8 +28,7 @@ class PairForce : public VectorProbe {
     if (b_ >= 0) return term.force_between(x, part_, {a_, b_});
     const VecX forces = term.forces(x, part_);
     Vec3 sum = Vec3::Zero();
-    const Body& body = world.bodies[a_];
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) sum += vertex(forces, v);
+    for (const int v : world.vertices_of(a_)) sum += vertex(forces, v);
     return sum;
   }
 

@@ -12,36 +12,29 @@ namespace {
 // The bodies of a pair, with vertices and objects numbered anew.
 class Cut {
  public:
-  Cut(const World& world, ObjectIds pair) : world_(world), bodies_{pair.first} {
+  Cut(const World& world, ObjectIds pair) : bodies_{pair.first} {
     if (pair.second != pair.first) bodies_.push_back(pair.second);
-    for (const int body : bodies_) {
-      offsets_.push_back(vertices_ - world.bodies[body].first_vertex);
-      vertices_ += world.bodies[body].vertex_count;
+    const std::vector<int>& object = world.contact->surface().mesh.vertex_object;
+    for (int v = 0; v < static_cast<int>(object.size()); ++v) {
+      const auto at = std::find(bodies_.begin(), bodies_.end(), object[v]);
+      object_.push_back(at == bodies_.end() ? -1 : static_cast<int>(at - bodies_.begin()));
+      number_.push_back(static_cast<int>(vertices_.size()));
+      if (object_.back() >= 0) vertices_.push_back(v);
     }
   }
 
   int objects() const { return static_cast<int>(bodies_.size()); }
   int body(int object) const { return bodies_[object]; }
   // -1 for a vertex of another body.
-  int object_of(int v) const {
-    for (int i = 0; i < objects(); ++i) {
-      const Body& body = world_.bodies[bodies_[i]];
-      if (v >= body.first_vertex && v < body.first_vertex + body.vertex_count) return i;
-    }
-    return -1;
-  }
-  int number_of(int v) const { return v + offsets_[object_of(v)]; }
+  int object_of(int v) const { return object_[v]; }
+  int number_of(int v) const { return number_[v]; }
 
   // Their part of what there is `each` times for every vertex.
   template <class Numbers>
   Numbers part(const Numbers& all, int each = 1) const {
-    Numbers numbers(static_cast<size_t>(each) * vertices_);
+    Numbers numbers(static_cast<size_t>(each) * vertices_.size());
     auto out = numbers.begin();
-    for (const int i : bodies_) {
-      const Body& body = world_.bodies[i];
-      out = std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(each) * body.first_vertex,
-                        static_cast<size_t>(each) * body.vertex_count, out);
-    }
+    for (const int v : vertices_) out = std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(each) * v, each, out);
     return numbers;
   }
   // Their part of a list of elements, numbered anew. keep(i) is told which.
@@ -64,9 +57,9 @@ class Cut {
   }
 
  private:
-  const World& world_;
-  std::vector<int> bodies_, offsets_;
-  int vertices_ = 0;
+  std::vector<int> bodies_;
+  std::vector<int> vertices_;         // of theirs, ascending
+  std::vector<int> object_, number_;  // per vertex of the world
 };
 
 ContactSurface surface_of(const ContactSurface& all, const Cut& cut) {

@@ -39,13 +39,6 @@ Eigen::AlignedBox3d extent_of(const Body& body, const VecX& rest) {
   return box;
 }
 
-int append_vertex(const Vec3& x, int object, World& world) {
-  world.rest.conservativeResize(world.rest.size() + 3);
-  world.rest.tail<3>() = x;
-  world.extra_object.push_back(object);
-  return static_cast<int>(world.rest.size()) / 3 - 1;
-}
-
 }  // namespace
 
 void add_frame(const ObjectConfig& object, int index, World& world) {
@@ -57,7 +50,7 @@ void add_frame(const ObjectConfig& object, int index, World& world) {
     const MassProperties properties = mass_properties(local_mesh(body, world.rest));
     const BodyFrame frame = body_frame(properties);
     body.volume = properties.volume;
-    for (const Vec3& x : frame.vertices) body.frame.push_back(append_vertex(x, index, world));
+    for (const Vec3& x : frame.vertices) body.frame.push_back(world.append_vertex(x, index));
     AffineFrame binding{{body.frame[0], body.frame[1], body.frame[2], body.frame[3]}, {}};
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
       binding.carried.push_back({v, frame.weights(vertex(world.rest, v))});

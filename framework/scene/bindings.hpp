@@ -34,6 +34,7 @@ class Bindings {
 
   const std::vector<AffineFrame>& frames() const { return frames_; }
   const std::vector<Tie>& ties() const { return ties_; }
+  const Dependences& lasting() const { return lasting_; }
   bool empty() const { return frames_.empty() && ties_.empty() && lasting_.empty(); }
 
   // Which ties act at time t [s].

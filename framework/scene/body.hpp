@@ -25,6 +25,9 @@ struct Body {
   std::vector<int> frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
   double volume = 0;       // of an affine body [m^3]
   double stiffness = 0;    // likewise [Pa]
+  // With a finer surface for contact (refined_surface.hpp): its vertices that are in no mesh, and its triangles; else empty.
+  std::vector<int> surface_vertices;
+  std::vector<Triangle> surface_triangles;
   std::optional<MeshDigest> file_mesh;  // if the mesh was read from a file: as it was there
 };
 

@@ -11,6 +11,7 @@
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/named_selections.hpp"
+#include "framework/scene/refined_surface.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -149,9 +150,9 @@ void check_start(const Value& root, const World& world) {
     const Triangle& t = surface.mesh.triangles[hit.triangle];
     a = surface.mesh.vertex_object[e[0]];
     b = surface.mesh.vertex_object[t[0]];
-    const int fa = world.bodies[a].first_vertex, fb = world.bodies[b].first_vertex;
-    list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", e[0] - fa, e[1] - fa,
-                        world.bodies[a].name, t[0] - fb, t[1] - fb, t[2] - fb, world.bodies[b].name);
+    const auto n = [&](int v) { return world.number_in_body(v); };
+    list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", n(e[0]), n(e[1]),
+                        world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
   }
   throw InputError(fmt::format("{}the start intersects; move the objects apart (place.translate) or "
                                "turn their contact off (contact.pairs, contact: false):{}",
@@ -209,11 +210,16 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   });
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
+    if (scene.objects[i].surface && !scene.contact)
+      throw InputError(fmt::format("object '{}' has a `surface` for contact, and there is none; take it away, or give a contact "
+                                   "section", scene.objects[i].name));
+    if (scene.objects[i].surface) add_refined_surface(scene.objects[i], static_cast<int>(i), *world);
   });
   add_named_selections(scene, root, *world);
   world->mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });
+  for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
     at_place(root.find("objects"), [] {
       throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "

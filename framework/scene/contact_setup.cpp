@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/local_mesh.hpp"
+#include "framework/scene/refined_surface.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
 
@@ -22,23 +24,21 @@ struct SurfaceSize {
 
 // Appends a body's surface to the collision mesh.
 SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactSurface& all) {
-  const Mesh mesh = local_mesh(body, rest);
+  const Mesh mesh = body.surface_triangles.empty() ? local_mesh(body, rest) : surface_mesh(body, rest);
   const Surface surface = extract_surface(mesh);
   const auto areas = vertex_areas(mesh, surface);
   const auto edges = edge_areas(mesh, surface);
-  const int first = body.first_vertex;
-  SurfaceSize size{0, static_cast<int>(surface.vertices.size())};
-  for (int v = 0; v < body.vertex_count; ++v) {
-    all.mesh.vertex_object.push_back(object);
-    size.area += areas[v];
-  }
+  const auto global = [&](int v) {
+    return v < body.vertex_count ? body.first_vertex + v : body.surface_vertices[v - body.vertex_count];
+  };
+  const SurfaceSize size{std::accumulate(areas.begin(), areas.end(), 0.0), static_cast<int>(surface.vertices.size())};
+  all.mesh.vertex_object.insert(all.mesh.vertex_object.end(), body.vertex_count, object);
   for (const int e : surface.codim_edges)
     all.mesh.codim_edges.push_back(static_cast<int>(all.mesh.edges.size()) + e);
-  for (const int v : surface.codim_points) all.mesh.codim_points.push_back(first + v);
-  for (const int v : surface.vertices) all.mesh.vertices.push_back(first + v);
-  for (const Edge& e : surface.edges) all.mesh.edges.push_back({first + e[0], first + e[1]});
-  for (const Triangle& t : surface.triangles)
-    all.mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  for (const int v : surface.codim_points) all.mesh.codim_points.push_back(global(v));
+  for (const int v : surface.vertices) all.mesh.vertices.push_back(global(v));
+  for (const Edge& e : surface.edges) all.mesh.edges.push_back({global(e[0]), global(e[1])});
+  for (const Triangle& t : surface.triangles) all.mesh.triangles.push_back({global(t[0]), global(t[1]), global(t[2])});
   all.edge_area.insert(all.edge_area.end(), edges.begin(), edges.end());
   return size;
 }
@@ -265,6 +265,11 @@ std::vector<int> rigid_groups(const World& world) {
     for (const AffineFrame::Carried& c : body.carried)
       if (!held) groups[c.vertex] = next;
   }
+  for (const Dependence& d : world.bindings.lasting()) {
+    const int group = groups[d.on.front().first];
+    const bool one = std::all_of(d.on.begin(), d.on.end(), [&](const auto& on) { return groups[on.first] == group; });
+    groups[d.vertex] = one ? group : -1;
+  }
   return groups;
 }
 
@@ -276,6 +281,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   std::vector<SurfaceSize> sizes;
   for (size_t i = 0; i < world.bodies.size(); ++i)
     sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, surface));
+  std::sort(surface.mesh.vertices.begin(), surface.mesh.vertices.end());
   surface.rest = world.rest;
   for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty() || !body.frame.empty());
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);

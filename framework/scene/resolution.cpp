@@ -10,6 +10,7 @@
 #include "framework/contact/surface_topology.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
+#include "geometry/mesh/quality.hpp"
 
 namespace tack {
 namespace {
@@ -48,6 +49,16 @@ std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t object
   return all;
 }
 
+// Of the mesh, whatever surface contact sees [m].
+double element_size(const Body& body, const VecX& rest) {
+  double area = 0;
+  for (const Triangle& t : body.triangles) {
+    const auto [a, b, c] = corners(rest, t);
+    area += triangle_area(a, b, c);
+  }
+  return std::sqrt(2 * area / static_cast<double>(std::max<size_t>(body.triangles.size(), 1)));
+}
+
 double young_of(const ObjectConfig& object) {
   for (const auto& energy : object.energies)
     if (const auto young = energy->young()) return *young;
@@ -77,11 +88,12 @@ class Warnings {
     for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
       const SurfaceMeasure& m = measures_[i];
       const std::string& name = world_.bodies[i].name;
-      if (young_of(scene_.objects[i]) > 0 && m.size > (1 + 1e-6) * zone)
+      const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
+      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone)
         lines_.push_back(fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
-            name, m.size, adhesion.between[0], adhesion.between[1], zone, name));
+            name, size, adhesion.between[0], adhesion.between[1], zone, name));
       if (m.gap_change > range / 4)
         lines_.push_back(fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
@@ -117,7 +129,7 @@ class Warnings {
       lines_.push_back(fmt::format(
           "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
           "lower contact.distance or the range of its adhesion below the gaps between its parts",
-          world_.bodies[i].name, largest, static_cast<int>(at / 3) - world_.bodies[i].first_vertex));
+          world_.bodies[i].name, largest, world_.number_in_body(static_cast<int>(at / 3))));
     }
   }
 

@@ -14,13 +14,20 @@ void NamedSelection::fields(Fields& f) {
   f.component("select", select, "its vertices").required();
 }
 
+void SurfaceConfig::fields(Fields& f) {
+  f.number("edge_length", edge_length, units::length,
+           "its triangles are divided until no edge is longer; new vertices follow the corners of the triangle that they lie in")
+      .required().positive();
+}
+
 void ObjectConfig::fields(Fields& f) {
   f.text("name", name, "what pairs, probes and messages call it").required();
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
+  f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");
   f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
-  f.component_list("energies", energies, "its potential energies; one that is all fixed, or an affine body, needs none");
+  f.component_list("energies", energies, "its potential energies; one that motions hold throughout, or an affine body, needs none");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
   f.component_list("motion", motion, "prescribed motion of some vertices");
   f.list("attach", attach, "vertices that follow another object; where the two touch at the start they are in no contact, then or later");

@@ -36,11 +36,18 @@ struct NamedSelection {
   void fields(Fields& f);
 };
 
+// The surface that contact sees, finer than that of the mesh.
+struct SurfaceConfig {
+  double edge_length = 0;  // m
+  void fields(Fields& f);
+};
+
 struct ObjectConfig {
   std::string name;
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
   std::vector<NamedSelection> selections;
+  std::optional<SurfaceConfig> surface;
   std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "geometry/errors.hpp"
 
@@ -31,6 +30,15 @@ bool contradict(const Motion& a, const Motion& b) {
   constexpr double round_off = 1e-9;
   if (a.partial() != b.partial()) return false;
   return !a.partial() || (a.held_directions() * b.held_directions()).norm() > round_off;
+}
+
+// Whether the spans leave no time free from 0 on.
+bool cover_all(std::vector<std::pair<double, double>> spans) {
+  std::sort(spans.begin(), spans.end());
+  double reach = 0;
+  for (const auto& [from, until] : spans)
+    if (from <= reach) reach = std::max(reach, until);
+  return !std::isfinite(reach);
 }
 
 std::string end_of(double until) {
@@ -65,11 +73,25 @@ void Script::add(Hold hold) {
   const int group = motion.moves() ? static_cast<int>(holds_.size()) + 1 : 0;  // all that is fixed: 0
   for (const int v : hold.vertices) {
     ever_held_[v] = 1;
-    if (always) ever_free_[v] = 0;
+    if (always) {
+      ever_free_[v] = 0;
+    } else if (ever_free_[v]) {
+      auto& spans = held_spans_[v];
+      spans.emplace_back(motion.from(), motion.until());
+      if (cover_all(spans)) ever_free_[v] = 0;
+    }
     if (motion.moves()) moves_[v] = 1;
     if (always && motion.rigid()) rigid_group_[v] = group;
   }
   holds_.push_back(std::move(hold));
+}
+
+void Script::follow(const Dependence& dependence) {
+  const auto any = [&](const std::vector<char>& flags) {
+    return std::any_of(dependence.on.begin(), dependence.on.end(), [&](const auto& on) { return flags[on.first] != 0; });
+  };
+  ever_free_[dependence.vertex] = any(ever_free_);
+  moves_[dependence.vertex] = any(moves_);
 }
 
 std::vector<char> Script::active(double t) const {

@@ -1,7 +1,9 @@
 // Who holds which vertices when: all motions of a scene.
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/core/dof_map.hpp"
@@ -25,6 +27,8 @@ class Script {
   // Throws InputError if another motion holds one of the vertices at the same time: both whole, or both in directions
   // that are not at right angles.
   void add(Hold hold);
+  // Once all motions are there: the vertex follows others, and is free, or moved, where one of them is.
+  void follow(const Dependence& dependence);
   const std::vector<Hold>& holds() const { return holds_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
@@ -51,6 +55,7 @@ class Script {
   std::vector<Hold> holds_;
   std::vector<char> ever_held_, ever_free_, moves_;
   std::vector<int> rigid_group_;
+  std::map<int, std::vector<std::pair<double, double>>> held_spans_;  // s: of vertices that are held whole for a while
 };
 
 }  // namespace tack

@@ -1,5 +1,6 @@
 #include "framework/scene/world.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "framework/contact/friction_term.hpp"
@@ -29,6 +30,27 @@ std::vector<int> World::vertices_of(int body) const {
   for (size_t i = 0; i < extra_object.size(); ++i)
     if (extra_object[i] == body) all.push_back(mesh_vertex_count() + static_cast<int>(i));
   return all;
+}
+
+int World::number_in_body(int vertex) const {
+  const int body = body_of(vertex);
+  if (vertex < mesh_vertex_count()) return vertex - bodies[body].first_vertex;
+  return bodies[body].vertex_count +
+         static_cast<int>(std::count(extra_object.begin(), extra_object.begin() + (vertex - mesh_vertex_count()), body));
+}
+
+int World::append_vertex(const Vec3& x, int body) {
+  rest.conservativeResize(rest.size() + 3);
+  rest.tail<3>() = x;
+  extra_object.push_back(body);
+  return static_cast<int>(rest.size()) / 3 - 1;
+}
+
+void World::collect_on_meshes(VecX& forces) const {
+  for (const Dependence& d : bindings.lasting()) {
+    for (const auto& [on, weight] : d.on) vertex(forces, on) += weight * vertex(forces, d.vertex);
+    vertex(forces, d.vertex).setZero();
+  }
 }
 
 Vec3 World::centre_of_mass(int body, const VecX& x) const {

@@ -1,5 +1,5 @@
-// The residual model as Ceres sees it: a cost function per stencil and per free vertex, over parameter
-// blocks that are the free vertices of the model's configuration.
+// The residual model as Ceres sees it: a cost function per stencil and per block of unknowns, which are the parameter
+// blocks.
 #pragma once
 
 #include <ceres/cost_function.h>
@@ -19,32 +19,27 @@ class StencilCost : public ceres::CostFunction {
   StencilCost(const ResidualModel& model, const ResidualModel::Stencil& stencil, const bool& finite)
       : model_(model), stencil_(stencil), finite_(finite) {
     set_num_residuals(stencil.residuals);
-    for (int i = 0; i < stencil.arity; ++i)
-      if (free(i)) mutable_parameter_block_sizes()->push_back(3);
+    mutable_parameter_block_sizes()->assign(stencil.blocks, 3);
   }
 
   bool Evaluate(double const* const*, double* residuals, double** jacobians) const override {
     if (!finite_) return false;
     std::copy_n(model_.residuals(stencil_), stencil_.residuals, residuals);
     if (!jacobians) return true;
-    for (int i = 0, k = 0; i < stencil_.arity; ++i) {
-      if (!free(i)) continue;
-      if (double* out = jacobians[k++])
+    for (int k = 0; k < stencil_.blocks; ++k)
+      if (double* out = jacobians[k])
         for (int row = 0; row < stencil_.residuals; ++row)
-          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.arity * row + i), 3, out + 3 * row);
-    }
+          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.blocks * row + k), 3, out + 3 * row);
     return true;
   }
 
  private:
-  bool free(int i) const { return model_.dofs().block(stencil_.vertices[i]) >= 0; }
-
   const ResidualModel& model_;
   const ResidualModel::Stencil& stencil_;
   const bool& finite_;
 };
 
-// sqrt(M) (x - target) of one vertex.
+// sqrt(M) (q - target) of one block.
 class InertiaCost : public ceres::CostFunction {
  public:
   InertiaCost(const ResidualModel& model, int block)
@@ -71,15 +66,15 @@ class EvaluateModel : public ceres::EvaluationCallback {
   void PrepareForEvaluation(bool with_jacobian, bool) override {
     const PhaseScope scope(clock_, Phase::assembly);
     finite = model_.evaluate(with_jacobian);
-    if (first_trial.size() == 0 && model_.x() != start_) first_trial = model_.x();
+    if (first_trial.size() == 0 && model_.q() != start_) first_trial = model_.q();
   }
   bool finite = true;
-  VecX first_trial;  // 3n; empty before it
+  VecX first_trial;  // 3m; empty before it
 
  private:
   ResidualModel& model_;
   PhaseClock& clock_;
-  const VecX start_ = model_.x();
+  const VecX start_ = model_.q();
 };
 
 // Ends Ceres after so many steps that it took.

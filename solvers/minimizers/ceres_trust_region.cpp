@@ -46,9 +46,9 @@ class CeresTrustRegion : public DescentMinimizer {
 
   MinimizerStatus direction(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) override {
     ResidualModel model(problem.objective);
-    const VecX start = model.x();
+    const VecX start = model.q();
     propose(model, problem.clock, result);
-    model.dofs().gather(model.x() - start, p);
+    p = model.q() - start;
     return p.allFinite() ? MinimizerStatus::converged : MinimizerStatus::factorization_failed;
   }
 
@@ -69,7 +69,7 @@ class CeresTrustRegion : public DescentMinimizer {
   static constexpr int failures = 5;  // steps that do not improve the model, per round
   static constexpr double cost_noise = 1e-11;  // relative rounding error of a sum of squares
 
-  // Moves the model's free vertices.
+  // Moves the model's unknowns.
   void propose(ResidualModel& model, PhaseClock& clock, MinimizerResult& result) {
     const PhaseScope scope(clock, Phase::solve);
     blas::set_threads(1);  // for the same bits with any number of threads, like num_threads below
@@ -81,14 +81,12 @@ class CeresTrustRegion : public DescentMinimizer {
     std::deque<StencilCost> stencils;  // which neither copies nor moves
     std::deque<InertiaCost> inertia;
     ceres::Problem problem(options);
-    const auto position = [&](int v) { return model.x().data() + 3 * static_cast<size_t>(v); };
+    const auto unknowns = [&](int b) { return model.q().data() + 3 * static_cast<size_t>(b); };
     for (int b = 0; b < model.dofs().block_count(); ++b)
-      problem.AddResidualBlock(&inertia.emplace_back(model, b), nullptr,
-                               position(model.dofs().vertex_of_block(b)));
+      problem.AddResidualBlock(&inertia.emplace_back(model, b), nullptr, unknowns(b));
     for (const ResidualModel::Stencil& s : model.stencils()) {
       std::vector<double*> blocks;
-      for (int i = 0; i < s.arity; ++i)
-        if (model.dofs().block(s.vertices[i]) >= 0) blocks.push_back(position(s.vertices[i]));
+      for (int k = 0; k < s.blocks; ++k) blocks.push_back(unknowns(model.blocks(s)[k]));
       if (!blocks.empty())
         problem.AddResidualBlock(&stencils.emplace_back(model, s, evaluate.finite), nullptr, blocks);
     }
@@ -98,7 +96,7 @@ class CeresTrustRegion : public DescentMinimizer {
     if (summary.initial_cost - summary.final_cost > cost_noise * summary.initial_cost) {
       radius_ = std::clamp(stop.radius, smallest_radius, largest_radius);
     } else if (evaluate.first_trial.size() > 0) {
-      model.x() = evaluate.first_trial;
+      model.q() = evaluate.first_trial;
     }
     result.linear_solves += std::max(summary.num_linear_solves, 0);
     result.line_search_evaluations += std::max(summary.num_residual_evaluations, 0);

@@ -13,31 +13,69 @@ constexpr double weak_pull = 1e-6;
 }  // namespace
 
 ResidualModel::ResidualModel(Objective& objective) : squares_(objective.least_squares()), x_(squares_.x) {
+  squares_.dofs.gather(x_, q_);
+  held_.assign(squares_.dofs.block_count(), -1);
+  for (size_t i = 0; i < squares_.dofs.held_blocks().size(); ++i)
+    held_[squares_.dofs.held_blocks()[i].block] = static_cast<int>(i);
   lay_out();
   fold(objective.gradient());
 }
 
 void ResidualModel::lay_out() {
-  size_t first = 0, first_jacobian = 0;
   for (const ResidualView* view : squares_.views) {
-    view_start_.push_back({first, first_jacobian});
-    for (const ResidualBatch& batch : view->residual_batches()) {
-      for (int s = 0; s < batch.count; ++s) {
-        stencils_.push_back({batch.vertices + static_cast<size_t>(batch.arity) * s, batch.arity, batch.residuals,
-                             first, first_jacobian});
-        first += batch.residuals;
-        first_jacobian += static_cast<size_t>(batch.residuals) * 3 * batch.arity;
-      }
-    }
+    view_start_.push_back({r_.size(), of_vertices_.size()});
+    for (const ResidualBatch& batch : view->residual_batches())
+      for (int s = 0; s < batch.count; ++s) add(batch, batch.vertices + static_cast<size_t>(batch.arity) * s);
   }
-  r_.resize(first);
-  jacobian_.resize(first_jacobian);
+}
+
+void ResidualModel::add(const ResidualBatch& batch, const int* vertices) {
+  const DofMap& dofs = squares_.dofs;
+  const auto for_each_part = [&](int v, const auto& act) {
+    if (dofs.block(v) >= 0) act(dofs.block(v), 1.0);
+    else if (dofs.mixed(v))
+      for (const DofMap::Part& part : dofs.blocks(v)) act(part.leaf, part.weight);
+  };
+  const size_t first_block = blocks_.size(), first_weight = weights_.size();
+  const auto place_of = [&](int block) { return std::find(blocks_.begin() + static_cast<std::ptrdiff_t>(first_block), blocks_.end(), block); };
+  for (int i = 0; i < batch.arity; ++i)
+    for_each_part(vertices[i], [&](int block, double) {
+      if (place_of(block) == blocks_.end()) blocks_.push_back(block);
+    });
+  const size_t blocks = blocks_.size() - first_block;
+  weights_.resize(first_weight + batch.arity * blocks, 0.0);
+  for (int i = 0; i < batch.arity; ++i)
+    for_each_part(vertices[i], [&](int block, double weight) {
+      const size_t k = static_cast<size_t>(place_of(block) - blocks_.begin()) - first_block;
+      weights_[first_weight + i * blocks + k] = weight;
+    });
+  stencils_.push_back({batch.arity, batch.residuals, static_cast<int>(blocks), r_.size(), of_vertices_.size(),
+                       jacobian_.size(), first_block, first_weight});
+  r_.resize(r_.size() + batch.residuals);
+  of_vertices_.resize(of_vertices_.size() + static_cast<size_t>(batch.residuals) * 3 * batch.arity);
+  jacobian_.resize(jacobian_.size() + static_cast<size_t>(batch.residuals) * 3 * blocks);
+}
+
+// Jacobian times W, held directions taken out.
+void ResidualModel::reduce(const Stencil& s) {
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const Rows> own(of_vertices_.data() + s.first_of_vertices, s.residuals, 3 * s.arity);
+  Eigen::Map<Rows> reduced(jacobian_.data() + s.first_jacobian, s.residuals, 3 * s.blocks);
+  reduced.setZero();
+  for (int i = 0; i < s.arity; ++i)
+    for (int k = 0; k < s.blocks; ++k)
+      if (const double weight = weights_[s.first_weight + static_cast<size_t>(i) * s.blocks + k]; weight != 0)
+        reduced.middleCols(3 * k, 3) += weight * own.middleCols(3 * i, 3);
+  for (int k = 0; k < s.blocks; ++k)
+    if (const int held = held_[blocks(s)[k]]; held >= 0)
+      reduced.middleCols(3 * k, 3) -= (reduced.middleCols(3 * k, 3) * squares_.dofs.held_blocks()[held].held).eval();
 }
 
 bool ResidualModel::evaluate(bool with_jacobian) {
+  squares_.dofs.scatter(q_, x_);
   for (size_t v = 0; v < squares_.views.size(); ++v)
     if (!squares_.views[v]->residuals(x_, r_.data() + view_start_[v].first,
-                                      with_jacobian ? jacobian_.data() + view_start_[v].second : nullptr))
+                                      with_jacobian ? of_vertices_.data() + view_start_[v].second : nullptr))
       return false;
   bool finite = true;
   const auto multiply = [&](std::vector<double>& numbers, size_t first, size_t last, double root) {
@@ -48,35 +86,36 @@ bool ResidualModel::evaluate(bool with_jacobian) {
     const double root = std::sqrt(squares_.scales[v]);
     multiply(r_, view_start_[v].first, end ? r_.size() : view_start_[v + 1].first, root);
     if (with_jacobian)
-      multiply(jacobian_, view_start_[v].second, end ? jacobian_.size() : view_start_[v + 1].second, root);
+      multiply(of_vertices_, view_start_[v].second, end ? of_vertices_.size() : view_start_[v + 1].second, root);
   }
+  if (with_jacobian)
+    for (const Stencil& s : stencils_) reduce(s);
   return finite;
 }
 
 // M (q0 - target) = gradient - J^T r.
 void ResidualModel::fold(const VecX& gradient) {
   evaluate(true);
-  const DofMap& blocks = squares_.dofs;
-  VecX rest = gradient, diagonal = VecX::Zero(blocks.block_count());
+  const DofMap& dofs = squares_.dofs;
+  VecX rest = gradient, diagonal = VecX::Zero(dofs.block_count());
   for (const Stencil& s : stencils_) {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Map<const Rows> jacobian(this->jacobian(s), s.residuals, 3 * s.arity);
+    const Eigen::Map<const Rows> jacobian(this->jacobian(s), s.residuals, 3 * s.blocks);
     const Eigen::Map<const VecX> r(residuals(s), s.residuals);
-    for (int i = 0; i < s.arity; ++i) {
-      const int b = blocks.block(s.vertices[i]);
-      if (b < 0) continue;
-      rest.segment<3>(3 * b) -= jacobian.middleCols(3 * i, 3).transpose() * r;
-      diagonal(b) += jacobian.middleCols(3 * i, 3).squaredNorm() / 3;
+    for (int k = 0; k < s.blocks; ++k) {
+      const int b = this->blocks(s)[k];
+      rest.segment<3>(3 * b) -= jacobian.middleCols(3 * k, 3).transpose() * r;
+      diagonal(b) += jacobian.middleCols(3 * k, 3).squaredNorm() / 3;
     }
   }
   const double largest = std::max(diagonal.maxCoeff(), 1e-300);
-  root_mass_.resize(blocks.block_count());
-  target_.resize(blocks.size());
-  for (int b = 0; b < blocks.block_count(); ++b) {
+  root_mass_.resize(dofs.block_count());
+  target_.resize(dofs.size());
+  for (int b = 0; b < dofs.block_count(); ++b) {
     double mass = squares_.block_mass(b);
     if (mass == 0) mass = weak_pull * (diagonal(b) > 0 ? diagonal(b) : largest);
     root_mass_(b) = std::sqrt(mass);
-    target_.segment<3>(3 * b) = vertex(x_, blocks.vertex_of_block(b)) - rest.segment<3>(3 * b) / mass;
+    target_.segment<3>(3 * b) = q_.segment<3>(3 * b) - rest.segment<3>(3 * b) / mass;
   }
 }
 

@@ -17,33 +17,42 @@ class ResidualModel {
   ResidualModel(const ResidualModel&) = delete;
   ResidualModel& operator=(const ResidualModel&) = delete;
 
+  // Of unknown blocks: those that move its vertices.
   struct Stencil {
-    const int* vertices;
-    int arity, residuals;
+    int arity, residuals, blocks;
     size_t first;           // of its residuals
-    size_t first_jacobian;  // of its entries: residuals x (3 arity), row-major
+    size_t first_of_vertices;  // of the entries of its Jacobian: residuals x (3 arity), row-major
+    size_t first_jacobian;     // likewise residuals x (3 blocks)
+    size_t first_block, first_weight;  // of its blocks, and of the weights of each of its vertices on all of them
   };
   const std::vector<Stencil>& stencils() const { return stencils_; }
   const DofMap& dofs() const { return squares_.dofs; }
   double root_mass(int block) const { return root_mass_(block); }
   Vec3 target(int block) const { return target_.segment<3>(3 * block); }
 
-  // The configuration (3n) to evaluate; methods that own the unknowns write to its free vertices.
-  VecX& x() { return x_; }
-  // Residuals and, if wanted, Jacobians at x(). False where a residual is not finite.
+  // The unknowns (3m) to evaluate at, q0 at first; methods that own them write to them.
+  VecX& q() { return q_; }
+  // Residuals and, if wanted, Jacobians at q(). False where a residual is not finite.
   bool evaluate(bool with_jacobian);
   const double* residuals(const Stencil& s) const { return r_.data() + s.first; }
+  const int* blocks(const Stencil& s) const { return blocks_.data() + s.first_block; }
+  // By the unknowns, without their held directions.
   const double* jacobian(const Stencil& s) const { return jacobian_.data() + s.first_jacobian; }
 
  private:
   void lay_out();
+  void add(const ResidualBatch& batch, const int* vertices);
+  void reduce(const Stencil& s);
   void fold(const VecX& gradient);
 
   LeastSquares squares_;
   std::vector<Stencil> stencils_;
   std::vector<std::pair<size_t, size_t>> view_start_;  // per view: its first residual and entry
-  VecX x_, root_mass_, target_;  // m; kg^1/2; m
-  std::vector<double> r_, jacobian_;
+  VecX q_, x_, root_mass_, target_;  // m; m; kg^1/2; m
+  std::vector<int> blocks_;          // of the stencils
+  std::vector<double> weights_;
+  std::vector<int> held_;            // per block: which of the map's held blocks it is, or -1
+  std::vector<double> r_, of_vertices_, jacobian_;
 };
 
 }  // namespace tack

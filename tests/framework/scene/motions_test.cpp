@@ -119,6 +119,32 @@ TEST_CASE("a motion counts from where and when it seizes vertices") {
   }
 }
 
+// Two motions hold one half of the plate in turn, three the other.
+TEST_CASE("an object that motions hold one after the other for ever needs no material") {
+  const auto text = [](const std::string& last) {
+    const std::string low = "select: {type: face, direction: [-1, 0, 0]}}", high = "select: {type: face, direction: [1, 0, 0]}}";
+    return "time: {step: 0.02, duration: 1}\n"
+           "objects:\n"
+           "  - {name: plate, shape: {type: box, size: [0.1, 0.1, 0.1]},\n"
+           "     motion: [{type: fixed, from: 0.06, " + low + ", {type: translate, velocity: [0, 1, 0], until: 0.06, " + low + ",\n"
+           "              {type: translate, velocity: [0, 1, 0], until: 0.04, " + high + ", {type: fixed, from: 0.06, " + high + ",\n"
+           "              {type: translate, velocity: [0, 1, 0], from: 0.04, until: " + last + ", " + high + "]}\n"
+           "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0, 0]},\n"
+           "     energies: [{type: neo_hookean, young: 1e5}]}\n"
+           "contact: {distance: 1 mm}\n";
+  };
+  TestRun run(text("0.06"));
+  CHECK_FALSE(run.world->bodies[0].movable);
+  for (int i = 1; i <= 6; ++i) {
+    run.step();
+    for (int v = 0; v < 8; ++v) {
+      CHECK_FALSE(run.world->dofs.moves(v));
+      CHECK((run.at(v) - run.rest(v) - Vec3(0, std::min(0.02 * i, 0.06), 0)).norm() <= 1e-12);
+    }
+  }
+  CHECK_THAT(error_of(text("0.05")), Catch::Contains("object 'plate' can move but has no energies"));
+}
+
 // The free end is thrown, so steps fail and are halved around the time at which one motion hands over to
 // the next; what a failed step seized must not count.
 TEST_CASE("a rolled back step seizes nothing") {
