@@ -30,15 +30,17 @@ void add_refined_surface(const ObjectConfig& object, int index, World& world) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("object '{}' (surface.edge_length): {}", object.name, error.what()));
   }
+  std::vector<Vec3> places;
   for (auto& on : surface.added) {
-    Vec3 x = Vec3::Zero();
+    Vec3& x = places.emplace_back(Vec3::Zero());
     for (auto& [v, weight] : on) {
       x += weight * vertices[v];
       v += body.first_vertex;
     }
-    body.surface_vertices.push_back(world.append_vertex(x, index));
-    world.bindings.add_lasting({body.surface_vertices.back(), std::move(on)});
   }
+  body.surface_vertices = world.append_vertices(places, index);
+  for (size_t i = 0; i < places.size(); ++i)
+    world.bindings.add_lasting({body.surface_vertices[i], std::move(surface.added[i])});
   body.surface_triangles = std::move(surface.triangles);
   for (Triangle& t : body.surface_triangles)
     for (int& v : t) v = v < body.vertex_count ? body.first_vertex + v : body.surface_vertices[v - body.vertex_count];

@@ -39,11 +39,13 @@ int World::number_in_body(int vertex) const {
          static_cast<int>(std::count(extra_object.begin(), extra_object.begin() + (vertex - mesh_vertex_count()), body));
 }
 
-int World::append_vertex(const Vec3& x, int body) {
-  rest.conservativeResize(rest.size() + 3);
-  rest.tail<3>() = x;
-  extra_object.push_back(body);
-  return static_cast<int>(rest.size()) / 3 - 1;
+std::vector<int> World::append_vertices(std::span<const Vec3> x, int body) {
+  std::vector<int> added(x.size());
+  std::iota(added.begin(), added.end(), static_cast<int>(rest.size()) / 3);
+  rest.conservativeResize(rest.size() + 3 * static_cast<Eigen::Index>(x.size()));
+  for (size_t i = 0; i < x.size(); ++i) vertex(rest, added[i]) = x[i];
+  extra_object.insert(extra_object.end(), x.size(), body);
+  return added;
 }
 
 void World::collect_on_meshes(VecX& forces) const {

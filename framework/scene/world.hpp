@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,7 @@ struct World {
   std::vector<int> vertices_of(int body) const;  // of its mesh, and those of its that are in none
   // The place of a vertex (global) in vertices_of its body: its number in the mesh, or beyond those.
   int number_in_body(int vertex) const;
-  int append_vertex(const Vec3& x, int body);  // one that is in no mesh; its number
+  std::vector<int> append_vertices(std::span<const Vec3> x, int body);
   // Moves what acts on vertices of finer contact surfaces (3n) to those of the meshes that they follow.
   void collect_on_meshes(VecX& forces) const;
   int mesh_vertex_count() const { return static_cast<int>(rest.size()) / 3 - static_cast<int>(extra_object.size()); }

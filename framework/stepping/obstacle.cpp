@@ -30,7 +30,7 @@ std::string describe_primitive(const World& world, const std::vector<int>& verti
   static constexpr std::array<const char*, 4> kinds = {"vertex", "edge", "triangle", "tet"};
   const Body& body = world.bodies[world.body_of(vertices[0])];
   std::vector<int> own;
-  for (const int v : vertices) own.push_back(v - body.first_vertex);
+  for (const int v : vertices) own.push_back(world.number_in_body(v));
   const std::string numbers = fmt::format("{}", fmt::join(own, ", "));
   return fmt::format("{} {} of '{}'", kinds[own.size() - 1], own.size() > 1 ? "(" + numbers + ")" : numbers, body.name);
 }
@@ -51,7 +51,7 @@ std::string describe_obstacle(const World& world, const VecX& x, int v, double d
   const int a = world.body_of(v);
   const std::string& name = world.bodies[a].name;
   const std::string rest = fmt::format("vertex {} of '{}' is still {:.3g} m short of its place",
-                                       v - world.bodies[a].first_vertex, name, distance);
+                                       world.number_in_body(v), name, distance);
   const int b = world.contact ? nearest_object(*world.contact, x, a) : -1;
   if (b < 0) return fmt::format("the script deforms '{}' too far: {}", name, rest);
   return fmt::format("the script drives '{}' into {}: {}", name,

@@ -17,7 +17,7 @@ const TetBody& box() {
 }
 
 // Energies that need elements that a body of tets lacks. What is not named here has to work on tets.
-const std::set<std::string> of_other_bodies = {};
+const std::set<std::string> of_other_bodies = {"remembering"};  // springs of tests/framework/stepping/history_test.cpp
 
 // The tested terms, made once: all energies of solids, in every variant.
 struct NamedTerm {

@@ -75,6 +75,13 @@ TEST_CASE("experiment wall_cube/stuck_rough") { check_experiment("wall_cube/stuc
 TEST_CASE("experiment wall_cube/slides") { check_experiment("wall_cube/slides.yaml"); }
 TEST_CASE("experiment wall_cube/detaches") { check_experiment("wall_cube/detaches.yaml"); }
 
+TEST_CASE("experiment affine/slope") { check_experiment("affine/slope.yaml"); }
+TEST_CASE("experiment affine/stack") { check_experiment("affine/stack.yaml"); }
+TEST_CASE("experiment affine/dominoes") { check_experiment("affine/dominoes.yaml"); }
+TEST_CASE("experiment affine/arch") { check_experiment("affine/arch.yaml"); }
+TEST_CASE("experiment affine/arch_collapses") { check_experiment("affine/arch_collapses.yaml"); }
+TEST_CASE("experiment first/tie") { check_experiment("first/tie.yaml"); }
+
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
@@ -86,7 +93,7 @@ TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.
 // cubes on the floor and on each other.
 TEST_CASE("experiments that take long, their beginnings") {
   const auto [file, steps] =
-      GENERATE(table<std::string, int>({{"twist/mat", 40}, {"twist/cloth_as_tets", 28}, {"stack/pile", 8}}));
+      GENERATE(table<std::string, int>({{"twist/mat", 40}, {"twist/cloth_as_tets", 28}, {"stack/pile", 8}, {"affine/pile", 7}}));
   CAPTURE(file);
   const Outcome o = run(file + ".yaml", {"--steps", std::to_string(steps)});
   CHECK(o.result.exit_code == 0);
