@@ -23,11 +23,4 @@ BodyFrame body_frame(const MassProperties& body) {
   return frame;
 }
 
-std::array<double, 4> BodyFrame::weights(const Vec3& point) const {
-  Mat3 edges;
-  for (int k = 0; k < 3; ++k) edges.col(k) = vertices[k + 1] - vertices[0];
-  const Vec3 w = edges.inverse() * (point - vertices[0]);
-  return {1 - w.sum(), w(0), w(1), w(2)};
-}
-
 }  // namespace tack

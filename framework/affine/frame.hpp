@@ -8,6 +8,7 @@
 #include <array>
 
 #include "geometry/mesh/mass_properties.hpp"
+#include "geometry/tet_coordinates.hpp"
 
 namespace tack {
 
@@ -15,7 +16,7 @@ struct BodyFrame {
   std::array<Vec3, 4> vertices;  // of a tet of positive volume [m]
 
   // What a point is of them; adds up to one.
-  std::array<double, 4> weights(const Vec3& point) const;
+  std::array<double, 4> weights(const Vec3& point) const { return tet_coordinates(vertices, point); }
 };
 
 // Throws InputError if the body is flat.

@@ -7,6 +7,7 @@
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/config/bind.hpp"
+#include "framework/scene/extent.hpp"
 
 namespace tack {
 namespace {
@@ -24,10 +25,7 @@ bool has_inertia(const Experiment& experiment, const World& world) {
 double smallest_size(const World& world) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Body& body : world.bodies) {
-    Eigen::AlignedBox3d box;
-    for (int v = body.first_vertex; body.movable && v < body.first_vertex + body.vertex_count; ++v)
-      box.extend(Vec3(vertex(world.rest, v)));
-    if (!box.isEmpty()) smallest = std::min(smallest, box.diagonal().norm());
+    if (body.movable) smallest = std::min(smallest, extent_of(body, world.rest).diagonal().norm());
   }
   return smallest;
 }

@@ -2,19 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "framework/config/nearest.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 
 int object_index(const World& world, const std::string& name, const std::string& probe) {
-  const int index = world.body_index(name);
-  if (index >= 0) return index;
-  std::vector<std::string> names;
-  for (const Body& body : world.bodies) names.push_back(body.name);
-  throw InputError(fmt::format("probe '{}': no object is named '{}'{}", probe, name,
-                               suggestion(name, names, "objects")));
+  return world.index_of(name, fmt::format("probe '{}': ", probe));
 }
 
 void require_contact(const World& world, const std::string& probe) {

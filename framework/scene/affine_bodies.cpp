@@ -6,6 +6,7 @@
 
 #include "framework/affine/frame.hpp"
 #include "framework/affine/orthogonality_term.hpp"
+#include "framework/scene/extent.hpp"
 #include "framework/scene/local_mesh.hpp"
 #include "geometry/errors.hpp"
 
@@ -32,12 +33,6 @@ class Affine : public BodyModel {
 TACK_REGISTER(BodyModel, Affine, "affine",
               "Moves affinely, all but rigidly: twelve unknowns whatever its mesh, with its exact mass and second moments.",
               "Lan, Kaufman, Li, Jiang, Yang 2022, Affine Body Dynamics");
-
-Eigen::AlignedBox3d extent_of(const Body& body, const VecX& rest) {
-  Eigen::AlignedBox3d box;
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) box.extend(Vec3(vertex(rest, v)));
-  return box;
-}
 
 }  // namespace
 

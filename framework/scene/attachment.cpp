@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "framework/config/nearest.hpp"
+#include "framework/scene/extent.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/distance/closest_feature.hpp"
 #include "geometry/distance/point_triangle.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/tet_coordinates.hpp"
 
 namespace tack {
 
@@ -30,10 +31,8 @@ constexpr double of_size = 1e-3;   // the usual `within`
 constexpr double touching = 1e-9;  // of the size
 
 std::vector<std::pair<int, double>> weights_on(const Tet& tet, const VecX& rest, const Vec3& point) {
-  Mat3 edges;
-  for (int k = 0; k < 3; ++k) edges.col(k) = vertex(rest, tet[k + 1]) - vertex(rest, tet[0]);
-  const Vec3 w = edges.inverse() * (point - vertex(rest, tet[0]));
-  return {{tet[0], 1 - w.sum()}, {tet[1], w(0)}, {tet[2], w(1)}, {tet[3], w(2)}};
+  const auto w = tet_coordinates({vertex(rest, tet[0]), vertex(rest, tet[1]), vertex(rest, tet[2]), vertex(rest, tet[3])}, point);
+  return {{tet[0], w[0]}, {tet[1], w[1]}, {tet[2], w[2]}, {tet[3], w[3]}};
 }
 
 double least(const std::vector<std::pair<int, double>>& weights) {
@@ -57,11 +56,8 @@ void snap(std::vector<std::pair<int, double>>& weights) {
 // One object that others may be attached to, at rest.
 class Target {
  public:
-  Target(const World& world, int index) : world_(world), body_(world.bodies[index]) {
-    Eigen::AlignedBox3d box;
-    for (int v = body_.first_vertex; v < body_.first_vertex + body_.vertex_count; ++v) box.extend(Vec3(vertex(world.rest, v)));
-    size_ = box.diagonal().norm();
-  }
+  Target(const World& world, int index)
+      : world_(world), body_(world.bodies[index]), size_(extent_of(body_, world.rest).diagonal().norm()) {}
   double size() const { return size_; }
 
   struct Place {
@@ -116,16 +112,13 @@ class Target {
 
   const World& world_;
   const Body& body_;
-  double size_ = 0;
+  double size_;
 };
 
 int target_index(const AttachConfig& attach, int own, const World& world, const std::string& name) {
-  const int index = world.body_index(attach.to);
+  const int index = world.index_of(attach.to, name + ": ");
   if (index == own) throw InputError(fmt::format("{}: an object cannot be attached to itself", name));
-  if (index >= 0) return index;
-  std::vector<std::string> names;
-  for (const Body& body : world.bodies) names.push_back(body.name);
-  throw InputError(fmt::format("{}: no object is named '{}'{}", name, attach.to, suggestion(attach.to, names, "objects")));
+  return index;
 }
 
 }  // namespace

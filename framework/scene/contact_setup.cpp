@@ -5,7 +5,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/local_mesh.hpp"
@@ -85,11 +84,11 @@ class PairBuilder {
     const Value* contact = root_.find("contact");
     return contact ? contact->find("pairs") : nullptr;
   }
-  InputError pair_error(size_t i, const std::string& message) const {
+  std::string pair_place(size_t i) const {
     const Value* pairs = pairs_value();
-    const bool known = pairs && i < pairs->items.size();
-    return InputError((known ? pairs->items[i].mark.text() + ": " : "") + message);
+    return pairs && i < pairs->items.size() ? pairs->items[i].mark.text() + ": " : "";
   }
+  InputError pair_error(size_t i, const std::string& message) const { return InputError(pair_place(i) + message); }
 
   std::string contact_place() const {
     const Value* contact = root_.find("contact");
@@ -97,11 +96,7 @@ class PairBuilder {
   }
 
   int named(size_t pair, const std::string& name) const {
-    const int index = world_.body_index(name);
-    if (index >= 0) return index;
-    std::vector<std::string> names;
-    for (const Body& body : world_.bodies) names.push_back(body.name);
-    throw pair_error(pair, fmt::format("no object is named '{}'{}", name, suggestion(name, names, "objects")));
+    return world_.index_of(name, pair_place(pair));
   }
 
   void find_configs() {

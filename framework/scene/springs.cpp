@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "framework/config/nearest.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/spring_term.hpp"
 #include "geometry/errors.hpp"
@@ -32,11 +31,7 @@ void SpringConfig::fields(Fields& f) {
 namespace {
 
 std::vector<int> vertices_of(const SpringConfig::End& end, const World& world) {
-  const int index = world.body_index(end.object);
-  if (index >= 0) return select(*end.select, world.selection_context(index));
-  std::vector<std::string> names;
-  for (const Body& body : world.bodies) names.push_back(body.name);
-  throw InputError(fmt::format("no object is named '{}'{}", end.object, suggestion(end.object, names, "objects")));
+  return select(*end.select, world.selection_context(world.index_of(end.object)));
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
 #include "framework/scene/world.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
+#include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 
@@ -15,6 +19,13 @@ int World::body_index(const std::string& name) const {
   for (size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].name == name) return static_cast<int>(i);
   return -1;
+}
+
+int World::index_of(const std::string& name, const std::string& who) const {
+  if (const int index = body_index(name); index >= 0) return index;
+  std::vector<std::string> names;
+  for (const Body& body : bodies) names.push_back(body.name);
+  throw InputError(fmt::format("{}no object is named '{}'{}", who, name, suggestion(name, names, "objects")));
 }
 
 int World::body_of(int vertex) const {

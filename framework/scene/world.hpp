@@ -53,6 +53,8 @@ struct World {
   State start;
 
   int body_index(const std::string& name) const;  // -1 if there is none
+  // The same; throws InputError with the nearest name, after `who` ("probe 'gap': "), if there is none.
+  int index_of(const std::string& name, const std::string& who = "") const;
   int body_of(int vertex) const;                  // whose vertex (global) that is
   // Of the configuration x (3n); of a body without mass, the mean of its vertices.
   Vec3 centre_of_mass(int body, const VecX& x) const;
