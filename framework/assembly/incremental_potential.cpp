@@ -30,9 +30,7 @@ IncrementalPotential::IncrementalPotential(std::vector<const Term*> terms, const
 }
 
 void IncrementalPotential::set_mass(const VecX& mass) {
-  free_mass_ = VecX::Zero(dofs_.block_count());
-  for (int v = 0; v < dofs_.vertex_count(); ++v)
-    if (dofs_.block(v) >= 0) free_mass_(dofs_.block(v)) += mass(v);
+  free_mass_ = dofs_.own_masses(mass);
   mixed_inertia_.set_mass(mass);
 }
 

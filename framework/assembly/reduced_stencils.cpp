@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include "geometry/parallel.hpp"
 
@@ -25,38 +26,79 @@ void blocks_of(const StencilBatch& batch, int stencil, const DofMap& dofs, std::
 
 }  // namespace
 
+// Runs with the same blocks, found by the hash of the blocks.
+class ReducedStencils::RunFinder {
+ public:
+  explicit RunFinder(ReducedStencils& reduced) : reduced_(reduced) {}
+
+  // The number of a run of those blocks that has room for one more stencil, which is counted.
+  int take(const std::vector<int>& blocks) {
+    std::vector<int>& known = open_[hash(blocks)];
+    for (int& r : known)
+      if (same(reduced_.runs_[r], blocks)) {
+        if (reduced_.runs_[r].count == longest_run) r = start(blocks, reduced_.runs_[r].first_block);
+        ++reduced_.runs_[r].count;
+        return r;
+      }
+    const size_t first_block = reduced_.blocks_.size();
+    reduced_.blocks_.insert(reduced_.blocks_.end(), blocks.begin(), blocks.end());
+    known.push_back(start(blocks, first_block));
+    ++reduced_.runs_.back().count;
+    return known.back();
+  }
+
+ private:
+  static size_t hash(const std::vector<int>& blocks) {
+    size_t h = blocks.size();
+    for (const int b : blocks) h = (h ^ static_cast<size_t>(b)) * 0x9e3779b97f4a7c15u;
+    return h;
+  }
+  bool same(const Run& run, const std::vector<int>& blocks) const {
+    return run.blocks == blocks.size() &&
+           std::equal(blocks.begin(), blocks.end(), reduced_.blocks_.begin() + static_cast<std::ptrdiff_t>(run.first_block));
+  }
+  int start(const std::vector<int>& blocks, size_t first_block) {
+    reduced_.runs_.push_back({first_block, blocks.size()});
+    return static_cast<int>(reduced_.runs_.size()) - 1;
+  }
+
+  ReducedStencils& reduced_;
+  std::unordered_map<size_t, std::vector<int>> open_;  // the last run of each set of blocks, by hash
+};
+
 void ReducedStencils::find_runs(const std::vector<PlacedBatch>& batches, const DofMap& dofs) {
   runs_.clear();
-  members_.clear();
   blocks_.clear();
-  weights_.clear();
+  struct Found {
+    const PlacedBatch* placed;
+    int stencil, run;
+  };
+  std::vector<Found> found;
   std::vector<int> blocks;
-  for (const PlacedBatch& placed : batches) {
-    bool open = false;  // whether the last run may go on
+  RunFinder finder(*this);
+  for (const PlacedBatch& placed : batches)
     for (int s = 0; s < placed.batch.count; ++s) {
       if (!needs_reduction(placed.batch, s, dofs)) continue;
       blocks_of(placed.batch, s, dofs, blocks);
-      const auto same = [&](const Run& run) {
-        return run.blocks == blocks.size() && run.last - run.first < longest_run &&
-               std::equal(blocks.begin(), blocks.end(), blocks_.begin() + static_cast<std::ptrdiff_t>(run.first_block));
-      };
-      if (!open || !same(runs_.back())) {
-        runs_.push_back({blocks_.size(), blocks.size(), members_.size(), members_.size()});
-        blocks_.insert(blocks_.end(), blocks.begin(), blocks.end());
-        open = true;
-      }
-      add_member(placed, s, dofs, runs_.back());
-      runs_.back().last = members_.size();
+      found.push_back({&placed, s, finder.take(blocks)});
     }
+  size_t member = 0;
+  for (Run& run : runs_) {
+    run.first = run.last = member;
+    member += run.count;
   }
+  members_.resize(member);
+  weights_.clear();
+  for (const Found& f : found) members_[runs_[f.run].last++] = member_of(*f.placed, f.stencil, dofs, runs_[f.run]);
 }
 
-void ReducedStencils::add_member(const PlacedBatch& placed, int stencil, const DofMap& dofs, const Run& run) {
+ReducedStencils::Member ReducedStencils::member_of(const PlacedBatch& placed, int stencil, const DofMap& dofs,
+                                                   const Run& run) {
   const StencilBatch& batch = placed.batch;
-  members_.push_back({batch.arity, placed.gradient_slot + batch.arity * stencil,
-                      placed.hessian_slot + hessian_blocks(batch.arity) * stencil, weights_.size()});
+  const Member member{batch.arity, placed.gradient_slot + batch.arity * stencil,
+                      placed.hessian_slot + hessian_blocks(batch.arity) * stencil, weights_.size()};
   weights_.resize(weights_.size() + batch.arity * run.blocks);
-  double* weights = weights_.data() + members_.back().first_weight;
+  double* weights = weights_.data() + member.first_weight;
   const int* const first = blocks_.data() + run.first_block;
   for (int i = 0; i < batch.arity; ++i, weights += run.blocks) {
     const int v = batch.vertices[static_cast<size_t>(batch.arity) * stencil + i];
@@ -67,6 +109,7 @@ void ReducedStencils::add_member(const PlacedBatch& placed, int stencil, const D
     else if (dofs.mixed(v))
       for (const DofMap::Part& part : dofs.blocks(v)) set(part.leaf, part.weight);
   }
+  return member;
 }
 
 void ReducedStencils::place(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,

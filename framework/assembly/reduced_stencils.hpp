@@ -1,7 +1,7 @@
 // Stencils that touch vertices which several unknowns move, or several which one moves, as stencils of unknown blocks:
-// gradient W^T g, Hessian W^T K W. Neighbours in a batch that touch the same blocks, as the contacts of two affine
-// bodies do, make one of them together, so that what is gathered depends on the number of such pairs and not on that of
-// their contacts.
+// gradient W^T g, Hessian W^T K W. Those that touch the same blocks, as the contacts of two affine bodies do, make a
+// few of them together, so that what is gathered depends on the number of such pairs more than on that of their
+// contacts.
 #pragma once
 
 #include <vector>
@@ -22,9 +22,10 @@ class ReducedStencils {
   void reduce(double* gradient_slots, double* hessian_slots) const;  // hessian_slots: null, if they are not wanted
 
  private:
+  class RunFinder;
   struct Run {
-    size_t first_block, blocks;   // in blocks_
-    size_t first, last;           // in members_
+    size_t first_block, blocks;             // in blocks_
+    size_t count = 0, first = 0, last = 0;  // in members_
     int gradient_slot = 0, hessian_slot = 0;
   };
   struct Member {
@@ -33,7 +34,7 @@ class ReducedStencils {
   };
 
   void find_runs(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
-  void add_member(const PlacedBatch& placed, int stencil, const DofMap& dofs, const Run& run);
+  Member member_of(const PlacedBatch& placed, int stencil, const DofMap& dofs, const Run& run);
   void reduce(const Run& run, double* gradient_slots, double* hessian_slots) const;
 
   std::vector<PlacedBatch> batches_;

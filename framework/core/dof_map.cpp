@@ -117,13 +117,18 @@ Dependences DofMap::dependences() const {
   return all;
 }
 
-VecX DofMap::block_masses(const VecX& mass) const {
+VecX DofMap::own_masses(const VecX& mass) const {
   VecX sum = VecX::Zero(block_count());
-  for (int v = 0; v < vertex_count(); ++v) {
+  for (int v = 0; v < vertex_count(); ++v)
     if (block_of_[v] >= 0) sum(block_of_[v]) += mass(v);
-    else if (mixed(v))
+  return sum;
+}
+
+VecX DofMap::block_masses(const VecX& mass) const {
+  VecX sum = own_masses(mass);
+  for (int v = 0; v < vertex_count(); ++v)
+    if (mixed(v))
       for (const Part& part : blocks(v)) sum(part.leaf) += part.weight * part.weight * mass(v);
-  }
   return sum;
 }
 

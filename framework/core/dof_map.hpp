@@ -72,6 +72,8 @@ class DofMap {
   void follow(VecX& x) const;                  // puts the dependent vertices of x where the others say
   // Adds what acts on dependent vertices (3n) to those that they depend on: W^T, held vertices included.
   void collect(VecX& forces) const;
+  // Of each block, the masses (n) of the vertices that it alone moves [kg].
+  VecX own_masses(const VecX& mass) const;
   // Of each block, what the masses of vertices (n) put on the diagonal of W^T M W [kg].
   VecX block_masses(const VecX& mass) const;
 

@@ -19,36 +19,34 @@ const SpringTerm& springs_named(const World& world, const std::string& springs, 
   throw InputError(fmt::format("probe '{}': no springs are named '{}'{}", probe, springs, suggestion(springs, names, "springs")));
 }
 
-class SpringForce : public VectorProbe {
+template <class Base>
+class OfSprings : public Base {
  public:
   void fields(Fields& f) override {
-    VectorProbe::fields(f);
+    Base::fields(f);
     f.text("springs", springs_, "their name").required();
   }
+  void prepare(const World& world) override { term_ = &springs_named(world, springs_, this->name_); }
+
+ protected:
+  const SpringTerm* term_ = nullptr;
+
+ private:
+  std::string springs_;
+};
+
+class SpringForce : public OfSprings<VectorProbe> {
+ public:
   Unit unit() const override { return units::force; }
-  void prepare(const World& world) override { term_ = &springs_named(world, springs_, name_); }
 
  protected:
   Vec3 value(const World&, const State& state) override { return term_->force(state.x); }
-
- private:
-  std::string springs_;
-  const SpringTerm* term_ = nullptr;
 };
 
-class IntactSprings : public Probe {
+class IntactSprings : public OfSprings<Probe> {
  public:
-  void fields(Fields& f) override {
-    Probe::fields(f);
-    f.text("springs", springs_, "their name").required();
-  }
   Unit unit() const override { return units::none; }
-  void prepare(const World& world) override { term_ = &springs_named(world, springs_, name_); }
   std::vector<double> sample(const World&, const State&) override { return {static_cast<double>(term_->intact())}; }
-
- private:
-  std::string springs_;
-  const SpringTerm* term_ = nullptr;
 };
 
 TACK_REGISTER(Probe, SpringForce, "spring_force", "What springs exert on the vertices that they start from, in sum [N].", "");

@@ -18,14 +18,12 @@ void Convergence::begin_step(const IncrementalPotential& potential, double h, bo
   inertia_ = inertia;
   balance_ = {};
   const DofMap& dofs = world_.dofs;
-  mass_ = VecX::Zero(dofs.block_count());
+  mass_ = dofs.own_masses(world_.mass);
   largest_load_ = 0;
   VecX load = VecX::Zero(world_.rest.size());
   world_.gravity_term.add_linear_gradient(load);
   world_.load_term.add_linear_gradient(load);
   dofs.collect(load);
-  for (int v = 0; v < dofs.vertex_count(); ++v)
-    if (dofs.block(v) >= 0) mass_(dofs.block(v)) += world_.mass(v);
   for (int b = 0; b < dofs.block_count(); ++b)
     largest_load_ = std::max(largest_load_, vertex(load, dofs.vertex_of_block(b)).lpNorm<Eigen::Infinity>());
   // Of e = H^-1 r, M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.

@@ -63,6 +63,66 @@ TEST_CASE("a run that is interrupted and resumed has the bits of one that is not
         read_json(whole / "summary.json")["totals"]["newton_iterations"]);
 }
 
+TEST_CASE("a spring that broke stays broken after a resume") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", R"(
+name: spring
+time: {step: 0.01 s, duration: 0.4 s}
+objects:
+  - {name: ceiling, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 1, 0]}, motion: [fixed]}
+  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: {type: affine, density: 1000}, velocity: [0, -0.5, 0]}
+springs:
+  - {name: link, from: {object: block, select: {type: face, direction: [0, 1, 0]}}, to: {object: ceiling}, stiffness: 100, breaking_force: 2}
+probes:
+  - {name: force, type: spring_force, springs: link, direction: [0, 1, 0]}
+  - {name: intact, type: intact_springs, springs: link}
+  - {name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}
+output: {checkpoint_interval: 0.1 s}
+)");
+  const auto simulate = [&](Arguments options) {
+    options.insert(options.begin(), {"run", "scene.yaml"});
+    return run_tack(folder.path(), options);
+  };
+  REQUIRE(simulate({"-o", "whole"}).exit_code == 0);
+  REQUIRE(simulate({"-o", "parts", "--steps", "25"}).exit_code == 0);
+  REQUIRE(contains(simulate({"-o", "parts", "--resume"}).out, "resumed at step 20"));
+  CHECK(file_text(folder.path() / "parts/probes.csv") == file_text(folder.path() / "whole/probes.csv"));
+  const CsvTable probes = read_csv(folder.path() / "parts/probes.csv");
+  const size_t intact = *probes.column("intact");
+  CHECK(probes.rows.front()[intact] > 0);
+  CHECK(probes.rows[15][intact] == 0);  // before the checkpoint
+  CHECK(probes.rows.back()[intact] == 0);
+}
+
+TEST_CASE("a run with a finer contact surface resumes bit for bit") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", R"(
+name: fine
+time: {step: 0.01 s, duration: 0.1 s}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, -0.0505, 0]}, motion: [fixed]}
+  - {name: cube, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 0.0505, 0]}, surface: {edge_length: 0.03}, velocity: [0.5, 0, 0.1],
+     energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 1000}]}
+contact: {distance: 1 mm, friction: {mu: 0.3}}
+probes:
+  - {name: height, type: centre_of_mass, object: cube, direction: [0, 1, 0]}
+  - {name: force, type: contact_force, on: cube, from: floor, direction: [0, 1, 0]}
+output: {checkpoint_interval: 0.03 s, frame_interval: 0.05 s}
+)");
+  const auto simulate = [&](Arguments options) {
+    options.insert(options.begin(), {"run", "scene.yaml"});
+    return run_tack(folder.path(), options);
+  };
+  const ProgramResult whole = simulate({"-o", "whole"});
+  INFO(whole.out << whole.err);
+  REQUIRE(whole.exit_code == 0);
+  REQUIRE(simulate({"-o", "parts", "--steps", "5"}).exit_code == 0);
+  REQUIRE(contains(simulate({"-o", "parts", "--resume"}).out, "resumed at step 3"));
+  CHECK(file_text(folder.path() / "parts/probes.csv") == file_text(folder.path() / "whole/probes.csv"));
+  CHECK(file_text(folder.path() / "parts/frames/frame_000002.vtu") == file_text(folder.path() / "whole/frames/frame_000002.vtu"));
+}
+
 TEST_CASE("what integrators remember of contact, and the balance of energy, survive a resume") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());
