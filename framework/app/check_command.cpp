@@ -21,9 +21,9 @@ void print_contents(const World& world) {
                body.movable ? "" : ", held");
   fmt::print("unknowns: {}\n", world.dofs.size());
   for (const AdhesionSummary& r : world.adhesion)
-    fmt::print("adhesion '{}' - '{}': peak {:.6g} Pa, work {:.6g} J/m^2, effective with the barrier "
+    fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective with the barrier "
                "{:.6g} J/m^2, at rest {:.4g} m apart\n",
-               r.between[0], r.between[1], r.peak_traction, r.work_of_adhesion, r.effective, r.rest_gap);
+               r.names(), r.peak_traction, r.work_of_adhesion, r.effective, r.rest_gap);
 }
 
 // "2.1e-09 (differences resolve 3e-10; 2 of 400 at kinks)", relative.

@@ -3,6 +3,7 @@
 // of a sample is a fixed one inside a triangle (coverage.hpp).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -54,15 +55,22 @@ struct ContactSet {
 // What contact knows of the surfaces for the whole run.
 struct ContactSurface {
   CollisionMesh mesh;
-  std::vector<double> edge_area;  // per edge of the mesh [m^2]
-  std::vector<char> closed;       // per object: its surface encloses a volume
-  VecX rest;                      // rest configuration
+  std::vector<double> edge_area;        // per edge of the mesh [m^2]
+  std::vector<char> two_sided;          // per triangle of the mesh: of a sheet
+  std::vector<double> rod_width;        // per object: of its edges that are in no triangle [m]
+  std::vector<double> particle_radius;  // per object: of its points that are in no edge [m]
+  VecX rest;                            // rest configuration
+
+  template <std::size_t K>
+  bool is_particle(const std::array<int, K>& vertices) const {
+    return K == 1 && std::binary_search(mesh.codim_points.begin(), mesh.codim_points.end(), vertices[0]);
+  }
 };
 
 // The candidates between objects a and b.
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b);
 
-// The smallest distance among the candidates [m]; infinity without candidates.
-double smallest_distance(const CollisionMesh& mesh, const Candidates& candidates, const VecX& x);
+// The smallest gap among the candidates: the distance less the offset of the pair [m]; infinity without candidates.
+double smallest_gap(const CollisionMesh& mesh, const PairTable& pairs, const Candidates& candidates, const VecX& x);
 
 }  // namespace tack

@@ -33,8 +33,10 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   for (int a = 0; a < pairs_.objects(); ++a)
-    for (int b = a; b < pairs_.objects(); ++b)
+    for (int b = a; b < pairs_.objects(); ++b) {
       edge_range_ = std::max(edge_range_, pairs_.edge(a, b).range);
+      if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).range);
+    }
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   stride_ = std::max(2 * mean_edge, range_);
@@ -97,8 +99,8 @@ void ContactSystem::cover(const VecX& x, const VecX& p) {
   narrow_phase_->set_candidates(candidates(), x);
 }
 
-double ContactSystem::smallest_distance(const VecX& x) const {
-  return tack::smallest_distance(surface_.mesh, candidates(), x);
+double ContactSystem::smallest_gap(const VecX& x) const {
+  return tack::smallest_gap(surface_.mesh, pairs_, candidates(), x);
 }
 
 }  // namespace tack

@@ -82,7 +82,7 @@ void for_each_sample(const VecX& x, const std::vector<PairLaw>& laws,
 std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
   std::vector<PairLaw> parts;
   for (const PairLaw& law : laws) {
-    PairLaw part;
+    PairLaw part(law.offset());
     for (const auto& term : law.laws())
       if ((dynamic_cast<const AdhesionLaw*>(term.get()) != nullptr) == adhesion) part.add(term);
     parts.push_back(std::move(part));

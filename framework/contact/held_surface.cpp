@@ -27,6 +27,31 @@ double HeldSurface::whole(int vertex_index) const {
   return area;
 }
 
+double HeldSurface::thin(int vertex_index) const {
+  const double radius = topology_.particle_radius(vertex_index);
+  double area = M_PI * radius * radius;
+  for (const int e : topology_.rods_at(vertex_index)) {
+    const auto& [a, b] = mesh_.edges[e];
+    area += rod_width_[mesh_.vertex_object[a]] / 2 * (vertex(x_, b) - vertex(x_, a)).norm();
+  }
+  return area;
+}
+
+double HeldSurface::thin(int vertex_index, const Vec3& n) const {
+  const double radius = topology_.particle_radius(vertex_index);
+  double area = M_PI * radius * radius;
+  const auto rods = topology_.rods_at(vertex_index);
+  const bool end = rods.size() == 1 && topology_.triangles_at(vertex_index).empty();
+  for (const int e : rods) {
+    const auto& [a, b] = mesh_.edges[e];
+    const double width = rod_width_[mesh_.vertex_object[a]];
+    const Vec3 along = vertex(x_, b) - vertex(x_, a);
+    area += width / 2 * along.cross(n).norm();
+    if (end) area += M_PI / 4 * width * width * std::abs(along.normalized().dot(n));
+  }
+  return area;
+}
+
 double HeldSurface::cell(int vertex_index, const Vec3& n) const {
   double area = 0;
   int facing = 0;
@@ -37,7 +62,7 @@ double HeldSurface::cell(int vertex_index, const Vec3& n) const {
 
 double HeldSurface::cosine(int triangle, const Vec3& n) const {
   const double cosine = -normals_[triangle].dot(n);
-  return topology_.two_sided(mesh_.triangles[triangle][0]) ? std::abs(cosine) : cosine;
+  return topology_.two_sided(triangle) ? std::abs(cosine) : cosine;
 }
 
 }  // namespace tack

@@ -8,6 +8,10 @@
 // with |n_T . n| on sheets, which have two sides. So the side walls of a plate, or its back, do not count when
 // its face meets another face, and a stated traction is one per area as it is now, not as it was at rest:
 // that area is the same for both sides.
+//
+// A rod stands for its present length times its width as that surface sees it, w = sum_E width l_E/2 |t_E x n| with the
+// unit tangents t_E, and at its ends for pi/4 width^2 |t_E . n| more; a particle for its cross-section, w = pi r^2. Thin
+// is what a vertex has of the two.
 #pragma once
 
 #include "framework/contact/surface_topology.hpp"
@@ -20,7 +24,8 @@ inline constexpr double least_cosine = 0.1;
 class HeldSurface {
  public:
   // The mesh must outlive this.
-  explicit HeldSurface(const ContactSurface& surface) : mesh_(surface.mesh), topology_(surface) {}
+  explicit HeldSurface(const ContactSurface& surface)
+      : mesh_(surface.mesh), rod_width_(surface.rod_width), topology_(surface) {}
 
   void hold(const VecX& x);
   bool held() const { return x_.size() > 0; }
@@ -31,6 +36,8 @@ class HeldSurface {
   const SurfaceTopology& topology() const { return topology_; }
 
   double whole(int vertex_index) const;  // a third of the area around it [m^2]
+  double thin(int vertex_index) const;                 // of rods and particles, from where it is largest [m^2]
+  double thin(int vertex_index, const Vec3& n) const;  // likewise, towards a surface of unit normal n [m^2]
   // The area per vertex in a mesh of such triangles [m^2]; at a vertex the mean of those that face a surface of normal n.
   double cell(int triangle) const { return 2 * areas_[triangle]; }
   double cell(int vertex_index, const Vec3& n) const;
@@ -38,6 +45,7 @@ class HeldSurface {
 
  private:
   const CollisionMesh& mesh_;
+  const std::vector<double>& rod_width_;  // per object
   SurfaceTopology topology_;
   VecX x_;
   std::vector<Vec3> normals_;

@@ -21,6 +21,7 @@ class LawRoot {
 
  private:
   double gap_;        // d* [m]
+  double offset_;     // of the law [m]
   double depth_ = 0;
   double stiffness_ = 0;  // phi''(d*)^1/2; 0 for a law that only repels
 };

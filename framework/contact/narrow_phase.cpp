@@ -4,8 +4,7 @@
 #include <iterator>
 
 #include "framework/contact/point_features.hpp"
-#include "geometry/distance/box_gap.hpp"
-#include "geometry/distance/edge_edge.hpp"
+#include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/parallel.hpp"
 
@@ -59,27 +58,21 @@ class StencilSearch {
 
 class PointSearch : StencilSearch {
  public:
-  PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-              const PointGroups& groups, const PointPieces& pieces, const std::vector<char>& free, const VecX& x,
-              Found& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), groups_(groups), pieces_(pieces) {}
+  PointSearch(const ContactSurface& surface, const PairTable& pairs, const PointPieces& pieces,
+              const std::vector<char>& free, const VecX& x, Found& found)
+      : StencilSearch(surface.mesh, pairs, free, x, found), pieces_(pieces) {}
 
   void search(const PointPiece& piece) {
-    edges_.clear();
-    others_.clear();
     list_triangles(pieces_.triangles, piece.triangle_begin, piece.triangle_end);
-    if (piece.group >= 0) add_codim(groups_.groups[piece.group]);
-    for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, edges_, others_, piece.range,
+    edges_.clear();
+    for (int i = piece.edge_begin; i < piece.edge_end; ++i) edges_.push_back(mesh_.edges[pieces_.edges[i]]);
+    const std::span<const int> others(pieces_.others.data() + piece.other_begin, pieces_.others.data() + piece.other_end);
+    for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, edges_, others, piece.range,
                                                   pairs_.plain_sums))
       add(piece.point, f, piece.law, piece.area * f.multiplicity);
   }
 
  private:
-  void add_codim(const PointGroup& g) {
-    for (int i = g.edge_begin; i < g.edge_end; ++i)
-      edges_.push_back(mesh_.edges[candidates_.point_edge[i][1]]);
-    for (int i = g.other_begin; i < g.other_end; ++i) others_.push_back(groups_.particles[i][1]);
-  }
   void add(int p, const PointFeature& f, int law, double weight) {
     const auto& v = f.vertices;
     switch (f.count()) {
@@ -89,11 +82,8 @@ class PointSearch : StencilSearch {
     }
   }
 
-  const Candidates& candidates_;
-  const PointGroups& groups_;
   const PointPieces& pieces_;
   std::vector<Edge> edges_;
-  std::vector<int> others_;
 };
 
 class SampleSearch : StencilSearch {
@@ -143,6 +133,19 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
   }
 }
 
+// Where rods cross, with the area that they have in common.
+void search_crossings(const CollisionMesh& mesh, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
+                      const std::vector<char>& free, const VecX& x, Found& found) {
+  for (const auto& [edges, area] : crossings) {
+    const Edge &a = mesh.edges[edges[0]], &b = mesh.edges[edges[1]];
+    const PairRole& role = pairs.thin(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
+    const auto ca = corners(x, a), cb = corners(x, b);
+    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
+    if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
+    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, area});
+  }
+}
+
 template <class Stencils>
 void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& all) {
   all.clear();
@@ -156,11 +159,11 @@ void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& 
 
 NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, NearTriangles near)
     : surface_(surface), pairs_(pairs), held_(surface), sides_(pairs), coverage_(surface, pairs, held_),
-      near_(std::move(near)) {}
+      near_(std::move(near)), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const PairRole& role = pairs_.point(surface_.mesh.vertex_object[group.point], group.object);
-  return role.law >= 0 && role.facing;
+  return role.law >= 0 && (role.facing || held_.topology().thin(group.point));
 }
 
 // Takes the views of the groups that have none in this step yet.
@@ -194,9 +197,7 @@ void NarrowPhase::choose_edges(const Candidates& candidates) {
     const PairRole& role = pairs_.edge(object, other);
     if (role.law < 0 || candidates.clearances.edge_edge[i] >= role.range) return false;
     if (object != other || pairs_.plain_sums) return true;
-    const auto ca = corners(surface_.rest, a), cb = corners(surface_.rest, b);
-    return box_gaps(ca, cb).maxCoeff() >= role.range ||
-           edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) >= role.range * role.range;
+    return !rest_neighbours(surface_, a, b, role.range);
   };
   const int n = static_cast<int>(candidates.edge_edge.size());
   std::vector<char> wanted(n);
@@ -231,7 +232,8 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
 }
 
 void NarrowPhase::make_lists(const Candidates& candidates) {
-  pieces_ = make_pieces({surface_, pairs_, held_, sides_, candidates, groups_, views_});
+  if (!pairs_.plain_sums) rods_.find(candidates, held_);
+  pieces_ = make_pieces({surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_});
   sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, near_);
 }
 
@@ -240,12 +242,14 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
   const int edges = static_cast<int>(edge_pairs_.size());
   std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
-    PointSearch search(surface_, pairs_, candidates, groups_, pieces_, free_, x, found_points[c]);
+    PointSearch search(surface_, pairs_, pieces_, free_, x, found_points[c]);
     for (int i = first; i < last; ++i) search.search(pieces_.pieces[i]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
     search_edges(surface_, pairs_, candidates, edge_pairs_, free_, x, first, last, found_edges[c]);
   });
+  if (!rods_.crossings().empty())
+    search_crossings(surface_.mesh, pairs_, rods_.crossings(), free_, x, found_edges.emplace_back());
   const int samples = static_cast<int>(coverage_.samples().size());
   std::vector<Found> found_samples(chunk_count(samples));
   for_each_chunk(samples, [&](int c, int first, int last) {

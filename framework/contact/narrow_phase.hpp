@@ -47,6 +47,7 @@ class NarrowPhase {
   std::vector<GroupView> views_;  // of this step, by key
   PointPieces pieces_;
   SamplePieces sample_pieces_;    // of the coverage's samples
+  RodOverlaps rods_;              // of this step
   std::vector<int> edge_pairs_;   // the candidates between edges that may press
 };
 

@@ -1,24 +1,60 @@
 #include "framework/contact/pair_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 namespace tack {
+namespace {
+
+// Calls act(first, n, gaps) for some of the distances at a time.
+template <class Act>
+void in_gaps(int n, const double* d, double offset, const Act& act) {
+  constexpr int most = 64;
+  std::array<double, most> gap;
+  for (int first = 0; first < n; first += most) {
+    const int count = std::min(most, n - first);
+    for (int i = 0; i < count; ++i) gap[i] = d[first + i] - offset;
+    act(first, count, gap.data());
+  }
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 double PairLaw::range() const {
   double range = 0;
   for (const auto& law : laws_) range = std::max(range, law->range());
-  return range;
+  return range > 0 ? range + offset_ : 0;
+}
+
+void PairLaw::gap_samples(int n, const double* gap, LawSample* out) const {
+  std::fill(out, out + n, LawSample{});
+  for (const auto& law : laws_) law->add_samples(n, gap, out);
 }
 
 void PairLaw::samples(int n, const double* d, LawSample* out) const {
-  std::fill(out, out + n, LawSample{});
-  for (const auto& law : laws_) law->add_samples(n, d, out);
+  if (offset_ == 0) return gap_samples(n, d, out);
+  in_gaps(n, d, offset_, [&](int first, int count, const double* gap) {
+    gap_samples(count, gap, out + first);
+    for (int i = 0; i < count; ++i)
+      if (gap[i] <= 0) out[first + i] = {infinity, -infinity, infinity};
+  });
 }
 
 void PairLaw::values(int n, const double* d, double* out) const {
-  std::fill(out, out + n, 0.0);
-  for (const auto& law : laws_) law->add_values(n, d, out);
+  const auto add = [&](int count, const double* gap, double* sum) {
+    std::fill(sum, sum + count, 0.0);
+    for (const auto& law : laws_) law->add_values(count, gap, sum);
+  };
+  if (offset_ == 0) return add(n, d, out);
+  in_gaps(n, d, offset_, [&](int first, int count, const double* gap) {
+    add(count, gap, out + first);
+    for (int i = 0; i < count; ++i)
+      if (gap[i] <= 0) out[first + i] = infinity;
+  });
 }
 
 LawSample PairLaw::at(double d) const {
@@ -31,9 +67,9 @@ PairLaw::Well PairLaw::well() const {
   // A scan on a logarithmic grid brackets the lowest point; golden section refines it.
   constexpr int points = 2000;
   constexpr double smallest = 1e-6;  // of the range
-  const double end = range();
+  const double end = range() - offset_;
   const auto gap = [&](double u) { return end * std::pow(smallest, 1 - u); };
-  const auto phi = [&](double u) { return at(gap(u)).value; };
+  const auto phi = [&](double u) { return at(gap(u) + offset_).value; };
   int best = points;
   for (int i = 0; i < points; ++i)
     if (phi(i / double(points)) < phi(best / double(points))) best = i;

@@ -8,6 +8,11 @@
 // These *pressure* stencils carry the whole law, barrier + adhesion. Edge-edge pairs and the points of
 // the other side would count area again; they are *guards*: they carry the barrier alone, with a
 // shorter range, and see to it that nothing passes where no quadrature point is near.
+//
+// Rods and particles have a width or a cross-section instead of an area, and surfaces do not know how much of
+// theirs lies opposite. So between a surface and a rod or particle it is always the latter that integrates, whatever the
+// side of the pair; between two rods, or a rod and a particle, what counts is where the shadows of the two overlap
+// (rod_overlaps.hpp).
 #pragma once
 
 #include <algorithm>
@@ -34,7 +39,9 @@ struct PairRole {
 
 class PairTable {
  public:
-  explicit PairTable(int objects) : objects_(objects), point_(objects * objects), edge_(objects * objects) {}
+  explicit PairTable(int objects)
+      : objects_(objects), point_(objects * objects), edge_(objects * objects), thin_(objects * objects),
+        offset_(objects * objects, 0.0) {}
 
   int objects() const { return objects_; }
   int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
@@ -56,6 +63,19 @@ class PairTable {
     edge_[a * objects_ + b] = edge_[b * objects_ + a] = role;
   }
   const PairRole& edge(int a, int b) const { return edge_[a * objects_ + b]; }
+  // The whole law between rods and particles of a and anything of b, or the other way; symmetric.
+  void set_thin(int a, int b, const PairRole& role) {
+    thin_[a * objects_ + b] = thin_[b * objects_ + a] = role;
+  }
+  const PairRole& thin(int a, int b) const { return thin_[a * objects_ + b]; }
+
+  // What is not there of the distance of two surfaces: half thicknesses [m].
+  void set_offset(int a, int b, double offset) {
+    offset_[a * objects_ + b] = offset_[b * objects_ + a] = offset;
+    largest_offset_ = std::max(largest_offset_, offset);
+  }
+  double offset(int a, int b) const { return offset_[a * objects_ + b]; }
+  double largest_offset() const { return largest_offset_; }
 
   // Plain IPC sums instead: every close pair of primitives counts, no inclusion-exclusion.
   bool plain_sums = false;
@@ -64,7 +84,9 @@ class PairTable {
   int objects_;
   std::vector<PairLaw> laws_;
   std::vector<TangentialLaw> tangential_;  // per law
-  std::vector<PairRole> point_, edge_;
+  std::vector<PairRole> point_, edge_, thin_;
+  std::vector<double> offset_;  // m
+  double largest_offset_ = 0;   // m
 };
 
 }  // namespace tack

@@ -9,6 +9,7 @@
 #include "framework/contact/integration_sides.hpp"
 #include "framework/contact/pair_table.hpp"
 #include "framework/contact/point_groups.hpp"
+#include "framework/contact/rod_overlaps.hpp"
 
 namespace tack {
 
@@ -18,12 +19,15 @@ struct PointPiece {
   double area;   // share of the point's area [m^2]
   double range;  // of the law [m]
   int triangle_begin, triangle_end;  // into PointPieces::triangles
-  int group;  // whose candidates of rods and particles belong to it; -1: none do
+  int edge_begin, edge_end;          // into PointPieces::edges
+  int other_begin, other_end;        // into PointPieces::others
 };
 
 struct PointPieces {
   std::vector<PointPiece> pieces;
   std::vector<int> triangles;  // of the mesh
+  std::vector<int> edges;      // of the mesh: rods
+  std::vector<int> others;     // global vertices: particles
 };
 
 // The view of a group, known for the step.
@@ -39,6 +43,7 @@ struct PieceRequest {
   const PairTable& pairs;
   const HeldSurface& held;
   const IntegrationSides& sides;
+  const RodOverlaps& rods;
   const Candidates& candidates;
   const PointGroups& groups;
   const std::vector<GroupView>& views;  // by key; all groups that integrate are there

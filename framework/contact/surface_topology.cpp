@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace tack {
 namespace {
@@ -40,26 +41,52 @@ void for_each_edge(const ContactSurface& surface,
   }
 }
 
-SurfaceTopology::SurfaceTopology(const ContactSurface& surface) {
-  for (const int object : surface.mesh.vertex_object) two_sided_.push_back(!surface.closed[object]);
-  find_incident(surface.mesh, two_sided_.size());
+namespace {
+
+// The elements of those numbers by their vertices.
+template <class ElementAt>
+void collect_at_vertices(const std::vector<int>& numbers, size_t vertices, const ElementAt& element, std::vector<int>& start,
+                         std::vector<int>& list) {
+  start.assign(vertices + 1, 0);
+  for (const int i : numbers)
+    for (const int v : element(i)) ++start[v + 1];
+  for (size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
+  list.resize(start.back());
+  auto next = start;
+  for (const int i : numbers)
+    for (const int v : element(i)) list[next[v]++] = i;
+}
+
+}  // namespace
+
+SurfaceTopology::SurfaceTopology(const ContactSurface& surface) : two_sided_(surface.two_sided) {
+  const size_t vertices = surface.mesh.vertex_object.size();
+  find_incident(surface.mesh, vertices);
+  find_rods(surface.mesh, vertices);
+  find_particles(surface, vertices);
   find_creases(surface);
 }
 
 void SurfaceTopology::find_incident(const CollisionMesh& mesh, size_t vertices) {
-  start_.assign(vertices + 1, 0);
-  for (const Triangle& t : mesh.triangles)
-    for (const int v : t) ++start_[v + 1];
-  for (size_t v = 0; v < vertices; ++v) start_[v + 1] += start_[v];
-  incident_.resize(start_.back());
-  auto next = start_;
-  for (size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const int v : mesh.triangles[t]) incident_[next[v]++] = static_cast<int>(t);
+  std::vector<int> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  collect_at_vertices(all, vertices, [&](int t) { return mesh.triangles[t]; }, start_, incident_);
+}
+
+void SurfaceTopology::find_rods(const CollisionMesh& mesh, size_t vertices) {
+  if (mesh.codim_edges.empty()) return;
+  collect_at_vertices(mesh.codim_edges, vertices, [&](int e) { return mesh.edges[e]; }, rod_start_, rods_);
+}
+
+void SurfaceTopology::find_particles(const ContactSurface& surface, size_t vertices) {
+  if (surface.mesh.codim_points.empty()) return;
+  radius_.assign(vertices, 0);
+  for (const int v : surface.mesh.codim_points) radius_[v] = surface.particle_radius[surface.mesh.vertex_object[v]];
 }
 
 void SurfaceTopology::find_creases(const ContactSurface& surface) {
   smooth_edges_.assign(surface.mesh.triangles.size(), 0);
-  smooth_vertex_.assign(two_sided_.size(), 1);
+  smooth_vertex_.assign(start_.size() - 1, 1);
   for_each_edge(surface, [&](std::span<const EdgeUse> uses, const std::optional<double>& angle) {
     for (const EdgeUse& use : uses)
       if (angle) smooth_edges_[use.triangle] |= static_cast<unsigned char>(1u << use.side);

@@ -1,4 +1,4 @@
-// What never changes of the surfaces: the triangles at each vertex, and which edges and vertices of a
+// What never changes of the surfaces: the triangles and rods at each vertex, and which edges and vertices of a
 // triangle are smooth, that is, where the surface goes on beyond them without a crease. An edge is smooth if
 // exactly two triangles meet there at less than 40 degrees at rest; a vertex is, if all its edges are.
 #pragma once
@@ -32,20 +32,33 @@ class SurfaceTopology {
   std::span<const int> triangles_at(int vertex_index) const {
     return {incident_.data() + start_[vertex_index], incident_.data() + start_[vertex_index + 1]};
   }
+  // Edges that are in no triangle.
+  std::span<const int> rods_at(int vertex_index) const {
+    if (rod_start_.empty()) return {};
+    return {rods_.data() + rod_start_[vertex_index], rods_.data() + rod_start_[vertex_index + 1]};
+  }
+  // The radius of a particle; 0 for other vertices [m].
+  double particle_radius(int vertex_index) const { return radius_.empty() ? 0 : radius_[vertex_index]; }
+  // Whether the vertex is of a rod, or a particle.
+  bool thin(int vertex_index) const { return !rods_at(vertex_index).empty() || particle_radius(vertex_index) > 0; }
   bool smooth_vertex(int vertex_index) const { return smooth_vertex_[vertex_index] != 0; }
   // Edge i of a triangle: from its corner i to the next.
   bool smooth_edge(int triangle, int i) const { return (smooth_edges_[triangle] >> i & 1) != 0; }
-  // Whether the vertex is of a sheet, which has two sides.
-  bool two_sided(int vertex_index) const { return two_sided_[vertex_index] != 0; }
+  // Whether the triangle is of a sheet, which has two sides.
+  bool two_sided(int triangle) const { return two_sided_[triangle] != 0; }
 
  private:
   void find_incident(const CollisionMesh& mesh, size_t vertices);
+  void find_rods(const CollisionMesh& mesh, size_t vertices);
+  void find_particles(const ContactSurface& surface, size_t vertices);
   void find_creases(const ContactSurface& surface);
 
   std::vector<int> start_, incident_;  // triangles at each global vertex
+  std::vector<int> rod_start_, rods_;  // likewise, codimensional edges; empty without any
+  std::vector<double> radius_;         // per global vertex; empty without particles
   std::vector<char> smooth_vertex_;    // per global vertex
   std::vector<unsigned char> smooth_edges_;  // per triangle, a bit an edge
-  std::vector<char> two_sided_;        // per global vertex
+  std::vector<char> two_sided_;        // per triangle
 };
 
 }  // namespace tack

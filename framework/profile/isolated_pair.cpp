@@ -73,12 +73,15 @@ ContactSurface surface_of(const ContactSurface& all, const Cut& cut) {
     if (std::binary_search(all.mesh.codim_edges.begin(), all.mesh.codim_edges.end(), edges[e]))
       own.mesh.codim_edges.push_back(static_cast<int>(e));
   }
-  own.mesh.triangles = cut.elements(all.mesh.triangles, [](int) {});
+  own.mesh.triangles = cut.elements(all.mesh.triangles, [&](int t) { own.two_sided.push_back(all.two_sided[t]); });
   for (const int object : cut.part(all.mesh.vertex_object))
     own.mesh.vertex_object.push_back(object == cut.body(0) ? 0 : 1);
   own.mesh.vertex_movable = cut.part(all.mesh.vertex_movable);
   if (!all.mesh.vertex_group.empty()) own.mesh.vertex_group = cut.part(all.mesh.vertex_group);
-  for (int i = 0; i < cut.objects(); ++i) own.closed.push_back(all.closed[cut.body(i)]);
+  for (int i = 0; i < cut.objects(); ++i) {
+    own.rod_width.push_back(all.rod_width[cut.body(i)]);
+    own.particle_radius.push_back(all.particle_radius[cut.body(i)]);
+  }
   own.rest = cut.part(all.rest, 3);
   return own;
 }
@@ -99,6 +102,8 @@ PairTable table_of(const PairTable& all, const Cut& cut) {
   both_ways(cut, [&](int i, int j) {
     own.point(i, j) = all.point(cut.body(i), cut.body(j));
     own.set_edge(i, j, all.edge(cut.body(i), cut.body(j)));
+    own.set_thin(i, j, all.thin(cut.body(i), cut.body(j)));
+    own.set_offset(i, j, all.offset(cut.body(i), cut.body(j)));
   });
   return own;
 }

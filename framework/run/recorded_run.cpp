@@ -25,9 +25,9 @@ void warn_of_weak_wells(const World& world, Progress& progress) {
   for (const AdhesionSummary& a : world.adhesion)
     if (a.loss() > AdhesionSummary::tolerated_loss)
       progress.warning(fmt::format(
-          "adhesion '{}' - '{}': the barrier's stiffness takes {:.0f}% of the work of adhesion "
+          "adhesion {}: the barrier's stiffness takes {:.0f}% of the work of adhesion "
           "({:.4g} of {:.4g} J/m^2 remain); lower contact.barrier.stiffness",
-          a.between[0], a.between[1], 100 * a.loss(), a.effective, a.work_of_adhesion));
+          a.names(), 100 * a.loss(), a.effective, a.work_of_adhesion));
 }
 
 RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {

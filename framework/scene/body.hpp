@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/scene/rod_section.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/types.hpp"
 
@@ -19,9 +20,12 @@ struct Body {
   int energy = 0;       // which of its energies is made, from 0: what terms that remember are told apart by
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
-  std::vector<Triangle> triangles;  // the surface: outward oriented around tets, as in the mesh for sheets
+  std::vector<Triangle> triangles;  // the surface: outward oriented around tets, then those of `sheet`
+  std::vector<Triangle> sheet;      // explicit triangles of the mesh that are no faces of its tets
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
+  std::optional<RodSection> section;  // of the edges
+  double radius = 0;                  // of the points [m]; 0: none
   std::vector<int> frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
   double volume = 0;       // of an affine body [m^3]
   double stiffness = 0;    // likewise [Pa]

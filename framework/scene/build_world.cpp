@@ -6,10 +6,12 @@
 #include <set>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/too_close.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/scene/affine_bodies.hpp"
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
+#include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/named_selections.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "geometry/errors.hpp"
@@ -46,9 +48,23 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   };
   body.tags = mesh.tags;
   body.tets = shifted(mesh.tets);
-  body.triangles = shifted(extract_surface(mesh).triangles);
+  const Surface surface = extract_surface(mesh);
+  body.triangles = shifted(surface.triangles);
+  body.sheet.assign(body.triangles.begin() + surface.first_sheet, body.triangles.end());
   body.edges = shifted(mesh.edges);
   for (const int v : mesh.points) body.points.push_back(body.first_vertex + v);
+  if (object.rod) {
+    if (body.edges.empty())
+      throw InputError(fmt::format("object '{}' has a section (rod) and no explicit edges; take `rod` away, or choose a shape of "
+                                   "edges", object.name));
+    body.section = object.rod->section();
+  }
+  if (object.particle) {
+    if (body.points.empty())
+      throw InputError(fmt::format("object '{}' has a radius (particle) and no explicit points; take `particle` away, or choose a "
+                                   "shape of points", object.name));
+    body.radius = object.particle->radius;
+  }
   world.bodies.push_back(std::move(body));
 }
 
@@ -159,6 +175,24 @@ void check_start(const Value& root, const World& world) {
                                place_of(root, "objects", static_cast<size_t>(std::max(a, b))), list));
 }
 
+// Contact surfaces lie in front of what is meshed, if objects have an offset.
+void check_offsets(const Value& root, World& world) {
+  if (!world.contact || world.contact->pairs().largest_offset() == 0) return;
+  world.contact->cover(world.rest, VecX());
+  const auto found = find_too_close(*world.contact, world.rest);
+  world.contact->forget();
+  if (found.empty()) return;
+  std::string list;
+  int later = 0;
+  for (const TooClose& pair : found) {
+    later = std::max({later, world.body_of(pair.first[0]), world.body_of(pair.second[0])});
+    list += fmt::format("\n  {} and {} are {:.4g} m apart, and need {:.4g} m", describe_primitive(world, pair.first),
+                        describe_primitive(world, pair.second), pair.distance, pair.offset);
+  }
+  throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate) or lower their "
+                               "contact_offset:{}", place_of(root, "objects", static_cast<size_t>(later)), list));
+}
+
 void check_containment(const Value& root, const World& world) {
   const auto found = find_containment(world);
   if (!found) return;
@@ -204,7 +238,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     std::optional<MeshDigest> file_mesh;
     if (object.shape->reads_files()) file_mesh = digest_of(mesh);
     mesh = placed(std::move(mesh), object);
-    if (scene.contact) refuse_unsupported_contact(mesh, object.name);
+    if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
     add_body(object, mesh, *world);
     world->bodies.back().file_mesh = file_mesh;
   });
@@ -238,6 +272,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   start_state(scene, *world);
   build_contact(scene, root, clock, *world);
   check_start(root, *world);
+  check_offsets(root, *world);
   check_containment(root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());

@@ -8,6 +8,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/local_mesh.hpp"
+#include "framework/scene/pair_configs.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -16,17 +17,29 @@ namespace tack {
 namespace {
 
 struct SurfaceSize {
-  double area = 0;  // m^2
+  double area = 0;  // of its triangles [m^2]
   int vertices = 0;
   double per_vertex() const { return vertices > 0 ? area / vertices : 0; }
 };
+
+// Rods beside triangles: their length times their width.
+std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, double rod_width) {
+  std::vector<double> areas = edge_areas(mesh, surface);
+  for (const int e : surface.codim_edges) {
+    const auto& [a, b] = surface.edges[e];
+    areas[e] = rod_width * (mesh.vertices[a] - mesh.vertices[b]).norm();
+  }
+  return areas;
+}
 
 // Appends a body's surface to the collision mesh.
 SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactSurface& all) {
   const Mesh mesh = body.surface_triangles.empty() ? local_mesh(body, rest) : surface_mesh(body, rest);
   const Surface surface = extract_surface(mesh);
   const auto areas = vertex_areas(mesh, surface);
-  const auto edges = edge_areas(mesh, surface);
+  all.rod_width.push_back(body.section ? body.section->contact_width() : 0);
+  all.particle_radius.push_back(body.radius);
+  const auto edges = areas_of_edges(mesh, surface, all.rod_width.back());
   const auto global = [&](int v) {
     return v < body.vertex_count ? body.first_vertex + v : body.surface_vertices[v - body.vertex_count];
   };
@@ -39,6 +52,10 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactS
   for (const Edge& e : surface.edges) all.mesh.edges.push_back({global(e[0]), global(e[1])});
   for (const Triangle& t : surface.triangles) all.mesh.triangles.push_back({global(t[0]), global(t[1]), global(t[2])});
   all.edge_area.insert(all.edge_area.end(), edges.begin(), edges.end());
+  // A refined surface is one of tets, or a sheet; an affine body that is a mesh of triangles encloses a volume.
+  const bool closed = !body.frame.empty() || (!body.surface_triangles.empty() && !body.tets.empty());
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
+    all.two_sided.push_back(!closed && t >= surface.first_sheet);
   return size;
 }
 
@@ -50,27 +67,28 @@ class PairBuilder {
  public:
   PairBuilder(const SceneConfig& scene, const Value& root, World& world)
       : scene_(scene), contact_(*scene.contact), root_(root), world_(world),
-        table_(static_cast<int>(world.bodies.size())) {
+        configs_(scene, root), table_(static_cast<int>(world.bodies.size())) {
     table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
-    find_configs();
   }
 
   void build(const std::vector<SurfaceSize>& sizes) {
     const int n = table_.objects();
     for (int a = 0; a < n; ++a) {
       for (int b = a; b < n; ++b) {
-        const int index = config_of(a, b);
+        const int index = configs_.of(a, b);
         const bool attached = std::count(world_.attached.begin(), world_.attached.end(), std::pair{a, b}) > 0;
-        if (attached && index >= 0 && contact_.pairs[index].contact)
-          throw pair_error(static_cast<size_t>(index),
-                           fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
-                                       "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
-        if (attached || (index >= 0 && !contact_.pairs[index].contact)) {
+        if (attached && index >= 0 && contact_.pairs[index].contact && configs_.names_objects(index))
+          throw configs_.error(index,
+                               fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
+                                           "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
+        const bool held = !world_.bodies[a].movable && !world_.bodies[b].movable;
+        if (attached || (held && !contact_.between_held) || (index >= 0 && !contact_.pairs[index].contact)) {
           colliding_.set(a, b, false);
           continue;
         }
         // Without a law, but the exact check sees one being driven through the other.
-        if (!world_.bodies[a].movable && !world_.bodies[b].movable) continue;
+        if (held) continue;
+        table_.set_offset(a, b, offset_of(a, b));
         set_roles(a, b, index, sizes);
       }
     }
@@ -80,40 +98,9 @@ class PairBuilder {
   const CollidingObjects& colliding() const { return colliding_; }
 
  private:
-  const Value* pairs_value() const {
-    const Value* contact = root_.find("contact");
-    return contact ? contact->find("pairs") : nullptr;
-  }
-  std::string pair_place(size_t i) const {
-    const Value* pairs = pairs_value();
-    return pairs && i < pairs->items.size() ? pairs->items[i].mark.text() + ": " : "";
-  }
-  InputError pair_error(size_t i, const std::string& message) const { return InputError(pair_place(i) + message); }
-
   std::string contact_place() const {
     const Value* contact = root_.find("contact");
     return contact ? contact->mark.text() + ": " : "";
-  }
-
-  int named(size_t pair, const std::string& name) const {
-    return world_.index_of(name, pair_place(pair));
-  }
-
-  void find_configs() {
-    for (size_t i = 0; i < contact_.pairs.size(); ++i) {
-      const PairConfig& pair = contact_.pairs[i];
-      const int a = named(i, pair.between[0]), b = named(i, pair.between[1]);
-      if (!configs_.emplace(std::minmax(a, b), static_cast<int>(i)).second)
-        throw pair_error(i, fmt::format("the pair '{}', '{}' is given twice", pair.between[0], pair.between[1]));
-      if (pair.integrate != "automatic" && pair.integrate != "finer" && pair.integrate != "both" && pair.integrate != pair.between[0] &&
-          pair.integrate != pair.between[1])
-        throw pair_error(i, fmt::format("integrate: '{}' is neither automatic, finer, both, nor one of the pair; "
-                                        "name '{}' or '{}'", pair.integrate, pair.between[0], pair.between[1]));
-    }
-  }
-  int config_of(int a, int b) const {
-    const auto found = configs_.find(std::minmax(a, b));
-    return found == configs_.end() ? -1 : found->second;
   }
 
   // What acts along the surfaces of a pair whose adhesion has the given peak traction.
@@ -131,6 +118,8 @@ class PairBuilder {
     return law;
   }
 
+  double offset_of(int a, int b) const { return scene_.objects[a].contact_offset + scene_.objects[b].contact_offset; }
+
   // Both 0 if no side has a modulus.
   PairMaterials materials_of(int a, int b) const {
     PairMaterials m{contact_.contact_distance};
@@ -147,14 +136,19 @@ class PairBuilder {
 
   struct LawIds {
     int pressure, guard;
+    int summary = -1;  // of world.adhesion; -1: without adhesion
   };
 
   LawIds laws_of(int a, int b, int config) {
     PairMaterials materials = materials_of(a, b);
-    const auto key = std::tuple{config, materials.softer_young, materials.softer_stiffness};
-    if (const auto found = laws_.find(key); found != laws_.end()) return found->second;
+    const double offset = table_.offset(a, b);
+    const auto key = std::tuple{config, materials.softer_young, materials.softer_stiffness, offset};
+    if (const auto found = laws_.find(key); found != laws_.end()) {
+      if (found->second.summary >= 0) world_.adhesion[found->second.summary].pairs.push_back({a, b});
+      return found->second;
+    }
     const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
-    PairLaw pressure, guard;
+    PairLaw pressure(offset), guard(offset);
     std::shared_ptr<NormalLaw> adhesion;
     try {
       if (pair && pair->adhesion) {
@@ -171,7 +165,7 @@ class PairBuilder {
       guard.add(close);
     } catch (const InputError& error) {
       if (!pair) throw InputError(contact_place() + error.what());
-      throw pair_error(static_cast<size_t>(config), error.what());
+      throw configs_.error(config, error.what());
     }
     if (adhesion) {
       pressure.add(adhesion);
@@ -181,14 +175,15 @@ class PairBuilder {
     const TangentialLaw along = tangential_of(pair, materials.adhesion_peak);
     TangentialLaw along_guard = along;
     if (!table_.plain_sums) along_guard.mu_a = 0;  // guards do not adhere
-    const LawIds ids{table_.add_law(pressure, along), table_.add_law(guard, along_guard)};
+    const LawIds ids{table_.add_law(pressure, along), table_.add_law(guard, along_guard),
+                     adhesion ? static_cast<int>(world_.adhesion.size()) - 1 : -1};
     laws_.emplace(key, ids);
     return ids;
   }
 
   void report(int a, int b, const AdhesionLaw& adhesion, const PairLaw& law) {
     const PairLaw::Well well = law.well();
-    world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name},
+    world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, {{a, b}},
                                adhesion.work_of_adhesion(), well.depth, well.gap,
                                adhesion.peak_traction()});
   }
@@ -199,6 +194,7 @@ class PairBuilder {
     const PairRole guard{ids.guard, 1, guard_range, false};
     // An edge pair's area is half the mean of its two edges' (they count the surface twice).
     table_.set_edge(a, b, {ids.guard, 0.25, guard_range, false});
+    table_.set_thin(a, b, {ids.pressure, 1, range});
     if (table_.plain_sums) {
       table_.point(a, b) = table_.point(b, a) = {ids.pressure, 1, range, false};
       return;
@@ -208,7 +204,9 @@ class PairBuilder {
     const std::string& side = config >= 0 ? contact_.pairs[config].integrate : PairConfig().integrate;
     const bool first_finer = sizes[a].per_vertex() <= sizes[b].per_vertex();
     pressure.by_size = a != b && side == "automatic" && !pressure.covered;
-    if (a == b || side == "both" || pressure.by_size) {
+    // Both may be of the group that is named.
+    const bool both = side == "both" || (config >= 0 && configs_.integrates(config, a) && configs_.integrates(config, b));
+    if (a == b || both || pressure.by_size) {
       pressure.share = 0.5;
       table_.point(a, b) = table_.point(b, a) = pressure;
     } else if (side == "automatic") {
@@ -218,7 +216,7 @@ class PairBuilder {
         (first ? table_.point(a, b) : table_.point(b, a)) = pressure;
       }
     } else {
-      const bool first = side == "finer" ? first_finer : side == world_.bodies[a].name;
+      const bool first = side == "finer" ? first_finer : configs_.integrates(config, a);
       table_.point(a, b) = first ? pressure : guard;
       table_.point(b, a) = first ? guard : pressure;
     }
@@ -228,10 +226,10 @@ class PairBuilder {
   const ContactConfig& contact_;
   const Value& root_;
   World& world_;
+  PairConfigs configs_;
   PairTable table_;
   CollidingObjects colliding_;
-  std::map<std::pair<int, int>, int> configs_;
-  std::map<std::tuple<int, double, double>, LawIds> laws_;
+  std::map<std::tuple<int, double, double, double>, LawIds> laws_;
 };
 
 // With a range beyond the scene's own size, everything is in contact with everything: a mistake in a unit, and
@@ -278,7 +276,6 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
     sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, surface));
   std::sort(surface.mesh.vertices.begin(), surface.mesh.vertices.end());
   surface.rest = world.rest;
-  for (const Body& body : world.bodies) surface.closed.push_back(!body.tets.empty() || !body.frame.empty());
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
     surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.script.may_move(v);

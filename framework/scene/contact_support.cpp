@@ -16,25 +16,6 @@ Element sorted_element(Element e) {
   return e;
 }
 
-std::vector<Triangle> tet_faces(const Mesh& mesh) {
-  std::vector<Triangle> faces;
-  for (const auto& [a, b, c, d] : mesh.tets)
-    for (const Triangle& f : {Triangle{a, b, c}, Triangle{a, b, d}, Triangle{a, c, d}, Triangle{b, c, d}})
-      faces.push_back(sorted_element(f));
-  std::sort(faces.begin(), faces.end());
-  return faces;
-}
-
-std::vector<int> triangles_beside_tets(const Mesh& mesh) {
-  if (mesh.tets.empty()) return {};
-  const std::vector<Triangle> faces = tet_faces(mesh);
-  std::vector<int> found;
-  for (size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (!std::binary_search(faces.begin(), faces.end(), sorted_element(mesh.triangles[t])))
-      found.push_back(static_cast<int>(t));
-  return found;
-}
-
 std::vector<int> rods(const Mesh& mesh, const Surface& surface) {
   std::vector<Edge> alone;
   for (const int e : surface.codim_edges) alone.push_back(surface.edges[e]);
@@ -70,14 +51,15 @@ void refuse(const std::string& object, const char* kind, const std::vector<int>&
 
 }  // namespace
 
-void refuse_unsupported_contact(const Mesh& mesh, const std::string& object) {
-  refuse(object, "triangle", triangles_beside_tets(mesh),
-         "would be in no contact, as they are not faces of its tets: make the triangles an object of their own");
+void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool has_section, bool has_radius) {
+  if ((mesh.edges.empty() || has_section) && (mesh.points.empty() || has_radius)) return;
   const Surface surface = extract_surface(mesh);
-  refuse(object, "edge", rods(mesh, surface),
-         "would be in no contact, as rods have no area yet: give the object a surface of triangles or tets");
-  refuse(object, "point", particles(mesh, surface),
-         "would be in no contact, as particles have no area yet: give the object a surface of triangles or tets");
+  if (!has_section)
+    refuse(object, "edge", rods(mesh, surface), "would be in no contact, as they have no width: give the object a section "
+           "(rod: {radius: ...})");
+  if (!has_radius)
+    refuse(object, "point", particles(mesh, surface), "would be in no contact, as they have no size: give the object a radius "
+           "(particle: {radius: ...})");
 }
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// What contact cannot take yet: rods and particles, whose points and edges stand for no area and so would
-// feel neither barrier nor adhesion, and explicit triangles of an object that has tets, which would be left out.
+// What cannot act in contact: rods without a width and particles without a cross-section, which would feel neither
+// barrier nor adhesion.
 #pragma once
 
 #include <string>
@@ -8,7 +8,8 @@
 
 namespace tack {
 
-// Throws InputError, with the object and the numbers of such elements, if a mesh has any.
-void refuse_unsupported_contact(const Mesh& mesh, const std::string& object);
+// Throws InputError, with the object and the numbers of such elements, if a mesh has any that need the section, or the
+// radius, that the object does not give.
+void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool has_section, bool has_radius);
 
 }  // namespace tack

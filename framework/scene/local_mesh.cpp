@@ -11,7 +11,7 @@ Mesh local_mesh(const Body& body, const VecX& rest) {
     return elements;
   };
   mesh.tets = shifted(body.tets);
-  if (body.tets.empty()) mesh.triangles = shifted(body.triangles);
+  mesh.triangles = shifted(body.sheet);
   mesh.edges = shifted(body.edges);
   for (const int v : body.points) mesh.points.push_back(v - body.first_vertex);
   return mesh;

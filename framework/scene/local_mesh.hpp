@@ -6,7 +6,7 @@
 
 namespace tack {
 
-// In local vertex indices, with the positions of `rest` (3n); a solid's triangles are those of its tets.
+// In local vertex indices, with the positions of `rest` (3n); its triangles are those of its sheets.
 Mesh local_mesh(const Body& body, const VecX& rest);
 
 }  // namespace tack

@@ -20,6 +20,9 @@ void add_refined_surface(const ObjectConfig& object, int index, World& world) {
   Body& body = world.bodies[index];
   if (body.triangles.empty())
     throw InputError(fmt::format("object '{}' has no triangles to divide; take `surface` away", object.name));
+  if (!body.tets.empty() && !body.sheet.empty())
+    throw InputError(fmt::format("object '{}' has tets and triangles beside them, and `surface` would not know which sides of them are "
+                                 "outside; make the triangles an object of their own, or take `surface` away", object.name));
   std::vector<Triangle> triangles = body.triangles;
   for (Triangle& t : triangles)
     for (int& v : t) v -= body.first_vertex;
@@ -51,6 +54,8 @@ Mesh surface_mesh(const Body& body, const VecX& rest) {
   mesh.vertices = mesh_vertices(body, rest);
   for (const int v : body.surface_vertices) mesh.vertices.push_back(vertex(rest, v));
   mesh.triangles = body.surface_triangles;
+  for (const auto& [a, b] : body.edges) mesh.edges.push_back({a - body.first_vertex, b - body.first_vertex});
+  for (const int v : body.points) mesh.points.push_back(v - body.first_vertex);
   const int last = body.first_vertex + body.vertex_count;
   for (Triangle& t : mesh.triangles)
     for (int& v : t) v = v < last ? v - body.first_vertex : body.vertex_count + v - body.surface_vertices.front();

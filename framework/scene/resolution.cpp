@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/surface_topology.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 // Means over the surface of one object.
 struct SurfaceMeasure {
-  double size = 0;       // of an element, the root of twice its area [m]
+  double size = 0;       // of an element, the root of twice its area, or the length of a rod's edge; 0 for particles [m]
   double gap_change = 0; // h theta / 2 over the smooth edges [m]
   double thickness = 0;  // 2 V / A [m]; 0 for sheets
 };
@@ -34,17 +35,28 @@ std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t object
     ++smooth[mesh.vertex_object[a]];
   });
   std::vector<double> volume(objects, 0), area(objects, 0);
-  for (const Triangle& t : mesh.triangles) {
+  std::vector<char> sheet(objects, 0);
+  std::vector<double> length(objects, 0);
+  std::vector<int> edges(objects, 0);
+  for (const int e : mesh.codim_edges) {
+    const auto& [a, b] = mesh.edges[e];
+    length[mesh.vertex_object[a]] += (vertex(x, a) - vertex(x, b)).norm();
+    ++edges[mesh.vertex_object[a]];
+  }
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const int object = mesh.vertex_object[t[0]];
     const auto [a, b, c] = corners(x, t);
     const Vec3 twice = (b - a).cross(c - a);
-    volume[mesh.vertex_object[t[0]]] += a.dot(twice) / 6;
-    area[mesh.vertex_object[t[0]]] += twice.norm() / 2;
-    ++triangles[mesh.vertex_object[t[0]]];
+    volume[object] += a.dot(twice) / 6;
+    area[object] += twice.norm() / 2;
+    ++triangles[object];
+    if (surface.two_sided[i]) sheet[object] = 1;
   }
   for (size_t i = 0; i < objects; ++i) {
-    all[i].size = std::sqrt(2 * area[i] / std::max(triangles[i], 1));
+    all[i].size = triangles[i] > 0 ? std::sqrt(2 * area[i] / triangles[i]) : edges[i] > 0 ? length[i] / edges[i] : 0;
     all[i].gap_change /= std::max(smooth[i], 1);
-    if (surface.closed[i] && area[i] > 0) all[i].thickness = 2 * volume[i] / area[i];
+    if (!sheet[i] && area[i] > 0) all[i].thickness = 2 * volume[i] / area[i];
   }
   return all;
 }
@@ -71,43 +83,43 @@ class Warnings {
       : scene_(scene), world_(world), measures_(measure(world.contact->surface(), world.bodies.size())) {}
 
   std::vector<std::string> take() {
-    for (const AdhesionSummary& adhesion : world_.adhesion) interface(adhesion);
+    for (const AdhesionSummary& adhesion : world_.adhesion)
+      for (const auto& [a, b] : adhesion.pairs) interface(adhesion, a, b);
     for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
     start();
     return std::move(lines_);
   }
 
  private:
-  void interface(const AdhesionSummary& adhesion) {
-    const int a = world_.body_index(adhesion.between[0]), b = world_.body_index(adhesion.between[1]);
+  void interface(const AdhesionSummary& adhesion, int a, int b) {
     double young = 0;
     for (const int i : {a, b})
       if (const double own = young_of(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
     const double zone = young * adhesion.work_of_adhesion / (adhesion.peak_traction * adhesion.peak_traction);
-    const double range = world_.contact->pairs().point(a, b).range;
+    const double range = world_.contact->pairs().point(a, b).range - world_.contact->pairs().offset(a, b);
     for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
       const SurfaceMeasure& m = measures_[i];
       const std::string& name = world_.bodies[i].name;
       const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
-      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone)
+      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, "zone"))
         lines_.push_back(fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
-            name, size, adhesion.between[0], adhesion.between[1], zone, name));
-      if (m.gap_change > range / 4)
+            name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
+      if (m.gap_change > range / 4 && first_time(i, "curved"))
         lines_.push_back(fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
-            name, adhesion.between[0], adhesion.between[1], m.size, m.gap_change, range, name));
+            name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
     }
   }
 
   void body(int i) {
-    const double range = world_.contact->pairs().point(i, i).range, distance = scene_.contact->contact_distance;
+    const double range = world_.contact->pairs().point(i, i).range - world_.contact->pairs().offset(i, i), distance = scene_.contact->contact_distance;
     const SurfaceMeasure& m = measures_[i];
     const std::string& name = world_.bodies[i].name;
     if (!world_.bodies[i].movable) return;
-    if (distance > m.size)
+    if (m.size > 0 && distance > m.size)
       lines_.push_back(fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
                                    "to a half of them or less",
                                    distance, name, m.size));
@@ -133,8 +145,12 @@ class Warnings {
     }
   }
 
+  // One warning of a kind is enough for an object, however many it adheres to.
+  bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
+
   const SceneConfig& scene_;
   World& world_;
+  std::set<std::pair<int, std::string>> told_;
   std::vector<SurfaceMeasure> measures_;
   std::vector<std::string> lines_;
 };

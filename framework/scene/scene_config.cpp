@@ -22,10 +22,16 @@ void SurfaceConfig::fields(Fields& f) {
 
 void ObjectConfig::fields(Fields& f) {
   f.text("name", name, "what pairs, probes and messages call it").required();
+  f.texts("groups", groups, "names under which pairs may mean it together with others");
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");
+  f.optional_object("rod", rod, "the section of its edges");
+  f.optional_object("particle", particle, "the size of its points");
+  f.number("contact_offset", contact_offset, units::length,
+           "how far in front of what is meshed its contact surface lies, on every side: half the thickness of a shell, the radius of "
+           "a rod or particle").nonnegative();
   f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
   f.component_list("energies", energies, "its potential energies; one that motions hold throughout, or an affine body, needs none");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
@@ -37,7 +43,9 @@ void ObjectConfig::fields(Fields& f) {
 }
 
 void PairConfig::fields(Fields& f) {
-  f.texts("between", between, "two object names; the same twice for contact of an object with itself")
+  f.texts("between", between, "two names, of an object or of a group of them, or \"*\" for all; the same object twice for contact of it with "
+          "itself. Where several entries fit, two objects hold before an object and a group, an object and \"*\", two groups, a "
+          "group and \"*\", twice \"*\"")
       .required();
   f.flag("contact", contact, "false: the two may pass through each other");
   f.component("barrier", barrier, "repulsion of this pair, instead of the common one");
@@ -48,10 +56,10 @@ void PairConfig::fields(Fields& f) {
   f.text("integrate", integrate,
          "whose surface the pressure is integrated over: automatic (with adhesion the side with more of its area "
          "opposite the other, or where both have as much the one with more points there; without adhesion both, by "
-         "the sizes of their cells), finer (the side with the finer surface), both (half each), or the name of one "
-         "of the two objects");
+         "the sizes of their cells), finer (the side with the finer surface), both (half each), or one of the two names. "
+         "Between a surface and a rod or particle it is always the latter's width or cross-section");
   f.check("between", [this]() -> std::string {
-    return between.size() == 2 ? "" : "expects two object names";
+    return between.size() == 2 ? "" : "expects two names";
   });
   f.check("tangential_adhesion", [this]() -> std::string {
     return !tangential_adhesion || adhesion
@@ -69,6 +77,8 @@ void ContactConfig::fields(Fields& f) {
            {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
             {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},
            "how pairs are weighted");
+  f.flag("between_held", between_held,
+         "whether objects that motions hold throughout are kept from meeting one another; false: they may overlap");
   f.optional_object("friction", friction, "friction of every pair");
   f.object("lagging", lagging, "how friction follows the normal forces within a step");
   f.list("pairs", pairs, "what differs between two objects");

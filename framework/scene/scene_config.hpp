@@ -16,6 +16,7 @@
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
+#include "framework/scene/rod_section.hpp"
 #include "framework/scene/shape_source.hpp"
 #include "framework/scene/springs.hpp"
 
@@ -44,10 +45,14 @@ struct SurfaceConfig {
 
 struct ObjectConfig {
   std::string name;
+  std::vector<std::string> groups;  // that it belongs to
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;
+  std::optional<RodConfig> rod;
+  std::optional<ParticleConfig> particle;
+  double contact_offset = 0;  // m
   std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
@@ -75,6 +80,7 @@ struct ContactConfig {
   double contact_distance = 1e-3;  // m
   double guard = 0.5;      // range of guard stencils, in contact distances
   Weights weights = Weights::area;
+  bool between_held = true;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
   std::optional<FrictionConfig> friction;
   LaggingConfig lagging;

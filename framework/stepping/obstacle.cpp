@@ -1,13 +1,12 @@
 #include "framework/stepping/obstacle.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <array>
 #include <limits>
 #include <optional>
 
 #include "framework/contact/contact_system.hpp"
+#include "framework/scene/describe_primitive.hpp"
 
 namespace tack {
 namespace {
@@ -18,22 +17,13 @@ int nearest_object(const ContactSystem& contact, const VecX& x, int a) {
   int nearest = -1;
   double smallest = std::numeric_limits<double>::infinity();
   for (int b = 0; b < contact.pairs().objects(); ++b) {
-    const double d = smallest_distance(mesh, candidates_between(mesh, contact.candidates(), a, b), x);
+    const double d = smallest_gap(mesh, contact.pairs(), candidates_between(mesh, contact.candidates(), a, b), x);
     if (d < smallest) smallest = d, nearest = b;
   }
   return nearest;
 }
 
 }  // namespace
-
-std::string describe_primitive(const World& world, const std::vector<int>& vertices) {
-  static constexpr std::array<const char*, 4> kinds = {"vertex", "edge", "triangle", "tet"};
-  const Body& body = world.bodies[world.body_of(vertices[0])];
-  std::vector<int> own;
-  for (const int v : vertices) own.push_back(world.number_in_body(v));
-  const std::string numbers = fmt::format("{}", fmt::join(own, ", "));
-  return fmt::format("{} {} of '{}'", kinds[own.size() - 1], own.size() > 1 ? "(" + numbers + ")" : numbers, body.name);
-}
 
 std::string describe_blocker(const World& world, const std::vector<std::unique_ptr<StepFilter>>& filters,
                              const VecX& x, const VecX& p) {

@@ -14,9 +14,6 @@ namespace tack {
 // x: 3n; v: the vertex (global); distance: to its place [m].
 std::string describe_obstacle(const World& world, const VecX& x, int v, double distance);
 
-// "vertex 3 of 'plate'", "edge (3, 4) of ...", "triangle ...", "tet ...", by the number of vertices (global).
-std::string describe_primitive(const World& world, const std::vector<int>& vertices);
-
 // What bounds the step from x to x + p (3n) the most: "cut to 0.03 of its length by vertex 3 of 'plate' and
 // triangle (1, 2, 5) of 'ball', 2e-06 m apart"; "" if all of it is feasible.
 std::string describe_blocker(const World& world, const std::vector<std::unique_ptr<StepFilter>>& filters,

@@ -191,7 +191,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   if (world_.contact) {
     r.contacts = static_cast<int>(world_.contact->contacts().size());
     r.candidates = static_cast<int>(world_.contact->candidates().size());
-    r.min_distance = world_.contact->smallest_distance(state_.x);
+    r.min_distance = world_.contact->smallest_gap(state_.x);
   }
   r.intersections = found_.intersections;
   r.inverted_tets = found_.inverted_tets;

@@ -120,6 +120,7 @@ Surface extract_surface(const Mesh& mesh) {
   Surface surface;
   const std::vector<Face> faces = sorted_faces(mesh.tets);
   surface.triangles = boundary(mesh.tets, faces);
+  surface.first_sheet = static_cast<int>(surface.triangles.size());
   add_explicit_triangles(mesh, faces, surface);
   add_edges(mesh, surface);
   add_vertices(mesh, surface);

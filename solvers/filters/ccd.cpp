@@ -1,5 +1,5 @@
 // Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of
-// its gap on the way. Pairs that stay further apart than their motion can bridge, by their clearance or the gap of
+// its gap on the way; the gap is the distance less the offset of the pair (thickness). Pairs that stay further apart than their motion can bridge, by their clearance or the gap of
 // their boxes, are skipped; the others are handed to additive CCD.
 #include <algorithm>
 #include <cmath>
@@ -7,12 +7,9 @@
 #include <utility>
 
 #include "framework/contact/contact_system.hpp"
+#include "framework/contact/rest_neighbours.hpp"
 #include "framework/core/step_filter.hpp"
 #include "geometry/ccd/accd.hpp"
-#include "geometry/distance/box_gap.hpp"
-#include "geometry/distance/edge_edge.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -35,18 +32,20 @@ double approach(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   return std::sqrt(a) + std::sqrt(b);
 }
 
-// The largest step up to t that one pair allows; clearance: a lower bound of its distance [m].
+// The largest step up to t that one pair allows; clearance: a lower bound of its distance, offset: what is filled of
+// that [m].
 template <size_t A, size_t B, class Accd>
-double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double clearance, const VecX& x,
+double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double clearance, double offset, const VecX& x,
                const VecX& p, double t, const Accd& accd) {
   const auto da = corners(p, va);
   const auto db = corners(p, vb);
   const double motion = t * approach(da, db) / (1 - keep);
-  if (motion < (1 - spare) * clearance) return t;
+  if (motion < (1 - spare) * (clearance - offset)) return t;
   const auto a = corners(x, va);
   const auto b = corners(x, vb);
-  if (motion * motion < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
-  return std::min(t, accd(a, b, da, db, t));
+  const double reach = motion + offset;
+  if (reach * reach < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
+  return std::min(t, accd(a, b, da, db, t, offset));
 }
 
 // Of a vertex [m].
@@ -68,6 +67,7 @@ class Ccd : public StepFilter {
     contact_ = context.contact;
     clock_ = &context.clock;
     deadline_ = &context.clock.deadline();
+    largest_offset_ = contact_ ? contact_->pairs().largest_offset() : 0;
     return contact_ != nullptr;
   }
 
@@ -94,7 +94,7 @@ class Ccd : public StepFilter {
     for_each_kind([&](const auto& pairs, const auto& clearances, const auto& primitives, const auto& accd) {
       for (size_t i = 0; i < pairs.size(); ++i) {
         const auto [a, b] = primitives(pairs[i]);
-        const double bound = bounded(a, b, clearances[i], x, p, t, accd);
+        const double bound = bounded(a, b, clearances[i], offset_of(a, b), x, p, t, accd);
         if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
       }
     });
@@ -113,9 +113,9 @@ class Ccd : public StepFilter {
         double least = limit;
         if (out_of_time()) return 0.0;
         for (int i = first; i < last; ++i) {
-          if (least * most < clearances[i]) continue;
+          if (least * most < clearances[i] - largest_offset_) continue;
           const auto [a, b] = primitives(pairs[i]);
-          least = bounded(a, b, clearances[i], x, p, least, accd);
+          least = bounded(a, b, clearances[i], offset_of(a, b), x, p, least, accd);
         }
         return least;
       });
@@ -131,24 +131,36 @@ class Ccd : public StepFilter {
     const auto point = [](int v) { return std::array{v}; };
     visit(c.edge_edge, c.clearances.edge_edge,
           [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-            return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit);
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+            return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit, offset);
           });
     visit(c.point_triangle, c.clearances.point_triangle,
           [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-            return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit);
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+            return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit, offset);
           });
     visit(c.point_edge, c.clearances.point_edge,
           [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-            return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit);
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+            return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit, offset);
           });
     visit(c.point_point, c.clearances.point_point,
           [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit) {
-            return point_point_accd(a[0], b[0], da[0], db[0], keep, limit);
+          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+            return point_point_accd(a[0], b[0], da[0], db[0], keep, limit, offset);
           });
+  }
+
+  // What is filled of the distance of two primitives [m]. Parts of one object that are close at rest are neighbours:
+  // their mid-surfaces alone may not meet.
+  template <size_t A, size_t B>
+  double offset_of(const std::array<int, A>& a, const std::array<int, B>& b) const {
+    if (largest_offset_ == 0) return 0;
+    const ContactSurface& surface = contact_->surface();
+    const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
+    if (object_a == object_b && rest_neighbours(surface, a, b, contact_->pairs().edge(object_a, object_a).range))
+      return 0;
+    return contact_->pairs().offset(object_a, object_b);
   }
 
   bool out_of_time() const { return deadline_ && deadline_->passed(); }
@@ -156,6 +168,7 @@ class Ccd : public StepFilter {
   ContactSystem* contact_ = nullptr;
   PhaseClock* clock_ = nullptr;
   const Deadline* deadline_ = nullptr;
+  double largest_offset_ = 0;  // m
 };
 
 TACK_REGISTER(StepFilter, Ccd, "ccd", "Nothing that moves passes through anything.",

@@ -36,27 +36,21 @@ TEST_CASE("faces of tets, their edges and vertices may be listed beside them", "
   mesh.triangles = {{2, 1, 0}, {1, 2, 3}};
   mesh.edges = {{3, 1}};
   mesh.points = {2};
-  CHECK_NOTHROW(refuse_unsupported_contact(mesh, "body"));
+  CHECK_NOTHROW(refuse_unmeasured_contact(mesh, "body", false, false));
 }
 
-TEST_CASE("explicit triangles beside tets are refused in contact, by their numbers", "[scene]") {
-  Mesh mesh = tet_and_vertices();
-  mesh.triangles = {{2, 1, 0}, {1, 4, 5}, {1, 5, 2}};
-  CHECK_THROWS_WITH(refuse_unsupported_contact(mesh, "body"),
-                    Catch::Contains("object 'body': triangles 1, 2 (counted from 0)") &&
-                        Catch::Contains("an object of their own"));
-}
-
-TEST_CASE("rods and particles are refused in contact, by their numbers", "[scene]") {
+TEST_CASE("rods without a width and particles without a size are refused in contact, by their numbers", "[scene]") {
   Mesh rods = tet_and_vertices();
   rods.edges = {{0, 1}, {5, 4}};
-  CHECK_THROWS_WITH(refuse_unsupported_contact(rods, "wire"), Catch::Contains("object 'wire': edge 1 (counted"));
+  CHECK_THROWS_WITH(refuse_unmeasured_contact(rods, "wire", false, true), Catch::Contains("object 'wire': edge 1 (counted"));
   Mesh particles = tet_and_vertices();
   particles.points = {0, 4, 5};
-  CHECK_THROWS_WITH(refuse_unsupported_contact(particles, "dust"),
+  CHECK_THROWS_WITH(refuse_unmeasured_contact(particles, "dust", true, false),
                     Catch::Contains("object 'dust': points 1, 2 (counted"));
+  CHECK_NOTHROW(refuse_unmeasured_contact(particles, "dust", false, true));
+  CHECK_NOTHROW(refuse_unmeasured_contact(rods, "wire", true, false));
   for (int i = 0; i < 10; ++i) particles.points.push_back(5);
-  CHECK_THROWS_WITH(refuse_unsupported_contact(particles, "dust"),
+  CHECK_THROWS_WITH(refuse_unmeasured_contact(particles, "dust", true, false),
                     Catch::Contains("1, 2, 3, 4, 5 and 7 more"));
 }
 
@@ -66,7 +60,7 @@ TEST_CASE("tack check refuses rods and particles in contact at their object, and
     const ProgramResult refused = check_floor(obj);
     CHECK(refused.exit_code == 2);
     CHECK(contains(refused.err, "scene.yaml:5:5: object 'floor': "));
-    CHECK(contains(refused.err, "give the object a surface"));
+    CHECK(contains(refused.err, "give the object a "));
     std::string without = tiny_scene.substr(0, tiny_scene.find("contact:\n"));
     const ProgramResult taken = check_floor(obj, without);
     INFO(taken.err);

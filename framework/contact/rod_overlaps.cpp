@@ -1,0 +1,178 @@
+#include "framework/contact/rod_overlaps.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "framework/contact/rest_neighbours.hpp"
+#include "geometry/distance/closest_parameters.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// Sine of the angle between two edges below which their vertices alone carry what they have in common, and above which
+// the pair of edges does. The mollifier of edge pairs begins at 0.03.
+constexpr double parallel = 0.05, crossing = 0.15;
+
+constexpr double reach = 2;  // in ranges: what is farther away when the step begins is only guarded against
+
+double crossing_part(double sine) {
+  const double t = std::clamp((sine - parallel) / (crossing - parallel), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+// A convex polygon; the common part of two quadrangles has at most eight corners.
+struct Polygon {
+  std::array<Vec2, 8> corners;
+  int count = 0;
+  void add(const Vec2& c) { corners[count++] = c; }
+};
+
+// What lies on the side of a line where along.dot(p) <= limit.
+Polygon cut(const Polygon& polygon, const Vec2& along, double limit) {
+  Polygon kept;
+  for (int i = 0; i < polygon.count; ++i) {
+    const Vec2 &p = polygon.corners[i], &q = polygon.corners[(i + 1) % polygon.count];
+    const double dp = along.dot(p) - limit, dq = along.dot(q) - limit;
+    if (dp <= 0) kept.add(p);
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) kept.add(p + dp / (dp - dq) * (q - p));
+  }
+  return kept;
+}
+
+// The shadow of an edge: from its first end along u over a length, half a width to both sides.
+struct Strip {
+  Vec2 start, u;
+  double length, half;
+};
+
+Strip strip_of(const std::array<Vec3, 2>& edge, double width, const Vec3& x, const Vec3& y) {
+  const auto flat = [&](const Vec3& p) { return Vec2(p.dot(x), p.dot(y)); };
+  const Vec2 start = flat(edge[0]), way = flat(edge[1]) - start;
+  const double length = way.norm();
+  return {start, length > 0 ? Vec2(way / length) : Vec2(1, 0), length, width / 2};
+}
+
+Polygon corners_of(const Strip& s) {
+  const Vec2 v(-s.u.y(), s.u.x());
+  Polygon p;
+  p.add(s.start - s.half * v);
+  p.add(s.start + s.length * s.u - s.half * v);
+  p.add(s.start + s.length * s.u + s.half * v);
+  p.add(s.start + s.half * v);
+  return p;
+}
+
+Polygon within(Polygon p, const Strip& s) {
+  const Vec2 v(-s.u.y(), s.u.x());
+  p = cut(p, s.u, s.u.dot(s.start) + s.length);
+  p = cut(p, -s.u, -s.u.dot(s.start));
+  p = cut(p, v, v.dot(s.start) + s.half);
+  return cut(p, -v, -v.dot(s.start) + s.half);
+}
+
+double area_of(const Polygon& p, Vec2& centre) {
+  double twice = 0;
+  centre.setZero();
+  for (int i = 1; i + 1 < p.count; ++i) {
+    const Vec2 a = p.corners[i] - p.corners[0], b = p.corners[i + 1] - p.corners[0];
+    const double part = a.x() * b.y() - a.y() * b.x();
+    twice += part;
+    centre += part * (p.corners[0] + (a + b) / 3);
+  }
+  if (twice != 0) centre /= twice;
+  return std::abs(twice) / 2;
+}
+
+}  // namespace
+
+double shadow_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b, double width_b,
+                      const Vec3& n, Vec3& centre) {
+  const Vec3 x = n.unitOrthogonal(), y = n.cross(x), origin = a[0];
+  const auto from = [&](const std::array<Vec3, 2>& e) { return std::array<Vec3, 2>{Vec3(e[0] - origin), Vec3(e[1] - origin)}; };
+  const Strip sa = strip_of(from(a), width_a, x, y), sb = strip_of(from(b), width_b, x, y);
+  Vec2 flat;
+  const double area = area_of(within(corners_of(sa), sb), flat);
+  centre = origin + flat.x() * x + flat.y() * y;
+  return area;
+}
+
+double disc_overlap(double radius, double width) {
+  const double half = width / 2;
+  if (half >= radius) return M_PI * radius * radius;
+  return 2 * (half * std::sqrt(radius * radius - half * half) + radius * radius * std::asin(half / radius));
+}
+
+struct RodOverlaps::Found {
+  std::vector<Crossing> crossings;
+  std::vector<Share> shares;
+};
+
+RodOverlaps::RodOverlaps(const ContactSurface& surface, const PairTable& pairs) : surface_(surface), pairs_(pairs) {
+  if (surface.mesh.codim_edges.empty()) return;
+  is_rod_.assign(surface.mesh.edges.size(), 0);
+  for (const int e : surface.mesh.codim_edges) is_rod_[e] = 1;
+}
+
+void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& found) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  const Edge &ea = mesh.edges[first], &eb = mesh.edges[second];
+  const int object_a = mesh.vertex_object[ea[0]], object_b = mesh.vertex_object[eb[0]];
+  const PairRole& role = pairs_.thin(object_a, object_b);
+  if (role.law < 0 || rest_neighbours(surface_, ea, eb, role.range)) return;
+  const auto a = corners(held.x(), ea), b = corners(held.x(), eb);
+  const Vec2 at = edge_edge_parameters(a[0], a[1], b[0], b[1]);
+  const Vec3 between = (1 - at.x()) * a[0] + at.x() * a[1] - (1 - at.y()) * b[0] - at.y() * b[1];
+  const double distance = between.norm();
+  if (!(distance > 0) || distance > reach * role.range) return;
+  Vec3 centre;
+  const double area = shadow_overlap(a, surface_.rod_width[object_a], b, surface_.rod_width[object_b], between / distance, centre);
+  if (!(area > 0)) return;
+  const Vec3 along_a = a[1] - a[0], along_b = b[1] - b[0];
+  const double part = crossing_part(along_a.cross(along_b).norm() / (along_a.norm() * along_b.norm()));
+  if (part > 0) found.crossings.push_back({{first, second}, part * area});
+  if (part == 1) return;
+  const auto share = [&](const std::array<Vec3, 2>& edge, const Edge& vertices, int object) {
+    const Vec3 along = edge[1] - edge[0];
+    const double u = std::clamp((centre - edge[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    found.shares.push_back({{vertices[0], object}, (1 - part) * area / 2 * (1 - u)});
+    found.shares.push_back({{vertices[1], object}, (1 - part) * area / 2 * u});
+  };
+  share(a, ea, object_b);
+  share(b, eb, object_a);
+}
+
+void RodOverlaps::find(const Candidates& candidates, const HeldSurface& held) {
+  crossings_.clear();
+  shares_.clear();
+  if (is_rod_.empty()) return;
+  const int n = static_cast<int>(candidates.edge_edge.size());
+  std::vector<Found> chunks(chunk_count(n));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const auto [a, b] = candidates.edge_edge[i];
+      if (is_rod_[a] && is_rod_[b]) add(a, b, held, chunks[c]);
+    }
+  });
+  for (const Found& found : chunks) {
+    crossings_.insert(crossings_.end(), found.crossings.begin(), found.crossings.end());
+    shares_.insert(shares_.end(), found.shares.begin(), found.shares.end());
+  }
+  std::stable_sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) { return a.key < b.key; });
+  size_t kept = 0;
+  for (size_t i = 0; i < shares_.size(); ++i) {
+    if (kept > 0 && shares_[kept - 1].key == shares_[i].key) shares_[kept - 1].area += shares_[i].area;
+    else shares_[kept++] = shares_[i];
+  }
+  shares_.resize(kept);
+}
+
+double RodOverlaps::area(int vertex, int object) const {
+  const std::array key{vertex, object};
+  const auto at = std::lower_bound(shares_.begin(), shares_.end(), key,
+                                   [](const Share& s, const std::array<int, 2>& k) { return s.key < k; });
+  return at != shares_.end() && at->key == key ? at->area : 0;
+}
+
+}  // namespace tack

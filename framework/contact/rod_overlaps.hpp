@@ -1,0 +1,55 @@
+// Where two rods lie over each other, at the start of a step: the area that the shadows of two of their edges have in
+// common, seen along the shortest way between the two. Each shadow is a rectangle, as long as the edge and as wide as the
+// rod, so that the parts of crossing rods add up to the parallelogram w_1 w_2 / sin(theta), and those of parallel rods to
+// the length over which they lie side by side times the smaller width, whatever the meshes.
+// Edges that cross carry this area as a pair of edges, whose closest points move along with them. Those that are nearly
+// parallel have no single closest points: the vertices of both carry half of it each. In between, both carry a part.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "framework/contact/held_surface.hpp"
+#include "framework/contact/pair_table.hpp"
+
+namespace tack {
+
+// The area that two rectangles around the segments (a0, a1) and (b0, b1), of those widths and across the unit vector n,
+// have in common when they are seen along n [m^2]. centre: that of the common part, if there is one.
+double shadow_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b, double width_b,
+                      const Vec3& n, Vec3& centre);
+// That of a disc of radius r and a strip of that width that runs through its centre [m^2].
+double disc_overlap(double radius, double width);
+
+class RodOverlaps {
+ public:
+  struct Crossing {
+    std::array<int, 2> edges;  // of the mesh
+    double area;               // m^2
+  };
+
+  RodOverlaps(const ContactSurface& surface, const PairTable& pairs);
+
+  // Of the pairs of edges (into candidates) of rods, by the surfaces as they are held.
+  void find(const Candidates& candidates, const HeldSurface& held);
+
+  const std::vector<Crossing>& crossings() const { return crossings_; }
+  // What a vertex of a rod carries towards the rods of another object [m^2].
+  double area(int vertex, int object) const;
+
+ private:
+  struct Share {
+    std::array<int, 2> key;  // vertex, object
+    double area;
+  };
+  struct Found;
+  void add(int first, int second, const HeldSurface& held, Found& found) const;
+
+  const ContactSurface& surface_;
+  const PairTable& pairs_;
+  std::vector<char> is_rod_;  // per edge of the mesh; empty without rods
+  std::vector<Crossing> crossings_;
+  std::vector<Share> shares_;  // by key
+};
+
+}  // namespace tack

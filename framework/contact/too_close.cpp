@@ -1,0 +1,55 @@
+#include "framework/contact/too_close.hpp"
+
+#include <cmath>
+
+#include "framework/contact/rest_neighbours.hpp"
+
+namespace tack {
+namespace {
+
+constexpr size_t most = 5;
+
+class Search {
+ public:
+  Search(const ContactSystem& contact, const VecX& x) : contact_(contact), x_(x) {}
+
+  template <size_t A, size_t B>
+  void look_at(const std::array<int, A>& a, const std::array<int, B>& b, double clearance) {
+    if (found_.size() == most) return;
+    const ContactSurface& surface = contact_.surface();
+    const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
+    const double offset = contact_.pairs().offset(object_a, object_b);
+    if (offset == 0 || clearance > offset) return;
+    const double distance = std::sqrt(squared_distance(corners(x_, a), corners(x_, b)));
+    if (distance > offset || rest_neighbours(surface, a, b, contact_.pairs().edge(object_a, object_b).range)) return;
+    found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset});
+  }
+  std::vector<TooClose> take() { return std::move(found_); }
+
+ private:
+  const ContactSystem& contact_;
+  const VecX& x_;
+  std::vector<TooClose> found_;
+};
+
+}  // namespace
+
+std::vector<TooClose> find_too_close(const ContactSystem& contact, const VecX& x) {
+  Search search(contact, x);
+  const CollisionMesh& mesh = contact.surface().mesh;
+  const Candidates& c = contact.candidates();
+  const auto each = [](const auto& pairs, const auto& clearances, const auto& look) {
+    for (size_t i = 0; i < pairs.size(); ++i) look(pairs[i][0], pairs[i][1], clearances[i]);
+  };
+  each(c.point_triangle, c.clearances.point_triangle,
+       [&](int p, int t, double clearance) { search.look_at(std::array{p}, mesh.triangles[t], clearance); });
+  each(c.edge_edge, c.clearances.edge_edge,
+       [&](int a, int b, double clearance) { search.look_at(mesh.edges[a], mesh.edges[b], clearance); });
+  each(c.point_edge, c.clearances.point_edge,
+       [&](int p, int e, double clearance) { search.look_at(std::array{p}, mesh.edges[e], clearance); });
+  each(c.point_point, c.clearances.point_point,
+       [&](int p, int q, double clearance) { search.look_at(std::array{p}, std::array{q}, clearance); });
+  return search.take();
+}
+
+}  // namespace tack

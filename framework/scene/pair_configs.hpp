@@ -1,0 +1,52 @@
+// Which entry of contact.pairs holds for two objects. An entry names two sides: an object, a group of objects or "*", which
+// is every object. Where several entries fit, the one that says more of who is meant holds: two objects before an object
+// and a group, then an object and all, two groups, a group and all, all and all.
+// Errors: InputError with the place of the entry for a name that is none, an integration side that is none, and two entries
+// that say as much of the same two objects.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/config/value.hpp"
+#include "framework/scene/scene_config.hpp"
+
+namespace tack {
+
+class PairConfigs {
+ public:
+  PairConfigs(const SceneConfig& scene, const Value& root);
+
+  // The number of the entry; -1: none fits.
+  int of(int a, int b) const { return entry_[static_cast<size_t>(a) * objects_ + b]; }
+  // Whether the entry names the two objects themselves.
+  bool names_objects(int entry) const { return entries_[entry].rank == most_said; }
+  // Whether the integration side that the entry names is, or holds, an object.
+  bool integrates(int entry, int object) const { return has(entries_[entry].integrates, object); }
+  std::string place(int entry) const;  // in the file, for messages
+  InputError error(int entry, const std::string& message) const { return InputError(place(entry) + message); }
+
+ private:
+  static constexpr int most_said = 6;
+  struct Entry {
+    std::vector<char> first, second, integrates;  // per object
+    int rank = 0;                                 // how much is said of who is meant
+  };
+  struct Side {
+    std::vector<char> objects;
+    int rank;
+  };
+  static bool has(const std::vector<char>& objects, int object) { return !objects.empty() && objects[object]; }
+  Side side(int entry, const std::string& name) const;
+  void read(int entry);
+  void spread(int entry);
+  void take(int entry, int a, int b);
+
+  const SceneConfig& scene_;
+  const Value& root_;
+  int objects_;
+  std::vector<Entry> entries_;
+  std::vector<int> entry_;  // per pair of objects
+};
+
+}  // namespace tack
