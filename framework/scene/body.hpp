@@ -2,14 +2,18 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "framework/scene/rod_section.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
+
+class RodFrames;
 
 struct Body {
   std::string name;
@@ -22,6 +26,9 @@ struct Body {
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, as in the mesh for sheets
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
+  std::optional<RodSection> section;  // of the edges
+  double radius = 0;                  // of the points [m]; 0: none
+  std::shared_ptr<RodFrames> rod;     // of edges with a twist; null without (rod/rod_frames.hpp)
   std::vector<int> frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
   double volume = 0;       // of an affine body [m^3]
   double stiffness = 0;    // likewise [Pa]

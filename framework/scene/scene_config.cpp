@@ -26,6 +26,8 @@ void ObjectConfig::fields(Fields& f) {
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");
+  f.optional_object("rod", rod, "the section of its edges");
+  f.optional_object("particle", particle, "the size of its points");
   f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
   f.component_list("energies", energies, "its potential energies; one that motions hold throughout, or an affine body, needs none");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");

@@ -16,6 +16,7 @@
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
+#include "framework/scene/rod_section.hpp"
 #include "framework/scene/shape_source.hpp"
 #include "framework/scene/springs.hpp"
 
@@ -48,6 +49,8 @@ struct ObjectConfig {
   PlaceConfig place;
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;
+  std::optional<RodConfig> rod;
+  std::optional<ParticleConfig> particle;
   std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
