@@ -90,9 +90,30 @@ void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projectio
   hessian = work;
 }
 
+void project_twisted_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection) {
+  if (projection == Projection::none) return;
+  // Columns: an orthonormal basis of what a stencil feels.
+  using Basis = Eigen::Matrix<double, 15, 8>;
+  static const Basis basis = [] {
+    Basis b = Basis::Zero();
+    for (int d = 0; d < 3; ++d)
+      for (int r = 0; r < 2; ++r) {
+        for (int i = 0; i <= r; ++i) b(3 * i + d, 3 * r + d) = helmert_scale<3>[r];
+        b(3 * (r + 1) + d, 3 * r + d) = -(r + 1) * helmert_scale<3>[r];
+      }
+    b(9, 6) = b(12, 7) = 1;
+    return b;
+  }();
+  const Eigen::Matrix<double, 8, 8> before = basis.transpose() * hessian * basis;
+  Eigen::Matrix<double, 8, 8> after = before;
+  project_psd<8>(after, projection);
+  if (after != before) hessian = basis * after * basis.transpose();
+}
+
 template void project_psd<2>(Eigen::Matrix<double, 2, 2>&, Projection);
 template void project_psd<3>(Mat3&, Projection);
 template void project_psd<6>(Eigen::Matrix<double, 6, 6>&, Projection);
+template void project_psd<8>(Eigen::Matrix<double, 8, 8>&, Projection);
 template void project_psd<9>(Mat9&, Projection);
 template void project_stencil_psd<2>(Eigen::Matrix<double, 6, 6>&, Projection);
 template void project_stencil_psd<3>(Mat9&, Projection);

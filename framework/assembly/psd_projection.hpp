@@ -8,12 +8,16 @@
 
 namespace tack {
 
-// N = 2, 3, 6, 9: plain eigenvalue projection.
+// N = 2, 3, 6, 8, 9: plain eigenvalue projection.
 template <int N>
 void project_psd(Eigen::Matrix<double, N, N>& hessian, Projection projection);
 
 // Arity 2 to 6, translation invariant: 3K x 3K.
 template <int K>
 void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projection projection);
+
+// Of three vertices and two twists (StencilBatch): in the six dimensions of the vertices orthogonal to translations
+// and the two twists.
+void project_twisted_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection);
 
 }  // namespace tack

@@ -78,7 +78,7 @@ DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, co
     block_start_.push_back(static_cast<int>(block_parts_.size()));
   }
   for (const HeldDirections& h : held)
-    if (owns(h.vertex)) held_blocks_.push_back({block_of_[h.vertex], h.held});
+    if (owns(h.vertex)) held_blocks_.push_back({block_of_[h.vertex], h.held, h.twist});
   std::sort(held_blocks_.begin(), held_blocks_.end(), [](const HeldBlock& a, const HeldBlock& b) { return a.block < b.block; });
 }
 

@@ -21,6 +21,7 @@ namespace tack {
 struct HeldDirections {
   int vertex = -1;
   Mat3 held = Mat3::Zero();  // projects onto them
+  bool twist = false;        // it is no place but the twist of an edge (rod/rod_frames.hpp)
 };
 
 class DofMap {
@@ -52,6 +53,7 @@ class DofMap {
   struct HeldBlock {
     int block;
     Mat3 held;
+    bool twist;
   };
   const std::vector<HeldBlock>& held_blocks() const { return held_blocks_; }
 

@@ -24,6 +24,7 @@ struct StencilBatch {
   int arity = 0;
   int count = 0;
   const int* vertices = nullptr;
+  int twists = 0;  // so many of each, the last ones, are no places but twists (rod/rod_frames.hpp): one number, first of three
 };
 
 // What terms of one batch of lasting stencils may offer: stencils a few at a time, so that their Hessians are summed

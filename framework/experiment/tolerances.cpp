@@ -7,6 +7,7 @@
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/config/bind.hpp"
+#include "framework/rod/rod_frames.hpp"
 #include "framework/scene/extent.hpp"
 
 namespace tack {
@@ -15,23 +16,31 @@ namespace {
 constexpr double usual = 0.01;           // m/s: 1 cm/s
 constexpr double of_distance = 0.1;      // of the contact distance, that a step may be off
 constexpr double of_size = 1e-3;         // of the smallest moving object
+constexpr double of_section = 1e-2;      // of the smallest radius of gyration: so much of a radian
 constexpr double roundings = 64;         // of a position, in the force of the elements around a vertex
 
 bool has_inertia(const Experiment& experiment, const World& world) {
   return experiment.time.integrator->predict(world.start, experiment.time.step).inertia;
 }
 
-// The diagonal of the smallest object that moves [m].
+// The diagonal of the smallest object that moves [m]; a particle alone has its diameter.
 double smallest_size(const World& world) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Body& body : world.bodies) {
-    if (body.movable) smallest = std::min(smallest, extent_of(body, world.rest).diagonal().norm());
-  }
+  for (const Body& body : world.bodies)
+    if (body.movable) smallest = std::min(smallest, extent_of(body, world.rest).diagonal().norm() + 2 * body.radius);
+  return smallest;
+}
+
+// Of the sections of rods, the smallest radius of gyration: a twist by a radian moves so far [m].
+double smallest_section(const World& world) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const Body& body : world.bodies)
+    if (body.movable && body.rod) smallest = std::min(smallest, body.rod->radius());
   return smallest;
 }
 
 double velocity_tolerance(const Experiment& experiment, const World& world) {
-  double way = of_size * smallest_size(world);
+  double way = std::min(of_size * smallest_size(world), of_section * smallest_section(world));
   if (experiment.contact) way = std::min(way, of_distance * experiment.contact->contact_distance);
   return way > 0 ? std::min(usual, way / experiment.time.step) : usual;
 }

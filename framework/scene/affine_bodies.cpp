@@ -65,7 +65,7 @@ double default_stiffness(const SceneConfig& scene, const World& world, int index
     speed = std::max(speed, scene.objects[i].velocity.norm() + scene.objects[i].spin.norm() * box.diagonal().norm() / 2);
   }
   for (int v = 0; v < static_cast<int>(world.mass.size()); ++v)
-    if (world.script.ever_free(v)) mass += world.mass(v);
+    if (world.script.ever_free(v)) mass += world.weighing_mass(v);
   const double g = scene.gravity.norm();
   if (g > 0) speed = std::hypot(speed, std::sqrt(2 * all.diagonal().dot(scene.gravity.cwiseAbs())));
   Vec3 size = extent_of(world.bodies[index], world.rest).sizes();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "geometry/types.hpp"
 
 namespace tack {
+
+class RodFrames;
 
 struct Body {
   std::string name;
@@ -26,6 +29,7 @@ struct Body {
   std::vector<int> points;          // particles: explicit points of the mesh
   std::optional<RodSection> section;  // of the edges
   double radius = 0;                  // of the points [m]; 0: none
+  std::shared_ptr<RodFrames> rod;     // of edges with a twist; null without (rod/rod_frames.hpp)
   std::vector<int> frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
   double volume = 0;       // of an affine body [m^3]
   double stiffness = 0;    // likewise [Pa]

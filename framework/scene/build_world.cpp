@@ -8,12 +8,14 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/too_close.hpp"
 #include "framework/core/damping_terms.hpp"
+#include "framework/rod/rod_frames.hpp"
 #include "framework/scene/affine_bodies.hpp"
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/named_selections.hpp"
 #include "framework/scene/refined_surface.hpp"
+#include "framework/scene/rod_twists.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -79,10 +81,16 @@ void hold_vertices(const ObjectConfig& object, int index, World& world) {
                                      "vertices whole (on a line: a hinge, one: a joint)", name));
       vertices = world.bodies[index].frame;
     }
-    world.script.add({&motion, std::move(vertices), name});
+    world.script.add({&motion, vertices, name});
+    hold_twists(motion, vertices, name, index, world);
   }
   Body& body = world.bodies[index];
   body.movable = false;
+  if (body.rod)
+    for (const int v : body.rod->twists()) {
+      world.script.hold_always({v, Vec3(0, 1, 1).asDiagonal(), true});
+      body.movable = body.movable || world.script.ever_free(v);
+    }
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
     body.movable = body.movable || world.script.ever_free(v);
 }
@@ -104,14 +112,19 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
     throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
                                  "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
   for (const auto& energy : object.energies) {
-    world.elastic_terms.push_back(energy->make_term(body, world.rest));
+    std::unique_ptr<Term> term = energy->make_term(body, world.rest);
     energy->add_mass(body, world.rest, world.mass);
-    if (object.damping && object.damping->stiffness > 0)
-      world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*world.elastic_terms.back(), object.damping->stiffness));
     ++body.energy;
+    if (!term) continue;
+    if (object.damping && object.damping->stiffness > 0)
+      world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*term, object.damping->stiffness));
+    world.elastic_terms.push_back(std::move(term));
   }
-  if (mass_damping)
+  if (mass_damping) {
     world.damping_terms.push_back(std::make_unique<MassDamping>(body.first_vertex, body.vertex_count, world.mass, object.damping->mass));
+    if (body.rod)
+      world.damping_terms.push_back(std::make_unique<MassDamping>(body.rod->twists()[0], body.rod->count(), world.mass, object.damping->mass));
+  }
   world.tets.insert(world.tets.end(), body.tets.begin(), body.tets.end());
 }
 
@@ -136,7 +149,12 @@ void start_state(const SceneConfig& scene, World& world) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const ObjectConfig& object = scene.objects[i];
     const Vec3 centre = object.spin.isZero() ? Vec3::Zero() : world.centre_of_mass(static_cast<int>(i), s.x);
+    const Body& body = world.bodies[i];
+    if (body.rod)
+      for (int e = 0; e < body.rod->count(); ++e)
+        if (const int v = body.rod->twists()[e]; world.dofs.moves(v)) s.v(3 * v) = body.rod->radius() * object.spin.dot(body.rod->tangent(e, s.x));
     for (const int v : world.vertices_of(static_cast<int>(i))) {
+      if (body.rod && body.rod->is_twist(v)) continue;
       if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
     }
   }
@@ -247,6 +265,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     if (scene.objects[i].surface && !scene.contact)
       throw InputError(fmt::format("object '{}' has a `surface` for contact, and there is none; take it away, or give a contact "
                                    "section", scene.objects[i].name));
+    add_twists(scene.objects[i], static_cast<int>(i), *world);
     if (scene.objects[i].surface) add_refined_surface(scene.objects[i], static_cast<int>(i), *world);
   });
   add_named_selections(scene, root, *world);
@@ -263,12 +282,16 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   const std::vector<char> active = world->script.active(first_step / 2), free = world->script.free(active);
   world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)), world->script.held_directions(active));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], static_cast<int>(i), *world); });
+  world->weighing_mass = world->mass;
+  for (const Body& body : world->bodies)
+    if (body.rod)
+      for (const int v : body.rod->twists()) world->weighing_mass(v) = 0;
   add_affine_terms(scene, first_step, *world);
   add_springs(scene, root, *world);
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;
-  if (!scene.gravity.isZero()) world->gravity_term.set_up(world->mass, scene.gravity);
+  if (!scene.gravity.isZero()) world->gravity_term.set_up(world->weighing_mass, scene.gravity);
   start_state(scene, *world);
   build_contact(scene, root, clock, *world);
   check_start(root, *world);
@@ -282,6 +305,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   if (world->contact) world->participants.add(world->contact.get());
+  for (const Body& body : world->bodies)
+    if (body.rod) world->participants.add(body.rod.get());
   for (const auto& term : world->elastic_terms) world->participants.add(term.get());
   for (const auto& term : world->damping_terms) world->participants.add(term.get());
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})

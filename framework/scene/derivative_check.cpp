@@ -108,13 +108,18 @@ std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseCloc
   for (Eigen::Index v = 0; v < lengths.size(); ++v) vertex(all, static_cast<int>(v)).setConstant(lengths(v));
   world.dofs.gather(start, q);
   world.dofs.gather(all, unit);
+  const auto free_direction = [&](RandomDirections& random) {
+    VecX d = unit.cwiseProduct(random(q.size()));
+    world.dofs.keep_held(VecX::Zero(start.size()), d);
+    return d;
+  };
   std::vector<DerivativeCheck> checks;
   for (const Term* term : world.terms) {
     TermStudy study(*term, world, clock);
     RandomDirections random;
     for (const double distance : distances) {
-      const VecX state = q + distance * unit.cwiseProduct(random(q.size()));
-      for (int i = 0; i < directions; ++i) study.look(state, unit.cwiseProduct(random(q.size())));
+      const VecX state = q + distance * free_direction(random);
+      for (int i = 0; i < directions; ++i) study.look(state, free_direction(random));
     }
     keep_worst(checks, study.check());
   }

@@ -16,8 +16,10 @@ class Energy : public Component {
   static constexpr const char* kind_doc = "A potential energy of an object, with its material.";
 
   // rest: the rest configuration of all vertices (3n). Throws InputError if the body lacks the
-  // elements that the energy needs.
+  // elements that the energy needs. Null: inertia alone.
   virtual std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const = 0;
+  // Whether it asks for the twist of edges (Body::rod).
+  virtual bool twists() const { return false; }
   // Adds the body's lumped mass [kg] per vertex.
   virtual void add_mass(const Body& /*body*/, const VecX& /*rest*/, VecX& /*mass*/) const {}
   // The stiffness that adhesion and barrier are scaled by [Pa].

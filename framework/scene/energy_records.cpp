@@ -12,7 +12,7 @@ std::pair<double, double> energies_of_free_vertices(const World& world, const St
   for (int v = 0; v < world.dofs.vertex_count(); ++v) {
     if (!world.dofs.moves(v)) continue;
     kinetic += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
-    gravity += world.mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(state.x, v));
+    gravity += world.weighing_mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(state.x, v));
   }
   return {kinetic, gravity};
 }

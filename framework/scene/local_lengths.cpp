@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "framework/contact/contact_system.hpp"
+#include "framework/rod/rod_frames.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -49,6 +50,8 @@ class Lengths {
     for (const Tet& t : body.tets) add_tet(t);
     for (const Triangle& t : body.triangles) add_triangle(t);
     for (const Edge& e : body.edges) lower(e, (rest(e[1]) - rest(e[0])).norm());
+    if (body.radius > 0) lower(body.points, body.radius);
+    if (body.rod) lower(body.rod->twists(), body.rod->radius());
   }
 
   void add_gaps(const CollisionMesh& mesh, const Candidates& candidates) {

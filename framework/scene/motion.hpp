@@ -20,6 +20,8 @@ class Motion : public Component {
   static constexpr const char* kind_name = "motion";
   static constexpr const char* kind_doc = "Prescribes the motion of some vertices of an object.";
 
+  Motion() = default;
+  Motion(double from, double until) : from_(from), until_(until) {}
   void fields(Fields& f) override;
   const Selection& selection() const { return *select_; }
   double from() const { return from_; }                                                     // s

@@ -117,6 +117,8 @@ std::vector<HeldDirections> Script::held_directions(const std::vector<char>& act
         if (free[v]) held.try_emplace(v, Mat3::Zero()).first->second += holds_[i].motion->held_directions();
   std::vector<HeldDirections> all;
   for (const auto& [v, directions] : held) all.push_back({v, directions});
+  for (const HeldDirections& always : always_held_)
+    if (free[always.vertex]) all.push_back(always);
   return all;
 }
 

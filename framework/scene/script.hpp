@@ -29,6 +29,9 @@ class Script {
   void add(Hold hold);
   // Once all motions are there: the vertex follows others, and is free, or moved, where one of them is.
   void follow(const Dependence& dependence);
+  // Of a vertex, some directions that no motion ever frees: a twist has one number (rod/rod_frames.hpp).
+  void hold_always(const HeldDirections& held) { always_held_.push_back(held); }
+  const std::vector<HeldDirections>& always_held() const { return always_held_; }
   const std::vector<Hold>& holds() const { return holds_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
@@ -53,6 +56,7 @@ class Script {
   static void place(const Hold& hold, const VecX& rest, const VecX& anchor, double t, VecX& x);
 
   std::vector<Hold> holds_;
+  std::vector<HeldDirections> always_held_;
   std::vector<char> ever_held_, ever_free_, moves_;
   std::vector<int> rigid_group_;
   std::map<int, std::vector<std::pair<double, double>>> held_spans_;  // s: of vertices that are held whole for a while

@@ -85,6 +85,60 @@ class GridShape : public ShapeSource {
   std::array<int, 2> cells_ = {1, 1};
 };
 
+class SegmentShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("length", length_, units::length, "extent along x; centred at the origin").required().positive();
+    f.integer("edges", edges_, "edges").at_least(1);
+  }
+  Mesh make() const override { return segment(length_, edges_); }
+
+ private:
+  double length_ = 1;  // m
+  int edges_ = 1;
+};
+
+class RingShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("radius", radius_, units::length, "of its vertices, in the plane y = 0; centred at the origin").required().positive();
+    f.integer("edges", edges_, "edges").at_least(3);
+  }
+  Mesh make() const override { return ring(radius_, edges_); }
+
+ private:
+  double radius_ = 1;  // m
+  int edges_ = 32;
+};
+
+class HelixShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("radius", radius_, units::length, "of its vertices about the y axis, right-handed; centred at the origin").required().positive();
+    f.number("pitch", pitch_, units::length, "rise along y in a turn").required().positive();
+    f.number("turns", turns_, units::none, "number of turns").positive();
+    f.integer("edges", edges_, "edges").at_least(1);
+  }
+  Mesh make() const override { return helix(radius_, pitch_, turns_, edges_); }
+
+ private:
+  double radius_ = 1, pitch_ = 1, turns_ = 1;  // m, m, 1
+  int edges_ = 32;
+};
+
+class PointsShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.vector("size", size_, units::length, "extent of a grid of points; centred at the origin").nonnegative();
+    f.vector("counts", counts_, "points along each axis; one alone is in the middle").at_least(1);
+  }
+  Mesh make() const override { return point_grid(size_, counts_); }
+
+ private:
+  Vec3 size_ = Vec3::Zero();  // m
+  std::array<int, 3> counts_ = {1, 1, 1};
+};
+
 class FileShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
@@ -103,6 +157,10 @@ TACK_REGISTER(ShapeSource, CylinderShape, "cylinder", "A cylinder of tets along 
 TACK_REGISTER(ShapeSource, VoussoirShape, "voussoir",
               "A stone of an arch about the z axis, at the crown; turn it into its place.", "");
 TACK_REGISTER(ShapeSource, GridShape, "grid", "A flat sheet of triangles.", "");
+TACK_REGISTER(ShapeSource, SegmentShape, "segment", "A straight line of edges along x.", "");
+TACK_REGISTER(ShapeSource, RingShape, "ring", "A closed polygon of edges.", "");
+TACK_REGISTER(ShapeSource, HelixShape, "helix", "A helix of edges along y.", "");
+TACK_REGISTER(ShapeSource, PointsShape, "points", "Points of a grid, or one.", "");
 TACK_REGISTER(ShapeSource, FileShape, "file", "A mesh read from a file.", "");
 
 }  // namespace

@@ -6,15 +6,6 @@
 #include "geometry/parallel.hpp"
 
 namespace tack {
-namespace {
-
-// The stiffness across a spring that pushes is negative: a projection takes it out.
-double across(double force, double length, Projection projection) {
-  return length > 0 ? projected(force / length, projection) : 0.0;
-}
-
-}  // namespace
-
 void SpringTerm::add(Edge vertices, const Spring& spring) {
   vertices_.push_back(vertices);
   springs_.push_back(spring);
@@ -58,8 +49,7 @@ double SpringTerm::dissipated(const VecX& x) const {
 
 double SpringTerm::energy(int s, const VecX& x) const {
   if (broken_[s]) return 0;
-  const double stretch = span(s, x).norm() - springs_[s].length;
-  return springs_[s].stiffness / 2 * stretch * stretch;
+  return pair(s).energy(span(s, x));
 }
 
 double SpringTerm::value(const VecX& x) const {
@@ -72,19 +62,7 @@ double SpringTerm::value(const VecX& x) const {
 
 void SpringTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
   for_each(count(), [&](int s) {
-    const Vec3 d = span(s, x);
-    const double l = d.norm(), k = broken_[s] ? 0 : springs_[s].stiffness, force = k * (l - springs_[s].length);
-    const Vec3 n = l > 0 ? Vec3(d / l) : Vec3::Zero();
-    Eigen::Map<Vec3>{gradient + 6 * static_cast<size_t>(s)} = -force * n;
-    Eigen::Map<Vec3>{gradient + 6 * static_cast<size_t>(s) + 3} = force * n;
-    if (!hessian) return;
-    // Without a length at rest it is isotropic, also where its ends meet.
-    const Mat3 h = springs_[s].length == 0 ? Mat3(k * Mat3::Identity())
-                                           : Mat3(k * n * n.transpose() + across(force, l, projection) * (Mat3::Identity() - n * n.transpose()));
-    double* out = hessian + 27 * static_cast<size_t>(s);
-    Eigen::Map<Mat3>{out} = h;
-    Eigen::Map<Mat3>{out + 9} = -h;
-    Eigen::Map<Mat3>{out + 18} = h;
+    pair(s).derivatives(span(s, x), projection, gradient + 6 * static_cast<size_t>(s), hessian ? hessian + 27 * static_cast<size_t>(s) : nullptr);
   });
 }
 

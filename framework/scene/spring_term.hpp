@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "framework/assembly/pair_spring.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
@@ -40,6 +41,7 @@ class SpringTerm : public Term, public ResidualView {
 
  private:
   Vec3 span(int s, const VecX& x) const { return vertex(x, vertices_[s][1]) - vertex(x, vertices_[s][0]); }
+  PairSpring pair(int s) const { return {broken_[s] ? 0 : springs_[s].stiffness, springs_[s].length}; }
   bool breaks(int s, const VecX& x) const;
   double energy(int s, const VecX& x) const;
 

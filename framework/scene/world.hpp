@@ -12,6 +12,7 @@
 #include "framework/scene/bindings.hpp"
 #include "framework/scene/body.hpp"
 #include "framework/scene/load_terms.hpp"
+#include "framework/scene/motion.hpp"
 #include "framework/scene/script.hpp"
 
 namespace tack {
@@ -31,6 +32,8 @@ struct World {
   VecX rest;              // 3n [m]: the vertices of the bodies' meshes, then those that are in none
   std::vector<int> extra_object;  // of the latter: the body that each belongs to
   VecX mass;              // n [kg]
+  VecX weighing_mass;     // n [kg]: what gravity pulls at; none of twists
+  std::vector<std::unique_ptr<Motion>> twist_motions;  // of what motions hold of rods
   Script script;          // who is held when
   Bindings bindings;      // which vertices follow others
   std::vector<std::pair<int, int>> attached;  // bodies that touch where one is attached to the other, ascending

@@ -72,7 +72,7 @@ void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   std::vector<char> unknown(world_.dofs.vertex_count());
   for (size_t v = 0; v < unknown.size(); ++v) unknown[v] = world_.dofs.moves(static_cast<int>(v));
   for (const int v : moving_) unknown[v] = 1;
-  dofs_ = DofMap(unknown, world_.dofs.dependences());
+  dofs_ = DofMap(unknown, world_.dofs.dependences(), world_.script.always_held());
   potential_.emplace(world_, clock_, world_.terms, dofs_, world_.mass);
 }
 

@@ -1,8 +1,15 @@
 #include "geometry/shapes/lines.hpp"
 
+#include <numbers>
+
 #include "geometry/shapes/checks.hpp"
 
 namespace tack {
+namespace {
+
+Vec3 around_y(double radius, double angle, double height) { return {radius * std::cos(angle), height, -radius * std::sin(angle)}; }
+
+}  // namespace
 
 Mesh segment(double length, int edges) {
   require_positive("segment", "length", length);
@@ -13,6 +20,33 @@ Mesh segment(double length, int edges) {
     mesh.vertices.emplace_back(-0.5 * length + length * (double(i) / edges), 0, 0);
   }
   for (int i = 0; i < edges; ++i) mesh.edges.push_back({i, i + 1});
+  return mesh;
+}
+
+Mesh ring(double radius, int edges) {
+  require_positive("ring", "radius", radius);
+  require_at_least("ring", "the number of edges", edges, 3);
+  require_count("ring", edges);
+  Mesh mesh;
+  for (int i = 0; i < edges; ++i) {
+    mesh.vertices.push_back(around_y(radius, 2 * std::numbers::pi * i / edges, 0));
+    mesh.edges.push_back({i, (i + 1) % edges});
+  }
+  return mesh;
+}
+
+Mesh helix(double radius, double pitch, double turns, int edges) {
+  require_positive("helix", "radius", radius);
+  require_positive("helix", "pitch", pitch);
+  require_positive("helix", "the number of turns", turns);
+  require_at_least("helix", "the number of edges", edges, 1);
+  require_count("helix", edges + 1.0);
+  Mesh mesh;
+  for (int i = 0; i <= edges; ++i) {
+    const double turned = turns * i / edges;
+    mesh.vertices.push_back(around_y(radius, 2 * std::numbers::pi * turned, pitch * (turned - turns / 2)));
+    if (i > 0) mesh.edges.push_back({i - 1, i});
+  }
   return mesh;
 }
 

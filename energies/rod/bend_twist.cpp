@@ -1,0 +1,141 @@
+#include "energies/rod/bend_twist.hpp"
+
+#include <numbers>
+
+namespace tack {
+namespace {
+
+using Vec4 = Eigen::Vector4d;
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+
+// Of a frame that has to be carried along, as a function of its edge l.
+struct Carried {
+  explicit Carried(const Vec3& l) : length(l.norm()), direction(l / length), s(length + l.x(), -l.z(), l.y()) {
+    slope << direction.x() + 1, direction.y(), direction.z(), 0, 0, -1, 0, 1, 0;
+  }
+  Mat3 curvature() const { return (Mat3::Identity() - direction * direction.transpose()) / length; }  // of |l|
+  double length;
+  Vec3 direction, s;
+  Mat3 slope;  // dS/dl
+};
+
+double next_to(double angle, double near) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return angle + turn * std::round((near - angle) / turn);
+}
+
+// One strain by (w, x, y, z, theta_1, theta_2).
+struct Strain {
+  double value;
+  Vec6 gradient;
+  Mat6 hessian;
+};
+
+// u and v and what hangs on them.
+struct Rotation {
+  Rotation(const Vec4& a, double theta_1, double theta_2)
+      : u(a.head<2>()), square(u.squaredNorm()), size(std::sqrt(square)), cosine(std::cos((theta_1 + theta_2) / 2)),
+        sine(std::sin((theta_1 + theta_2) / 2)), y((a(2) * cosine + a(3) * sine) * 2 / size),
+        z((a(3) * cosine - a(2) * sine) * 2 / size) {}
+
+  // kappa = v' . along / |u| with dv'/dtheta etc.: value, its slope by the mean angle psi, and the direction in (y, z).
+  Strain curvature(double value, double slope, const Vec2& along, const Vec2& along_slope) const {
+    Strain s{value, Vec6::Zero(), Mat6::Zero()};
+    const Vec2 towards = u / square;
+    s.gradient << -value * towards, along, slope / 2, slope / 2;
+    s.hessian.topLeftCorner<2, 2>() = value * (3 * towards * towards.transpose() - Eigen::Matrix2d::Identity() / square);
+    s.hessian.block<2, 2>(0, 2) = -towards * along.transpose();
+    s.hessian.block<2, 2>(0, 4).colwise() = -slope / 2 * towards;
+    s.hessian.block<2, 2>(2, 4).colwise() = along_slope / 2;
+    s.hessian.bottomRightCorner<2, 2>().setConstant(-value / 4);
+    s.hessian.triangularView<Eigen::StrictlyLower>() = s.hessian.transpose();
+    return s;
+  }
+  Strain kappa_1() const { return curvature(z, -y, 2 / size * Vec2(-sine, cosine), 2 / size * Vec2(-cosine, -sine)); }
+  Strain kappa_2() const { return curvature(-y, -z, -2 / size * Vec2(cosine, sine), -2 / size * Vec2(-sine, cosine)); }
+  Strain tau(double value) const {
+    Strain s{value, Vec6::Zero(), Mat6::Zero()};
+    s.gradient << -2 * u.y() / square, 2 * u.x() / square, 0, 0, -1, 1;
+    const double product = 4 * u.x() * u.y() / (square * square), difference = 2 * (u.y() * u.y() - u.x() * u.x()) / (square * square);
+    s.hessian.topLeftCorner<2, 2>() << product, difference, difference, -product;
+    return s;
+  }
+
+  Vec2 u;
+  double square, size, cosine, sine;
+  double y, z;  // 2 v e^(-i psi) / |u|
+};
+
+// C j and C k, -j C and -k C of a quaternion (w, x, y, z).
+Vec4 right_j(const Vec4& c) { return {-c(2), -c(3), c(0), c(1)}; }
+Vec4 right_k(const Vec4& c) { return {-c(3), c(2), -c(1), c(0)}; }
+Vec4 left_j(const Vec4& c) { return {c(2), -c(3), -c(0), c(1)}; }
+Vec4 left_k(const Vec4& c) { return {c(3), c(2), -c(1), -c(0)}; }
+
+}  // namespace
+
+BendTwist::BendTwist(const Quaternion& first, const Quaternion& second) {
+  const Quaternion q = first.conjugate() * second;
+  const Vec4 c(q.w(), q.x(), q.y(), q.z());
+  const std::array<Vec4, 3> rows = {c, left_j(c), left_k(c)};
+  for (int i = 0; i < 3; ++i) {
+    const std::array<Vec4, 3> columns = {rows[i], right_j(rows[i]), right_k(rows[i])};
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 4; ++k) forms_[k](i, j) = columns[j](k);
+  }
+}
+
+bool BendTwist::within_reach(const Vec3& edge) {
+  constexpr double least = 0.01;  // 1 + cos of the angle
+  const double length = edge.norm();
+  return length + edge.x() > least * length;
+}
+
+double BendTwist::turn(const Place& p) const {
+  const Vec3 a = Carried(p.first).s, b = Carried(p.second).s;
+  return next_to(std::atan2(a.dot(forms_[1] * b), a.dot(forms_[0] * b)), p.turn);
+}
+
+BendTwist::Strains BendTwist::strains(const Place& p) const {
+  const Vec3 a = Carried(p.first).s, b = Carried(p.second).s;
+  Vec4 q;
+  for (int k = 0; k < 4; ++k) q(k) = a.dot(forms_[k] * b);
+  const Rotation r(q, p.theta_1, p.theta_2);
+  return {r.z, -r.y, 2 * next_to(std::atan2(q(1), q(0)), p.turn) + p.theta_2 - p.theta_1};
+}
+
+void BendTwist::derivatives(const Place& p, const Vec3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
+  const Carried a(p.first), b(p.second);
+  Vec4 q;
+  Eigen::Matrix<double, 6, 8> jacobian = Eigen::Matrix<double, 6, 8>::Zero();
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 from_a = forms_[k] * b.s, from_b = forms_[k].transpose() * a.s;
+    q(k) = a.s.dot(from_a);
+    jacobian.block<1, 3>(k, 0) = from_a.transpose() * a.slope;
+    jacobian.block<1, 3>(k, 3) = from_b.transpose() * b.slope;
+  }
+  jacobian.bottomRightCorner<2, 2>().setIdentity();
+  const Rotation r(q, p.theta_1, p.theta_2);
+  const double tau = 2 * next_to(std::atan2(q(1), q(0)), p.turn) + p.theta_2 - p.theta_1;
+  Vec6 slope = Vec6::Zero();
+  Mat6 curvature = Mat6::Zero();
+  const std::array<Strain, 3> strains = {r.kappa_1(), r.kappa_2(), r.tau(tau)};
+  for (int i = 0; i < 3; ++i) {
+    const double force = stiffness(i) * (strains[i].value - rest(i));
+    slope += force * strains[i].gradient;
+    if (hessian) curvature += stiffness(i) * strains[i].gradient * strains[i].gradient.transpose() + force * strains[i].hessian;
+  }
+  gradient = jacobian.transpose() * slope;
+  if (!hessian) return;
+  *hessian = jacobian.transpose() * curvature * jacobian;
+  Mat3 form = Mat3::Zero();
+  for (int k = 0; k < 4; ++k) form += slope(k) * forms_[k];
+  const Mat3 mixed = a.slope.transpose() * form * b.slope;
+  hessian->block<3, 3>(0, 0) += (form * b.s).x() * a.curvature();
+  hessian->block<3, 3>(3, 3) += (form.transpose() * a.s).x() * b.curvature();
+  hessian->block<3, 3>(0, 3) += mixed;
+  hessian->block<3, 3>(3, 0) += mixed.transpose();
+}
+
+}  // namespace tack

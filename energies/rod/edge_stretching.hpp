@@ -1,0 +1,43 @@
+// Stretching of edges: sum_e E A / (2 L) (|x_b - x_a| - L)^2.
+#pragma once
+
+#include "energies/rod/edges.hpp"
+#include "framework/assembly/pair_spring.hpp"
+#include "framework/core/term.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+
+class EdgeStretching {
+ public:
+  // stretching: E A [N].
+  EdgeStretching(std::vector<Edge> edges, double stretching, const VecX& rest) : edges_(std::move(edges)) {
+    for (const Edge& e : edges_) springs_.push_back({stretching / edge_length(e, rest), edge_length(e, rest)});
+  }
+
+  const std::vector<Edge>& edges() const { return edges_; }
+  int count() const { return static_cast<int>(edges_.size()); }
+  StencilBatch batch() const { return {2, count(), edges_.empty() ? nullptr : edges_.front().data()}; }
+
+  double value(const VecX& x) const {
+    return sum_chunks(count(), [&](int first, int last) {
+      double sum = 0;
+      for (int e = first; e < last; ++e) sum += springs_[e].energy(span(e, x));
+      return sum;
+    });
+  }
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
+    for_each(count(), [&](int e) {
+      springs_[e].derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
+                              hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);
+    });
+  }
+
+ private:
+  Vec3 span(int e, const VecX& x) const { return vertex(x, edges_[e][1]) - vertex(x, edges_[e][0]); }
+
+  std::vector<Edge> edges_;
+  std::vector<PairSpring> springs_;
+};
+
+}  // namespace tack

@@ -1,0 +1,58 @@
+// An elastic rod that stretches, bends and twists.
+#include <fmt/format.h>
+
+#include "energies/rod/edges.hpp"
+#include "energies/rod/rod_term.hpp"
+#include "framework/config/field.hpp"
+#include "framework/scene/energy.hpp"
+
+namespace tack {
+namespace {
+
+class ElasticRod : public Energy {
+ public:
+  void fields(Fields& f) override {
+    f.number("young", young_, units::pressure, "Young's modulus E").required().positive();
+    f.number("poisson", poisson_, units::none, "Poisson's ratio, of which the shear modulus follows: G = E / (2 (1 + nu))").range(-0.99, 0.5);
+    f.optional_number("shear", shear_, units::pressure, "shear modulus G, instead of the one that poisson gives").positive();
+    f.number("density", density_, units::density, "mass per rest volume").positive();
+    f.choice("rest", straight_,
+             {{"mesh", false, "without stress as the mesh is"},
+              {"straight", true, "straight between joints, where more than two edges meet; those keep the shape of the mesh"}},
+             "its shape without stress");
+    f.vector("curvature", curvature_, units::curvature,
+             "added to the curvature at rest, in the frame of the section: its bending towards `normal`, and across");
+    f.number("twist", twist_, units::curvature, "added to the twist at rest: angle per length");
+  }
+  bool twists() const override { return true; }
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+    const RodSection& section = section_of(body, type());
+    const double shear = shear_.value_or(young_ / (2 * (1 + poisson_)));
+    const RodMaterial material{young_ * section.area(), {young_ * section.moment_across(), young_ * section.moment_along(),
+                                                         shear * section.torsion_constant()}};
+    return std::make_unique<RodTerm>(std::string(type()), fmt::format("{}/energies/{}/", body.name, body.energy), material,
+                                     RodRest{straight_, curvature_, twist_}, body.edges, body.rod, rest);
+  }
+  void add_mass(const Body& body, const VecX& rest, VecX& mass) const override {
+    add_edge_mass(body, rest, density_, mass);
+    for (const Edge& e : body.edges)
+      mass(body.rod->twists()[body.rod->find(e)]) += density_ * body.section->area() * edge_length(e, rest);
+  }
+  std::optional<double> young() const override { return young_; }
+
+ private:
+  double young_ = 1e9;  // Pa
+  double poisson_ = 0.3;
+  std::optional<double> shear_;  // Pa
+  double density_ = 1000;        // kg/m^3
+  bool straight_ = false;
+  Vec2 curvature_ = Vec2::Zero();  // 1/m
+  double twist_ = 0;               // 1/m
+};
+
+TACK_REGISTER(Energy, ElasticRod, "elastic_rod", "Edges with a section (`rod`) that stretch, bend and twist.",
+              "Bergou, Wardetzky, Robinson, Audoly, Grinspun 2008, Discrete Elastic Rods; Bergou, Audoly, Vouga, Wardetzky, Grinspun "
+              "2010, Discrete Viscous Threads");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,133 @@
+#include "energies/rod/rod_term.hpp"
+
+#include <limits>
+
+#include "framework/assembly/psd_projection.hpp"
+#include "framework/assembly/stencil_blocks.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// A turn about the tangent.
+Quaternion about_tangent(double angle) { return {std::cos(angle / 2), std::sin(angle / 2), 0, 0}; }
+
+// The other end of an edge.
+int opposite(const Edge& edge, int v) { return edge[0] == v ? edge[1] : edge[0]; }
+
+constexpr const char* turns_name = "turns";
+
+}  // namespace
+
+RodTerm::RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
+                 std::shared_ptr<const RodFrames> frames, const VecX& rest)
+    : Term(std::move(name)), memory_(std::move(memory)), frames_(std::move(frames)),
+      stretching_(std::move(edges), material.stretching, rest) {
+  for (const RodPair& of : rod_pairs(stretching_.edges(), rest)) {
+    Pair& pair = pairs_.emplace_back();
+    settle(pair, of, material, shape, rest);
+  }
+  remember({});
+}
+
+// Directions, stencil and rest shape of a pair. The committed frames are those of the rest shape.
+void RodTerm::settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape, const VecX& rest) {
+  const Edge &first = stretching_.edges()[of.first], &second = stretching_.edges()[of.second];
+  const int a = opposite(first, of.vertex), b = opposite(second, of.vertex);
+  pair.edge = {frames_->find(first), frames_->find(second)};
+  stencils_.push_back({a, of.vertex, b, frames_->twists()[pair.edge[0]], frames_->twists()[pair.edge[1]]});
+  const bool straight = shape.straight && !of.joint;
+  const Vec3 in = Vec3(vertex(rest, of.vertex) - vertex(rest, a)).normalized();
+  const Vec3 out = Vec3(vertex(rest, b) - vertex(rest, of.vertex)).normalized();
+  constexpr double round_off = 1e-9;
+  pair.second_from_end = !straight && in.dot(out) < -round_off;
+  const int from = pair.second_from_end ? b : of.vertex;
+  pair.backwards = {frames_->edge(pair.edge[0])[0] != a, frames_->edge(pair.edge[1])[0] != from};
+  pair.turned = {0, 0};
+  pair.stiffness = material.bending / of.length;
+
+  bends_.emplace_back(frame(pair, 0), frame(pair, 1));
+  axes_.push_back({frame(pair, 0).conjugate().toRotationMatrix(), frame(pair, 1).conjugate().toRotationMatrix()});
+  turns_.push_back(0);
+  const double twist = 2 * bends_.back().turn(place(pair_count() - 1, rest));
+  pair.turned = {twist / 2, -twist / 2};
+  bends_.back() = {frame(pair, 0), frame(pair, 1)};
+  axes_.back() = {frame(pair, 0).conjugate().toRotationMatrix(), frame(pair, 1).conjugate().toRotationMatrix()};
+  pair.rest = straight ? Vec3::Zero() : bends_.back().strains(place(pair_count() - 1, rest));
+  pair.rest.z() = 0;
+  if (!of.joint) pair.rest += of.length * Vec3(shape.curvature.x(), shape.curvature.y(), shape.twist);
+}
+
+// The committed frame of an edge as the pair follows it: backwards, it is turned by half a turn about its first director.
+Quaternion RodTerm::frame(const Pair& pair, int side) const {
+  const Quaternion half_turn = pair.backwards[side] ? Quaternion(0, 0, 1, 0) : Quaternion::Identity();
+  return frames_->committed(pair.edge[side]) * half_turn * about_tangent(pair.turned[side]);
+}
+
+BendTwist::Place RodTerm::place(int p, const VecX& x) const {
+  const Pair& pair = pairs_[p];
+  const auto& [a, v, b, u_1, u_2] = stencils_[p];
+  const Vec3 out = vertex(x, b) - vertex(x, v);
+  return {axes_[p][0] * (vertex(x, v) - vertex(x, a)), axes_[p][1] * (pair.second_from_end ? Vec3(-out) : out),
+          sign(pair, 0) * x(3 * u_1) / frames_->radius(), sign(pair, 1) * x(3 * u_2) / frames_->radius(), turns_[p]};
+}
+
+void RodTerm::remember(const History& history) {
+  const std::vector<double>* turns = remembered(history, memory_ + turns_name, 1, pair_count());
+  for_each(pair_count(), [&](int p) {
+    const Quaternion first = frame(pairs_[p], 0), second = frame(pairs_[p], 1);
+    bends_[p] = {first, second};
+    axes_[p] = {first.conjugate().toRotationMatrix(), second.conjugate().toRotationMatrix()};
+    turns_[p] = turns ? (*turns)[p] : 0;
+  });
+}
+
+void RodTerm::commit(const VecX& x, History& history) const {
+  HistoryArray turns{1, turns_, {}};
+  for (int p = 0; p < pair_count(); ++p) turns.values[p] = bends_[p].turn(place(p, x));
+  history[memory_ + turns_name] = std::move(turns);
+}
+
+double RodTerm::value(const VecX& x) const {
+  return stretching_.value(x) + sum_chunks(pair_count(), [&](int first, int last) {
+    double sum = 0;
+    for (int p = first; p < last; ++p) {
+      const BendTwist::Place at = place(p, x);
+      if (!BendTwist::within_reach(at.first) || !BendTwist::within_reach(at.second)) return std::numeric_limits<double>::infinity();
+      const Vec3 strain = bends_[p].strains(at) - pairs_[p].rest;
+      sum += pairs_[p].stiffness.dot(strain.cwiseAbs2()) / 2;
+    }
+    return sum;
+  });
+}
+
+std::vector<StencilBatch> RodTerm::batches() const {
+  return {stretching_.batch(), {5, pair_count(), stencils_.empty() ? nullptr : stencils_.front().data(), 2}};
+}
+
+void RodTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  stretching_.derivatives(x, projection, gradient, hessian);
+  gradient += 6 * static_cast<size_t>(stretching_.count());
+  if (hessian) hessian += 27 * static_cast<size_t>(stretching_.count());
+  for_each(pair_count(), [&](int p) {
+    const Pair& pair = pairs_[p];
+    // By vertices and arcs: l_1 = axes_1 (x_v - x_a), l_2 = +-axes_2 (x_b - x_v), theta = +-u / r.
+    Eigen::Matrix<double, 8, 15> chain = Eigen::Matrix<double, 8, 15>::Zero();
+    chain.block<3, 3>(0, 0) = -axes_[p][0];
+    chain.block<3, 3>(0, 3) = axes_[p][0];
+    chain.block<3, 3>(3, 6) = pair.second_from_end ? Mat3(-axes_[p][1]) : axes_[p][1];
+    chain.block<3, 3>(3, 3) = -chain.block<3, 3>(3, 6);
+    chain(6, 9) = sign(pair, 0) / frames_->radius();
+    chain(7, 12) = sign(pair, 1) / frames_->radius();
+    BendTwist::Vec8 slope;
+    BendTwist::Mat8 curvature;
+    bends_[p].derivatives(place(p, x), pair.stiffness, pair.rest, slope, hessian ? &curvature : nullptr);
+    Eigen::Map<Eigen::Matrix<double, 15, 1>>{gradient + 15 * static_cast<size_t>(p)} = chain.transpose() * slope;
+    if (!hessian) return;
+    Eigen::Matrix<double, 15, 15> h = chain.transpose() * curvature * chain;
+    project_twisted_psd(h, projection);
+    store_blocks<5>(h, hessian + 135 * static_cast<size_t>(p));
+  }, 32);
+}
+
+}  // namespace tack

@@ -1,0 +1,67 @@
+// Energy of the edges of an object as an elastic rod (Bergou et al. 2008, 2010): stretching of each edge, bending and twisting of
+// each two that meet (rod_pairs.hpp, bend_twist.hpp),
+//     P = sum_e E A / (2 L) (|x_b - x_a| - L)^2 + sum_pairs 1 / (2 l) (E I1 (kappa_1 - rest)^2 + E I2 (kappa_2 - rest)^2 + G J (tau - rest)^2).
+// The directors of a pair are turned, each by half of the twist that the mesh has at rest, so that they agree there; and where edges meet at
+// an acute angle, one is followed backwards, so that the angle between tangents is at most a right one.
+#pragma once
+
+#include <memory>
+
+#include "energies/rod/bend_twist.hpp"
+#include "energies/rod/edge_stretching.hpp"
+#include "energies/rod/rod_pairs.hpp"
+
+namespace tack {
+
+struct RodMaterial {
+  double stretching;  // E A [N]
+  Vec3 bending;       // E I1, E I2, G J [N m^2]
+};
+
+// What the rest shape is, beside the mesh.
+struct RodRest {
+  bool straight = false;         // of vertices with two edges
+  Vec2 curvature = Vec2::Zero();  // of those too, and added to what they have [1/m]
+  double twist = 0;              // 1/m
+};
+
+class RodTerm : public Term {
+ public:
+  // frames: of these edges, perhaps among others. history: in which its arrays have the prefix `memory`.
+  RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
+          std::shared_ptr<const RodFrames> frames, const VecX& rest);
+
+  void remember(const History& history) override;
+  void commit(const VecX& x, History& history) const override;
+
+  double value(const VecX& x) const override;
+  std::vector<StencilBatch> batches() const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+
+ private:
+  // Vertices a, v, b of a path along two edges, and their twists.
+  struct Pair {
+    std::array<int, 2> edge;         // in the frames
+    std::array<bool, 2> backwards;   // against the direction in which it is stored
+    bool second_from_end;            // the second is followed from b to v
+    std::array<double, 2> turned;    // what directors are turned by [rad]
+    Vec3 stiffness, rest;            // see BendTwist
+  };
+  int pair_count() const { return static_cast<int>(pairs_.size()); }
+  Quaternion frame(const Pair& pair, int side) const;
+  double sign(const Pair& pair, int side) const { return pair.backwards[side] ? -1 : 1; }
+  void settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape, const VecX& rest);
+  BendTwist::Place place(int pair, const VecX& x) const;
+
+  std::string memory_;
+  std::shared_ptr<const RodFrames> frames_;
+  EdgeStretching stretching_;
+  std::vector<Pair> pairs_;
+  std::vector<std::array<int, 5>> stencils_;
+  // Of the committed frames:
+  std::vector<BendTwist> bends_;
+  std::vector<std::array<Mat3, 2>> axes_;  // of both frames, as rows
+  std::vector<double> turns_;              // BendTwist::Place::turn
+};
+
+}  // namespace tack
