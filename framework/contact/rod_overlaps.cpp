@@ -13,7 +13,7 @@ namespace {
 
 // Sine of the angle between two edges below which their vertices alone carry what they have in common, and above which
 // the pair of edges does. The mollifier of edge pairs begins at 0.03.
-constexpr double parallel = 0.05, crossing = 0.15;
+constexpr double parallel = 0.03, crossing = 0.06;
 
 constexpr double reach = 2;  // in ranges: what is farther away when the step begins is only guarded against
 
@@ -113,6 +113,30 @@ RodOverlaps::RodOverlaps(const ContactSurface& surface, const PairTable& pairs) 
   if (surface.mesh.codim_edges.empty()) return;
   is_rod_.assign(surface.mesh.edges.size(), 0);
   for (const int e : surface.mesh.codim_edges) is_rod_[e] = 1;
+  longest_overlap_ = 2 * *std::max_element(surface.rod_width.begin(), surface.rod_width.end()) / parallel;
+}
+
+// Whether the closest point of an edge is that of the whole rod there, and this edge's: at an end, no other edge of the
+// vertex comes nearer, and it is the first of them. between: from the other rod's closest point to this one's.
+bool RodOverlaps::closest_of_rod(int edge, double u, const Vec3& between, const HeldSurface& held) const {
+  if (u > 0 && u < 1) return true;
+  const int end = surface_.mesh.edges[edge][u > 0];
+  const auto rods = held.topology().rods_at(end);
+  return rods.front() == edge && std::all_of(rods.begin(), rods.end(), [&](int other) {
+    const auto& [first, second] = surface_.mesh.edges[other];
+    const int far = first == end ? second : first;
+    return other == edge || Vec3(vertex(held.x(), far) - vertex(held.x(), end)).dot(between) >= 0;
+  });
+}
+
+// Straight on as far as any overlap reaches where the rod goes on, whatever the length of its edges.
+std::array<Vec3, 2> RodOverlaps::continued(int edge, const HeldSurface& held) const {
+  const Edge& e = surface_.mesh.edges[edge];
+  auto ends = corners(held.x(), e);
+  const Vec3 along = (ends[1] - ends[0]).normalized() * longest_overlap_;
+  if (held.topology().rods_at(e[0]).size() > 1) ends[0] -= along;
+  if (held.topology().rods_at(e[1]).size() > 1) ends[1] += along;
+  return ends;
 }
 
 void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& found) const {
@@ -126,13 +150,17 @@ void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& fou
   const Vec3 between = (1 - at.x()) * a[0] + at.x() * a[1] - (1 - at.y()) * b[0] - at.y() * b[1];
   const double distance = between.norm();
   if (!(distance > 0) || distance > reach * role.range) return;
-  Vec3 centre;
-  const double area = shadow_overlap(a, surface_.rod_width[object_a], b, surface_.rod_width[object_b], between / distance, centre);
-  if (!(area > 0)) return;
-  const Vec3 along_a = a[1] - a[0], along_b = b[1] - b[0];
+  const Vec3 n = between / distance, along_a = a[1] - a[0], along_b = b[1] - b[0];
+  const double width_a = surface_.rod_width[object_a], width_b = surface_.rod_width[object_b];
   const double part = crossing_part(along_a.cross(along_b).norm() / (along_a.norm() * along_b.norm()));
-  if (part > 0) found.crossings.push_back({{first, second}, part * area});
+  Vec3 centre;
+  if (part > 0 && closest_of_rod(first, at.x(), between, held) && closest_of_rod(second, at.y(), -between, held)) {
+    const double area = shadow_overlap(continued(first, held), width_a, continued(second, held), width_b, n, centre);
+    if (area > 0) found.crossings.push_back({{first, second}, part * area});
+  }
   if (part == 1) return;
+  const double area = shadow_overlap(a, width_a, b, width_b, n, centre);
+  if (!(area > 0)) return;
   const auto share = [&](const std::array<Vec3, 2>& edge, const Edge& vertices, int object) {
     const Vec3 along = edge[1] - edge[0];
     const double u = std::clamp((centre - edge[0]).dot(along) / along.squaredNorm(), 0.0, 1.0);

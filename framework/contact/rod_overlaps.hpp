@@ -2,7 +2,8 @@
 // common, seen along the shortest way between the two. Each shadow is a rectangle, as long as the edge and as wide as the
 // rod, so that the parts of crossing rods add up to the parallelogram w_1 w_2 / sin(theta), and those of parallel rods to
 // the length over which they lie side by side times the smaller width, whatever the meshes.
-// Edges that cross carry this area as a pair of edges, whose closest points move along with them. Those that are nearly
+// Rods that cross carry this area, all of it, by the pair of edges that holds the closest points, which move along with
+// them: elsewhere in the parallelogram the axes are farther apart than the rods, which are as wide as they are. Those that are nearly
 // parallel have no single closest points: the vertices of both carry half of it each. In between, both carry a part.
 #pragma once
 
@@ -43,11 +44,14 @@ class RodOverlaps {
     double area;
   };
   struct Found;
+  bool closest_of_rod(int edge, double u, const Vec3& between, const HeldSurface& held) const;
+  std::array<Vec3, 2> continued(int edge, const HeldSurface& held) const;
   void add(int first, int second, const HeldSurface& held, Found& found) const;
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
   std::vector<char> is_rod_;  // per edge of the mesh; empty without rods
+  double longest_overlap_ = 0;  // of two that cross [m]
   std::vector<Crossing> crossings_;
   std::vector<Share> shares_;  // by key
 };
