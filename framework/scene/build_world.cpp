@@ -12,6 +12,7 @@
 #include "framework/scene/containment.hpp"
 #include "framework/scene/named_selections.hpp"
 #include "framework/scene/refined_surface.hpp"
+#include "framework/scene/selected_elements.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -30,6 +31,16 @@ Mesh placed(Mesh mesh, const ObjectConfig& object) {
   return mesh;
 }
 
+// Those that are faces of no tet.
+std::vector<Triangle> sheet_of(const Mesh& mesh, const Surface& surface) {
+  if (mesh.triangles.empty()) return {};
+  Mesh solid;
+  solid.vertices = mesh.vertices;
+  solid.tets = mesh.tets;
+  const size_t faces = mesh.tets.empty() ? 0 : extract_surface(solid).triangles.size();
+  return {surface.triangles.begin() + static_cast<std::ptrdiff_t>(faces), surface.triangles.end()};
+}
+
 // Appends a mesh to the world as a body.
 void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   Body body;
@@ -46,7 +57,15 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   };
   body.tags = mesh.tags;
   body.tets = shifted(mesh.tets);
-  body.triangles = shifted(extract_surface(mesh).triangles);
+  const Surface surface = extract_surface(mesh);
+  body.triangles = shifted(surface.triangles);
+  body.sheet = shifted(sheet_of(mesh, surface));
+  if (object.shell) {
+    if (body.sheet.empty())
+      throw InputError(fmt::format("object '{}' is given a thickness (shell), and its mesh has no triangles but faces of tets; "
+                                   "take it away, or use a shape of triangles", object.name));
+    body.thickness = object.shell->thickness;
+  }
   body.edges = shifted(mesh.edges);
   for (const int v : mesh.points) body.points.push_back(body.first_vertex + v);
   world.bodies.push_back(std::move(body));
@@ -88,8 +107,11 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
     throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
                                  "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
   for (const auto& energy : object.energies) {
-    world.elastic_terms.push_back(energy->make_term(body, world.rest));
-    energy->add_mass(body, world.rest, world.mass);
+    std::optional<Body> cut;
+    if (energy->selection()) cut = selected_elements(*energy->selection(), {body, world.rest});
+    const Body& acted_on = cut ? *cut : body;
+    world.elastic_terms.push_back(energy->make_term(acted_on, world.rest));
+    energy->add_mass(acted_on, world.rest, world.mass);
     if (object.damping && object.damping->stiffness > 0)
       world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*world.elastic_terms.back(), object.damping->stiffness));
     ++body.energy;

@@ -20,12 +20,17 @@ void SurfaceConfig::fields(Fields& f) {
       .required().positive();
 }
 
+void ShellConfig::fields(Fields& f) {
+  f.number("thickness", thickness, units::length, "of its triangles, which stand for the middle of the sheet").required().positive();
+}
+
 void ObjectConfig::fields(Fields& f) {
   f.text("name", name, "what pairs, probes and messages call it").required();
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");
+  f.optional_object("shell", shell, "its triangles that are no faces of tets are a thin sheet, as membranes and bending energies need it");
   f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
   f.component_list("energies", energies, "its potential energies; one that motions hold throughout, or an affine body, needs none");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");

@@ -42,12 +42,19 @@ struct SurfaceConfig {
   void fields(Fields& f);
 };
 
+// What energies of triangles ask for.
+struct ShellConfig {
+  double thickness = 0;  // m
+  void fields(Fields& f);
+};
+
 struct ObjectConfig {
   std::string name;
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;
+  std::optional<ShellConfig> shell;
   std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
