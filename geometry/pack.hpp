@@ -61,6 +61,11 @@ class Pack {
   friend Pack abs(const Pack& a) { return select(a < 0, -a, a); }
   friend Pack sqrt(const Pack& a) { return each_lane(a, [](double x) { return std::sqrt(x); }); }
   friend Pack log(const Pack& a) { return each_lane(a, [](double x) { return std::log(x); }); }
+  friend Pack atan2(const Pack& y, const Pack& x) {
+    Pack out;
+    for (int l = 0; l < pack_width; ++l) out.v_[l] = std::atan2(y.v_[l], x.v_[l]);
+    return out;
+  }
   friend Pack log1p(const Pack& a) { return each_lane(a, [](double x) { return std::log1p(x); }); }
 
  private:

@@ -3,6 +3,7 @@
 namespace tack {
 
 void SolidEnergy::fields(Fields& f) {
+  Energy::fields(f);
   f.number("young", young_, units::pressure, "Young's modulus").required().positive();
   f.number("poisson", poisson_, units::none, "Poisson's ratio").range(-0.99, 0.4999);
   f.number("density", density_, units::density, "mass per rest volume").positive();

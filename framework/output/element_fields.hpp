@@ -8,7 +8,7 @@ namespace tack {
 struct World;
 
 // Those of `names` that are fields of elements, at x:
-//   von_mises_stress  of the Cauchy stress of all solid energies of the object together [Pa]
+//   von_mises_stress  of the Cauchy stress of all energies of the element together; of sheets, in their middle [Pa]
 //   plastic_strain    accumulated; the largest if several of its energies flow
 std::vector<CellField> element_fields(const std::vector<std::string>& names, const World& world, const VecX& x,
                                       const FrameGeometry& geometry);

@@ -12,7 +12,7 @@ void OutputConfig::fields(Fields& f) {
       .positive();
   f.texts("fields", frame_fields, "vertex fields of the frames: velocity, contact_force, adhesion_force, "
                                   "friction_force (with tangential adhesion), displacement, mass; and of elements: von_mises_stress (of the Cauchy "
-                                  "stress of all solid energies of the object), plastic_strain (accumulated), not a number where an "
+                                  "stress of all energies of the element; of sheets, in their middle), plastic_strain (accumulated), not a number where an "
                                   "object has none");
   f.check("fields", [this]() -> std::string {
     static const std::set<std::string> known = {"velocity", "contact_force", "adhesion_force", "friction_force",

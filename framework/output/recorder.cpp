@@ -16,10 +16,8 @@ FrameGeometry frame_geometry(const World& world) {
     const int object = static_cast<int>(i);
     g.tets.insert(g.tets.end(), body.tets.begin(), body.tets.end());
     of_tets.insert(of_tets.end(), body.tets.size(), object);
-    if (body.tets.empty()) {
-      g.triangles.insert(g.triangles.end(), body.triangles.begin(), body.triangles.end());
-      of_triangles.insert(of_triangles.end(), body.triangles.size(), object);
-    }
+    g.triangles.insert(g.triangles.end(), body.sheet.begin(), body.sheet.end());
+    of_triangles.insert(of_triangles.end(), body.sheet.size(), object);
     g.edges.insert(g.edges.end(), body.edges.begin(), body.edges.end());
     of_edges.insert(of_edges.end(), body.edges.size(), object);
     g.points.insert(g.points.end(), body.points.begin(), body.points.end());

@@ -24,7 +24,8 @@ struct Body {
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, then those of `sheet`
-  std::vector<Triangle> sheet;      // explicit triangles of the mesh that are no faces of its tets
+  std::vector<Triangle> sheet;      // explicit triangles of the mesh that are no faces of its tets: shells
+  double thickness = 0;             // of the sheet [m]; 0: none is given
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
   std::optional<RodSection> section;  // of the edges

@@ -16,6 +16,7 @@
 #include "framework/scene/named_selections.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "framework/scene/rod_twists.hpp"
+#include "framework/scene/selected_elements.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -53,6 +54,12 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   const Surface surface = extract_surface(mesh);
   body.triangles = shifted(surface.triangles);
   body.sheet.assign(body.triangles.begin() + surface.first_sheet, body.triangles.end());
+  if (object.shell) {
+    if (body.sheet.empty())
+      throw InputError(fmt::format("object '{}' is given a thickness (shell), and its mesh has no triangles but faces of tets; "
+                                   "take it away, or use a shape of triangles", object.name));
+    body.thickness = object.shell->thickness;
+  }
   body.edges = shifted(mesh.edges);
   for (const int v : mesh.points) body.points.push_back(body.first_vertex + v);
   if (object.rod) {
@@ -112,8 +119,11 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
     throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
                                  "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
   for (const auto& energy : object.energies) {
-    std::unique_ptr<Term> term = energy->make_term(body, world.rest);
-    energy->add_mass(body, world.rest, world.mass);
+    std::optional<Body> cut;
+    if (energy->selection()) cut = selected_elements(*energy->selection(), {body, world.rest});
+    const Body& acted_on = cut ? *cut : body;
+    std::unique_ptr<Term> term = energy->make_term(acted_on, world.rest);
+    energy->add_mass(acted_on, world.rest, world.mass);
     ++body.energy;
     if (!term) continue;
     if (object.damping && object.damping->stiffness > 0)

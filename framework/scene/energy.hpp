@@ -4,9 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "framework/config/registry.hpp"
 #include "framework/core/term.hpp"
-#include "framework/scene/body.hpp"
+#include "framework/scene/selection.hpp"
 
 namespace tack {
 
@@ -14,6 +13,11 @@ class Energy : public Component {
  public:
   static constexpr const char* kind_name = "energy";
   static constexpr const char* kind_doc = "A potential energy of an object, with its material.";
+
+  // What derives from it lists its own behind these.
+  void fields(Fields& f) override;
+  // It acts on the elements all of whose vertices this chooses (selected_elements.hpp); null: on all.
+  const Selection* selection() const { return select_.get(); }
 
   // rest: the rest configuration of all vertices (3n). Throws InputError if the body lacks the
   // elements that the energy needs. Null: inertia alone.
@@ -24,6 +28,9 @@ class Energy : public Component {
   virtual void add_mass(const Body& /*body*/, const VecX& /*rest*/, VecX& /*mass*/) const {}
   // The stiffness that adhesion and barrier are scaled by [Pa].
   virtual std::optional<double> young() const { return std::nullopt; }
+
+ private:
+  std::unique_ptr<Selection> select_;
 };
 
 }  // namespace tack

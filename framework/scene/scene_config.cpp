@@ -20,6 +20,10 @@ void SurfaceConfig::fields(Fields& f) {
       .required().positive();
 }
 
+void ShellConfig::fields(Fields& f) {
+  f.number("thickness", thickness, units::length, "of its triangles, which stand for the middle of the sheet").required().positive();
+}
+
 void ObjectConfig::fields(Fields& f) {
   f.text("name", name, "what pairs, probes and messages call it").required();
   f.texts("groups", groups, "names under which pairs may mean it together with others");
@@ -27,6 +31,7 @@ void ObjectConfig::fields(Fields& f) {
   f.object("place", place, "scale, rotate, translate the mesh");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");
+  f.optional_object("shell", shell, "its triangles that are no faces of tets are a thin sheet, as membranes and bending energies need it");
   f.optional_object("rod", rod, "the section of its edges");
   f.optional_object("particle", particle, "the size of its points");
   f.number("contact_offset", contact_offset, units::length,

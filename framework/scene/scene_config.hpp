@@ -43,6 +43,12 @@ struct SurfaceConfig {
   void fields(Fields& f);
 };
 
+// What energies of triangles ask for.
+struct ShellConfig {
+  double thickness = 0;  // m
+  void fields(Fields& f);
+};
+
 struct ObjectConfig {
   std::string name;
   std::vector<std::string> groups;  // that it belongs to
@@ -50,6 +56,7 @@ struct ObjectConfig {
   PlaceConfig place;
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;
+  std::optional<ShellConfig> shell;
   std::optional<RodConfig> rod;
   std::optional<ParticleConfig> particle;
   double contact_offset = 0;  // m

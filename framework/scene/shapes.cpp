@@ -77,12 +77,23 @@ class GridShape : public ShapeSource {
   void fields(Fields& f) override {
     f.vector("size", size_, units::length, "extent along x and z; in the plane y = 0").required().positive();
     f.vector("cells", cells_, "cells along x and z, two triangles each").at_least(1);
+    f.choice("diagonals", diagonals_,
+             {{"alternating", Diagonals::alternating, "neighbouring cells are cut along different diagonals"},
+              {"uniform", Diagonals::uniform, "all cells are cut along the same diagonal"}},
+             "how cells are cut");
+    f.number("jitter", jitter_, units::none,
+             "irregular triangles: vertices inside are moved in the plane by up to that part of a cell, at random; borders stay")
+        .range(0, 0.24);
+    f.integer("seed", seed_, "of the jitter: another one, other triangles").at_least(0);
   }
-  Mesh make() const override { return grid(size_, cells_); }
+  Mesh make() const override { return grid(size_, cells_, diagonals_, jitter_, seed_); }
 
  private:
   Vec2 size_ = Vec2::Ones();  // m
   std::array<int, 2> cells_ = {1, 1};
+  Diagonals diagonals_ = Diagonals::alternating;
+  double jitter_ = 0;
+  int seed_ = 1;
 };
 
 class SegmentShape : public ShapeSource {

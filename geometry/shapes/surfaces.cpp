@@ -1,5 +1,8 @@
 #include "geometry/shapes/surfaces.hpp"
 
+#include <random>
+
+#include "geometry/errors.hpp"
 #include "geometry/mesh/cleanup.hpp"
 #include "geometry/shapes/checks.hpp"
 
@@ -74,11 +77,12 @@ void add_subdivided(Mesh& mesh, const Triangle& side, double radius, int cells) 
 
 }  // namespace
 
-Mesh grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals) {
+Mesh grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals, double jitter, int seed) {
   for (int axis = 0; axis < 2; ++axis) {
     require_positive("grid", "size", size[axis]);
     require_at_least("grid", "the number of cells", cells[axis], 1);
   }
+  if (!(jitter >= 0 && jitter < 0.25)) throw InputError("grid: jitter must be from 0 to below a quarter of a cell");
   const int row = cells[0] + 1;
   require_count("grid", double(row) * (cells[1] + 1.0));
   Mesh mesh;
@@ -86,6 +90,17 @@ Mesh grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals
     for (int i = 0; i <= cells[0]; ++i) {
       mesh.vertices.emplace_back(-0.5 * size[0] + size[0] * (double(i) / cells[0]), 0,
                                  -0.5 * size[1] + size[1] * (double(k) / cells[1]));
+    }
+  }
+  if (jitter > 0) {
+    std::mt19937 random(static_cast<std::mt19937::result_type>(seed));
+    // Not std::uniform_real_distribution, which differs between libraries.
+    const auto part = [&] { return jitter * (2 * (random() / 4294967296.0) - 1); };
+    for (int k = 1; k < cells[1]; ++k) {
+      for (int i = 1; i < cells[0]; ++i) {
+        const double x = part() * size[0] / cells[0], z = part() * size[1] / cells[1];
+        mesh.vertices[static_cast<size_t>(i + row * k)] += Vec3(x, 0, z);
+      }
     }
   }
   for (int k = 0; k < cells[1]; ++k) {

@@ -1,0 +1,45 @@
+#include "energies/shell/hinge_term.hpp"
+#include "energies/shell/sheet_geometry.hpp"
+#include "framework/config/field.hpp"
+#include "framework/scene/energy.hpp"
+
+namespace tack {
+namespace {
+
+class HingeBending : public Energy {
+ public:
+  enum class Rest { flat, mesh };
+
+  void fields(Fields& f) override {
+    Energy::fields(f);
+    f.optional_number("young", young_, units::pressure, "Young's modulus: D = E thickness^3 / (12 (1 - nu^2))").positive();
+    f.number("poisson", poisson_, units::none, "nu: what is bent one way curls the other way by so much").range(0, 0.4999);
+    f.optional_number("stiffness", stiffness_, units::energy, "D: moment per width and curvature, instead of Young's modulus").positive();
+    f.choice("rest", rest_, {{"flat", Rest::flat, "it wants to be flat, whatever the mesh is"},
+                             {"mesh", Rest::mesh, "as it is at rest"}},
+             "the shape without moments");
+    f.check("young", [this]() -> std::string {
+      return young_.has_value() != stiffness_.has_value() ? "" : "and stiffness: give one of the two";
+    });
+  }
+
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+    require_sheet(body, rest, type());
+    const double t = body.thickness;
+    const double stiffness = stiffness_ ? *stiffness_ : *young_ * t * t * t / (12 * (1 - poisson_ * poisson_));
+    return std::make_unique<HingeTerm>(std::string(type()), body, rest, stiffness, poisson_, rest_ == Rest::mesh);
+  }
+  std::optional<double> young() const override { return young_; }
+
+ private:
+  std::optional<double> young_, stiffness_;  // Pa, N m
+  double poisson_ = 0.3;
+  Rest rest_ = Rest::flat;
+};
+
+TACK_REGISTER(Energy, HingeBending, "hinge_bending",
+              "Bending of a sheet at the edges between its triangles, that of a plate. It has no mass: a membrane has.",
+              "Grinspun et al. 2003, Discrete Shells; Onate and Zarate 2000 for the curvature of triangles");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,113 @@
+#include "energies/shell/von_mises_membrane.hpp"
+
+#include <fmt/format.h>
+
+namespace tack {
+namespace {
+
+class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
+ public:
+  VonMisesMembraneTerm(std::string name, const VonMisesMembrane& material, const Body& body, const VecX& rest, Fibres fibres)
+      : MembraneTerm(std::move(name), material, body, rest, std::move(fibres)),
+        memory_(fmt::format("{}/energies/{}/", body.name, body.energy)), rest_shapes_(rest_) {
+    remember({});
+  }
+
+  // Within a step the yield surface and Fp stand still: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
+  void remember(const History& history) override {
+    const int n = count();
+    if (const auto* values = remembered(history, memory_ + inverse_name, 4, n)) inverse_ = *values;
+    else inverse_ = identities(n);
+    if (const auto* values = remembered(history, memory_ + strain_name, 1, n)) strain_ = *values;
+    else strain_.assign(static_cast<size_t>(n), 0.0);
+    rest_ = rest_shapes_;
+    material_.yields.resize(rest_.size());
+    for (size_t p = 0; p < rest_.size(); ++p)
+      for (int l = 0; l < pack_width; ++l) {
+        const int t = std::min(static_cast<int>(p) * pack_width + l, n - 1);
+        set_lane<2, 2>(rest_[p].shape, l, get_lane<2, 2>(rest_[p].shape, l) * inverse(t));
+        material_.yields[p].set(l, material_.yield(strain_[t]));
+      }
+  }
+
+  // The return mapping.
+  void commit(const VecX& x, History& history) const override {
+    HistoryArray inverses{4, inverse_, {}}, strains{1, strain_, {}};
+    for_each_flow(x, 0, static_cast<int>(rest_.size()), [&](int t, int l, const PlaneStretch& trial, const PlaneFlow& flow) {
+      strains.values[t] += flow.amount[l];
+      const Mat2 v = get_lane<2, 2>(trial.v, l);
+      const Vec2 back(std::exp(-flow.strain(0)[l]), std::exp(-flow.strain(1)[l]));
+      Eigen::Map<Mat2>(&inverses.values[4 * static_cast<size_t>(t)]) = inverse(t) * v * back.asDiagonal() * v.transpose();
+    });
+    history[memory_ + inverse_name] = std::move(inverses);
+    history[memory_ + strain_name] = std::move(strains);
+  }
+
+  // Plastic work: what a commit takes off the value.
+  double dissipated(const VecX& x) const override {
+    return sum_chunks(static_cast<int>(rest_.size()), [&](int first, int last) {
+      double sum = 0;
+      for_each_flow(x, first, last, [&](int t, int l, const PlaneStretch&, const PlaneFlow& flow) {
+        sum += rest_[t / pack_width].volume[l] * material_.work(strain_[t], flow.amount[l]);
+      });
+      return sum;
+    });
+  }
+
+  std::vector<double> plastic_strain() const override { return strain_; }
+
+ private:
+  static constexpr const char* inverse_name = "plastic_inverse";
+  static constexpr const char* strain_name = "plastic_strain";
+
+  // act(triangle, lane, trial deformation, flow) for each triangle of the packs first .. last - 1 that flows.
+  template <class Act>
+  void for_each_flow(const VecX& x, int first, int last, const Act& act) const {
+    for (int p = first; p < last; ++p) {
+      const int t = p * pack_width, n = std::min(pack_width, count() - t);
+      const PlaneStretch trial = plane_stretch(deformation_gradient(rest_[p], &triangles_[t], n, x));
+      const PlaneFlow flow = material_.at(p).flow(trial.s);
+      for (int l = 0; l < n; ++l)
+        if (flow.amount[l] > 0) act(t + l, l, trial, flow);
+    }
+  }
+
+  static std::vector<double> identities(int n) {
+    std::vector<double> all(4 * static_cast<size_t>(n), 0.0);
+    for (size_t i = 0; i < all.size(); i += 4) all[i] = all[i + 3] = 1;
+    return all;
+  }
+  Mat2 inverse(int t) const { return Eigen::Map<const Mat2>(&inverse_[4 * static_cast<size_t>(t)]); }
+
+  std::string memory_;                        // its arrays in the history begin so
+  std::vector<SheetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
+  std::vector<double> inverse_, strain_;      // per triangle: Fp^-1 in its frame, column by column, and the accumulated plastic strain
+};
+
+class VonMisesMembraneEnergy : public MembraneEnergy {
+ public:
+  void fields(Fields& f) override {
+    MembraneEnergy::fields(f);
+    f.number("yield_stress", yield_stress_, units::pressure, "stress at which a strip in tension begins to flow").required().positive();
+    f.number("hardening", hardening_, units::pressure,
+             "H: what the yield stress grows by per accumulated plastic strain (equivalent, that of a strip); a strip in tension "
+             "then has the tangent modulus E H / (E + H). 0: perfect plasticity").nonnegative();
+  }
+  std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
+    Fibres along = fibres(body, rest);
+    return std::make_unique<VonMisesMembraneTerm>(std::string(type()),
+                                                  VonMisesMembrane(plane_stress(young_, poisson_), yield_stress_, hardening_), body,
+                                                  rest, std::move(along));
+  }
+
+ private:
+  double yield_stress_ = 1e3;  // Pa
+  double hardening_ = 0;       // Pa
+};
+
+TACK_REGISTER(Energy, VonMisesMembraneEnergy, "von_mises_membrane",
+              "Membrane in Hencky strain that flows plastically from a yield stress on, of von Mises, in plane stress.",
+              "Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo and Taylor 1986 for plane stress");
+
+}  // namespace
+}  // namespace tack
