@@ -13,6 +13,7 @@ namespace {
 class Particle : public Energy {
  public:
   void fields(Fields& f) override {
+    Energy::fields(f);
     f.number("density", density_, units::density, "mass per volume of the sphere").positive();
     f.optional_number("mass", mass_, units::mass, "of each, instead of the one that the density gives").positive();
   }

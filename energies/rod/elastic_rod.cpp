@@ -12,6 +12,7 @@ namespace {
 class ElasticRod : public Energy {
  public:
   void fields(Fields& f) override {
+    Energy::fields(f);
     f.number("young", young_, units::pressure, "Young's modulus E").required().positive();
     f.number("poisson", poisson_, units::none, "Poisson's ratio, of which the shear modulus follows: G = E / (2 (1 + nu))").range(-0.99, 0.5);
     f.optional_number("shear", shear_, units::pressure, "shear modulus G, instead of the one that poisson gives").positive();

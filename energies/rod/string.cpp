@@ -24,6 +24,7 @@ class StringTerm : public Term {
 class String : public Energy {
  public:
   void fields(Fields& f) override {
+    Energy::fields(f);
     f.number("young", young_, units::pressure, "Young's modulus E").required().positive();
     f.number("density", density_, units::density, "mass per rest volume").positive();
   }
