@@ -137,6 +137,37 @@ class HelixShape : public ShapeSource {
   int edges_ = 32;
 };
 
+class NetShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.vector("size", size_, units::length, "extent along x and z; in the plane y = 0").required().positive();
+    f.vector("cells", cells_, "meshes along x and z; groups of vertices: knots, border").at_least(1);
+    f.integer("edges", edges_, "edges of each side of a mesh").at_least(1);
+  }
+  Mesh make() const override { return net(size_, cells_, edges_); }
+
+ private:
+  Vec2 size_ = Vec2::Ones();  // m
+  std::array<int, 2> cells_ = {4, 4};
+  int edges_ = 2;
+};
+
+class WebShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("radius", radius_, units::length, "of the spokes, in the plane y = 0; groups of vertices: centre, ends, spiral").required().positive();
+    f.number("inner_radius", inner_radius_, units::length, "where the spiral begins").required().positive();
+    f.number("edge_length", edge_length_, units::length, "straight pieces are divided into edges no longer than this").required().positive();
+    f.integer("spokes", spokes_, "spokes").at_least(3);
+    f.integer("turns", turns_, "turns of the spiral").at_least(1);
+  }
+  Mesh make() const override { return web(radius_, inner_radius_, spokes_, turns_, edge_length_); }
+
+ private:
+  double radius_ = 1, inner_radius_ = 0.2, edge_length_ = 0.1;  // m
+  int spokes_ = 12, turns_ = 6;
+};
+
 class PointsShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
@@ -171,6 +202,8 @@ TACK_REGISTER(ShapeSource, GridShape, "grid", "A flat sheet of triangles.", "");
 TACK_REGISTER(ShapeSource, SegmentShape, "segment", "A straight line of edges along x.", "");
 TACK_REGISTER(ShapeSource, RingShape, "ring", "A closed polygon of edges.", "");
 TACK_REGISTER(ShapeSource, HelixShape, "helix", "A helix of edges along y.", "");
+TACK_REGISTER(ShapeSource, NetShape, "net", "Threads of edges that cross at right angles.", "");
+TACK_REGISTER(ShapeSource, WebShape, "web", "A spider's web of edges: spokes and a spiral.", "");
 TACK_REGISTER(ShapeSource, PointsShape, "points", "Points of a grid, or one.", "");
 TACK_REGISTER(ShapeSource, FileShape, "file", "A mesh read from a file.", "");
 

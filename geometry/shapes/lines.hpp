@@ -18,6 +18,15 @@ Mesh ring(double radius, int edges);
 // starts above x, and its vertices are evenly spaced.
 Mesh helix(double radius, double pitch, double turns, int edges);
 
+// Straight threads in the plane y = 0 along x and z, cells[0] x cells[1] meshes; each side of a mesh has that many edges. Knots
+// come first: (i, j) is vertex i + (cells[0] + 1) j. Tags: knots, border (what lies on the outline).
+Mesh net(const Vec2& size, const std::array<int, 2>& cells, int edges);
+
+// A spider's web in the plane y = 0: straight spokes from the centre to a radius, and on them a spiral that winds outward
+// from the inner radius; straight pieces are divided into edges no longer than edge_length. Tags: centre, ends (outer, of the
+// spokes), spiral.
+Mesh web(double radius, double inner_radius, int spokes, int turns, double edge_length);
+
 // counts[0] x counts[1] x counts[2] particles, the outermost at +-size/2; an axis with one particle
 // has it at 0 and its size is ignored. Particle (i, j, k) is vertex i + counts[0] (j + counts[1]
 // k).

@@ -28,3 +28,41 @@ TEST_CASE("a point grid numbers its particles x first", "[shapes]") {
   CHECK_THROWS_AS(point_grid(Vec3(1, 0, 1), {2, 2, 2}), InputError);
   CHECK_THROWS_AS(point_grid(Vec3(1, 1, 1), {0, 2, 2}), InputError);
 }
+
+namespace {
+
+double total_length(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b] : mesh.edges) sum += (mesh.vertices[a] - mesh.vertices[b]).norm();
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a net has threads along both sides, knots and a border", "[shapes]") {
+  const Mesh threads = net(Vec2(3, 2), {3, 2}, 4);
+  CHECK_NOTHROW(validate_mesh(threads, "net"));
+  CHECK(total_length(threads) == Approx(3 * 3 + 4 * 2));
+  CHECK(threads.edges.size() == 4 * (3 * 3 + 4 * 2));
+  CHECK(threads.vertices.size() == 12 + 3 * (3 * 3 + 4 * 2));
+  CHECK(threads.tags.at("knots").size() == 12);
+  CHECK(threads.tags.at("border").size() == 4 * 10);
+  CHECK_THROWS_AS(net(Vec2(1, 0), {1, 1}, 1), InputError);
+  CHECK_THROWS_AS(net(Vec2(1, 1), {1, 1}, 0), InputError);
+}
+
+TEST_CASE("a web has spokes of its radius and a spiral that is one chain", "[shapes]") {
+  const Mesh threads = web(1, 0.2, 8, 3, 0.05);
+  CHECK_NOTHROW(validate_mesh(threads, "web"));
+  CHECK(threads.tags.at("ends").size() == 8);
+  for (const int v : threads.tags.at("ends")) CHECK(threads.vertices[v].norm() == Approx(1));
+  for (const auto& [a, b] : threads.edges) CHECK((threads.vertices[a] - threads.vertices[b]).norm() <= 0.05 * (1 + 1e-9));
+  double spiral = 0;
+  const auto radius = [](int k) { return 0.2 + 0.8 / 3.5 * k / 8; };
+  for (int k = 0; k < 24; ++k)
+    spiral += std::sqrt(std::pow(radius(k), 2) + std::pow(radius(k + 1), 2) -
+                        2 * radius(k) * radius(k + 1) * std::cos(M_PI / 4));
+  CHECK(total_length(threads) == Approx(8 + spiral));
+  CHECK_THROWS_AS(web(1, 1, 8, 3, 0.05), InputError);
+  CHECK_THROWS_AS(web(1, 0.2, 2, 3, 0.05), InputError);
+}

@@ -1,0 +1,123 @@
+// Volumes, affine bodies, sheets, rods and particles with one another: a stated traction acts on the area, width or
+// cross-section that the two have opposite each other, whatever is meshed how finely; and nothing passes.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "framework/contact/contact_term.hpp"
+#include "tests/support/scene.hpp"
+#include "tests/support/test_run.hpp"
+
+using namespace tack;
+
+namespace {
+
+constexpr double side = 0.1, rod_length = 0.08, radius = 1e-3, peak = 1000, dhat = 1e-4;  // m, m, m, Pa, m
+
+enum class ObjectKind { volume, affine, sheet, rod, particles };
+const std::vector<ObjectKind> kinds = {ObjectKind::volume, ObjectKind::affine, ObjectKind::sheet, ObjectKind::rod, ObjectKind::particles};
+
+bool thin(ObjectKind kind) { return kind == ObjectKind::rod || kind == ObjectKind::particles; }
+
+std::string name_of(ObjectKind kind) {
+  return std::vector<std::string>{"volume", "affine", "sheet", "rod", "particles"}[static_cast<size_t>(kind)];
+}
+
+// Shape, size and material, without braces; of centre y = 0.
+std::string described(ObjectKind kind, int cells) {
+  switch (kind) {
+    case ObjectKind::volume:
+      return fmt::format("shape: {{type: box, size: [{0}, 0.01, {0}], cells: [{1}, 1, {1}]}}, "
+                         "energies: [{{type: neo_hookean, young: 1e6, poisson: 0.3, density: 1000}}]", side, cells);
+    case ObjectKind::affine:
+      return fmt::format("shape: {{type: box, size: [{0}, 0.01, {0}], cells: [{1}, 1, {1}]}}, body: affine", side, cells);
+    case ObjectKind::sheet:
+      return fmt::format("shape: {{type: grid, size: [{0}, {0}], cells: [{1}, {1}]}}, shell: {{thickness: 1 mm}}, "
+                         "energies: [{{type: stvk_membrane, young: 1e6, poisson: 0.3, density: 1000}}, "
+                         "{{type: hinge_bending, young: 1e6, poisson: 0.3}}]", side, cells);
+    case ObjectKind::rod:
+      return fmt::format("shape: {{type: segment, length: {}, edges: {}}}, rod: {{radius: {}}}, "
+                         "energies: [{{type: elastic_rod, young: 1e7, density: 1000}}]", rod_length, 2 * cells, radius);
+    case ObjectKind::particles:
+      break;
+  }
+  return fmt::format("shape: {{type: points, size: [0.06, 0, 0.06], counts: [4, 1, 4]}}, particle: {{radius: {}}}, "
+                     "energies: [{{type: particle, density: 2000}}]", radius);
+}
+
+double half_height(ObjectKind kind) { return kind == ObjectKind::volume || kind == ObjectKind::affine ? 0.005 : 0; }
+
+struct Pairing {
+  ObjectKind lower, upper;
+  int lower_cells = 4, upper_cells = 5;
+  double gap = dhat, offset = 0, angle = 90;  // m, m, degrees by which a rod over a rod is turned
+  std::string integrate = "automatic";
+
+  std::string yaml() const {
+    const double y = half_height(lower) + half_height(upper) + 2 * offset + gap;
+    return fmt::format("objects:\n"
+                       "  - {{name: lower, {}, contact_offset: {}}}\n"
+                       "  - {{name: upper, {}, contact_offset: {}, place: {{axis: [0, 1, 0], angle: {} deg, translate: [0, {}, 0]}}}}\n"
+                       "contact:\n  distance: {}\n"
+                       "  pairs: [{{between: [lower, upper], integrate: {}, adhesion: {{type: fang, young: 1e4, critical_strain: 0.1}}}}]\n",
+                       described(lower, lower_cells), offset, described(upper, upper_cells), offset,
+                       lower == ObjectKind::rod && upper == ObjectKind::rod ? angle : 0.0, y, dhat, integrate);
+  }
+
+  // What lies opposite [m^2].
+  double measure() const {
+    const auto is = [&](ObjectKind a, ObjectKind b) { return (lower == a && upper == b) || (lower == b && upper == a); };
+    const double discs = 16 * M_PI * radius * radius, width = 2 * radius;
+    if (is(ObjectKind::rod, ObjectKind::rod)) return angle == 0 ? width * rod_length : width * width / std::sin(angle * M_PI / 180);
+    if (lower == ObjectKind::particles || upper == ObjectKind::particles) return discs;
+    return thin(lower) || thin(upper) ? width * rod_length : side * side;
+  }
+};
+
+// The pull at the gap of the peak traction [N].
+double pull(const Pairing& pairing) {
+  TestScene scene(pairing.yaml());
+  World& world = *scene.world;
+  world.contact->begin_step({world.rest});
+  world.contact->move_to(world.rest);
+  const ObjectPair pair{world.body_index("lower"), world.body_index("upper")};
+  const Vec3 force = world.contact_term->force_between(world.rest, LawPart::adhesion, pair);
+  CHECK(std::abs(force.x()) + std::abs(force.z()) <= 1e-9 * force.norm());
+  return force.y();
+}
+
+}  // namespace
+
+TEST_CASE("a traction pulls on what lies opposite, between all kinds of objects", "[contact][all_pairs]") {
+  for (const ObjectKind a : kinds)
+    for (const ObjectKind b : kinds) {
+      const bool misses = (a == ObjectKind::rod && b == ObjectKind::particles) || (a == ObjectKind::particles && b == ObjectKind::rod);
+      if (misses) continue;  // rods that meet particles are another test
+      for (const auto& [m, n] : {std::pair{4, 5}, std::pair{9, 7}})
+        for (const double offset : {0.0, 5e-4})
+          for (const std::string integrate : {"automatic", "lower", "upper", "both"}) {
+            const Pairing pairing{a, b, m, n, dhat, offset, 90, integrate};
+            INFO(name_of(a) << " " << name_of(b) << " " << m << " " << n << " " << offset << " " << integrate);
+            CHECK(pull(pairing) == Approx(peak * pairing.measure()).epsilon(0.01));
+          }
+    }
+}
+
+TEST_CASE("rods carry where their shadows overlap, at any angle and mesh", "[contact][all_pairs]") {
+  for (const double angle : {0.0, 5.0, 20.0, 45.0, 90.0, 135.0})
+    for (const auto& [m, n] : {std::pair{2, 3}, std::pair{7, 40}, std::pair{60, 60}}) {
+      const Pairing pairing{ObjectKind::rod, ObjectKind::rod, m, n, dhat, 0, angle};
+      INFO(angle << " " << m << " " << n);
+      CHECK(pull(pairing) == Approx(peak * pairing.measure()).epsilon(0.01));
+    }
+}
+
+TEST_CASE("the resultant of a law does not depend on offsets, which only move where it acts", "[contact][all_pairs]") {
+  for (const ObjectKind a : kinds)
+    for (const double gap : {0.4e-4, 0.8e-4, 1.5e-4}) {
+      const double without = pull({a, ObjectKind::volume, 4, 5, gap, 0}), with = pull({a, ObjectKind::volume, 4, 5, gap, 3e-4});
+      INFO(name_of(a) << " " << gap);
+      CHECK(with == Approx(without).epsilon(1e-6));
+    }
+}
