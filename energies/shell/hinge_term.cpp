@@ -85,7 +85,7 @@ HingeTerm::HingeTerm(std::string name, const Body& body, const VecX& rest, doubl
   if (!rest_angles) return;
   for (size_t p = 0; p < c_.size(); ++p) {
     const int first = static_cast<int>(p) * pack_width;
-    const auto all = hinges(corners(first, std::min(pack_width, count_ - first), rest));
+    const auto all = hinges(static_cast<int>(p), corners(first, std::min(pack_width, count_ - first), rest));
     for (int i = 0; i < 3; ++i) resting_[p](i) = all[i].angle;
   }
   start_ = resting_;
@@ -99,7 +99,7 @@ void HingeTerm::remember(const History& history) {
 void HingeTerm::begin_step(const StepStart& start) {
   for_each(static_cast<int>(c_.size()), [&](int p) {
     const int first = p * pack_width, n = std::min(pack_width, count_ - first);
-    const auto all = hinges(corners(first, n, start.x));
+    const auto all = hinges(p, corners(first, n, start.x));
     for (int i = 0; i < 3; ++i)
       for (int l = 0; l < pack_width; ++l)
         start_[p](i).set(l, all[i].angle[l] + 2 * pi * turns_[3 * static_cast<size_t>(first + std::min(l, n - 1)) + i]);
@@ -110,7 +110,7 @@ std::vector<double> HingeTerm::turns(const VecX& x) const {
   std::vector<double> all(turns_.size());
   for_each(static_cast<int>(c_.size()), [&](int p) {
     const int first = p * pack_width, n = std::min(pack_width, count_ - first);
-    const auto of = hinges(corners(first, n, x));
+    const auto of = hinges(p, corners(first, n, x));
     const PackVec3 angles = unwound(p, of);
     for (int l = 0; l < n; ++l)
       for (int i = 0; i < 3; ++i)
@@ -136,7 +136,7 @@ HingeTerm::Corners HingeTerm::corners(int first, int n, const VecX& x) const {
   return out;
 }
 
-std::array<HingeTerm::Hinge, 3> HingeTerm::hinges(const Corners& x) const {
+std::array<HingeTerm::Hinge, 3> HingeTerm::hinges(int pack, const Corners& x) const {
   const PackVec3 twice = PackVec3(x[1] - x[0]).cross(PackVec3(x[2] - x[0]));
   const Pack double_area = sqrt(twice.squaredNorm());
   const PackVec3 normal = twice * (1 / double_area);
@@ -169,7 +169,7 @@ std::array<HingeTerm::Hinge, 3> HingeTerm::hinges(const Corners& x) const {
       side.alpha = {-(1 - foot) * inverse_height, -foot * inverse_height, inverse_height};
     }
     const PackVec3 &n1 = h.sides[0].n, &n2 = h.sides[1].n;
-    h.angle = atan2(n2.cross(n1).dot(h.e), n1.dot(n2));
+    h.angle = select(c_[pack](i, i) > 0, atan2(n2.cross(n1).dot(h.e), n1.dot(n2)), 0);
   }
   return out;
 }
@@ -192,7 +192,7 @@ double HingeTerm::value(const VecX& x) const {
     double sum = 0;
     for (int t = first; t < last; t += pack_width) {
       const int p = t / pack_width, n = std::min(pack_width, last - t);
-      const PackVec3 a = unwound(p, hinges(corners(t, n, x))) - resting_[p];
+      const PackVec3 a = unwound(p, hinges(p, corners(t, n, x))) - resting_[p];
       const Pack energy = 0.5 * a.dot(PackVec3(c_[p] * a));
       for (int l = 0; l < n; ++l) sum += energy[l];
     }
@@ -223,7 +223,7 @@ void HingeTerm::range_derivatives(const VecX& x, Projection projection, int firs
 
 void HingeTerm::elements(int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
   const int p = first / pack_width;
-  const std::array<Hinge, 3> all = hinges(corners(first, n, x));
+  const std::array<Hinge, 3> all = hinges(p, corners(first, n, x));
   const PackVec3 moments = c_[p] * (unwound(p, all) - resting_[p]);
   // Column i of turn[k]: the gradient of angle i in vertex k.
   std::array<PackMat3, 3> turn;

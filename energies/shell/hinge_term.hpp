@@ -47,12 +47,12 @@ class HingeTerm : public Term, public StencilRanges {
     PackVec3 e;
     Pack inverse_length;
     std::array<Side, 2> sides;  // of the triangle, and across
-    Pack angle;                 // in (-pi, pi]
+    Pack angle;                 // in (-pi, pi]; 0 at borders
   };
   using Corners = std::array<PackVec3, 6>;
 
   Corners corners(int first, int n, const VecX& x) const;
-  std::array<Hinge, 3> hinges(const Corners& x) const;
+  std::array<Hinge, 3> hinges(int pack, const Corners& x) const;
   // The angles, nearest to those at the start of the step.
   PackVec3 unwound(int pack, const std::array<Hinge, 3>& hinges) const;
   void elements(int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const;

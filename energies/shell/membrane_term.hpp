@@ -65,7 +65,7 @@ class MembraneTerm : public Term, public StencilRanges {
     }
   }
 
-  // Of the thickness at rest, and without that of fibres.
+  // Of the thickness without its elastic change, and without that of fibres.
   std::vector<Mat3> cauchy_stress(const VecX& x) const override {
     std::vector<Mat3> stress(triangles_.size());
     for_each(static_cast<int>(rest_.size()), [&](int p) {

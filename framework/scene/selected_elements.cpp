@@ -21,7 +21,7 @@ Body selected_elements(const Selection& selection, const SelectionContext& conte
   cut(body.sheet);
   cut(body.edges);
   std::erase_if(body.points, out);
-  if (body.tets.empty() && body.triangles.empty() && body.edges.empty() && body.points.empty())
+  if (body.tets.empty() && body.sheet.empty() && body.edges.empty() && body.points.empty())
     throw InputError(fmt::format("the selection {} of an energy of object '{}' holds no whole element; choose all vertices of "
                                  "some", selection.type(), body.name));
   return body;

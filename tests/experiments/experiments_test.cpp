@@ -66,6 +66,9 @@ TEST_CASE("experiment arch/collapses") { check_experiment("arch/collapses.yaml")
 TEST_CASE("experiment slope/stick") { check_experiment("slope/stick.yaml"); }
 TEST_CASE("experiment slope/critical") { check_experiment("slope/critical.yaml"); }
 TEST_CASE("experiment slope/slide") { check_experiment("slope/slide.yaml"); }
+TEST_CASE("experiment shell/cantilever") { check_experiment("shell/cantilever.yaml"); }
+TEST_CASE("experiment shell/plate") { check_experiment("shell/plate.yaml"); }
+TEST_CASE("experiment shell/sheet") { check_experiment("shell/sheet.yaml"); }
 TEST_CASE("experiment shear/friction") { check_experiment("shear/friction.yaml"); }
 TEST_CASE("experiment shear/tangential_adhesion") { check_experiment("shear/tangential_adhesion.yaml"); }
 TEST_CASE("experiment shear/both") { check_experiment("shear/both.yaml"); }

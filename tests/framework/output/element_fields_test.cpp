@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "framework/scene/world.hpp"
 #include "tests/support/scene.hpp"
@@ -56,4 +58,45 @@ TEST_CASE("von Mises stress and plastic strain of every element, where there are
   const VecX after = element_fields({"plastic_strain"}, *s.world, x, geometry)[0].values;
   for (int c = plastic; c < all; ++c) CHECK(after(c) == Approx(0.2 / std::sqrt(3) - 1e3 / (3 * 1e5 / 2.5)).epsilon(1e-9));
   CHECK(element_fields({"velocity"}, *s.world, x, geometry).empty());
+}
+
+TEST_CASE("stress and plastic strain of sheets, and of the selected elements of a solid") {
+  TestScene s(
+      "objects:\n"
+      "  - {name: solid, shape: {type: box, size: [2, 1, 1], cells: [2, 1, 1]}, energies: [\n"
+      "      {type: stvk_hencky, young: 1e5, poisson: 0.25, select: {type: box, min: [-2, -2, -2], max: [0.1, 2, 2]}},\n"
+      "      {type: neo_hookean, young: 1e5, poisson: 0.25, select: {type: box, min: [-0.1, -2, -2], max: [2, 2, 2]}}]}\n"
+      "  - {name: sheet, shape: {type: grid, size: [1, 1]}, shell: {thickness: 1 cm},\n"
+      "     energies: [{type: von_mises_membrane, young: 1e5, poisson: 0, yield_stress: 1e3}, {type: hinge_bending, young: 1e5}]}\n");
+  FrameGeometry geometry;
+  for (const Body& body : s.world->bodies) {
+    geometry.tets.insert(geometry.tets.end(), body.tets.begin(), body.tets.end());
+    geometry.triangles.insert(geometry.triangles.end(), body.sheet.begin(), body.sheet.end());
+  }
+  REQUIRE(geometry.cells() == 14);
+  VecX x = s.world->rest;
+  for (int v = 0; v < x.size() / 3; ++v) x(3 * v) *= std::exp(0.1);
+  History history;
+  for (const auto& term : s.world->elastic_terms) {
+    term->commit(x, history);
+    term->remember(history);
+  }
+  const auto fields = element_fields({"von_mises_stress", "plastic_strain"}, *s.world, x, geometry);
+  const VecX &stress = fields[0].values, &strain = fields[1].values;
+  std::map<bool, std::set<double>> seen;
+  for (int c = 0; c < 12; ++c) {
+    double side = 0;
+    for (const int v : geometry.tets[c]) side += s.world->rest(3 * v);
+    seen[side > 0].insert(std::round(stress(c)));
+    CHECK(std::isnan(strain(c)));
+  }
+  const double mu = 1e5 / 2.5;
+  REQUIRE(seen[false].size() == 1);
+  REQUIRE(seen[true].size() == 1);
+  CHECK(*seen[false].begin() == Approx(2 * mu * 0.1 / std::exp(0.1)).epsilon(1e-3));
+  CHECK(*seen[true].begin() == Approx(mu * (std::exp(0.2) - 1) / std::exp(0.1)).epsilon(1e-3));
+  for (int c = 12; c < 14; ++c) {
+    CHECK(stress(c) == Approx(1e3).epsilon(0.02));  // Kirchhoff's, over the elastic change of the area
+    CHECK(strain(c) > 0.05);
+  }
 }

@@ -93,3 +93,24 @@ TEST_CASE("surfaces refuse sizes and cells that make no mesh", "[shapes]") {
   CHECK_THROWS_AS(sphere_surface(0, 1), InputError);
   CHECK_THROWS_AS(sphere_surface(1, 0), InputError);
 }
+
+TEST_CASE("a grid may have irregular triangles: straight borders, the same area, the same for the same seed", "[shapes]") {
+  const Mesh regular = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform);
+  const Mesh mesh = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform, 0.24), again = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform, 0.24);
+  const Mesh other = grid(Vec2(2, 3), {6, 9}, Diagonals::uniform, 0.24, 2);
+  CHECK(mesh.triangles == regular.triangles);
+  CHECK(total_area(mesh) == Approx(6));
+  for (const Triangle& t : mesh.triangles) CHECK(normal(mesh, t).y() == Approx(1));
+  int moved = 0;
+  for (size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const Vec3 x = regular.vertices[v], by = mesh.vertices[v] - x;
+    CHECK(mesh.vertices[v] == again.vertices[v]);
+    const bool border = std::abs(x.x()) > 1 - 1e-9 || std::abs(x.z()) > 1.5 - 1e-9;
+    if (border) CHECK(by == Vec3::Zero());
+    else moved += by.norm() > 0 && other.vertices[v] != mesh.vertices[v];
+    CHECK(by.y() == 0);
+    CHECK(by.lpNorm<Eigen::Infinity>() <= 0.24 / 3 + 1e-12);
+  }
+  CHECK(moved == 5 * 8);
+  CHECK_THROWS_AS(grid(Vec2(1, 1), {2, 2}, Diagonals::uniform, 0.25), InputError);
+}
