@@ -17,6 +17,8 @@ constexpr int most_sweeps = 40;
 constexpr double met = 1e-4;    // of the moments, what conditions may be off in the mean
 constexpr double least = 0.05;  // of D: what no C falls below, in angles over the width of a hinge
 
+constexpr double damping = 0.01;  // of a change, so that conditions that hardly depend on C, at corners, do not drive it off
+
 using Mat36 = Eigen::Matrix<double, 3, 6>;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 
@@ -187,7 +189,7 @@ class Fit {
     const Vec3 off = allowed * (a * stiffness - moment);
     a = (allowed * a).eval();
     Mat3 normal = a * weight.asDiagonal() * a.transpose();
-    normal.diagonal().array() += 1e-9;
+    normal.diagonal().array() += damping;
     const Vec6 change = -weight.cwiseProduct(a.transpose() * normal.inverse() * off);
     for (int s = 0; s < 2; ++s)
       for (int j = 0; j < 3; ++j) {

@@ -4,15 +4,14 @@
 // C 3x3. A plate that is bent by a constant curvature K turns the hinge i by  c_i . K  (c_i follows from the two
 // triangles), and exerts the moment  l_i n_i . M(K) n_i,  M = D ((1 - nu) K + nu tr K), on it. The stiffnesses C are
 // fitted so that all hinges together do: sum over the two triangles of (C a(K))_i = l_i n_i . M(K) n_i for every K. There are
-// as many unknowns as conditions, and what meets them is consistent; it converges to the plate's theory as long as the C
-// stay definite (Strang), which is kept: none falls below a twentieth of what a triangle has. At borders, of curvatures those
-// count that leave the border without a moment.
+// as many unknowns as conditions. What meets them is consistent, and converges to the plate's theory as long as the C stay
+// definite (Strang), which comes first: none has an eigenvalue below a twentieth of D's. At borders, those curvatures count
+// that leave the border without a moment.
 //
-// Taken to begin with are the C of the triangle's curvature  sum_i (A_i l_i / (A (A + A_i))) a_i ... n_i n_i^T, the normal at the
-// middle of an edge interpolated between both sides (Onate and Zarate 2000). They meet all conditions where all triangles
-// are alike, and are too stiff elsewhere: by 6% where vertices are moved by up to a fifth of a cell, and by 30% in torsion where
-// diagonals alternate. Then each hinge in turn changes what is its own as little as meets its conditions (Kaczmarz), and
-// each triangle is made definite again.
+// Taken to begin with are the C of the curvature  sum_i l_i / (A + A_i) a_i n_i n_i^T  of a triangle of area A, for normals in the
+// middle of edges that are interpolated between both sides (Onate and Zarate 2000). They meet all conditions where all triangles
+// are alike. Then each hinge in turn changes what is its own as little as meets its conditions (Kaczmarz), and each triangle is
+// made definite again. What else was tried: docs/design.md.
 //
 // Source of the moments: the constant moments of Morley's and Hellan-Herrmann-Johnson's plate elements (Comodi 1989).
 #pragma once
