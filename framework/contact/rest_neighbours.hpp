@@ -4,23 +4,9 @@
 
 #include "framework/contact/contact_set.hpp"
 #include "geometry/distance/box_gap.hpp"
-#include "geometry/distance/edge_edge.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
+#include "geometry/distance/squared_distance.hpp"
 
 namespace tack {
-
-// Squared [m^2]; of a point and a point, edge or triangle, or of two edges.
-inline double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b) { return (a[0] - b[0]).squaredNorm(); }
-inline double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 2>& b) {
-  return point_edge_distance(a[0], b[0], b[1]);
-}
-inline double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 3>& b) {
-  return point_triangle_distance(a[0], b[0], b[1], b[2]);
-}
-inline double squared_distance(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
-  return edge_edge_distance(a[0], a[1], b[0], b[1]);
-}
 
 // Whether two primitives (global vertices) of one object are closer than range [m] at rest.
 template <size_t A, size_t B>

@@ -5,9 +5,7 @@
 #include <limits>
 
 #include "geometry/distance/box_gap.hpp"
-#include "geometry/distance/edge_edge.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
+#include "geometry/distance/squared_distance.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -15,19 +13,6 @@ namespace {
 
 constexpr double accuracy = 1e-6;  // of a distance, far above its rounding error
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of coordinates
-
-double squared_distance(const std::array<Vec3, 1>& p, const std::array<Vec3, 3>& t) {
-  return point_triangle_distance(p[0], t[0], t[1], t[2]);
-}
-double squared_distance(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
-  return edge_edge_distance(a[0], a[1], b[0], b[1]);
-}
-double squared_distance(const std::array<Vec3, 1>& p, const std::array<Vec3, 2>& e) {
-  return point_edge_distance(p[0], e[0], e[1]);
-}
-double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b) {
-  return (a[0] - b[0]).squaredNorm();
-}
 
 // A vertex moves in the ball around the centre of its box.
 struct Ball {

@@ -119,7 +119,7 @@ TEST_CASE("edge-edge distance is the minimum over both edges", "[distance]") {
     ++seen[index(type)];
     const bool good = agrees(s, brute) && agrees(between.squaredNorm(), brute) &&
                       at.minCoeff() >= 0 && at.maxCoeff() <= 1 &&
-                      (shortest - between).norm() < 1e-13;
+                      (shortest - between).norm() < 1e-12;
     if (!good) {
       CAPTURE(x, index(type), s, brute, at.transpose(), shortest, between);
       CHECK(good);
