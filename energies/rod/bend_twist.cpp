@@ -101,14 +101,13 @@ struct BendTwist::Standing {
     }
     turn = next_to(std::atan2(q(1), q(0)), p.turn);
   }
-  // Of (q, theta_1, theta_2) by (first, second, theta_1, theta_2).
-  Eigen::Matrix<double, 6, 8> jacobian(const BendTwist& bend) const {
-    Eigen::Matrix<double, 6, 8> j = Eigen::Matrix<double, 6, 8>::Zero();
+  // Of q by (first, second).
+  Eigen::Matrix<double, 4, 6> jacobian(const BendTwist& bend) const {
+    Eigen::Matrix<double, 4, 6> j;
     for (int k = 0; k < 4; ++k) {
       j.block<1, 3>(k, 0) = from_a[k].transpose() * a.slope;
       j.block<1, 3>(k, 3) = (bend.forms_[k].transpose() * a.s).transpose() * b.slope;
     }
-    j.bottomRightCorner<2, 2>().setIdentity();
     return j;
   }
   std::array<Strain, 3> strains(const Place& p) const {
@@ -130,7 +129,8 @@ BendTwist::Strains BendTwist::strains(const Place& p, Slopes* slopes) const {
   if (slopes) {
     const std::array<Strain, 3> strains = at.strains(p);
     const auto jacobian = at.jacobian(*this);
-    for (int i = 0; i < 3; ++i) slopes->row(i) = strains[i].gradient.transpose() * jacobian;
+    for (int i = 0; i < 3; ++i)
+      slopes->row(i) << strains[i].gradient.head<4>().transpose() * jacobian, strains[i].gradient.tail<2>().transpose();
   }
   return {r.z, -r.y, 2 * at.turn + p.theta_2 - p.theta_1};
 }
@@ -138,19 +138,19 @@ BendTwist::Strains BendTwist::strains(const Place& p, Slopes* slopes) const {
 void BendTwist::derivatives(const Place& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
   const Standing at(*this, p);
   const auto jacobian = at.jacobian(*this);
-  Vec6 slope = Vec6::Zero();
-  Mat6 curvature = Mat6::Zero();
   const std::array<Strain, 3> strains = at.strains(p);
   const Vec3 force = stiffness * (Vec3(strains[0].value, strains[1].value, strains[2].value) - rest);
-  for (int i = 0; i < 3; ++i) {
-    slope += force(i) * strains[i].gradient;
-    if (!hessian) continue;
-    curvature += force(i) * strains[i].hessian;
-    for (int j = 0; j < 3; ++j) curvature += stiffness(i, j) * strains[i].gradient * strains[j].gradient.transpose();
-  }
-  gradient = jacobian.transpose() * slope;
+  Eigen::Matrix<double, 6, 3> slopes;
+  for (int i = 0; i < 3; ++i) slopes.col(i) = strains[i].gradient;
+  const Vec6 slope = slopes * force;
+  gradient << jacobian.transpose() * slope.head<4>(), slope.tail<2>();
   if (!hessian) return;
-  *hessian = jacobian.transpose() * curvature * jacobian;
+  const Mat6 curvature = slopes * stiffness * slopes.transpose() + force(0) * strains[0].hessian + force(1) * strains[1].hessian +
+                         force(2) * strains[2].hessian;
+  hessian->topLeftCorner<6, 6>().noalias() = jacobian.transpose() * (curvature.topLeftCorner<4, 4>() * jacobian);
+  hessian->bottomLeftCorner<2, 6>().noalias() = curvature.bottomLeftCorner<2, 4>() * jacobian;
+  hessian->topRightCorner<6, 2>() = hessian->bottomLeftCorner<2, 6>().transpose();
+  hessian->bottomRightCorner<2, 2>() = curvature.bottomRightCorner<2, 2>();
   Mat3 form = Mat3::Zero();
   for (int k = 0; k < 4; ++k) form += slope(k) * forms_[k];
   const Mat3 mixed = at.a.slope.transpose() * form * at.b.slope;

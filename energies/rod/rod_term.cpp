@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "framework/assembly/psd_projection.hpp"
-#include "framework/assembly/stencil_blocks.hpp"
+#include "framework/assembly/stencil_clamp.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -126,15 +125,38 @@ void RodTerm::derivatives(const VecX& x, Projection projection, double* gradient
   if (hessian) hessian += 27 * static_cast<size_t>(stretching_.count());
   for_each(pair_count(), [&](int p) {
     const Pair& pair = pairs_[p];
-    const Chain chain = this->chain(p);
     BendTwist::Vec8 slope;
-    BendTwist::Mat8 curvature;
-    bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, pair.rest, slope, hessian ? &curvature : nullptr);
-    Eigen::Map<Eigen::Matrix<double, 15, 1>>{gradient + 15 * static_cast<size_t>(p)} = chain.transpose() * slope;
+    BendTwist::Mat8 local;
+    bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, pair.rest, slope, hessian ? &local : nullptr);
+    // From the committed frames to x and arcs, then from edges to vertices: -1, 1 of the first and -1, 1 of the second.
+    const std::array<Mat3, 2> back = {axes_[p][0].transpose(), (pair.second_from_end ? -1 : 1) * axes_[p][1].transpose()};
+    const std::array<double, 2> arcs = {sign(pair, 0) / frames_->radius(), sign(pair, 1) / frames_->radius()};
+    const Vec3 first = back[0] * slope.head<3>(), second = back[1] * slope.segment<3>(3);
+    double* g = gradient + 15 * static_cast<size_t>(p);
+    Eigen::Map<Vec3>{g} = -first;
+    Eigen::Map<Vec3>{g + 3} = first - second;
+    Eigen::Map<Vec3>{g + 6} = second;
+    for (int i = 0; i < 2; ++i) Eigen::Map<Vec3>{g + 9 + 3 * i} = Vec3(arcs[i] * slope(6 + i), 0, 0);
     if (!hessian) return;
-    Eigen::Matrix<double, 15, 15> h = chain.transpose() * curvature * chain;
-    project_twisted_psd(h, projection);
-    store_blocks<5>(h, hessian + 135 * static_cast<size_t>(p));
+    const Mat3 k11 = back[0] * local.block<3, 3>(0, 0) * back[0].transpose(), k21 = back[1] * local.block<3, 3>(3, 0) * back[0].transpose(),
+               k22 = back[1] * local.block<3, 3>(3, 3) * back[1].transpose();
+    double* slot = hessian + 135 * static_cast<size_t>(p);
+    const auto put = [&](const Mat3& block) {
+      Eigen::Map<Mat3>{slot} = block;
+      slot += 9;
+    };
+    put(k11);
+    put(k21 - k11);
+    put(k11 + k22 - k21 - k21.transpose());
+    put(-k21);
+    put(k21 - k22);
+    put(k22);
+    for (int i = 0; i < 2; ++i) {
+      const Vec3 by_first = arcs[i] * back[0] * local.block<3, 1>(0, 6 + i), by_second = arcs[i] * back[1] * local.block<3, 1>(3, 6 + i);
+      for (const Vec3& row : {Vec3(-by_first), Vec3(by_first - by_second), by_second}) put(Vec3::UnitX() * row.transpose());
+      for (int j = 0; j <= i; ++j) put(arcs[i] * arcs[j] * local(6 + i, 6 + j) * Vec3::UnitX() * Vec3::UnitX().transpose());
+    }
+    if (projection != Projection::none) project_twisted_slots(slot - 135, projection);
   }, 32);
 }
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "energies/rod/rod_term.hpp"
-#include "geometry/shapes/lines.hpp"
+#include "framework/assembly/stencil_clamp.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/rod_body.hpp"
 #include "tests/support/tet_body.hpp"
@@ -120,6 +120,26 @@ TEST_CASE("rods: rigid motions cost nothing, whether frames are committed on the
   for (int e = 0; e < t.rod.frames->count(); ++e)
     moment += t.rod.frames->radius() * gradient(3 * t.rod.frames->twists()[e]) * t.rod.frames->tangent(e, y);
   CHECK(moment.norm() < 1e-11 * gradient.norm() * y.norm());
+}
+
+TEST_CASE("rods: stencils are clamped in their slots as the term projects them", "[rod]") {
+  Tangle t;
+  const VecX x = t.disturbed(0.08);
+  const StencilBatch batch = t.term.batches()[1];
+  const std::vector<char> movable(x.size() / 3, 1);
+  const DofMap dofs(movable);
+  const size_t gradients = 6 * t.rod.body.edges.size() + 15 * batch.count, springs = 27 * t.rod.body.edges.size();
+  std::vector<double> gradient(gradients), exact(springs + 135 * batch.count), clamped(exact.size());
+  t.term.derivatives(x, Projection::none, gradient.data(), exact.data());
+  t.term.derivatives(x, Projection::clamp, gradient.data(), clamped.data());
+  CHECK(exact != clamped);
+  clamp_stencils(batch, 0, batch.count, std::vector<char>(x.size() / 3, 1), dofs, exact.data() + springs);
+  double off = 0, largest = 0;
+  for (size_t i = springs; i < exact.size(); ++i) {
+    off = std::max(off, std::abs(exact[i] - clamped[i]));
+    largest = std::max(largest, std::abs(clamped[i]));
+  }
+  CHECK(off <= 1e-12 * largest);
 }
 
 TEST_CASE("rods as least squares", "[rod]") {
