@@ -311,6 +311,23 @@ TEST_CASE("a particle flies freely, and a string hangs", "[rod][particle]") {
   CHECK(string.world->dofs.size() == 30);  // no twists
 }
 
+TEST_CASE("a rod that goes on as a string has twists where it is a rod", "[rod]") {
+  TestRun run("time: {step: 10 ms, duration: 1}\ngravity: [0, -10, 0]\nobjects:\n"
+              "  - name: it\n    shape: {type: segment, length: 1, edges: 10}\n    rod: {width: 10 mm, height: 20 mm, normal: [0, 1, 0]}\n"
+              "    selections: [{name: left, select: {type: box, min: [-1, -1, -1], max: [0.001, 1, 1]}}]\n"
+              "    energies:\n      - {type: string, young: 10 MPa, density: 1000, select: {type: box, min: [-0.001, -1, -1], max: [1, 1, 1]}}\n"
+              "      - {type: elastic_rod, young: 10 MPa, density: 1000, select: {type: tag, name: left}}\n"
+              "    motion: [{type: fixed, " + vertices("0, 1") + "}]\n");
+  const auto& rod = *run.world->bodies[0].rod;
+  CHECK(rod.count() == 5);
+  CHECK(run.world->mass.tail(5).minCoeff() > 0);
+  CHECK(run.world->mass.head(11).sum() == Approx(1000 * 2e-4));
+  for (int i = 0; i < 30; ++i) run.step();
+  // Half of it stands out, the other half hangs.
+  CHECK(run.at(5).y() > -0.1);
+  CHECK(run.at(10).y() < -0.3);
+}
+
 TEST_CASE("a spring, a tie and damping act on rods and particles", "[rod][particle]") {
   TestRun run("time: {step: 5 ms, duration: 1}\ngravity: [0, -10, 0]\nobjects:\n"
               "  - {name: rod, shape: {type: segment, length: 1, edges: 10}, rod: {radius: 10 mm}, damping: {stiffness: 10 ms, mass: 1},\n"
