@@ -1,4 +1,4 @@
-// Loads: a traction on part of a surface, and a force per mass on a body.
+// Loads: a traction on part of a surface, a force on vertices, and a force per mass on a body.
 #include <Eigen/Geometry>
 #include <memory>
 
@@ -44,6 +44,24 @@ class Traction : public Load {
   LoadProfile profile_;
 };
 
+class Force : public Load {
+ public:
+  void fields(Fields& f) override {
+    f.vector("value", value_, units::force, "the force, of which each vertex takes the same part").required();
+    f.component("select", select_, "vertices");
+    profile_.fields(f);
+  }
+  void add_forces(const Body& body, const VecX& rest, const VecX&, double t, VecX& force) const override {
+    const std::vector<int> chosen = select(*select_, {body, rest});
+    for (const int v : chosen) vertex(force, v) += profile_.at(vertex(rest, v), t) * value_ / static_cast<double>(chosen.size());
+  }
+
+ private:
+  Vec3 value_ = Vec3::Zero();  // N
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+  LoadProfile profile_;
+};
+
 class BodyForce : public Load {
  public:
   void fields(Fields& f) override {
@@ -68,6 +86,7 @@ class BodyForce : public Load {
 };
 
 TACK_REGISTER(Load, Traction, "traction", "Force per rest area on a part of the surface.", "");
+TACK_REGISTER(Load, Force, "force", "A force on vertices: on the tip of a rod, on particles.", "");
 TACK_REGISTER(Load, BodyForce, "body_force", "Force per mass on a body.", "");
 
 }  // namespace

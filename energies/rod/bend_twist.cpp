@@ -92,48 +92,70 @@ bool BendTwist::within_reach(const Vec3& edge) {
   return length + edge.x() > least * length;
 }
 
-double BendTwist::turn(const Place& p) const {
-  const Vec3 a = Carried(p.first).s, b = Carried(p.second).s;
-  return next_to(std::atan2(a.dot(forms_[1] * b), a.dot(forms_[0] * b)), p.turn);
+// How the two frames stand at a place.
+struct BendTwist::Standing {
+  Standing(const BendTwist& bend, const Place& p) : a(p.first), b(p.second) {
+    for (int k = 0; k < 4; ++k) {
+      from_a[k] = bend.forms_[k] * b.s;
+      q(k) = a.s.dot(from_a[k]);
+    }
+    turn = next_to(std::atan2(q(1), q(0)), p.turn);
+  }
+  // Of q by (first, second).
+  Eigen::Matrix<double, 4, 6> jacobian(const BendTwist& bend) const {
+    Eigen::Matrix<double, 4, 6> j;
+    for (int k = 0; k < 4; ++k) {
+      j.block<1, 3>(k, 0) = from_a[k].transpose() * a.slope;
+      j.block<1, 3>(k, 3) = (bend.forms_[k].transpose() * a.s).transpose() * b.slope;
+    }
+    return j;
+  }
+  std::array<Strain, 3> strains(const Place& p) const {
+    const Rotation r(q, p.theta_1, p.theta_2);
+    return {r.kappa_1(), r.kappa_2(), r.tau(2 * turn + p.theta_2 - p.theta_1)};
+  }
+
+  Carried a, b;
+  std::array<Vec3, 4> from_a;
+  Vec4 q;       // w, x, y, z
+  double turn;  // arg u
+};
+
+double BendTwist::turn(const Place& p) const { return Standing(*this, p).turn; }
+
+BendTwist::Strains BendTwist::strains(const Place& p, Slopes* slopes) const {
+  const Standing at(*this, p);
+  const Rotation r(at.q, p.theta_1, p.theta_2);
+  if (slopes) {
+    const std::array<Strain, 3> strains = at.strains(p);
+    const auto jacobian = at.jacobian(*this);
+    for (int i = 0; i < 3; ++i)
+      slopes->row(i) << strains[i].gradient.head<4>().transpose() * jacobian, strains[i].gradient.tail<2>().transpose();
+  }
+  return {r.z, -r.y, 2 * at.turn + p.theta_2 - p.theta_1};
 }
 
-BendTwist::Strains BendTwist::strains(const Place& p) const {
-  const Vec3 a = Carried(p.first).s, b = Carried(p.second).s;
-  Vec4 q;
-  for (int k = 0; k < 4; ++k) q(k) = a.dot(forms_[k] * b);
-  const Rotation r(q, p.theta_1, p.theta_2);
-  return {r.z, -r.y, 2 * next_to(std::atan2(q(1), q(0)), p.turn) + p.theta_2 - p.theta_1};
-}
-
-void BendTwist::derivatives(const Place& p, const Vec3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
-  const Carried a(p.first), b(p.second);
-  Vec4 q;
-  Eigen::Matrix<double, 6, 8> jacobian = Eigen::Matrix<double, 6, 8>::Zero();
-  for (int k = 0; k < 4; ++k) {
-    const Vec3 from_a = forms_[k] * b.s, from_b = forms_[k].transpose() * a.s;
-    q(k) = a.s.dot(from_a);
-    jacobian.block<1, 3>(k, 0) = from_a.transpose() * a.slope;
-    jacobian.block<1, 3>(k, 3) = from_b.transpose() * b.slope;
-  }
-  jacobian.bottomRightCorner<2, 2>().setIdentity();
-  const Rotation r(q, p.theta_1, p.theta_2);
-  const double tau = 2 * next_to(std::atan2(q(1), q(0)), p.turn) + p.theta_2 - p.theta_1;
-  Vec6 slope = Vec6::Zero();
-  Mat6 curvature = Mat6::Zero();
-  const std::array<Strain, 3> strains = {r.kappa_1(), r.kappa_2(), r.tau(tau)};
-  for (int i = 0; i < 3; ++i) {
-    const double force = stiffness(i) * (strains[i].value - rest(i));
-    slope += force * strains[i].gradient;
-    if (hessian) curvature += stiffness(i) * strains[i].gradient * strains[i].gradient.transpose() + force * strains[i].hessian;
-  }
-  gradient = jacobian.transpose() * slope;
+void BendTwist::derivatives(const Place& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const {
+  const Standing at(*this, p);
+  const auto jacobian = at.jacobian(*this);
+  const std::array<Strain, 3> strains = at.strains(p);
+  const Vec3 force = stiffness * (Vec3(strains[0].value, strains[1].value, strains[2].value) - rest);
+  Eigen::Matrix<double, 6, 3> slopes;
+  for (int i = 0; i < 3; ++i) slopes.col(i) = strains[i].gradient;
+  const Vec6 slope = slopes * force;
+  gradient << jacobian.transpose() * slope.head<4>(), slope.tail<2>();
   if (!hessian) return;
-  *hessian = jacobian.transpose() * curvature * jacobian;
+  const Mat6 curvature = slopes * stiffness * slopes.transpose() + force(0) * strains[0].hessian + force(1) * strains[1].hessian +
+                         force(2) * strains[2].hessian;
+  hessian->topLeftCorner<6, 6>().noalias() = jacobian.transpose() * (curvature.topLeftCorner<4, 4>() * jacobian);
+  hessian->bottomLeftCorner<2, 6>().noalias() = curvature.bottomLeftCorner<2, 4>() * jacobian;
+  hessian->topRightCorner<6, 2>() = hessian->bottomLeftCorner<2, 6>().transpose();
+  hessian->bottomRightCorner<2, 2>() = curvature.bottomRightCorner<2, 2>();
   Mat3 form = Mat3::Zero();
   for (int k = 0; k < 4; ++k) form += slope(k) * forms_[k];
-  const Mat3 mixed = a.slope.transpose() * form * b.slope;
-  hessian->block<3, 3>(0, 0) += (form * b.s).x() * a.curvature();
-  hessian->block<3, 3>(3, 3) += (form.transpose() * a.s).x() * b.curvature();
+  const Mat3 mixed = at.a.slope.transpose() * form * at.b.slope;
+  hessian->block<3, 3>(0, 0) += (form * at.b.s).x() * at.a.curvature();
+  hessian->block<3, 3>(3, 3) += (form.transpose() * at.a.s).x() * at.b.curvature();
   hessian->block<3, 3>(0, 3) += mixed;
   hessian->block<3, 3>(3, 0) += mixed.transpose();
 }

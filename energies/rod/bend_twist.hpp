@@ -1,5 +1,5 @@
 // Bending and twisting of two edges that meet, with derivatives in closed form.
-//     W = 1/2 sum_i c_i (s_i - rest_i)^2,   s = (kappa_1, kappa_2, tau),
+//     W = 1/2 (s - rest)^T C (s - rest),   s = (kappa_1, kappa_2, tau),
 // kappa: the integrated curvature 2 tan(phi/2) of Bergou et al. 2010, phi the angle between the tangents, in components along
 // the second director and against the first; tau: the angle by which the second frame is twisted from the first, which
 // was carried along by the smallest rotation that takes one tangent to the other.
@@ -39,11 +39,13 @@ class BendTwist {
   static bool within_reach(const Vec3& edge);
 
   double turn(const Place& p) const;      // arg u, the value next to p.turn
-  Strains strains(const Place& p) const;
-  // W, its gradient and Hessian by (first, second, theta_1, theta_2); stiffness: c [J]. Hessian may be null.
-  void derivatives(const Place& p, const Vec3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const;
+  using Slopes = Eigen::Matrix<double, 3, 8>;  // by (first, second, theta_1, theta_2)
+  Strains strains(const Place& p, Slopes* slopes = nullptr) const;
+  // Gradient and Hessian of W by (first, second, theta_1, theta_2); stiffness: C [J]. Hessian may be null.
+  void derivatives(const Place& p, const Mat3& stiffness, const Strains& rest, Vec8& gradient, Mat8* hessian) const;
 
  private:
+  struct Standing;
   // (w, x, y, z)_k = S_1^T forms_[k] S_2, S = (|l| + l_t, -l_q, l_p).
   std::array<Mat3, 4> forms_;
 };

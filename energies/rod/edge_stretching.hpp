@@ -3,6 +3,7 @@
 
 #include "energies/rod/edges.hpp"
 #include "framework/assembly/pair_spring.hpp"
+#include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 #include "geometry/parallel.hpp"
 
@@ -31,6 +32,11 @@ class EdgeStretching {
       springs_[e].derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
                               hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);
     });
+  }
+  // See ResidualView: one for each edge.
+  ResidualBatch residual_batch() const { return {2, 1, count(), batch().vertices}; }
+  void residuals(const VecX& x, double* r, double* jacobian) const {
+    for (int e = 0; e < count(); ++e) r[e] = springs_[e].residual(span(e, x), jacobian ? jacobian + 6 * static_cast<size_t>(e) : nullptr);
   }
 
  private:

@@ -2,8 +2,7 @@
 
 #include <limits>
 
-#include "framework/assembly/psd_projection.hpp"
-#include "framework/assembly/stencil_blocks.hpp"
+#include "framework/assembly/stencil_clamp.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -44,7 +43,6 @@ void RodTerm::settle(Pair& pair, const RodPair& of, const RodMaterial& material,
   const int from = pair.second_from_end ? b : of.vertex;
   pair.backwards = {frames_->edge(pair.edge[0])[0] != a, frames_->edge(pair.edge[1])[0] != from};
   pair.turned = {0, 0};
-  pair.stiffness = material.bending / of.length;
 
   bends_.emplace_back(frame(pair, 0), frame(pair, 1));
   axes_.push_back({frame(pair, 0).conjugate().toRotationMatrix(), frame(pair, 1).conjugate().toRotationMatrix()});
@@ -56,6 +54,10 @@ void RodTerm::settle(Pair& pair, const RodPair& of, const RodMaterial& material,
   pair.rest = straight ? Vec3::Zero() : bends_.back().strains(place(pair_count() - 1, rest));
   pair.rest.z() = 0;
   if (!of.joint) pair.rest += of.length * Vec3(shape.curvature.x(), shape.curvature.y(), shape.twist);
+  const Vec3 turn(pair.rest.x(), pair.rest.y(), 0);
+  const double cosine = 1 / std::sqrt(1 + turn.squaredNorm() / 4);  // of phi / 2
+  const Vec3 along = turn.isZero() ? Vec3::Zero() : turn.normalized();
+  pair.root = (material.bending / of.length).cwiseSqrt().asDiagonal() * (cosine * (Mat3::Identity() - (1 - cosine) * along * along.transpose()));
 }
 
 // The committed frame of an edge as the pair follows it: backwards, it is turned by half a turn about its first director.
@@ -94,8 +96,7 @@ double RodTerm::value(const VecX& x) const {
     for (int p = first; p < last; ++p) {
       const BendTwist::Place at = place(p, x);
       if (!BendTwist::within_reach(at.first) || !BendTwist::within_reach(at.second)) return std::numeric_limits<double>::infinity();
-      const Vec3 strain = bends_[p].strains(at) - pairs_[p].rest;
-      sum += pairs_[p].stiffness.dot(strain.cwiseAbs2()) / 2;
+      sum += (pairs_[p].root * (bends_[p].strains(at) - pairs_[p].rest)).squaredNorm() / 2;
     }
     return sum;
   });
@@ -105,29 +106,77 @@ std::vector<StencilBatch> RodTerm::batches() const {
   return {stretching_.batch(), {5, pair_count(), stencils_.empty() ? nullptr : stencils_.front().data(), 2}};
 }
 
+// A place by vertices and arcs: l_1 = axes_1 (x_v - x_a), l_2 = +-axes_2 (x_b - x_v), theta = +-u / r.
+RodTerm::Chain RodTerm::chain(int p) const {
+  const Pair& pair = pairs_[p];
+  Chain chain = Chain::Zero();
+  chain.block<3, 3>(0, 0) = -axes_[p][0];
+  chain.block<3, 3>(0, 3) = axes_[p][0];
+  chain.block<3, 3>(3, 6) = pair.second_from_end ? Mat3(-axes_[p][1]) : axes_[p][1];
+  chain.block<3, 3>(3, 3) = -chain.block<3, 3>(3, 6);
+  chain(6, 9) = sign(pair, 0) / frames_->radius();
+  chain(7, 12) = sign(pair, 1) / frames_->radius();
+  return chain;
+}
+
 void RodTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
   stretching_.derivatives(x, projection, gradient, hessian);
   gradient += 6 * static_cast<size_t>(stretching_.count());
   if (hessian) hessian += 27 * static_cast<size_t>(stretching_.count());
   for_each(pair_count(), [&](int p) {
     const Pair& pair = pairs_[p];
-    // By vertices and arcs: l_1 = axes_1 (x_v - x_a), l_2 = +-axes_2 (x_b - x_v), theta = +-u / r.
-    Eigen::Matrix<double, 8, 15> chain = Eigen::Matrix<double, 8, 15>::Zero();
-    chain.block<3, 3>(0, 0) = -axes_[p][0];
-    chain.block<3, 3>(0, 3) = axes_[p][0];
-    chain.block<3, 3>(3, 6) = pair.second_from_end ? Mat3(-axes_[p][1]) : axes_[p][1];
-    chain.block<3, 3>(3, 3) = -chain.block<3, 3>(3, 6);
-    chain(6, 9) = sign(pair, 0) / frames_->radius();
-    chain(7, 12) = sign(pair, 1) / frames_->radius();
     BendTwist::Vec8 slope;
-    BendTwist::Mat8 curvature;
-    bends_[p].derivatives(place(p, x), pair.stiffness, pair.rest, slope, hessian ? &curvature : nullptr);
-    Eigen::Map<Eigen::Matrix<double, 15, 1>>{gradient + 15 * static_cast<size_t>(p)} = chain.transpose() * slope;
+    BendTwist::Mat8 local;
+    bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, pair.rest, slope, hessian ? &local : nullptr);
+    // From the committed frames to x and arcs, then from edges to vertices: -1, 1 of the first and -1, 1 of the second.
+    const std::array<Mat3, 2> back = {axes_[p][0].transpose(), (pair.second_from_end ? -1 : 1) * axes_[p][1].transpose()};
+    const std::array<double, 2> arcs = {sign(pair, 0) / frames_->radius(), sign(pair, 1) / frames_->radius()};
+    const Vec3 first = back[0] * slope.head<3>(), second = back[1] * slope.segment<3>(3);
+    double* g = gradient + 15 * static_cast<size_t>(p);
+    Eigen::Map<Vec3>{g} = -first;
+    Eigen::Map<Vec3>{g + 3} = first - second;
+    Eigen::Map<Vec3>{g + 6} = second;
+    for (int i = 0; i < 2; ++i) Eigen::Map<Vec3>{g + 9 + 3 * i} = Vec3(arcs[i] * slope(6 + i), 0, 0);
     if (!hessian) return;
-    Eigen::Matrix<double, 15, 15> h = chain.transpose() * curvature * chain;
-    project_twisted_psd(h, projection);
-    store_blocks<5>(h, hessian + 135 * static_cast<size_t>(p));
+    const Mat3 k11 = back[0] * local.block<3, 3>(0, 0) * back[0].transpose(), k21 = back[1] * local.block<3, 3>(3, 0) * back[0].transpose(),
+               k22 = back[1] * local.block<3, 3>(3, 3) * back[1].transpose();
+    double* slot = hessian + 135 * static_cast<size_t>(p);
+    const auto put = [&](const Mat3& block) {
+      Eigen::Map<Mat3>{slot} = block;
+      slot += 9;
+    };
+    put(k11);
+    put(k21 - k11);
+    put(k11 + k22 - k21 - k21.transpose());
+    put(-k21);
+    put(k21 - k22);
+    put(k22);
+    for (int i = 0; i < 2; ++i) {
+      const Vec3 by_first = arcs[i] * back[0] * local.block<3, 1>(0, 6 + i), by_second = arcs[i] * back[1] * local.block<3, 1>(3, 6 + i);
+      for (const Vec3& row : {Vec3(-by_first), Vec3(by_first - by_second), by_second}) put(Vec3::UnitX() * row.transpose());
+      for (int j = 0; j <= i; ++j) put(arcs[i] * arcs[j] * local(6 + i, 6 + j) * Vec3::UnitX() * Vec3::UnitX().transpose());
+    }
+    if (projection != Projection::none) project_twisted_slots(slot - 135, projection);
   }, 32);
+}
+
+std::vector<ResidualBatch> RodTerm::residual_batches() const {
+  return {stretching_.residual_batch(), {5, 3, pair_count(), batches()[1].vertices}};
+}
+
+bool RodTerm::residuals(const VecX& x, double* r, double* jacobian) const {
+  stretching_.residuals(x, r, jacobian);
+  r += stretching_.count();
+  if (jacobian) jacobian += 6 * static_cast<size_t>(stretching_.count());
+  for (int p = 0; p < pair_count(); ++p) {
+    const BendTwist::Place at = place(p, x);
+    if (!BendTwist::within_reach(at.first) || !BendTwist::within_reach(at.second)) return false;
+    BendTwist::Slopes slopes;
+    Eigen::Map<Vec3>{r + 3 * static_cast<size_t>(p)} = pairs_[p].root * (bends_[p].strains(at, jacobian ? &slopes : nullptr) - pairs_[p].rest);
+    if (jacobian)
+      Eigen::Map<Eigen::Matrix<double, 3, 15, Eigen::RowMajor>>{jacobian + 45 * static_cast<size_t>(p)} = pairs_[p].root * slopes * chain(p);
+  }
+  return true;
 }
 
 }  // namespace tack

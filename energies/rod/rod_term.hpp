@@ -2,7 +2,9 @@
 // each two that meet (rod_pairs.hpp, bend_twist.hpp),
 //     P = sum_e E A / (2 L) (|x_b - x_a| - L)^2 + sum_pairs 1 / (2 l) (E I1 (kappa_1 - rest)^2 + E I2 (kappa_2 - rest)^2 + G J (tau - rest)^2).
 // The directors of a pair are turned, each by half of the twist that the mesh has at rest, so that they agree there; and where edges meet at
-// an acute angle, one is followed backwards, so that the angle between tangents is at most a right one.
+// an acute angle, one is followed backwards, so that the angle between tangents is at most a right one.//     Where the rest shape turns by an angle phi, curvature and twist change by more than the frames turn against each other: by 1 / cos^2(phi / 2)
+// per angle in the plane of the turn, and by 1 / cos(phi / 2) across it. That is taken out of the stiffness, so that small bending of a
+// corner costs what it does of a straight rod.
 #pragma once
 
 #include <memory>
@@ -25,7 +27,7 @@ struct RodRest {
   double twist = 0;              // 1/m
 };
 
-class RodTerm : public Term {
+class RodTerm : public Term, public ResidualView {
  public:
   // frames: of these edges, perhaps among others. history: in which its arrays have the prefix `memory`.
   RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
@@ -38,20 +40,28 @@ class RodTerm : public Term {
   std::vector<StencilBatch> batches() const override;
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
+  // Stretches, and three strains of each pair.
+  const ResidualView* residual_view() const override { return this; }
+  std::vector<ResidualBatch> residual_batches() const override;
+  bool residuals(const VecX& x, double* r, double* jacobian) const override;
+
  private:
+  using Chain = Eigen::Matrix<double, 8, 15>;
   // Vertices a, v, b of a path along two edges, and their twists.
   struct Pair {
     std::array<int, 2> edge;         // in the frames
     std::array<bool, 2> backwards;   // against the direction in which it is stored
     bool second_from_end;            // the second is followed from b to v
     std::array<double, 2> turned;    // what directors are turned by [rad]
-    Vec3 stiffness, rest;            // see BendTwist
+    Mat3 root;                       // of the stiffness C = root^T root (see BendTwist) [J^1/2]
+    Vec3 rest;                       // likewise
   };
   int pair_count() const { return static_cast<int>(pairs_.size()); }
   Quaternion frame(const Pair& pair, int side) const;
   double sign(const Pair& pair, int side) const { return pair.backwards[side] ? -1 : 1; }
   void settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape, const VecX& rest);
   BendTwist::Place place(int pair, const VecX& x) const;
+  Chain chain(int pair) const;
 
   std::string memory_;
   std::shared_ptr<const RodFrames> frames_;

@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-class StringTerm : public Term {
+class StringTerm : public Term, public ResidualView {
  public:
   StringTerm(std::string name, double stretching, const Body& body, const VecX& rest)
       : Term(std::move(name)), stretching_(body.edges, stretching, rest) {}
@@ -15,6 +15,13 @@ class StringTerm : public Term {
   std::vector<StencilBatch> batches() const override { return {stretching_.batch()}; }
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
     stretching_.derivatives(x, projection, gradient, hessian);
+  }
+
+  const ResidualView* residual_view() const override { return this; }
+  std::vector<ResidualBatch> residual_batches() const override { return {stretching_.residual_batch()}; }
+  bool residuals(const VecX& x, double* r, double* jacobian) const override {
+    stretching_.residuals(x, r, jacobian);
+    return true;
   }
 
  private:

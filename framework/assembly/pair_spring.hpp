@@ -33,6 +33,17 @@ struct PairSpring {
     Eigen::Map<Mat3>{hessian + 9} = -h;
     Eigen::Map<Mat3>{hessian + 18} = h;
   }
+
+  // The root of twice the energy, and its 6 derivatives unless null.
+  double residual(const Vec3& span, double* jacobian) const {
+    const double l = span.norm(), root = std::sqrt(stiffness);
+    if (jacobian) {
+      const Vec3 n = l > 0 ? Vec3(span / l) : Vec3::UnitX();
+      Eigen::Map<Vec3>{jacobian} = -root * n;
+      Eigen::Map<Vec3>{jacobian + 3} = root * n;
+    }
+    return root * (l - length);
+  }
 };
 
 }  // namespace tack

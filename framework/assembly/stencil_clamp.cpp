@@ -17,14 +17,6 @@ void clamp_slots(double* slots) {
   store_blocks<K>(hessian, slots);
 }
 
-void clamp_twisted_slots(const StencilBatch& batch, double* slots) {
-  if (batch.arity != 5 || batch.twists != 2) throw std::logic_error("no projection of stencils with so many twists");
-  Eigen::Matrix<double, 15, 15> hessian;
-  load_blocks<5>(slots, hessian);
-  project_twisted_psd(hessian, Projection::clamp);
-  store_blocks<5>(hessian, slots);
-}
-
 void clamp_slots(int arity, double* slots) {
   switch (arity) {
     case 1: return;  // masses
@@ -39,6 +31,13 @@ void clamp_slots(int arity, double* slots) {
 
 }  // namespace
 
+void project_twisted_slots(double* slots, Projection projection) {
+  Eigen::Matrix<double, 15, 15> hessian;
+  load_blocks<5>(slots, hessian);
+  project_twisted_psd(hessian, projection);
+  store_blocks<5>(hessian, slots);
+}
+
 void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
                     double* slots) {
   const auto flagged = [&](int vertex) {
@@ -49,7 +48,7 @@ void clamp_stencils(const StencilBatch& batch, int first, int last, const std::v
   };
   for (int s = first; s < last; ++s, slots += 9 * hessian_blocks(batch.arity)) {
     const int* v = batch.vertices + static_cast<size_t>(batch.arity) * s;
-    if (std::any_of(v, v + batch.arity, flagged)) batch.twists > 0 ? clamp_twisted_slots(batch, slots) : clamp_slots(batch.arity, slots);
+    if (std::any_of(v, v + batch.arity, flagged)) batch.twists > 0 ? project_twisted_slots(slots, Projection::clamp) : clamp_slots(batch.arity, slots);
   }
 }
 

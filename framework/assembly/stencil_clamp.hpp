@@ -13,4 +13,7 @@ namespace tack {
 void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
                     double* slots);
 
+// A Hessian of three vertices and two twists, the one kind of stencil that has some (StencilBatch).
+void project_twisted_slots(double* slots, Projection projection);
+
 }  // namespace tack

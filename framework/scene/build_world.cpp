@@ -275,10 +275,10 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     if (scene.objects[i].surface && !scene.contact)
       throw InputError(fmt::format("object '{}' has a `surface` for contact, and there is none; take it away, or give a contact "
                                    "section", scene.objects[i].name));
-    add_twists(scene.objects[i], static_cast<int>(i), *world);
     if (scene.objects[i].surface) add_refined_surface(scene.objects[i], static_cast<int>(i), *world);
   });
   add_named_selections(scene, root, *world);
+  for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
   world->mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });

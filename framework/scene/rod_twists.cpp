@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "framework/rod/rod_frames.hpp"
+#include "framework/scene/selected_elements.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -41,14 +43,27 @@ std::vector<Vec3> carried_directors(const std::vector<Edge>& edges, const VecX& 
   return directors;
 }
 
-std::vector<Vec3> directors_of(const Body& body, const VecX& rest) {
-  if (body.section->circular()) return carried_directors(body.edges, rest);
+std::vector<Vec3> directors_of(const Body& body, const std::vector<Edge>& edges, const VecX& rest) {
+  if (body.section->circular()) return carried_directors(edges, rest);
   constexpr double parallel = 1e-6;
-  for (size_t e = 0; e < body.edges.size(); ++e)
-    if (body.section->normal.cross(span(body.edges[e], rest).normalized()).norm() < parallel)
-      throw InputError(fmt::format("object '{}': its edge {} lies along rod.normal, which has to point across every edge; choose "
-                                   "another one", body.name, e));
-  return std::vector<Vec3>(body.edges.size(), body.section->normal);
+  for (const Edge& e : edges)
+    if (body.section->normal.cross(span(e, rest).normalized()).norm() < parallel)
+      throw InputError(fmt::format("object '{}': its edge from vertex {} to {} lies along rod.normal, which has to point across every edge; "
+                                   "choose another one", body.name, e[0] - body.first_vertex, e[1] - body.first_vertex));
+  return std::vector<Vec3>(edges.size(), body.section->normal);
+}
+
+// Those that some energy twists, in the order of the body's.
+std::vector<Edge> twisted_edges(const ObjectConfig& object, const Body& body, const VecX& rest) {
+  std::set<Edge> twisted;
+  for (const auto& energy : object.energies) {
+    if (!energy->twists()) continue;
+    const std::vector<Edge>& edges = energy->selection() ? selected_elements(*energy->selection(), {body, rest}).edges : body.edges;
+    twisted.insert(edges.begin(), edges.end());
+  }
+  std::vector<Edge> edges;
+  std::copy_if(body.edges.begin(), body.edges.end(), std::back_inserter(edges), [&](const Edge& e) { return twisted.count(e) > 0; });
+  return edges;
 }
 
 // The twist of edges that another motion moves: it turns the frame that an edge has at the start of a step as it turns space around
@@ -110,12 +125,12 @@ class DrivenTwist : public Motion {
 
 void add_twists(const ObjectConfig& object, int index, World& world) {
   Body& body = world.bodies[index];
-  const bool wanted = std::any_of(object.energies.begin(), object.energies.end(), [](const auto& energy) { return energy->twists(); });
-  if (!wanted || !body.section || body.edges.empty()) return;
-  const std::vector<Vec3> directors = directors_of(body, world.rest);
-  const std::vector<Vec3> places(body.edges.size(), Vec3::Zero());
+  if (!body.section) return;
+  const std::vector<Edge> edges = twisted_edges(object, body, world.rest);
+  if (edges.empty()) return;
+  const std::vector<Vec3> directors = directors_of(body, edges, world.rest), places(edges.size(), Vec3::Zero());
   std::vector<int> twists = world.append_vertices(places, index);
-  body.rod = std::make_shared<RodFrames>(body.name + "/rod/frames", body.edges, std::move(twists), directors,
+  body.rod = std::make_shared<RodFrames>(body.name + "/rod/frames", edges, std::move(twists), directors,
                                          body.section->radius_of_gyration(), world.rest);
 }
 

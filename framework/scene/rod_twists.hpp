@@ -6,8 +6,8 @@
 
 namespace tack {
 
-// Appends a vertex for the twist of each edge of body `index`, with the frames of its rest shape, if one of its
-// energies asks for that. Throws InputError for an edge along the section's normal.
+// Appends a vertex for the twist of each edge of body `index` on which one of its energies twists, with the frames of its rest
+// shape. Throws InputError for an edge along the section's normal.
 void add_twists(const ObjectConfig& object, int index, World& world);
 
 // Of a motion that holds these vertices whole: it holds the twist of each edge of which it holds both ends too, and turns the

@@ -67,15 +67,7 @@ void SpringTerm::derivatives(const VecX& x, Projection projection, double* gradi
 }
 
 bool SpringTerm::residuals(const VecX& x, double* r, double* jacobian) const {
-  for (int s = 0; s < count(); ++s) {
-    const Vec3 d = span(s, x);
-    const double l = d.norm(), root = broken_[s] ? 0 : std::sqrt(springs_[s].stiffness);
-    r[s] = root * (l - springs_[s].length);
-    if (!jacobian) continue;
-    const Vec3 n = l > 0 ? Vec3(d / l) : Vec3::UnitX();
-    Eigen::Map<Vec3>{jacobian + 6 * static_cast<size_t>(s)} = -root * n;
-    Eigen::Map<Vec3>{jacobian + 6 * static_cast<size_t>(s) + 3} = root * n;
-  }
+  for (int s = 0; s < count(); ++s) r[s] = pair(s).residual(span(s, x), jacobian ? jacobian + 6 * static_cast<size_t>(s) : nullptr);
   return true;
 }
 

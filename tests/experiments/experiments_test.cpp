@@ -89,6 +89,11 @@ TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml")
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
+TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
+TEST_CASE("experiment rod/twist") { check_experiment("rod/twist.yaml"); }
+TEST_CASE("experiment rod/ring") { check_experiment("rod/ring.yaml"); }
+TEST_CASE("experiment rod/string") { check_experiment("rod/string.yaml"); }
+
 TEST_CASE("experiment squash/block") { check_experiment("squash/block.yaml"); }
 TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.yaml"); }
 

@@ -18,6 +18,30 @@ TEST_CASE("a segment is a chain of edges along x", "[shapes]") {
   CHECK_THROWS_AS(segment(1, 0), InputError);
 }
 
+TEST_CASE("ring: a closed polygon") {
+  const Mesh mesh = ring(2, 6);
+  REQUIRE(mesh.vertices.size() == 6);
+  REQUIRE(mesh.edges.size() == 6);
+  CHECK(mesh.edges.back() == Edge{5, 0});
+  for (const Edge& e : mesh.edges) CHECK((mesh.vertices[e[1]] - mesh.vertices[e[0]]).norm() == Approx(2));
+  // Right-handed about y.
+  CHECK(mesh.vertices[0].cross(mesh.vertices[1]).y() > 0);
+  CHECK_THROWS_AS(ring(2, 2), InputError);
+  CHECK_THROWS_AS(ring(0, 6), InputError);
+}
+
+TEST_CASE("helix: radius, pitch and hand") {
+  const Mesh mesh = helix(2, 3, 1.5, 12);
+  REQUIRE(mesh.vertices.size() == 13);
+  REQUIRE(mesh.edges.size() == 12);
+  for (const Vec3& v : mesh.vertices) CHECK(std::hypot(v.x(), v.z()) == Approx(2));
+  CHECK(mesh.vertices[0].y() == Approx(-2.25));
+  CHECK((mesh.vertices[8] - mesh.vertices[0] - Vec3(0, 3, 0)).norm() < 1e-14);
+  CHECK(mesh.vertices[0].cross(mesh.vertices[1]).y() > 0);
+  CHECK_THROWS_AS(helix(2, 0, 1, 4), InputError);
+  CHECK_THROWS_AS(helix(2, 1, 0, 4), InputError);
+}
+
 TEST_CASE("a point grid numbers its particles x first", "[shapes]") {
   const Mesh points = point_grid(Vec3(2, 0, 6), {3, 1, 4});
   CHECK_NOTHROW(validate_mesh(points, "points"));
