@@ -316,7 +316,7 @@ TEST_CASE("a rod that goes on as a string has twists where it is a rod", "[rod]"
               "  - name: it\n    shape: {type: segment, length: 1, edges: 10}\n    rod: {width: 10 mm, height: 20 mm, normal: [0, 1, 0]}\n"
               "    selections: [{name: left, select: {type: box, min: [-1, -1, -1], max: [0.001, 1, 1]}}]\n"
               "    energies:\n      - {type: string, young: 10 MPa, density: 1000, select: {type: box, min: [-0.001, -1, -1], max: [1, 1, 1]}}\n"
-              "      - {type: elastic_rod, young: 10 MPa, density: 1000, select: {type: tag, name: left}}\n"
+              "      - {type: elastic_rod, young: 1 GPa, density: 1000, select: {type: tag, name: left}}\n"
               "    motion: [{type: fixed, " + vertices("0, 1") + "}]\n");
   const auto& rod = *run.world->bodies[0].rod;
   CHECK(rod.count() == 5);
