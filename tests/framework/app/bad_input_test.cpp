@@ -85,7 +85,7 @@ const std::vector<Mistake> mistakes = {
     {"negative density", "density: 1000", "density: -1000",
      {"scene.yaml:12:73: density: -1000 kg/m^3 must be positive"}},
     {"unknown object in a pair", "between: [block, floor]", "between: [blok, floor]",
-     {"scene.yaml:16:7: no object is named 'blok'; did you mean 'block'?"}},
+     {"scene.yaml:16:7: no object and no group is named 'blok'; did you mean 'block'?"}},
     {"unknown column", "{probe: height,", "{probe: heigth,",
      {"scene.yaml:22:5: ", "unknown column 'heigth'; did you mean 'height'?"}},
     {"expectation of another kind", "at_least: 0.09", "at_least: 90 mN",
