@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "framework/config/nearest.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {

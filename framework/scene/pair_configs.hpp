@@ -10,6 +10,7 @@
 
 #include "framework/config/value.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 

@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <random>
 
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/rod_overlaps.hpp"
+#include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
@@ -120,4 +123,93 @@ TEST_CASE("the resultant of a law does not depend on offsets, which only move wh
       INFO(name_of(a) << " " << gap);
       CHECK(with == Approx(without).epsilon(1e-6));
     }
+}
+
+namespace {
+
+// A body thrown down at 10 m/s, half a metre a step, and along the one that is held.
+std::string thrown(ObjectKind lower, ObjectKind upper) {
+  const auto body = [](ObjectKind kind, int points) -> std::string {
+    switch (kind) {
+      case ObjectKind::rod:  // threads 20 mm apart: with the offsets, nothing fits between them
+        return "shape: {type: net, size: [0.1, 0.1], cells: [5, 5], edges: 2}, rod: {radius: 1 mm}, contact_offset: 4 mm, "
+               "energies: [{type: elastic_rod, young: 1e8, density: 1000}]";
+      case ObjectKind::particles:
+        return fmt::format("shape: {{type: points, size: [{0}, 0, {0}], counts: [{1}, 1, {1}]}}, particle: {{radius: 9 mm}}, "
+                           "contact_offset: 9 mm, energies: [{{type: particle, density: 1000}}]", 0.025 * (points - 1), points);
+      default: return described(kind, 4) + ", contact_offset: 0.5 mm";
+    }
+  };
+  return fmt::format("time: {{step: 10 ms, duration: 1}}\ngravity: [0, -9.81, 0]\nobjects:\n"
+                     "  - {{name: lower, {}, motion: [fixed]}}\n"
+                     "  - {{name: upper, {}, place: {{translate: [0.003, 0.06, 0.002]}}, velocity: [0.5, -10, 0.2]}}\n"
+                     "contact: {{distance: 1e-3, friction: {{mu: 0.3, eps_v: 0.05}}}}\n",
+                     body(lower, 10), body(upper, 4));
+}
+
+}  // namespace
+
+TEST_CASE("nothing passes at 10 m/s in steps of 10 ms, between all kinds of objects", "[contact][all_pairs]") {
+  for (const ObjectKind a : kinds)
+    for (const ObjectKind b : kinds) {
+      INFO(name_of(a) << " below " << name_of(b));
+      TestRun run(thrown(a, b));
+      for (int i = 0; i < 6; ++i) {
+        const StepReport report = run.step();
+        CHECK(report.min_distance > 0);
+        CHECK(report.intersections == 0);
+      }
+      const int lower = run.world->body_index("lower"), upper = run.world->body_index("upper");
+      CHECK(run.world->centre_of_mass(upper, run.state().x).y() > run.world->centre_of_mass(lower, run.state().x).y());
+    }
+}
+
+TEST_CASE("contact between all kinds of objects has the derivatives of its value", "[contact][all_pairs]") {
+  for (const ObjectKind a : kinds)
+    for (const ObjectKind b : kinds)
+      for (const double offset : {0.0, 5e-4}) {
+        INFO(name_of(a) << " " << name_of(b) << " " << offset);
+        TestScene scene(Pairing{a, b, 3, 4, 0.6e-4, offset, 70}.yaml());
+        World& world = *scene.world;
+        world.contact->begin_step({world.rest});
+        const auto value = [&](const VecX& y) { return world.contact->move_to(y), world.contact_term->value(y); };
+        const auto slope = [&](const VecX& y) { return world.contact->move_to(y), dense_gradient(*world.contact_term, y); };
+        // Along a random direction.
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> part(-1, 1);
+        VecX way(world.rest.size());
+        for (double& w : way) w = part(random);
+        const double step = 1e-9;
+        const VecX x = world.rest + 1e-5 * way;
+        const VecX g = slope(x);
+        CHECK((value(x + step * way) - value(x - step * way)) / (2 * step) == Approx(g.dot(way)).epsilon(1e-4));
+        const VecX change = (slope(x + step * way) - slope(x - step * way)) / (2 * step);
+        const VecX product = [&]() -> VecX { world.contact->move_to(x); return dense_hessian(*world.contact_term, x, Projection::none) * way; }();
+        CHECK((change - product).norm() <= 1e-4 * product.norm());
+      }
+}
+
+TEST_CASE("shadows of rods and particles overlap as rectangles and discs do", "[contact][all_pairs]") {
+  Vec3 centre;
+  const std::array<Vec3, 2> a{Vec3(-1, 0, 0), Vec3(1, 0, 0)};
+  // Crossing at right angles, above each other; then side by side with a shift, and one past the end of the other.
+  CHECK(shadow_overlap(a, 0.2, {Vec3(0.5, 1, -1), Vec3(0.5, 1, 1)}, 0.3, Vec3::UnitY(), centre) == Approx(0.06));
+  CHECK((centre - Vec3(0.5, 0, 0)).norm() <= 1e-12);
+  CHECK(shadow_overlap(a, 0.2, {Vec3(0, 1, 0.1), Vec3(3, 1, 0.1)}, 0.2, Vec3::UnitY(), centre) == Approx(0.1));
+  CHECK(shadow_overlap(a, 0.2, {Vec3(1.5, 1, 0), Vec3(3, 1, 0)}, 0.2, Vec3::UnitY(), centre) == 0);
+  const double turned = M_PI / 6;
+  CHECK(shadow_overlap(a, 0.2, {Vec3(-std::cos(turned), 1, -std::sin(turned)), Vec3(std::cos(turned), 1, std::sin(turned))}, 0.1,
+                       Vec3::UnitY(), centre) == Approx(0.02 / std::sin(turned)));
+  CHECK(disc_overlap(2, 10) == Approx(4 * M_PI));
+  CHECK(disc_overlap(2, 1e-3) == Approx(4e-3).epsilon(1e-4));
+  CHECK(disc_overlap(1, 1) == Approx(std::sqrt(3) / 2 + M_PI / 3));
+}
+
+TEST_CASE("a start within the offsets is told with its places", "[contact][all_pairs]") {
+  CHECK_THROWS_WITH(TestScene("objects:\n"
+                              "  - {name: net, " + described(ObjectKind::rod, 4) + ", contact_offset: 2 mm, motion: [fixed]}\n"
+                              "  - {name: cube, " + described(ObjectKind::affine, 2) + ", place: {translate: [0, 0.0065, 0]}}\n"
+                              "contact: {distance: 1e-3}\n"),
+                    Catch::Contains("violates the contact offsets") && Catch::Contains("'net'") && Catch::Contains("'cube'") &&
+                        Catch::Contains("0.0015 m apart, and need 0.002 m"));
 }

@@ -1,0 +1,77 @@
+#include "framework/scene/pair_configs.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framework/contact/contact_term.hpp"
+#include "tests/support/scene.hpp"
+
+using namespace tack;
+using Catch::Contains;
+
+namespace {
+
+std::string boxes(const std::string& contact) {
+  const auto box = [](const std::string& name, const std::string& groups, double at, const std::string& more) {
+    return "  - {name: " + name + ", groups: [" + groups + "], shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [" +
+           std::to_string(at) + ", 0, 0]}, " + more + "}\n";
+  };
+  return "objects:\n" + box("a", "red", 0, "body: affine") + box("b", "red, small", 1, "body: affine") +
+         box("c", "small", 2, "body: affine") + box("wall", "", 3, "motion: [{type: translate, velocity: [0, 0.1, 0]}]") + box("floor", "", 3.05, "motion: [fixed]") +
+         "contact: {distance: 1e-3, " + contact + "}\n";
+}
+
+// mu of the pair's friction; -1: no contact.
+double friction(const TestScene& scene, const char* a, const char* b) {
+  const World& world = *scene.world;
+  const int i = world.body_index(a), j = world.body_index(b);
+  if (!world.contact->colliding().allows(i, j)) return -1;
+  return world.contact->pairs().tangential(world.contact->pairs().point(i, j).law).mu;
+}
+
+constexpr const char* apart = "between_held: false, ";
+
+}  // namespace
+
+TEST_CASE("an entry that says more of who is meant holds", "[scene]") {
+  TestScene scene(boxes(std::string(apart) + "pairs: ["
+                        "{between: [\"*\", \"*\"], friction: {mu: 0.1}}, {between: [red, \"*\"], friction: {mu: 0.2}}, "
+                        "{between: [red, red], friction: {mu: 0.3}}, {between: [wall, \"*\"], friction: {mu: 0.4}}, "
+                        "{between: [wall, red], friction: {mu: 0.5}}, {between: [wall, b], friction: {mu: 0.6}}, "
+                        "{between: [c, c], contact: false}]"));
+  CHECK(friction(scene, "c", "floor") == 0.1);
+  CHECK(friction(scene, "a", "floor") == 0.2);
+  CHECK(friction(scene, "c", "b") == 0.2);
+  CHECK(friction(scene, "a", "b") == 0.3);
+  CHECK(friction(scene, "a", "a") == 0.3);
+  CHECK(friction(scene, "c", "wall") == 0.4);
+  CHECK(friction(scene, "a", "wall") == 0.5);
+  CHECK(friction(scene, "wall", "b") == 0.6);
+  CHECK(friction(scene, "c", "c") == -1);
+}
+
+TEST_CASE("objects that are held may overlap where the scene says so", "[scene]") {
+  CHECK_THROWS_WITH(TestScene(boxes("guard: 0.5")), Contains("the start intersects"));
+  CHECK_NOTHROW(TestScene(boxes("between_held: false")));
+}
+
+TEST_CASE("a group that is named integrates, with whatever is in it", "[scene]") {
+  TestScene scene(boxes(std::string(apart) + "pairs: [{between: [red, \"*\"], integrate: red}]"));
+  const PairTable& pairs = scene.world->contact->pairs();
+  const auto id = [&](const char* name) { return scene.world->body_index(name); };
+  CHECK(pairs.point(id("a"), id("c")).facing);
+  CHECK_FALSE(pairs.point(id("c"), id("a")).facing);
+  CHECK(pairs.point(id("a"), id("b")).share == 0.5);
+  CHECK(pairs.point(id("b"), id("a")).share == 0.5);
+}
+
+TEST_CASE("pairs that are no use are told", "[scene]") {
+  const auto with = [](const std::string& pairs) { return boxes(std::string(apart) + "pairs: [" + pairs + "]"); };
+  CHECK_THROWS_WITH(TestScene(with("{between: [rde, a]}")), Contains("no object and no group is named 'rde'") && Contains("red"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [a, b]}, {between: [b, a]}")), Contains("given twice"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [red, wall], friction: {mu: 0.1}}, {between: [small, wall]}")),
+                    Contains("are also a pair of 'red' and 'wall'") && Contains("names the two objects"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [red, wall], integrate: small}")), Contains("integrate: 'small'"));
+  std::string named = boxes(apart + std::string("guard: 0.5"));
+  named.replace(named.find("groups: [small]"), 15, "groups: [wall]");
+  CHECK_THROWS_WITH(TestScene(named), Contains("a group 'wall', which is the name of an object"));
+}
