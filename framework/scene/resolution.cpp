@@ -106,12 +106,27 @@ class Warnings {
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
+      const double length = std::pow(bending_stiffness(i) * 2 * adhesion.work_of_adhesion / std::pow(adhesion.peak_traction, 2), 0.25);
+      if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, "bent"))
+        lines_.push_back(fmt::format(
+            "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
+            "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
+            "resolved; refine '{}'",
+            name, size, world_.bodies[a].name, world_.bodies[b].name, length, name));
       if (m.gap_change > range / 4 && first_time(i, "curved"))
         lines_.push_back(fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
             name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
     }
+  }
+
+  // Of a sheet or a rod, per width [N m]; 0 for what is neither, or has no modulus.
+  double bending_stiffness(int i) const {
+    const Body& body = world_.bodies[i];
+    const double young = young_of(scene_.objects[i]);
+    if (!body.sheet.empty()) return young * std::pow(body.thickness, 3) / 12;
+    return body.section ? young * std::min(body.section->moment_across(), body.section->moment_along()) / body.section->contact_width() : 0;
   }
 
   void body(int i) {

@@ -1,10 +1,12 @@
 // Where on two primitives the closest points lie, for a known type (closest_feature.hpp) or with
-// the classification included. All parameters lie in [0, 1]; dimensionless.
+// the classification included. All parameters lie in [0, 1] (rounding could put them beyond by its error); dimensionless.
 #pragma once
 
 #include "geometry/distance/closest_feature.hpp"
 
 namespace tack {
+
+inline double clamped(double parameter) { return parameter < 0 ? 0 : parameter > 1 ? 1 : parameter; }
 
 // The closest point is (1 - u) e0 + u e1.
 inline double point_edge_parameter(const Vec3& p, const Vec3& e0, const Vec3& e1,
@@ -68,18 +70,18 @@ inline Vec2 edge_edge_parameters(const Vec3& ea0, const Vec3& ea1, const Vec3& e
     case EA1_EB1:
       return {1.0, 1.0};
     case EA_EB0:
-      return {project_onto_line(eb0, ea0, ea1).u, 0.0};
+      return {clamped(project_onto_line(eb0, ea0, ea1).u), 0.0};
     case EA_EB1:
-      return {project_onto_line(eb1, ea0, ea1).u, 1.0};
+      return {clamped(project_onto_line(eb1, ea0, ea1).u), 1.0};
     case EA0_EB:
-      return {0.0, project_onto_line(ea0, eb0, eb1).u};
+      return {0.0, clamped(project_onto_line(ea0, eb0, eb1).u)};
     case EA1_EB:
-      return {1.0, project_onto_line(ea1, eb0, eb1).u};
+      return {1.0, clamped(project_onto_line(ea1, eb0, eb1).u)};
     case EA_EB:
       break;
   }
   const PlaneProjection plane = project_line_onto_line(ea0, ea1, eb0, eb1);
-  return {plane.u, plane.v};
+  return {clamped(plane.u), clamped(plane.v)};
 }
 
 inline Vec2 edge_edge_parameters(const Vec3& ea0, const Vec3& ea1, const Vec3& eb0,

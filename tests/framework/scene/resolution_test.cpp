@@ -42,6 +42,23 @@ TEST_CASE("resolution: elements above the process zone are told") {
   CHECK(one_with(lines, "E W / sigma^2 = 0.00333 m"));  // E dhat_a / (2 sigma)
 }
 
+TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is told") {
+  const auto tape = [](int cells) {
+    return fmt::format("  - {{name: cube, shape: {{type: grid, size: [0.06, 0.003], cells: [{}, 4]}}, place: {{translate: [0, 0.0002, 0]}},\n"
+                       "     shell: {{thickness: 0.2 mm}}, energies: [{{type: stvk_membrane, young: 60 MPa, poisson: 0}}]}}\n", cells);
+  };
+  const auto rod = [](int edges) {
+    return fmt::format("  - {{name: cube, shape: {{type: segment, length: 0.06, edges: {}}}, place: {{translate: [0, 0.0002, 0]}},\n"
+                       "     rod: {{width: 3 mm, height: 0.2 mm, normal: [0, 1, 0]}}, energies: [{{type: elastic_rod, young: 60 MPa}}]}}\n", edges);
+  };
+  const std::string glue = "  distance: 0.2 mm\n  pairs: [{between: [cube, ground], adhesion: {type: fang, peak_traction: 2.5 kPa}}]\n";
+  // B = 60 MPa (0.2 mm)^3 / 12 = 4e-5 N m and W = 0.5 J/m^2: 1.59 mm.
+  CHECK(one_with(warnings(ground + tape(40), glue), "(2 B W / sigma^2)^(1/4) = 0.00159 m"));
+  CHECK_FALSE(one_with(warnings(ground + tape(90), glue), "not resolved"));
+  CHECK(one_with(warnings(ground + rod(40), glue), "(2 B W / sigma^2)^(1/4) = 0.00159 m"));
+  CHECK_FALSE(one_with(warnings(ground + rod(90), glue), "not resolved"));
+}
+
 TEST_CASE("resolution: a coarse sphere is told") {
   const auto ball = [](int cells) {
     return fmt::format("  - {{name: cube, shape: {{type: sphere, radius: 0.05, cells: {}}}, place: {{translate: [0, 0.0511, 0]}},\n"
