@@ -13,6 +13,7 @@ namespace tack {
 
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b) {
   Candidates found;
+  found.reference = candidates.reference;
   const auto keep = [&](auto list, auto clearance, const auto& first_of, const auto& second_of) {
     for (size_t k = 0; k < (candidates.*list).size(); ++k) {
       const auto& pair = (candidates.*list)[k];
@@ -20,6 +21,7 @@ Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candi
       if (!((i == a && j == b) || (i == b && j == a))) continue;
       (found.*list).push_back(pair);
       (found.clearances.*clearance).push_back((candidates.clearances.*clearance)[k]);
+      (found.distances.*clearance).push_back((candidates.distances.*clearance)[k]);
     }
   };
   const auto self = [](int v) { return v; };

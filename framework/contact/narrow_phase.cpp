@@ -5,6 +5,7 @@
 
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
+#include "geometry/broad_phase/strays.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/parallel.hpp"
 
@@ -35,11 +36,6 @@ class StencilSearch {
                 Found& found)
       : mesh_(mesh), pairs_(pairs), x_(x), found_(found), free_(free) {}
 
-  // Makes triangles_ those that a list of numbers holds from begin to end.
-  void list_triangles(const std::vector<int>& numbers, int begin, int end) {
-    triangles_.clear();
-    for (int i = begin; i < end; ++i) triangles_.push_back(mesh_.triangles[numbers[i]]);
-  }
   template <class Stencil>
   void keep(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
     if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
@@ -58,12 +54,18 @@ class StencilSearch {
 
 class PointSearch : StencilSearch {
  public:
-  PointSearch(const ContactSurface& surface, const PairTable& pairs, const PointPieces& pieces,
-              const std::vector<char>& free, const VecX& x, Found& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), pieces_(pieces) {}
+  PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const Strays& strays,
+              const PointPieces& pieces, const std::vector<char>& free, const VecX& x, Found& found)
+      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), strays_(strays), pieces_(pieces) {}
 
   void search(const PointPiece& piece) {
-    list_triangles(pieces_.triangles, piece.triangle_begin, piece.triangle_end);
+    triangles_.clear();
+    for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) {
+      const int candidate = pieces_.triangles[i], t = candidates_.point_triangle[candidate][1];
+      const double stray = strays_.vertices[piece.point] + strays_.triangles[t];
+      if (candidates_.distances.point_triangle[candidate] - stray < piece.range) triangles_.push_back(mesh_.triangles[t]);
+    }
+    if (triangles_.empty() && piece.edge_begin == piece.edge_end && piece.other_begin == piece.other_end) return;
     edges_.clear();
     for (int i = piece.edge_begin; i < piece.edge_end; ++i) edges_.push_back(mesh_.edges[pieces_.edges[i]]);
     const std::span<const int> others(pieces_.others.data() + piece.other_begin, pieces_.others.data() + piece.other_end);
@@ -82,6 +84,8 @@ class PointSearch : StencilSearch {
     }
   }
 
+  const Candidates& candidates_;
+  const Strays& strays_;
   const PointPieces& pieces_;
   std::vector<Edge> edges_;
 };
@@ -96,7 +100,8 @@ class SampleSearch : StencilSearch {
     const ContactSample& sample = samples_[i];
     const Triangle& own = mesh_.triangles[sample.triangle];
     const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object);
-    list_triangles(pieces_.triangles, pieces_.begin[i], pieces_.begin[i + 1]);
+    triangles_.clear();
+    for (int k = pieces_.begin[i]; k < pieces_.begin[i + 1]; ++k) triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
     const Vec3 p = point_inside(x_, own, sample.inside);
     for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
       const auto [a, b, c] = own;
@@ -117,11 +122,13 @@ class SampleSearch : StencilSearch {
 
 // edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-                  const std::vector<int>& edge_pairs, const std::vector<char>& free, const VecX& x, int first,
-                  int last, Found& found) {
+                  const std::vector<int>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
+                  int first, int last, Found& found) {
   const CollisionMesh& mesh = surface.mesh;
+  const double largest = pairs.largest_edge_range();
   for (int i = first; i < last; ++i) {
     const auto [ia, ib] = candidates.edge_edge[edge_pairs[i]];
+    if (candidates.distances.edge_edge[edge_pairs[i]] - strays.edges[ia] - strays.edges[ib] >= largest) continue;
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
     const auto ca = corners(x, a), cb = corners(x, b);
@@ -240,13 +247,14 @@ void NarrowPhase::make_lists(const Candidates& candidates) {
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const {
   const int points = static_cast<int>(pieces_.pieces.size());
   const int edges = static_cast<int>(edge_pairs_.size());
+  const Strays strays = find_strays(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
   std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
-    PointSearch search(surface_, pairs_, pieces_, free_, x, found_points[c]);
+    PointSearch search(surface_, pairs_, candidates, strays, pieces_, free_, x, found_points[c]);
     for (int i = first; i < last; ++i) search.search(pieces_.pieces[i]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
-    search_edges(surface_, pairs_, candidates, edge_pairs_, free_, x, first, last, found_edges[c]);
+    search_edges(surface_, pairs_, candidates, edge_pairs_, strays, free_, x, first, last, found_edges[c]);
   });
   if (!rods_.crossings().empty())
     search_crossings(surface_.mesh, pairs_, rods_.crossings(), free_, x, found_edges.emplace_back());

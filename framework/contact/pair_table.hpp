@@ -61,8 +61,10 @@ class PairTable {
   // Edges of a against edges of b; symmetric.
   void set_edge(int a, int b, const PairRole& role) {
     edge_[a * objects_ + b] = edge_[b * objects_ + a] = role;
+    largest_edge_range_ = std::max(largest_edge_range_, role.range);
   }
   const PairRole& edge(int a, int b) const { return edge_[a * objects_ + b]; }
+  double largest_edge_range() const { return largest_edge_range_; }
   // The whole law between rods and particles of a and anything of b, or the other way; symmetric.
   void set_thin(int a, int b, const PairRole& role) {
     thin_[a * objects_ + b] = thin_[b * objects_ + a] = role;
@@ -86,7 +88,7 @@ class PairTable {
   std::vector<TangentialLaw> tangential_;  // per law
   std::vector<PairRole> point_, edge_, thin_;
   std::vector<double> offset_;  // m
-  double largest_offset_ = 0;   // m
+  double largest_edge_range_ = 0, largest_offset_ = 0;  // m
 };
 
 }  // namespace tack

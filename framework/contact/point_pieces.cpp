@@ -87,7 +87,7 @@ class PieceMaker {
   void add_all(const PointGroup& group, const Acting& acting) {
     begin(group, acting);
     for (int i = group.triangle_begin; i < group.triangle_end; ++i)
-      if (reaches(i, acting.range)) out_.triangles.push_back(triangle(i));
+      if (reaches(i, acting.range)) out_.triangles.push_back(i);
     for (int i = group.edge_begin; i < group.edge_end; ++i) out_.edges.push_back(rod(i));
     for (int i = group.other_begin; i < group.other_end; ++i) out_.others.push_back(particle(i));
     end();
@@ -96,7 +96,7 @@ class PieceMaker {
   void add_piece(const PointGroup& group, const Acting& acting, int piece) {
     begin(group, acting);
     for (const NearTriangle& t : near_)
-      if (t.piece == piece && reaches(t.candidate, acting.range)) out_.triangles.push_back(triangle(t.candidate));
+      if (t.piece == piece && reaches(t.candidate, acting.range)) out_.triangles.push_back(t.candidate);
     end();
   }
 
@@ -105,7 +105,7 @@ class PieceMaker {
     begin(group, {guard.law, guard.range, area});
     for (int i = group.triangle_begin; i < group.triangle_end; ++i)
       if (reaches(i, guard.range) && !at_rest(group, mesh_.triangles[triangle(i)], guard.range))
-        out_.triangles.push_back(triangle(i));
+        out_.triangles.push_back(i);
     end();
   }
 
@@ -196,7 +196,7 @@ class PieceMaker {
     for (const NearTriangle& t : near_)
       if (t.piece < 0 && reaches(t.candidate, guard.range) &&
           !at_rest(group, mesh_.triangles[triangle(t.candidate)], guard.range))
-        out_.triangles.push_back(triangle(t.candidate));
+        out_.triangles.push_back(t.candidate);
     end();
   }
 

@@ -25,7 +25,7 @@ struct PointPiece {
 
 struct PointPieces {
   std::vector<PointPiece> pieces;
-  std::vector<int> triangles;  // of the mesh
+  std::vector<int> triangles;  // into Candidates::point_triangle
   std::vector<int> edges;      // of the mesh: rods
   std::vector<int> others;     // global vertices: particles
 };

@@ -7,10 +7,11 @@
 #include <array>
 #include <vector>
 
+#include "geometry/types.hpp"
+
 namespace tack {
 
-// How far apart the two primitives of each candidate stay at least while the candidates hold; parallel to the lists
-// of candidates [m]. Most candidates are neighbours in one body, whose boxes overlap though they are far apart.
+// A length for each candidate, parallel to the lists of candidates [m].
 struct Clearances {
   std::vector<double> point_triangle, edge_edge, point_edge, point_point;
 };
@@ -24,7 +25,13 @@ struct Candidates {
   std::vector<std::array<int, 2>> point_edge;
   // (global vertex, global vertex) of two codimensional points, first < second, sorted.
   std::vector<std::array<int, 2>> point_point;
+  // How far apart the two primitives of each stay at least while the candidates hold. Most candidates are neighbours
+  // in one body, whose boxes overlap though they are far apart.
   Clearances clearances;
+  // Lower bounds of their distances where vertices are at `reference` (3 coordinates for every global vertex [m]): those
+  // elsewhere are smaller by no more than both have strayed (strays.hpp).
+  Clearances distances;
+  VecX reference;
 
   std::size_t size() const {
     return point_triangle.size() + edge_edge.size() + point_edge.size() + point_point.size();

@@ -1,4 +1,5 @@
-// The clearances of candidates whose vertices stay in their safe boxes (broad_phase.hpp).
+// The clearances of candidates whose vertices stay in their safe boxes (broad_phase.hpp), and their distances at the
+// centres of these.
 //
 // Key idea: the distance of two convex hulls changes by no more than their vertices move. So it never falls below
 // that at the centres of the safe boxes by more than the largest half diagonals of both sides.
@@ -13,7 +14,7 @@
 namespace tack {
 
 // Sets them for the lists of candidates. vertex_boxes: by global vertex; those of surface vertices are finite.
-// Pairs that are surely further apart than `enough` [m] may get smaller bounds than could be had.
+// Pairs that are surely further apart than `enough` [m] in them may get smaller bounds than could be had.
 void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, double enough,
                      Candidates& candidates);
 

@@ -9,6 +9,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "framework/core/step_filter.hpp"
+#include "geometry/broad_phase/strays.hpp"
 #include "geometry/ccd/accd.hpp"
 #include "geometry/parallel.hpp"
 
@@ -17,6 +18,8 @@ namespace {
 
 constexpr double keep = 0.1;  // fraction of each gap that must remain
 constexpr double spare = 0.02;  // of the way that a clearance allows: additive CCD stops 1-2% short
+constexpr double caution = 1 / ((1 - keep) * (1 - spare));  // factor on motions that are held against clearances
+constexpr double kept = keep + 2 * spare;  // of a motion: a gap that is never smaller lets it pass, with a reserve
 constexpr double longer = 4;  // than the last stage of a fast step
 
 // Largest motion of a vertex of one relative to the other's, bounded through the mean of all.
@@ -32,19 +35,35 @@ double approach(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   return std::sqrt(a) + std::sqrt(b);
 }
 
-// The largest step up to t that one pair allows; clearance: a lower bound of its distance, offset: what is filled of
-// that [m].
+// Two configurations and the way from the second on.
+struct Way {
+  const VecX& moved;  // from where the distances of candidates were found to x [m]
+  const VecX& x;
+  const VecX& p;
+};
+
+// The largest step up to t that one pair allows; clearance: a lower bound of its distance, distance: one of that before
+// it moved, offset: what is filled of it [m].
 template <size_t A, size_t B, class Accd>
-double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double clearance, double offset, const VecX& x,
-               const VecX& p, double t, const Accd& accd) {
-  const auto da = corners(p, va);
-  const auto db = corners(p, vb);
+double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double clearance, double distance, double offset,
+               const Way& way, double t, const Accd& accd) {
+  const auto da = corners(way.p, va);
+  const auto db = corners(way.p, vb);
   const double motion = t * approach(da, db) / (1 - keep);
   if (motion < (1 - spare) * (clearance - offset)) return t;
-  const auto a = corners(x, va);
-  const auto b = corners(x, vb);
+  const auto a = corners(way.x, va);
+  const auto b = corners(way.x, vb);
   const double reach = motion + offset;
   if (reach * reach < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
+  if (distance - offset > motion) {
+    auto ua = corners(way.moved, va);
+    auto ub = corners(way.moved, vb);
+    const double before = approach(ua, ub);
+    for (size_t i = 0; i < A; ++i) ua[i] += t * da[i];
+    for (size_t i = 0; i < B; ++i) ub[i] += t * db[i];
+    const double gap = distance - std::max(before, approach(ua, ub)) - offset;  // the smallest on the way, at least
+    if (kept * motion < gap) return t;
+  }
   return std::min(t, accd(a, b, da, db, t, offset));
 }
 
@@ -91,10 +110,11 @@ class Ccd : public StepFilter {
     t = std::min(2 * t + 1e-300, 1.0);  // the candidates are those of the stage in which the pair was found
     const PhaseScope scope(*clock_, Phase::ccd);
     std::optional<Blocker> worst;
-    for_each_kind([&](const auto& pairs, const auto& clearances, const auto& primitives, const auto& accd) {
-      for (size_t i = 0; i < pairs.size(); ++i) {
-        const auto [a, b] = primitives(pairs[i]);
-        const double bound = bounded(a, b, clearances[i], offset_of(a, b), x, p, t, accd);
+    const VecX moved = x - contact_->candidates().reference;
+    for_each_kind([&](const auto& kind) {
+      for (size_t i = 0; i < kind.pairs.size(); ++i) {
+        const auto [a, b] = kind.primitives(kind.pairs[i]);
+        const double bound = bounded(a, b, kind.clearances[i], kind.distances[i], offset_of(a, b), {moved, x, p}, t, kind.accd);
         if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
       }
     });
@@ -107,15 +127,20 @@ class Ccd : public StepFilter {
     contact_->cover(x, t_max * p);
     const PhaseScope scope(*clock_, Phase::ccd);
     double t = t_max;
-    const double most = 2 * largest_motion(p) / ((1 - keep) * (1 - spare));  // of one vertex to another
-    for_each_kind([&](const auto& pairs, const auto& clearances, const auto& primitives, const auto& accd) {
-      t = min_chunks(static_cast<int>(pairs.size()), t, [&, limit = t](int first, int last) {
+    const double most = 2 * largest_motion(p) * caution;  // of one vertex to another
+    const VecX moved = x - contact_->candidates().reference;
+    const Strays strays = find_strays(contact_->surface().mesh, [&](int v) {
+      return vertex(moved, v).norm() + caution * t * vertex(p, v).norm();
+    });
+    for_each_kind([&](const auto& kind) {
+      t = min_chunks(static_cast<int>(kind.pairs.size()), t, [&, limit = t](int first, int last) {
         double least = limit;
         if (out_of_time()) return 0.0;
         for (int i = first; i < last; ++i) {
-          if (least * most < clearances[i] - largest_offset_) continue;
-          const auto [a, b] = primitives(pairs[i]);
-          least = bounded(a, b, clearances[i], offset_of(a, b), x, p, least, accd);
+          if (least * most < kind.clearances[i] - largest_offset_) continue;
+          if (kind.stray(strays, kind.pairs[i]) < kind.distances[i] - largest_offset_) continue;
+          const auto [a, b] = kind.primitives(kind.pairs[i]);
+          least = bounded(a, b, kind.clearances[i], kind.distances[i], offset_of(a, b), {moved, x, p}, least, kind.accd);
         }
         return least;
       });
@@ -123,32 +148,46 @@ class Ccd : public StepFilter {
     return t;
   }
 
-  // Calls visit(pairs, their clearances, primitives of a pair, ACCD of both) for the kinds of candidates.
+  // Candidates of one kind.
+  template <class Primitives, class Stray, class Accd>
+  struct Kind {
+    const std::vector<std::array<int, 2>>& pairs;
+    const std::vector<double>&clearances, &distances;
+    Primitives primitives;  // of a pair
+    Stray stray;            // of both together
+    Accd accd;              // of both
+  };
+
+  // Calls visit for each kind of candidates.
   template <class Visit>
   void for_each_kind(const Visit& visit) const {
     const Candidates& c = contact_->candidates();
     const CollisionMesh& mesh = contact_->surface().mesh;
     const auto point = [](int v) { return std::array{v}; };
-    visit(c.edge_edge, c.clearances.edge_edge,
-          [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-            return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit, offset);
-          });
-    visit(c.point_triangle, c.clearances.point_triangle,
-          [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-            return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit, offset);
-          });
-    visit(c.point_edge, c.clearances.point_edge,
-          [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-            return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit, offset);
-          });
-    visit(c.point_point, c.clearances.point_point,
-          [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
-          [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-            return point_point_accd(a[0], b[0], da[0], db[0], keep, limit, offset);
-          });
+    visit(Kind{c.edge_edge, c.clearances.edge_edge, c.distances.edge_edge,
+               [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
+               [](const Strays& s, const auto& pair) { return s.edges[pair[0]] + s.edges[pair[1]]; },
+               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+                 return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit, offset);
+               }});
+    visit(Kind{c.point_triangle, c.clearances.point_triangle, c.distances.point_triangle,
+               [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
+               [](const Strays& s, const auto& pair) { return s.vertices[pair[0]] + s.triangles[pair[1]]; },
+               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+                 return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit, offset);
+               }});
+    visit(Kind{c.point_edge, c.clearances.point_edge, c.distances.point_edge,
+               [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
+               [](const Strays& s, const auto& pair) { return s.vertices[pair[0]] + s.edges[pair[1]]; },
+               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+                 return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit, offset);
+               }});
+    visit(Kind{c.point_point, c.clearances.point_point, c.distances.point_point,
+               [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
+               [](const Strays& s, const auto& pair) { return s.vertices[pair[0]] + s.vertices[pair[1]]; },
+               [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
+                 return point_point_accd(a[0], b[0], da[0], db[0], keep, limit, offset);
+               }});
   }
 
   // What is filled of the distance of two primitives [m]. Parts of one object that are close at rest are neighbours:

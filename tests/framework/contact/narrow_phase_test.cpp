@@ -57,9 +57,9 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
         const VecX y = x + s * p;
         const bool renewed = broad_phase.update(x, p, range, skin);
         Candidates unknown = broad_phase.candidates();
-        Clearances& c = unknown.clearances;
-        for (auto* list : {&c.point_triangle, &c.edge_edge, &c.point_edge, &c.point_point})
-          for (double& clearance : *list) known += clearance >= range, clearance = 0;
+        for (Clearances* c : {&unknown.clearances, &unknown.distances})
+          for (auto* list : {&c->point_triangle, &c->edge_edge, &c->point_edge, &c->point_point})
+            for (double& length : *list) known += length >= range, length = 0;
         const auto found = [&](NarrowPhase& narrow_phase, const Candidates& candidates) {
           if (renewed) narrow_phase.set_candidates(candidates, x);
           if (s == 0) narrow_phase.begin_step(candidates, x);

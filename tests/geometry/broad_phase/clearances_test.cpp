@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "geometry/broad_phase/strays.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -18,31 +19,37 @@ struct Count {
   int all = 0, apart = 0;  // pairs, and those that are known to stay out of range
 };
 
-// Every pair is at least as far apart as its clearance.
+// Every pair is at least as far apart as its clearance, and as its distance less what both have strayed.
 Count check_clearances(const CollisionMesh& mesh, const Candidates& c, const VecX& x) {
   Count count;
   const auto at = [&](int v) { return Vec3(vertex(x, v)); };
-  const auto check = [&](const auto& pairs, const std::vector<double>& clearances, const auto& squared) {
+  const Strays strays = find_strays(mesh, [&](int v) { return (at(v) - vertex(c.reference, v)).norm(); });
+  const auto check = [&](const auto& pairs, auto member, const auto& first, const auto& second, const auto& squared) {
+    const std::vector<double>&clearances = c.clearances.*member, &distances = c.distances.*member;
     REQUIRE(pairs.size() == clearances.size());
+    REQUIRE(pairs.size() == distances.size());
     for (size_t i = 0; i < pairs.size(); ++i) {
       REQUIRE(clearances[i] >= 0);
-      REQUIRE(std::sqrt(squared(pairs[i][0], pairs[i][1])) >= clearances[i]);
+      REQUIRE(distances[i] >= clearances[i]);
+      const double distance = std::sqrt(squared(pairs[i][0], pairs[i][1]));
+      REQUIRE(distance >= clearances[i]);
+      REQUIRE(distance >= distances[i] - first[pairs[i][0]] - second[pairs[i][1]]);
       ++count.all;
       count.apart += clearances[i] >= range;
     }
   };
-  check(c.point_triangle, c.clearances.point_triangle, [&](int p, int t) {
+  check(c.point_triangle, &Clearances::point_triangle, strays.vertices, strays.triangles, [&](int p, int t) {
     const Triangle& f = mesh.triangles[t];
     return point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2]));
   });
-  check(c.edge_edge, c.clearances.edge_edge, [&](int i, int j) {
+  check(c.edge_edge, &Clearances::edge_edge, strays.edges, strays.edges, [&](int i, int j) {
     const Edge &a = mesh.edges[i], &b = mesh.edges[j];
     return edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1]));
   });
-  check(c.point_edge, c.clearances.point_edge, [&](int p, int e) {
+  check(c.point_edge, &Clearances::point_edge, strays.vertices, strays.edges, [&](int p, int e) {
     return point_edge_distance(at(p), at(mesh.edges[e][0]), at(mesh.edges[e][1]));
   });
-  check(c.point_point, c.clearances.point_point, [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
+  check(c.point_point, &Clearances::point_point, strays.vertices, strays.vertices, [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
   return count;
 }
 
