@@ -57,13 +57,13 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
                         double skin) {
   check(x, p, range, skin);
   if (range <= range_ && edge_range <= edge_range_ && covers(x) && inside(safe_boxes_, x, p))
-    return renew_clearances(x, p, range, skin);
+    return renew_clearances(x, p, skin);
 
   const double reach = largest(x) + largest(p) + range + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
   safe_boxes_ = boxes_around(x, p, 0.5 * skin + rounding);
   finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
-  find_clearances(mesh_, safe_boxes_, range + skin, candidates_);
+  find_clearances(mesh_, safe_boxes_, candidates_);
   tight_boxes_.clear();
   served_ = 0;
   range_ = range;
@@ -74,14 +74,14 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
 
 // After a while in which the safe boxes served, clearances are found in tight ones; where those are left too soon,
 // that takes longer the next time.
-bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double range, double skin) {
+bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double skin) {
   const double stray = kTight * skin;
   const bool tighten = ++served_ >= patience_ && largest(p) <= stray;
   if (tight_boxes_.empty() ? !tighten : inside(tight_boxes_, x, p)) return false;
   if (!tight_boxes_.empty() && !tighten) patience_ *= 4;
   tight_boxes_.clear();
   if (tighten) tight_boxes_ = boxes_around(x, p, stray);
-  find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, range + skin, candidates_);
+  find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, candidates_);
   served_ = 0;
   return true;
 }

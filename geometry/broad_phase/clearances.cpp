@@ -4,8 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/distance/box_gap.hpp"
-#include "geometry/distance/squared_distance.hpp"
+#include "geometry/distance/slab_bounds.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -21,40 +20,23 @@ struct Ball {
 };
 
 template <size_t N>
-std::array<Vec3, N> centres(const std::vector<Ball>& balls, const std::array<int, N>& v) {
-  std::array<Vec3, N> c;
-  for (size_t i = 0; i < N; ++i) c[i] = balls[v[i]].centre;
-  return c;
-}
-
-template <size_t N>
 double largest_radius(const std::vector<Ball>& balls, const std::array<int, N>& v) {
   double radius = 0;
   for (const int i : v) radius = std::max(radius, balls[i].radius);
   return radius;
 }
 
-struct Bounds {
-  double distance, clearance;
-};
-
-template <size_t A, size_t B>
-Bounds bounds(const std::vector<Ball>& balls, const std::array<int, A>& a, const std::array<int, B>& b, double enough) {
-  const auto ca = centres(balls, a);
-  const auto cb = centres(balls, b);
-  const double motion = largest_radius(balls, a) + largest_radius(balls, b);
-  const auto bounded = [&](double squared) {
-    const double distance = (1 - accuracy) * std::sqrt(squared);
-    return Bounds{distance, std::max(0.0, distance - motion)};
-  };
-  const Bounds by_boxes = bounded(box_gaps(ca, cb).cwiseMax(0.0).squaredNorm());
-  return by_boxes.clearance > enough ? by_boxes : bounded(squared_distance(ca, cb));
+// Sets one lane to the centres of vertices, from an origin.
+template <size_t N>
+void set_centres(const std::vector<Ball>& balls, const std::array<int, N>& v, const Vec3& origin, int lane,
+                 std::array<PackVec3, N>& centres) {
+  for (size_t i = 0; i < N; ++i)
+    for (int d = 0; d < 3; ++d) centres[i](d).set(lane, balls[v[i]].centre[d] - origin[d]);
 }
 
 }  // namespace
 
-void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, double enough,
-                     Candidates& candidates) {
+void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates) {
   std::vector<Ball> balls(vertex_boxes.size());
   candidates.reference.setZero(3 * static_cast<Eigen::Index>(vertex_boxes.size()));
   for (const int v : mesh.vertices) {
@@ -67,10 +49,26 @@ void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_
     std::vector<double>&clearances = candidates.clearances.*member, &distances = candidates.distances.*member;
     clearances.resize(pairs.size());
     distances.resize(pairs.size());
-    for_each(static_cast<int>(pairs.size()), [&](int i) {
-      const Bounds b = bounds(balls, first(pairs[i][0]), second(pairs[i][1]), enough);
-      distances[i] = b.distance;
-      clearances[i] = b.clearance;
+    for_each_chunk(static_cast<int>(pairs.size()), [&](int, int begin, int end) {
+      std::array<PackVec3, std::tuple_size_v<decltype(first(0))>> a;
+      std::array<PackVec3, std::tuple_size_v<decltype(second(0))>> b;
+      for (int i = begin; i < end; i += pack_width) {
+        const int n = std::min(pack_width, end - i);
+        for (int l = 0; l < pack_width; ++l) {
+          const auto& pair = pairs[i + std::min(l, n - 1)];
+          const auto va = first(pair[0]);
+          set_centres(balls, va, balls[va[0]].centre, l, a);
+          set_centres(balls, second(pair[1]), balls[va[0]].centre, l, b);
+        }
+        const Pack apart = slab_bound(a, b);
+        for (int l = 0; l < n; ++l) {
+          const auto va = first(pairs[i + l][0]);
+          const auto vb = second(pairs[i + l][1]);
+          const double distance = std::max(0.0, (1 - accuracy) * apart[l]);
+          distances[i + l] = distance;
+          clearances[i + l] = std::max(0.0, distance - largest_radius(balls, va) - largest_radius(balls, vb));
+        }
+      }
     }, 512);
   };
   const auto point = [](int v) { return std::array{v}; };

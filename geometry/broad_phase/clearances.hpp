@@ -14,8 +14,6 @@
 namespace tack {
 
 // Sets them for the lists of candidates. vertex_boxes: by global vertex; those of surface vertices are finite.
-// Pairs that are surely further apart than `enough` [m] in them may get smaller bounds than could be had.
-void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, double enough,
-                     Candidates& candidates);
+void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates);
 
 }  // namespace tack
