@@ -57,7 +57,7 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
                         double skin) {
   check(x, p, range, skin);
   if (range <= range_ && edge_range <= edge_range_ && covers(x) && inside(safe_boxes_, x, p))
-    return renew_clearances(x, p, skin);
+    return renew_clearances(x, p, skin) || (renew_distances(x, p, range), false);
 
   const double reach = largest(x) + largest(p) + range + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
@@ -70,6 +70,12 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
   edge_range_ = edge_range;
   ++builds_;
   return true;
+}
+
+// Distances are found anew where vertices have come to rest far from where they were found.
+void BroadPhase::renew_distances(const VecX& x, const VecX& p, double range) {
+  if (largest(p) > 0 || largest(x - candidates_.reference) < range) return;
+  find_distances(mesh_, x, candidates_);
 }
 
 // After a while in which the safe boxes served, clearances are found in tight ones; where those are left too soon,

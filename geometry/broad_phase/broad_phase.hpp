@@ -51,6 +51,7 @@ class BroadPhase {
   void check(const VecX& x, const VecX& p, double range, double skin) const;
   std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double inflation) const;
   bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
+  void renew_distances(const VecX& x, const VecX& p, double range);
   bool renew_clearances(const VecX& x, const VecX& p, double skin);
 
   const CollisionMesh& mesh_;

@@ -16,4 +16,7 @@ namespace tack {
 // Sets them for the lists of candidates. vertex_boxes: by global vertex; those of surface vertices are finite.
 void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates);
 
+// Sets their distances, where vertices are at x (3 coordinates for every global vertex [m]).
+void find_distances(const CollisionMesh& mesh, const VecX& x, Candidates& candidates);
+
 }  // namespace tack
