@@ -61,10 +61,25 @@ class Pack {
   friend Pack abs(const Pack& a) { return select(a < 0, -a, a); }
   friend Pack sqrt(const Pack& a) { return each_lane(a, [](double x) { return std::sqrt(x); }); }
   friend Pack log(const Pack& a) { return each_lane(a, [](double x) { return std::log(x); }); }
+  // Of finite numbers, to four roundings; a zero of either sign counts as +0. By arcs of at most pi/8 and a polynomial
+  // for atan(t) / t in t^2 that is exact at Chebyshev's points.
   friend Pack atan2(const Pack& y, const Pack& x) {
-    Pack out;
-    for (int l = 0; l < pack_width; ++l) out.v_[l] = std::atan2(y.v_[l], x.v_[l]);
-    return out;
+    constexpr double quarter = 0.78539816339744830962;  // pi / 4
+    constexpr double p[] = {1.0, -0.33333333333328435, 0.19999999998854168, -0.14285714180900647, 0.11111106177375227,
+                            -0.09090773003240828, 0.07689952488233016, -0.066402251735395, 0.0568830340363325,
+                            -0.043479198390465365, 0.02113375203374836};
+    const Pack ax = abs(x), ay = abs(y);
+    const PackMask upright = ax < ay;
+    const Pack small = select(upright, ax, ay), big = select(upright, ay, ax);
+    const PackMask steep = 0.41421356237309503 * big < small;
+    const Pack over = select(steep, small - big, small), under = select(steep, small + big, big);
+    const Pack t = over / select(under <= 0, 1, under), z = t * t;
+    Pack sum = p[10];
+    for (int k = 9; k >= 0; --k) sum = sum * z + p[k];
+    Pack angle = select(steep, Pack(quarter), 0) + t * sum;
+    angle = select(upright, 2 * quarter - angle, angle);
+    angle = select(x < 0, 4 * quarter - angle, angle);
+    return select(y < 0, -angle, angle);
   }
   friend Pack log1p(const Pack& a) { return each_lane(a, [](double x) { return std::log1p(x); }); }
 

@@ -9,7 +9,8 @@
 // closer than `range` is among the candidates, during minimisation, line search and CCD alike. (All
 // boxes are a few rounding errors larger than said, so that this holds in floating point.)
 // Most candidates are far apart all the same, so each has a clearance (clearances.hpp). It holds in the safe boxes,
-// or, where vertices hardly moved for a while, in much smaller ones, and is found anew when a vertex leaves those.
+// or, where vertices hardly moved for a while, in much smaller ones, and is found anew when a vertex leaves those. Their distances are those in the middle of these
+// boxes, and found anew where vertices have come to rest far from there.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of
-// its gap on the way; the gap is the distance less the offset of the pair (thickness). Pairs that stay further apart than their motion can bridge, by their clearance or the gap of
-// their boxes, are skipped; the others are handed to additive CCD.
+// its gap on the way; the gap is the distance less the offset of the pair (thickness). Pairs that stay further apart than their motion can bridge, by their clearance, the gap of
+// their boxes, or their distance before and what they have moved since, are skipped; the others are handed to additive CCD.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -33,6 +33,31 @@ TEST_CASE("packs compute every lane by itself", "[geometry]") {
   CHECK(select(nan < 0, Pack(1), Pack(2))[1] == 2);
 }
 
+TEST_CASE("angles in lanes are those of the library", "[geometry]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double length : {1e-150, 1.0, 1e150})
+    for (int i = -720; i < 720; i += pack_width) {
+      Pack x, y;
+      for (int l = 0; l < pack_width; ++l) {
+        const double angle = (i + l) * M_PI / 720;
+        x.set(l, length * std::cos(angle));
+        y.set(l, length * std::sin(angle));
+      }
+      const Pack found = atan2(y, x);
+      for (int l = 0; l < pack_width; ++l) {
+        const double expected = std::atan2(y[l], x[l]);
+        REQUIRE(std::abs(found[l] - expected) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(expected));
+      }
+    }
+  const auto lane = [](double y, double x) { return atan2(Pack(y), Pack(x))[0]; };
+  CHECK(lane(0, 0) == 0);
+  CHECK(lane(0, -1) == M_PI);
+  CHECK(lane(1, 0) == M_PI / 2);
+  CHECK(lane(-1, 0) == -M_PI / 2);
+  CHECK(std::isnan(lane(nan, 1)));
+  CHECK(std::isnan(lane(1, nan)));
+}
+
 TEST_CASE("packs are stored one lane after the other, whatever their number", "[geometry]") {
   for (const int count : {1, 3, 6, 8, 9, 12, 27, 90}) {
     std::vector<Pack> packs;
