@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/mesh/collision_mesh.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 
@@ -20,14 +21,14 @@ template <class OfVertex>
 Strays find_strays(const CollisionMesh& mesh, const OfVertex& of_vertex) {
   Strays strays;
   strays.vertices.resize(mesh.vertex_object.size());
-  for (const int v : mesh.vertices) strays.vertices[v] = of_vertex(v);
+  for_each(static_cast<int>(mesh.vertices.size()), [&](int i) { strays.vertices[mesh.vertices[i]] = of_vertex(mesh.vertices[i]); });
   const auto spread = [&](const auto& primitives, std::vector<double>& farthest) {
-    farthest.reserve(primitives.size());
-    for (const auto& corners : primitives) {
+    farthest.resize(primitives.size());
+    for_each(static_cast<int>(primitives.size()), [&](int i) {
       double most = 0;
-      for (const int v : corners) most = std::max(most, strays.vertices[v]);
-      farthest.push_back(most);
-    }
+      for (const int v : primitives[i]) most = std::max(most, strays.vertices[v]);
+      farthest[i] = most;
+    });
   };
   spread(mesh.edges, strays.edges);
   spread(mesh.triangles, strays.triangles);
