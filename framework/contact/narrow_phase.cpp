@@ -62,7 +62,7 @@ class PointSearch : StencilSearch {
     triangles_.clear();
     for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) {
       const int candidate = pieces_.triangles[i], t = candidates_.point_triangle[candidate][1];
-      const double stray = strays_.vertices[piece.point] + strays_.triangles[t];
+      const double stray = strays_.vertex(piece.point) + strays_.triangle(t);
       if (candidates_.distances.point_triangle[candidate] - stray < piece.range) triangles_.push_back(mesh_.triangles[t]);
     }
     if (triangles_.empty() && piece.edge_begin == piece.edge_end && piece.other_begin == piece.other_end) return;
@@ -128,7 +128,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
   const double largest = pairs.largest_edge_range();
   for (int i = first; i < last; ++i) {
     const auto [ia, ib] = candidates.edge_edge[edge_pairs[i]];
-    if (candidates.distances.edge_edge[edge_pairs[i]] - strays.edges[ia] - strays.edges[ib] >= largest) continue;
+    if (candidates.distances.edge_edge[edge_pairs[i]] - strays.edge(ia) - strays.edge(ib) >= largest) continue;
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
     const auto ca = corners(x, a), cb = corners(x, b);
@@ -247,7 +247,7 @@ void NarrowPhase::make_lists(const Candidates& candidates) {
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const {
   const int points = static_cast<int>(pieces_.pieces.size());
   const int edges = static_cast<int>(edge_pairs_.size());
-  const Strays strays = find_strays(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
+  const Strays strays(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
   std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
     PointSearch search(surface_, pairs_, candidates, strays, pieces_, free_, x, found_points[c]);

@@ -10,29 +10,29 @@
 
 namespace tack {
 
-// Of every primitive of a mesh [m].
-struct Strays {
-  std::vector<double> vertices;  // by global vertex
-  std::vector<double> edges, triangles;
-};
+class Strays {
+ public:
+  // of_vertex(v): how far global vertex v moves [m]. The mesh must outlive this.
+  template <class OfVertex>
+  Strays(const CollisionMesh& mesh, const OfVertex& of_vertex) : mesh_(mesh), vertices_(mesh.vertex_object.size()) {
+    for_each(static_cast<int>(mesh.vertices.size()), [&](int i) { vertices_[mesh.vertices[i]] = of_vertex(mesh.vertices[i]); });
+  }
 
-// of_vertex(v): how far global vertex v moves [m].
-template <class OfVertex>
-Strays find_strays(const CollisionMesh& mesh, const OfVertex& of_vertex) {
-  Strays strays;
-  strays.vertices.resize(mesh.vertex_object.size());
-  for_each(static_cast<int>(mesh.vertices.size()), [&](int i) { strays.vertices[mesh.vertices[i]] = of_vertex(mesh.vertices[i]); });
-  const auto spread = [&](const auto& primitives, std::vector<double>& farthest) {
-    farthest.resize(primitives.size());
-    for_each(static_cast<int>(primitives.size()), [&](int i) {
-      double most = 0;
-      for (const int v : primitives[i]) most = std::max(most, strays.vertices[v]);
-      farthest[i] = most;
-    });
-  };
-  spread(mesh.edges, strays.edges);
-  spread(mesh.triangles, strays.triangles);
-  return strays;
-}
+  // [m]
+  double vertex(int global) const { return vertices_[global]; }
+  double edge(int e) const { return farthest(mesh_.edges[e]); }
+  double triangle(int t) const { return farthest(mesh_.triangles[t]); }
+
+ private:
+  template <std::size_t K>
+  double farthest(const std::array<int, K>& corners) const {
+    double most = 0;
+    for (const int v : corners) most = std::max(most, vertices_[v]);
+    return most;
+  }
+
+  const CollisionMesh& mesh_;
+  std::vector<double> vertices_;  // by global vertex
+};
 
 }  // namespace tack

@@ -1,6 +1,7 @@
 // Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of
-// its gap on the way; the gap is the distance less the offset of the pair (thickness). Pairs that stay further apart than their motion can bridge, by their clearance, the gap of
-// their boxes, or their distance before and what they have moved since, are skipped; the others are handed to additive CCD.
+// its gap on the way; the gap is the distance less the offset of the pair (thickness). Pairs that stay further apart than
+// their motion can bridge, by their clearance, the gap of their boxes, or their distance before and what they have moved
+// since, are skipped; the others are handed to additive CCD.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -129,7 +130,7 @@ class Ccd : public StepFilter {
     double t = t_max;
     const double most = 2 * largest_motion(p) * caution;  // of one vertex to another
     const VecX moved = x - contact_->candidates().reference;
-    const Strays strays = find_strays(contact_->surface().mesh, [&](int v) {
+    const Strays strays(contact_->surface().mesh, [&](int v) {
       return vertex(moved, v).norm() + caution * t * vertex(p, v).norm();
     });
     for_each_kind([&](const auto& kind) {
@@ -166,25 +167,25 @@ class Ccd : public StepFilter {
     const auto point = [](int v) { return std::array{v}; };
     visit(Kind{c.edge_edge, c.clearances.edge_edge, c.distances.edge_edge,
                [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
-               [](const Strays& s, const auto& pair) { return s.edges[pair[0]] + s.edges[pair[1]]; },
+               [](const Strays& s, const auto& pair) { return s.edge(pair[0]) + s.edge(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit, offset);
                }});
     visit(Kind{c.point_triangle, c.clearances.point_triangle, c.distances.point_triangle,
                [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
-               [](const Strays& s, const auto& pair) { return s.vertices[pair[0]] + s.triangles[pair[1]]; },
+               [](const Strays& s, const auto& pair) { return s.vertex(pair[0]) + s.triangle(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit, offset);
                }});
     visit(Kind{c.point_edge, c.clearances.point_edge, c.distances.point_edge,
                [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
-               [](const Strays& s, const auto& pair) { return s.vertices[pair[0]] + s.edges[pair[1]]; },
+               [](const Strays& s, const auto& pair) { return s.vertex(pair[0]) + s.edge(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit, offset);
                }});
     visit(Kind{c.point_point, c.clearances.point_point, c.distances.point_point,
                [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
-               [](const Strays& s, const auto& pair) { return s.vertices[pair[0]] + s.vertices[pair[1]]; },
+               [](const Strays& s, const auto& pair) { return s.vertex(pair[0]) + s.vertex(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return point_point_accd(a[0], b[0], da[0], db[0], keep, limit, offset);
                }});

@@ -23,7 +23,10 @@ struct Count {
 Count check_clearances(const CollisionMesh& mesh, const Candidates& c, const VecX& x) {
   Count count;
   const auto at = [&](int v) { return Vec3(vertex(x, v)); };
-  const Strays strays = find_strays(mesh, [&](int v) { return (at(v) - vertex(c.reference, v)).norm(); });
+  const Strays strays(mesh, [&](int v) { return (at(v) - vertex(c.reference, v)).norm(); });
+  const auto of_vertex = [&](int v) { return strays.vertex(v); };
+  const auto of_edge = [&](int e) { return strays.edge(e); };
+  const auto of_triangle = [&](int t) { return strays.triangle(t); };
   const auto check = [&](const auto& pairs, auto member, const auto& first, const auto& second, const auto& squared) {
     const std::vector<double>&clearances = c.clearances.*member, &distances = c.distances.*member;
     REQUIRE(pairs.size() == clearances.size());
@@ -33,23 +36,23 @@ Count check_clearances(const CollisionMesh& mesh, const Candidates& c, const Vec
       REQUIRE(distances[i] >= clearances[i]);
       const double distance = std::sqrt(squared(pairs[i][0], pairs[i][1]));
       REQUIRE(distance >= clearances[i]);
-      REQUIRE(distance >= distances[i] - first[pairs[i][0]] - second[pairs[i][1]]);
+      REQUIRE(distance >= distances[i] - first(pairs[i][0]) - second(pairs[i][1]));
       ++count.all;
       count.apart += clearances[i] >= range;
     }
   };
-  check(c.point_triangle, &Clearances::point_triangle, strays.vertices, strays.triangles, [&](int p, int t) {
+  check(c.point_triangle, &Clearances::point_triangle, of_vertex, of_triangle, [&](int p, int t) {
     const Triangle& f = mesh.triangles[t];
     return point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2]));
   });
-  check(c.edge_edge, &Clearances::edge_edge, strays.edges, strays.edges, [&](int i, int j) {
+  check(c.edge_edge, &Clearances::edge_edge, of_edge, of_edge, [&](int i, int j) {
     const Edge &a = mesh.edges[i], &b = mesh.edges[j];
     return edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1]));
   });
-  check(c.point_edge, &Clearances::point_edge, strays.vertices, strays.edges, [&](int p, int e) {
+  check(c.point_edge, &Clearances::point_edge, of_vertex, of_edge, [&](int p, int e) {
     return point_edge_distance(at(p), at(mesh.edges[e][0]), at(mesh.edges[e][1]));
   });
-  check(c.point_point, &Clearances::point_point, strays.vertices, strays.vertices, [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
+  check(c.point_point, &Clearances::point_point, of_vertex, of_vertex, [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
   return count;
 }
 
