@@ -27,10 +27,7 @@ namespace tack {
 namespace {
 
 Mesh placed(Mesh mesh, const ObjectConfig& object) {
-  const PlaceConfig& place = object.place;
-  if (place.scale != Vec3::Ones()) scale(mesh, place.scale);
-  if (place.angle != 0) rotate(mesh, place.axis, place.angle);
-  if (place.translate != Vec3::Zero()) translate(mesh, place.translate);
+  object.place.apply(mesh);
   validate_mesh(mesh, fmt::format("object '{}'", object.name));
   return mesh;
 }

@@ -2,13 +2,6 @@
 
 namespace tack {
 
-void PlaceConfig::fields(Fields& f) {
-  f.vector("scale", scale, units::none, "factors about the origin, applied first");
-  f.vector("axis", axis, units::none, "rotation axis through the origin");
-  f.number("angle", angle, units::angle, "right-handed rotation about the axis, applied second");
-  f.vector("translate", translate, units::length, "offset, applied last");
-}
-
 void NamedSelection::fields(Fields& f) {
   f.text("name", name, "what selections of type tag call it").required();
   f.component("select", select, "its vertices").required();

@@ -16,19 +16,12 @@
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
+#include "framework/scene/place.hpp"
 #include "framework/scene/rod_section.hpp"
 #include "framework/scene/shape_source.hpp"
 #include "framework/scene/springs.hpp"
 
 namespace tack {
-
-struct PlaceConfig {
-  Vec3 scale = Vec3::Ones();
-  Vec3 axis = Vec3::UnitY();
-  double angle = 0;               // rad
-  Vec3 translate = Vec3::Zero();  // m
-  void fields(Fields& f);
-};
 
 // What `{type: tag, name: ...}` refers to, as to a group of a mesh file.
 struct NamedSelection {

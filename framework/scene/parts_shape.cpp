@@ -1,0 +1,42 @@
+// A mesh put together of others.
+#include "framework/scene/place.hpp"
+#include "framework/scene/shape_source.hpp"
+
+namespace tack {
+namespace {
+
+struct PartConfig {
+  std::unique_ptr<ShapeSource> shape;
+  PlaceConfig place;
+  void fields(Fields& f) {
+    f.component("shape", shape, "mesh of the part").required();
+    f.object("place", place, "scale, rotate, translate it");
+  }
+};
+
+class PartsShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.list("parts", parts_, "what it is made of; vertices that coincide stay apart, groups of the same name are united").required().nonempty();
+  }
+  Mesh make() const override {
+    Mesh all;
+    for (const PartConfig& part : parts_) {
+      Mesh mesh = part.shape->make();
+      part.place.apply(mesh);
+      append(all, mesh);
+    }
+    return all;
+  }
+  bool reads_files() const override {
+    return std::any_of(parts_.begin(), parts_.end(), [](const PartConfig& part) { return part.shape->reads_files(); });
+  }
+
+ private:
+  std::vector<PartConfig> parts_;
+};
+
+TACK_REGISTER(ShapeSource, PartsShape, "parts", "Several shapes as one object, also of different dimensions.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,19 @@
+// Where and how a mesh stands: scaled, rotated, then moved.
+#pragma once
+
+#include "framework/config/field.hpp"
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+struct PlaceConfig {
+  Vec3 scale = Vec3::Ones();
+  Vec3 axis = Vec3::UnitY();
+  double angle = 0;               // rad
+  Vec3 translate = Vec3::Zero();  // m
+  void fields(Fields& f);
+
+  void apply(Mesh& mesh) const;  // throws InputError for a zero axis or factor
+};
+
+}  // namespace tack
