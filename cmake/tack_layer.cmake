@@ -30,7 +30,7 @@ target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::t
 # Parsing, describing and writing are not worth the optimiser's time, nor the compiler's: the files of such
 # a folder are compiled together, as what they instantiate is mostly the same.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
-set(TACK_COLD_FOLDERS framework/config framework/scene framework/output framework/experiment framework/probes framework/compare framework/profile framework/run
+set(TACK_COLD_FOLDERS framework/config framework/scene framework/level_set framework/output framework/experiment framework/probes framework/compare framework/profile framework/run
     framework/app geometry/io geometry/mesh geometry/shapes)
 function(tack_cool TARGET)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)

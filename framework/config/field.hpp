@@ -89,6 +89,7 @@ class Fields {
   Field& vector(std::string key, Vec2& target, Unit unit, std::string doc);
   Field& vector(std::string key, std::array<int, 3>& target, std::string doc);
   Field& vector(std::string key, std::array<int, 2>& target, std::string doc);
+  Field& vectors(std::string key, std::vector<Vec2>& target, Unit unit, std::string doc);
   Field& optional_vector(std::string key, std::optional<Vec3>& target, Unit unit, std::string doc);
   Field& schedule(std::string key, Schedule& target, Unit unit, std::string doc);
 

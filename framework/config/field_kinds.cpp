@@ -8,6 +8,7 @@
 #include "framework/config/field.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/reader.hpp"
+#include "framework/config/words.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -215,6 +216,26 @@ Field& Fields::vector(std::string key, std::array<int, 3>& target, std::string d
 
 Field& Fields::vector(std::string key, std::array<int, 2>& target, std::string doc) {
   return integers(std::move(key), target.data(), 2, std::move(doc));
+}
+
+Field& Fields::vectors(std::string key, std::vector<Vec2>& target, Unit unit, std::string doc) {
+  const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
+    if (!reader.list(v, field)) return;
+    target.assign(v.items.size(), Vec2::Zero());
+    for (std::size_t i = 0; i < v.items.size(); ++i) {
+      const Value& pair = v.items[i];
+      if (!pair.is_sequence() || pair.items.size() != 2)
+        return reader.error(pair.mark, fmt::format("{}: expects pairs of {}, got {}", field.key, plural(field.shape.unit.quantity), pair.description()));
+      for (int k = 0; k < 2; ++k) reader.number(pair.items[k], field, target[i][k]);
+    }
+  };
+  const auto write = [&target] {
+    Value list = Value::sequence();
+    for (const Vec2& pair : target) list.items.push_back(write_doubles(pair.data(), 2));
+    return list;
+  };
+  Shape shape = list_shape(list_shape(simple_shape(Form::number, unit), 2));
+  return add(std::move(key), std::move(doc), std::move(shape), read, write);
 }
 
 Field& Fields::optional_vector(std::string key, std::optional<Vec3>& target, Unit unit,

@@ -14,6 +14,9 @@ struct PlaceConfig {
   void fields(Fields& f);
 
   void apply(Mesh& mesh) const;  // throws InputError for a zero axis or factor
+
+  bool trivial() const { return scale == Vec3::Ones() && angle == 0 && translate == Vec3::Zero(); }
+  Eigen::Affine3d transform() const;  // the same for points
 };
 
 }  // namespace tack

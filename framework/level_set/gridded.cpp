@@ -1,0 +1,103 @@
+// Level sets that need distances proper, which are found on a grid: offsets and shells of others, and meshes.
+#include <fmt/format.h>
+
+#include "framework/config/field.hpp"
+#include "framework/level_set/level_set.hpp"
+#include "framework/scene/shape_source.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/level_set/zero_surface.hpp"
+#include "geometry/mesh/mass_properties.hpp"
+
+namespace tack {
+namespace {
+
+using Box = Eigen::AlignedBox3d;
+
+// What is given by another's surface and distances from it, up to reach() [m].
+class Gridded : public DerivedLevelSet {
+ public:
+  void prepare(double voxel) override {
+    DerivedLevelSet::prepare(voxel);
+    const Box box = child().bounds();
+    if (!finite(box)) throw InputError(fmt::format("level set '{}' needs a bounded one", type()));
+    const Mesh surface = zero_surface([this](auto points, auto values) { child().evaluate(points, values); }, box, voxel);
+    grid_ = DistanceGrid::of(surface, voxel, reach() + 4 * voxel);
+  }
+
+ protected:
+  virtual double reach() const = 0;
+  std::optional<DistanceGrid> grid_;
+};
+
+class OffsetLevelSet : public Gridded {
+ public:
+  void fields(Fields& f) override {
+    f.number("distance", distance_, units::length, "outwards; negative: inwards").required();
+    DerivedLevelSet::fields(f);
+  }
+
+ protected:
+  double reach() const override { return std::abs(distance_); }
+  Box own_bounds() const override { return widened(child().bounds(), std::max(distance_, 0.0)); }
+  void own_values(std::span<const Vec3> points, std::span<double> values) const override {
+    grid_->sample(points, values);
+    for (double& value : values) value -= distance_;
+  }
+
+ private:
+  double distance_ = 0;  // m
+};
+
+class ShellLevelSet : public Gridded {
+ public:
+  void fields(Fields& f) override {
+    f.number("thickness", thickness_, units::length, "half of it on each side of the surface").required().positive();
+    DerivedLevelSet::fields(f);
+  }
+
+ protected:
+  double reach() const override { return thickness_ / 2; }
+  Box own_bounds() const override { return widened(child().bounds(), thickness_ / 2); }
+  void own_values(std::span<const Vec3> points, std::span<double> values) const override {
+    grid_->sample(points, values);
+    for (double& value : values) value = std::abs(value) - thickness_ / 2;
+  }
+
+ private:
+  double thickness_ = 0.1;  // m
+};
+
+class MeshLevelSet : public LevelSet {
+ public:
+  void fields(Fields& f) override {
+    f.component("shape", shape_, "its surface, closed").required();
+    LevelSet::fields(f);
+  }
+  void prepare(double voxel) override {
+    const Mesh mesh = shape_->make();
+    mass_properties(mesh);  // refuses what is not closed
+    box_ = bounding_box(mesh);
+    grid_ = DistanceGrid::of(mesh, voxel, 4 * voxel);
+  }
+
+ protected:
+  Box own_bounds() const override { return box_; }
+  void own_values(std::span<const Vec3> points, std::span<double> values) const override {
+    grid_->sample(points, values);
+    // Beyond the band, at least the distance to the box.
+    for (size_t i = 0; i < points.size(); ++i)
+      if (values[i] > 0) values[i] = std::max(values[i], box_.exteriorDistance(points[i]));
+  }
+
+ private:
+  std::unique_ptr<ShapeSource> shape_;
+  Box box_;
+  std::optional<DistanceGrid> grid_;
+};
+
+TACK_REGISTER(LevelSet, OffsetLevelSet, "offset", "Grown or shrunk by a distance.", "");
+TACK_REGISTER(LevelSet, ShellLevelSet, "shell", "The surface of another, made thick.", "");
+TACK_REGISTER(LevelSet, MeshLevelSet, "mesh", "What a closed surface holds: that of a shape or of a file.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,45 @@
+// Distances on the voxels near a surface (OpenVDB's narrow band), and surfaces from them. Lengths in metres; a voxel is a
+// cube. Numbers are kept in single precision in units of a voxel, so that scale and place of a body do not matter.
+// Same input, same bits, whatever the number of threads.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+// Signed distances or less, negative inside, at many points at once; called from several threads.
+using DistanceFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
+
+class DistanceGrid {
+ public:
+  // Of a function whose slope is nowhere above 1, in a box beyond which it is positive. Throws InputError if that
+  // takes more than max_band_voxels.
+  static DistanceGrid of(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel);
+  // Of the closed surface of a mesh, up to `band` [m] on both sides.
+  static DistanceGrid of(const Mesh& mesh, double voxel, double band);
+
+  // Interpolated between voxels; the band's width where a point is farther.
+  void sample(std::span<const Vec3> points, std::span<double> distances) const;
+
+  // Triangles, whose normals point outwards, with a vertex for each voxel that the surface crosses; empty if nothing is inside.
+  Mesh surface() const;
+  // The voxel that a point lies in.
+  Eigen::AlignedBox3d voxel_of(const Vec3& point) const;
+
+  static constexpr double max_band_voxels = 2e8;
+
+  struct Impl;  // OpenVDB's grid
+
+ private:
+  DistanceGrid(std::shared_ptr<const Impl> impl, double voxel) : impl_(std::move(impl)), voxel_(voxel) {}
+
+  std::shared_ptr<const Impl> impl_;
+  double voxel_;
+};
+
+}  // namespace tack

@@ -1,0 +1,128 @@
+#include "geometry/level_set/zero_surface.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Eigenvalues>
+
+namespace tack {
+namespace {
+
+struct Samples {
+  std::vector<double> values;
+  std::vector<Vec3> slopes;
+};
+
+// Slopes by central differences.
+Samples sampled(const DistanceFunction& function, std::span<const Vec3> points, double step) {
+  constexpr int probes = 7;
+  std::vector<Vec3> at(probes * points.size());
+  std::vector<double> f(at.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    at[probes * i] = points[i];
+    for (int k = 0; k < 3; ++k) {
+      at[probes * i + 1 + 2 * k] = points[i] + step * Vec3::Unit(k);
+      at[probes * i + 2 + 2 * k] = points[i] - step * Vec3::Unit(k);
+    }
+  }
+  function(at, f);
+  Samples samples;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const double* g = &f[probes * i];
+    samples.values.push_back(g[0]);
+    samples.slopes.emplace_back(Vec3(g[1] - g[2], g[3] - g[4], g[5] - g[6]) / (2 * step));
+  }
+  return samples;
+}
+
+using Boxes = std::vector<Eigen::AlignedBox3d>;
+
+// Moves vertices onto the zero by Newton's method, each within its box; returns the unit normals there, zero where the function
+// is flat.
+std::vector<Vec3> snapped(std::vector<Vec3>& vertices, const DistanceFunction& function, double voxel, const Boxes& boxes) {
+  constexpr int rounds = 4;
+  std::vector<Vec3> normals(vertices.size());
+  tbb::parallel_for(tbb::blocked_range<size_t>(0, vertices.size(), 256), [&](const auto& range) {
+    const std::span<Vec3> x(&vertices[range.begin()], range.size());
+    for (int round = 0; round <= rounds; ++round) {
+      const Samples samples = sampled(function, x, 1e-3 * voxel);
+      for (size_t i = 0; i < x.size(); ++i) {
+        const Vec3& slope = samples.slopes[i];
+        const double square = slope.squaredNorm();
+        normals[range.begin() + i] = square < 1e-4 ? Vec3(Vec3::Zero()) : Vec3(slope.normalized());
+        if (square < 1e-4 || round == rounds) continue;
+        const Eigen::AlignedBox3d& box = boxes[range.begin() + i];
+        x[i] = (x[i] - samples.values[i] / square * slope).cwiseMax(box.min()).cwiseMin(box.max());
+      }
+    }
+  });
+  return normals;
+}
+
+// Neighbours of each vertex: vertex i's are list[first[i]] to before list[first[i + 1]].
+struct Rings {
+  std::vector<int> first, list;
+};
+
+Rings rings_of(const Mesh& mesh) {
+  Rings rings;
+  rings.first.assign(mesh.vertices.size() + 1, 0);
+  for (const Triangle& t : mesh.triangles)
+    for (const int v : t) ++rings.first[v + 1];
+  for (size_t i = 0; i + 1 < rings.first.size(); ++i) rings.first[i + 1] += rings.first[i];
+  rings.list.resize(rings.first.back());
+  std::vector<int> at(rings.first.begin(), rings.first.end() - 1);
+  // Of a closed surface, each neighbour follows in one triangle.
+  for (const Triangle& t : mesh.triangles)
+    for (int k = 0; k < 3; ++k) rings.list[at[t[k]]++] = t[(k + 1) % 3];
+  return rings;
+}
+
+// Where the planes of a vertex and its neighbours meet best within its box: in a corner, on a crease, or where it is.
+Vec3 crease(int v, const Mesh& mesh, const Rings& rings, const std::vector<Vec3>& normals, const Eigen::AlignedBox3d& box) {
+  constexpr double small = 0.05;  // of the largest eigenvalue: no plane stands across it
+  Mat3 squares = Mat3::Zero();
+  Vec3 right = Vec3::Zero();
+  const Vec3& x = mesh.vertices[v];
+  const auto add = [&](int i) {
+    squares += normals[i] * normals[i].transpose();
+    right += normals[i] * normals[i].dot(mesh.vertices[i] - x);
+  };
+  add(v);
+  for (int k = rings.first[v]; k < rings.first[v + 1]; ++k) add(rings.list[k]);
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(squares);
+  for (int least = 0; least < 2; ++least) {
+    Vec3 way = Vec3::Zero();
+    for (int k = least; k < 3; ++k)
+      if (eigen.eigenvalues()[k] > small * eigen.eigenvalues()[2])
+        way += eigen.eigenvectors().col(k).dot(right) / eigen.eigenvalues()[k] * eigen.eigenvectors().col(k);
+    if (box.contains(Vec3(x + way))) return x + way;
+  }
+  return x;
+}
+
+}  // namespace
+
+Mesh zero_surface(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel) {
+  const DistanceGrid grid = DistanceGrid::of(function, box, voxel);
+  Mesh mesh = grid.surface();
+  constexpr double margin = 0.1;  // voxels by which vertices may leave theirs
+  Boxes boxes;
+  boxes.reserve(mesh.vertices.size());
+  for (const Vec3& x : mesh.vertices) {
+    const Eigen::AlignedBox3d own = grid.voxel_of(x);
+    boxes.emplace_back(own.min().array() - margin * voxel, own.max().array() + margin * voxel);
+  }
+  const std::vector<Vec3> normals = snapped(mesh.vertices, function, voxel, boxes);
+  const Rings rings = rings_of(mesh);
+  constexpr double sharp = 0.8;  // cosine of an angle that a smooth surface does not turn by within a voxel
+  std::vector<Vec3> moved = mesh.vertices;
+  tbb::parallel_for(size_t{0}, moved.size(), [&](size_t i) {
+    bool turns = false;
+    for (int k = rings.first[i]; k < rings.first[i + 1] && !turns; ++k) turns = normals[rings.list[k]].dot(normals[i]) < sharp;
+    if (turns) moved[i] = crease(static_cast<int>(i), mesh, rings, normals, boxes[i]);
+  });
+  mesh.vertices = std::move(moved);
+  return mesh;
+}
+
+}  // namespace tack
