@@ -22,6 +22,7 @@ void ObjectConfig::fields(Fields& f) {
   f.texts("groups", groups, "names under which pairs may mean it together with others");
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
+  f.optional_object("fill", fill, "many copies of it in a region, at random");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");
   f.optional_object("shell", shell, "its triangles that are no faces of tets are a thin sheet, as membranes and bending energies need it");

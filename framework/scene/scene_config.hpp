@@ -13,6 +13,7 @@
 #include "framework/scene/body_model.hpp"
 #include "framework/scene/damping_config.hpp"
 #include "framework/scene/energy.hpp"
+#include "framework/scene/fill.hpp"
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
@@ -47,6 +48,7 @@ struct ObjectConfig {
   std::vector<std::string> groups;  // that it belongs to
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
+  std::optional<FillConfig> fill;  // of what was loaded, none: copies stand in its place
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;
   std::optional<ShellConfig> shell;
