@@ -1,6 +1,8 @@
 // An elastic rod that stretches, bends and twists.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "energies/rod/edges.hpp"
 #include "energies/rod/rod_term.hpp"
 #include "framework/config/field.hpp"
@@ -40,6 +42,10 @@ class ElasticRod : public Energy {
       mass(body.rod->twists()[body.rod->find(e)]) += density_ * body.section->area() * edge_length(e, rest);
   }
   std::optional<double> young() const override { return young_; }
+  double bending_stiffness(const Body& body) const override {
+    const RodSection& section = section_of(body, type());
+    return young_ * std::min(section.moment_across(), section.moment_along()) / section.contact_width();
+  }
 
  private:
   double young_ = 1e9;  // Pa

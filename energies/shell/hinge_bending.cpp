@@ -25,11 +25,13 @@ class HingeBending : public Energy {
 
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     require_sheet(body, rest, type());
-    const double t = body.thickness;
-    const double stiffness = stiffness_ ? *stiffness_ : *young_ * t * t * t / (12 * (1 - poisson_ * poisson_));
-    return std::make_unique<HingeTerm>(std::string(type()), body, rest, stiffness, poisson_, rest_ == Rest::mesh);
+    return std::make_unique<HingeTerm>(std::string(type()), body, rest, bending_stiffness(body), poisson_, rest_ == Rest::mesh);
   }
   std::optional<double> young() const override { return young_; }
+  double bending_stiffness(const Body& body) const override {
+    const double t = body.thickness;
+    return stiffness_ ? *stiffness_ : *young_ * t * t * t / (12 * (1 - poisson_ * poisson_));
+  }
 
  private:
   std::optional<double> young_, stiffness_;  // Pa, N m

@@ -28,6 +28,8 @@ class Energy : public Component {
   virtual void add_mass(const Body& /*body*/, const VecX& /*rest*/, VecX& /*mass*/) const {}
   // The stiffness that adhesion and barrier are scaled by [Pa].
   virtual std::optional<double> young() const { return std::nullopt; }
+  // That of a sheet or a rod, per width [N m]; 0 if it does not resist bending.
+  virtual double bending_stiffness(const Body& /*body*/) const { return 0; }
 
  private:
   std::unique_ptr<Selection> select_;

@@ -121,12 +121,12 @@ class Warnings {
     }
   }
 
-  // Of a sheet or a rod, per width [N m]; 0 for what is neither, or has no modulus.
+  // Of a sheet or a rod where it bends most easily, per width [N m]; 0 for what does not resist bending.
   double bending_stiffness(int i) const {
-    const Body& body = world_.bodies[i];
-    const double young = young_of(scene_.objects[i]);
-    if (!body.sheet.empty()) return young * std::pow(body.thickness, 3) / 12;
-    return body.section ? young * std::min(body.section->moment_across(), body.section->moment_along()) / body.section->contact_width() : 0;
+    double least = 0;
+    for (const auto& energy : scene_.objects[i].energies)
+      if (const double own = energy->bending_stiffness(world_.bodies[i]); own > 0) least = least > 0 ? std::min(least, own) : own;
+    return least;
   }
 
   void body(int i) {

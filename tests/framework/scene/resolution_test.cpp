@@ -43,9 +43,10 @@ TEST_CASE("resolution: elements above the process zone are told") {
 }
 
 TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is told") {
-  const auto tape = [](int cells) {
+  const auto tape = [](int cells, const char* bending = "young: 60 MPa, poisson: 0") {
     return fmt::format("  - {{name: cube, shape: {{type: grid, size: [0.06, 0.003], cells: [{}, 4]}}, place: {{translate: [0, 0.0002, 0]}},\n"
-                       "     shell: {{thickness: 0.2 mm}}, energies: [{{type: stvk_membrane, young: 60 MPa, poisson: 0}}]}}\n", cells);
+                       "     shell: {{thickness: 0.2 mm}},\n"
+                       "     energies: [{{type: stvk_membrane, young: 60 MPa, poisson: 0}}, {{type: hinge_bending, {}}}]}}\n", cells, bending);
   };
   const auto rod = [](int edges) {
     return fmt::format("  - {{name: cube, shape: {{type: segment, length: 0.06, edges: {}}}, place: {{translate: [0, 0.0002, 0]}},\n"
@@ -55,6 +56,9 @@ TEST_CASE("resolution: a tape or a rod that is too coarse to be peeled is told")
   // B = 60 MPa (0.2 mm)^3 / 12 = 4e-5 N m and W = 0.5 J/m^2: 1.59 mm.
   CHECK(one_with(warnings(ground + tape(40), glue), "(2 B W / sigma^2)^(1/4) = 0.00159 m"));
   CHECK_FALSE(one_with(warnings(ground + tape(90), glue), "not resolved"));
+  // B is that of bending, whatever the membrane is made of.
+  CHECK(one_with(warnings(ground + tape(90, "stiffness: 4e-6"), glue), "(2 B W / sigma^2)^(1/4) = 0.000894 m"));
+  CHECK_FALSE(one_with(warnings(ground + tape(40, "stiffness: 4e-3"), glue), "not resolved"));
   CHECK(one_with(warnings(ground + rod(40), glue), "(2 B W / sigma^2)^(1/4) = 0.00159 m"));
   CHECK_FALSE(one_with(warnings(ground + rod(90), glue), "not resolved"));
 }
