@@ -3,6 +3,11 @@
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Eigenvalues>
+#include <set>
+
+#include "geometry/exact/intersections.hpp"
+#include "geometry/mesh/flip_slivers.hpp"
+#include "geometry/mesh/surface.hpp"
 
 namespace tack {
 namespace {
@@ -100,18 +105,53 @@ Vec3 crease(int v, const Mesh& mesh, const Rings& rings, const std::vector<Vec3>
   return x;
 }
 
+// Vertices of the triangles and edges that cross, first found first.
+std::set<int> tangled(const Mesh& mesh) {
+  const Surface surface = extract_surface(mesh);
+  CollisionMesh all;
+  all.vertices = surface.vertices;
+  all.edges = surface.edges;
+  all.triangles = surface.triangles;
+  all.vertex_object.assign(mesh.vertices.size(), 0);
+  all.vertex_movable.assign(mesh.vertices.size(), 1);
+  VecX x(3 * mesh.vertices.size());
+  for (size_t i = 0; i < mesh.vertices.size(); ++i) x.segment<3>(3 * i) = mesh.vertices[i];
+  constexpr int most = 10000;
+  std::set<int> vertices;
+  for (const EdgeTriangleHit& hit : find_intersections(all, x, CollidingObjects(), most)) {
+    vertices.insert(all.edges[hit.edge].begin(), all.edges[hit.edge].end());
+    vertices.insert(all.triangles[hit.triangle].begin(), all.triangles[hit.triangle].end());
+  }
+  return vertices;
+}
+
+// Where parts of the surface are closer than a voxel, vertices that were moved may have gone through others: these go back, to
+// the earlier of their places if the later is no better.
+void untangle(Mesh& mesh, const std::vector<Vec3>& before, const std::vector<Vec3>& at_first) {
+  constexpr int rounds = 8;
+  std::vector<char> back(mesh.vertices.size(), 0);
+  for (int round = 0; round < rounds; ++round) {
+    const std::set<int> vertices = tangled(mesh);
+    if (vertices.empty()) return;
+    for (const int v : vertices) {
+      back[v] = back[v] || mesh.vertices[v] == before[v] ? 2 : 1;
+      mesh.vertices[v] = back[v] == 1 ? before[v] : at_first[v];
+    }
+  }
+}
+
 }  // namespace
 
 Mesh zero_surface(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel) {
   const DistanceGrid grid = DistanceGrid::of(function, box, voxel);
   Mesh mesh = grid.surface();
-  constexpr double margin = 0.1;  // voxels by which vertices may leave theirs
-  Boxes boxes;
-  boxes.reserve(mesh.vertices.size());
+  constexpr double margin = 0.1;  // voxels by which vertices may leave theirs; on creases they stay, or two would meet
+  Boxes own, boxes;
   for (const Vec3& x : mesh.vertices) {
-    const Eigen::AlignedBox3d own = grid.voxel_of(x);
-    boxes.emplace_back(own.min().array() - margin * voxel, own.max().array() + margin * voxel);
+    own.push_back(grid.voxel_of(x));
+    boxes.emplace_back(own.back().min().array() - margin * voxel, own.back().max().array() + margin * voxel);
   }
+  const std::vector<Vec3> at_first = mesh.vertices;
   const std::vector<Vec3> normals = snapped(mesh.vertices, function, voxel, boxes);
   const Rings rings = rings_of(mesh);
   constexpr double sharp = 0.8;  // cosine of an angle that a smooth surface does not turn by within a voxel
@@ -119,9 +159,11 @@ Mesh zero_surface(const DistanceFunction& function, const Eigen::AlignedBox3d& b
   tbb::parallel_for(size_t{0}, moved.size(), [&](size_t i) {
     bool turns = false;
     for (int k = rings.first[i]; k < rings.first[i + 1] && !turns; ++k) turns = normals[rings.list[k]].dot(normals[i]) < sharp;
-    if (turns) moved[i] = crease(static_cast<int>(i), mesh, rings, normals, boxes[i]);
+    if (turns) moved[i] = crease(static_cast<int>(i), mesh, rings, normals, own[i]);
   });
-  mesh.vertices = std::move(moved);
+  std::swap(mesh.vertices, moved);
+  untangle(mesh, moved, at_first);
+  flip_slivers(mesh, 0.02 * voxel);  // along creases, three vertices may be in a line
   return mesh;
 }
 
