@@ -6,7 +6,7 @@
 #include <span>
 
 #include "framework/config/registry.hpp"
-#include "framework/scene/place.hpp"
+#include "framework/shapes/place.hpp"
 
 namespace tack {
 

@@ -3,7 +3,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/level_set/level_set.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/shape_source.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 

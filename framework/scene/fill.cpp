@@ -9,7 +9,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 #include "geometry/mesh/mass_properties.hpp"
-#include "geometry/mesh/separation.hpp"
+#include "geometry/broad_phase/separation.hpp"
 
 namespace tack {
 

@@ -17,9 +17,9 @@
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
-#include "framework/scene/place.hpp"
+#include "framework/shapes/place.hpp"
 #include "framework/scene/rod_section.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/shape_source.hpp"
 #include "framework/scene/springs.hpp"
 
 namespace tack {

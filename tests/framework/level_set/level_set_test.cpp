@@ -10,7 +10,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/level_set/level_set.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/shape_source.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/mass_properties.hpp"
 #include "geometry/mesh/quality.hpp"

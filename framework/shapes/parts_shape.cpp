@@ -1,6 +1,6 @@
 // A mesh put together of others.
-#include "framework/scene/place.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/place.hpp"
+#include "framework/shapes/shape_source.hpp"
 
 namespace tack {
 namespace {

@@ -1,4 +1,4 @@
-#include "framework/scene/place.hpp"
+#include "framework/shapes/place.hpp"
 
 namespace tack {
 

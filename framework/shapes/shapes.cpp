@@ -1,6 +1,6 @@
 // The built-in shapes and mesh files, as components of the scene file.
 #include "framework/config/field.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/shape_source.hpp"
 #include "geometry/io/mesh_io.hpp"
 #include "geometry/shapes/lines.hpp"
 #include "geometry/shapes/solids.hpp"

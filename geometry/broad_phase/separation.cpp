@@ -1,4 +1,4 @@
-#include "geometry/mesh/separation.hpp"
+#include "geometry/broad_phase/separation.hpp"
 
 #include <algorithm>
 
