@@ -4,6 +4,7 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <fmt/format.h>
 
+#include "geometry/mesh/cleanup.hpp"
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
 #include "geometry/meshing/triangle_surface.hpp"
@@ -35,9 +36,22 @@ bool corefine(Boolean kind, CgalMesh& a, CgalMesh& b, CgalMesh& out) {
   return false;
 }
 
+// New vertices closer to each other than round-off explains become one, if that leaves a closed manifold.
 Mesh result_of(const CgalMesh& m, const std::string& name) {
   if (m.number_of_faces() == 0) throw InputError(name + ": nothing is left; move or scale one of the two");
-  return from_cgal(m);
+  const Mesh exact = from_cgal(m);
+  Mesh merged = exact;
+  merge_duplicate_vertices(merged, 1e-12 * bounding_box(exact).diagonal().norm());
+  const SurfaceDefects defects = find_defects(merged, false);
+  return defects.closed() && defects.manifold() && defects.flipped.empty() ? merged : exact;
+}
+
+// Where surfaces nearly touch, rounding can make triangles cross or lose their area.
+void warn_of_rounding(const Mesh& result, Notes& notes) {
+  const SurfaceDefects defects = find_defects(result);
+  if (defects.bounds_volume()) return;
+  notes.push_back("warning: the surfaces nearly touch; rounded to doubles, the result has defects, to be mended by the step repair:");
+  for (const std::string& line : list_defects(defects)) notes.push_back("  " + line);
 }
 
 }  // namespace
@@ -50,6 +64,7 @@ Mesh boolean(Boolean kind, const Mesh& a, const Mesh& b, const std::string& name
                                  "of them by a small amount", name_a, name_b));
   Mesh result = result_of(out, name_a);
   notes.push_back(fmt::format("{} triangles of both give {}", before, result.triangles.size()));
+  warn_of_rounding(result, notes);
   return result;
 }
 
@@ -63,6 +78,7 @@ Mesh cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, const std::str
     throw InputError(name + ": the cut would leave a surface that touches itself; move the plane by a small amount");
   Mesh result = result_of(m, name);
   notes.push_back(fmt::format("{} triangles, {} after the cut", before, result.triangles.size()));
+  warn_of_rounding(result, notes);
   return result;
 }
 

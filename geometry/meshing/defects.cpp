@@ -61,6 +61,7 @@ void find_duplicates(const Mesh& m, SurfaceDefects& d) {
     const auto [seen, is_new] = first.emplace(sorted(m.triangles[t]), number);
     if (!is_new) d.duplicates.push_back({seen->second, number});
   }
+  std::sort(d.duplicates.begin(), d.duplicates.end());
 }
 
 void find_doubled_vertices(const Mesh& m, SurfaceDefects& d) {

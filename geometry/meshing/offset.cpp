@@ -35,7 +35,7 @@ class Depth {
   double operator()(const CgalPoint& p) const {
     const double away = std::sqrt(tree_.squared_distance(p));
     // Which side matters only where the sign hangs on it.
-    if (away <= std::abs(distance_)) return distance_ > 0 ? away - distance_ : 1;
+    if (away <= std::abs(distance_)) return distance_ > 0 ? away - distance_ : -away - distance_;
     const bool inside = side_(p) == CGAL::ON_BOUNDED_SIDE;
     return (inside ? -away : away) - distance_;
   }

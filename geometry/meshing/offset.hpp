@@ -12,7 +12,7 @@ namespace tack {
 struct OffsetOptions {
   double distance = 0;              // outwards if positive [m]
   double edge_length = 0;           // of the new surface, about [m]
-  std::optional<double> deviation;  // of the new surface from that distance [m]; a twentieth of the edges unless given
+  std::optional<double> deviation = std::nullopt;  // of the new surface from that distance [m]; a twentieth of the edges unless given
 };
 
 // Of a solid (require_solid); the result is closed and manifold. Concave edges of the result are cut off by about the

@@ -197,8 +197,12 @@ Mesh unite_crossing_parts(const Mesh& mesh, Notes& notes) {
     if (find_defects(parts[p], false).inside_out())
       for (Triangle& t : parts[p].triangles) std::swap(t[1], t[2]);
     if (!find_defects(parts[p]).bounds_volume()) return mesh;  // crosses itself as well
-    Notes ignored;
-    united = united.triangles.empty() ? parts[p] : boolean(Boolean::unite, united, parts[p], "part", "part", ignored);
+    try {
+      Notes ignored;
+      united = united.triangles.empty() ? parts[p] : boolean(Boolean::unite, united, parts[p], "part", "part", ignored);
+    } catch (const InputError&) {
+      return mesh;  // they touch: what is left of the defects is told
+    }
   }
   notes.push_back(fmt::format("united {} closed parts that cross each other", crossing.size()));
   append(others, united);
@@ -265,6 +269,7 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   if (o.fill_holes) fill_holes(m, notes);
   Mesh result = from_cgal(m);
   drop_unused_vertices(result);
+  if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
   result = unite_crossing_parts(result, notes);
   m = to_cgal(result);
   if (!find_defects(result).crossings.empty()) {

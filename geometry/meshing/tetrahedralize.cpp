@@ -33,15 +33,15 @@ constexpr int seeds_per_patch = 20;
 
 // Lengths with their defaults filled in.
 struct Sizes {
-  double inside, surface, deviation;  // [m]
+  double inside, surface, crease, deviation;  // [m]
 };
 
 // Edges come out shorter than CGAL's bounds, which are radii of circumscribed balls and not reached by most: the
 // factors make the mean edge about as long as asked.
 Criteria criteria(const Sizes& s, double radius_edge) {
   namespace p = CGAL::parameters;
-  return Criteria(p::edge_size = s.surface, p::facet_angle = 25, p::facet_size = 0.8 * s.surface,
-                  p::facet_distance = s.deviation, p::cell_radius_edge_ratio = radius_edge, p::cell_size = 0.9 * s.inside);
+  return Criteria(p::edge_size = s.crease, p::facet_angle = 25, p::facet_size = 0.67 * s.surface,
+                  p::facet_distance = s.deviation, p::cell_radius_edge_ratio = radius_edge, p::cell_size = 0.75 * s.inside);
 }
 
 // Some vertices of a patch, spread over it: each next one is farthest from those before.
@@ -138,21 +138,24 @@ void require_whole(const Mesh& tets, const std::string& name) {
 Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std::string& name, Notes& notes) {
   const Mesh surface = triangle_surface(mesh, name);
   require_solid(surface, name);
-  Sizes sizes{o.edge_length, o.surface_edge_length.value_or(o.edge_length), 0};
-  const double asked = o.deviation.value_or(0.1 * sizes.surface);
-  sizes.deviation = asked / 2;
+  const double on_surface = o.surface_edge_length.value_or(o.edge_length), asked = o.deviation.value_or(0.1 * on_surface);
+  Sizes sizes{o.edge_length, on_surface, on_surface, 0.7 * asked};
   const double volume = enclosed_volume_of(surface);
   refuse_too_short_edges(surface, sizes.surface, name);
   refuse_too_many_triangles(volume / (std::pow(sizes.inside, 3) / (6 * std::sqrt(2.0))), name, "ask for longer edges");
   const CgalMesh m = to_cgal(surface);
   Mesh tets;
   Deviation deviation;
-  // CGAL bounds the distance from the centre of each face to the surface: a measure, not a bound of the whole.
-  for (int attempt = 0; attempt < 4; ++attempt, sizes.deviation /= 2) {
+  // CGAL bounds the distance from the centre of each face to the surface, and that of curved creases not at all: what
+  // is measured tells how much finer they have to be, the sagitta of a crease growing with the square of its edges.
+  for (int attempt = 0; attempt < 4; ++attempt) {
     tets = mesh_inside(m, sizes, o);
     require_whole(tets, name);
     deviation = deviation_of(surface, tets, asked);
-    if (deviation.largest() <= asked) break;
+    const double excess = deviation.largest() / asked;
+    if (excess <= 1) break;
+    sizes.deviation *= 0.8 / excess;
+    sizes.crease *= std::sqrt(0.8 / excess);
   }
   const double made = total_volume(tets);
   notes.push_back(fmt::format("{} triangles filled with {} tets; volume {:.8g} m^3, {:+.3g} % of the surface's", surface.triangles.size(),

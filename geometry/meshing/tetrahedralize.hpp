@@ -13,8 +13,8 @@ namespace tack {
 
 struct TetrahedralizeOptions {
   double edge_length = 0;                      // of the tets, about [m]
-  std::optional<double> surface_edge_length;   // of their faces on the surface, about [m]; as the above unless given
-  std::optional<double> deviation;             // of the surface, both ways [m]; a tenth of its edge length unless given
+  std::optional<double> surface_edge_length = std::nullopt;   // of their faces on the surface, about [m]; as the above unless given
+  std::optional<double> deviation = std::nullopt;             // of the surface, both ways [m]; a tenth of its edge length unless given
   double radius_edge = 2;                      // circumradius to shortest edge of a tet, before slivers are treated
   double dihedral_angle = 8 * std::numbers::pi / 180;  // of every tet, at least [rad]
   // Normals of neighbours that differ by more make an edge that is kept [rad].

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "geometry/errors.hpp"
-#include "geometry/mesh/cleanup.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
 
@@ -19,11 +18,19 @@ Mesh triangle_surface(const Mesh& mesh, const std::string& name) {
     throw InputError(fmt::format("{}: {} tets are inverted or flat, the first is number {}; give the surface alone", name,
                                  inverted.size(), inverted[0]));
   Mesh surface;
-  surface.vertices = mesh.vertices;
   surface.triangles = mesh.tets.empty() ? mesh.triangles : extract_surface(mesh).triangles;
   if (surface.triangles.empty())
     throw InputError(name + ": has no triangle and no tet; give a mesh of triangles or tets");
-  drop_unused_vertices(surface);
+  std::vector<int> number(mesh.vertices.size(), -1);
+  for (const Triangle& t : surface.triangles)
+    for (const int v : t) number[v] = 0;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<int>(surface.vertices.size());
+    surface.vertices.push_back(mesh.vertices[v]);
+  }
+  for (Triangle& t : surface.triangles)
+    for (int& v : t) v = number[v];
   return surface;
 }
 
