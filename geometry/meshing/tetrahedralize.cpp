@@ -1,5 +1,8 @@
 #include "geometry/meshing/tetrahedralize.hpp"
 
+#include <CGAL/AABB_segment_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
@@ -36,12 +39,49 @@ struct Sizes {
   double inside, surface, crease, deviation;  // [m]
 };
 
+class Creases {
+ public:
+  explicit Creases(const Domain& domain) {
+    const CgalMesh& m = domain.polyhedra()[0];
+    const auto sharp = get(CGAL::edge_is_feature, m);
+    for (const auto e : m.edges())
+      if (get(sharp, e)) segments_.emplace_back(m.point(m.vertex(e, 0)), m.point(m.vertex(e, 1)));
+    tree_.insert(segments_.begin(), segments_.end());
+    if (!segments_.empty()) tree_.accelerate_distance_queries();
+  }
+  Creases(const Creases&) = delete;
+  Creases& operator=(const Creases&) = delete;
+  double distance(const CgalPoint& p) const {
+    return segments_.empty() ? std::numeric_limits<double>::infinity() : std::sqrt(tree_.squared_distance(p));
+  }
+
+ private:
+  using Segments = std::vector<CgalKernel::Segment_3>;
+  Segments segments_;
+  CGAL::AABB_tree<CGAL::AABB_traits<CgalKernel, CGAL::AABB_segment_primitive<CgalKernel, Segments::const_iterator>>> tree_;
+};
+
+// As short as the edges of creases beside them, and longer with the distance: long ones beside short ones make slivers
+// that cannot be removed, as nothing moves there.
+struct GradedSize {
+  using FT = CgalKernel::FT;
+  using Point_3 = CgalPoint;
+  using Index = Domain::Index;
+
+  const Creases* creases;
+  double crease, most, factor;
+  FT operator()(const Point_3& p, int, const Index&) const {
+    return factor * (crease < most ? std::min(most, crease + 0.5 * creases->distance(p)) : most);
+  }
+};
+
 // Edges come out shorter than CGAL's bounds, which are radii of circumscribed balls and not reached by most: the
 // factors make the mean edge about as long as asked.
-Criteria criteria(const Sizes& s, double radius_edge) {
+Criteria criteria(const Sizes& s, double radius_edge, const Creases& creases) {
   namespace p = CGAL::parameters;
-  return Criteria(p::edge_size = s.crease, p::facet_angle = 25, p::facet_size = 0.67 * s.surface,
-                  p::facet_distance = s.deviation, p::cell_radius_edge_ratio = radius_edge, p::cell_size = 0.75 * s.inside);
+  return Criteria(p::edge_size = s.crease, p::facet_angle = 25, p::facet_size = GradedSize{&creases, s.crease, s.surface, 0.67},
+                  p::facet_distance = s.deviation, p::cell_radius_edge_ratio = radius_edge,
+                  p::cell_size = GradedSize{&creases, s.crease, s.inside, 0.75});
 }
 
 // Some vertices of a patch, spread over it: each next one is farthest from those before.
@@ -103,7 +143,8 @@ Mesh mesh_inside(const CgalMesh& surface, const Sizes& sizes, const Tetrahedrali
   CGAL::get_default_random() = CGAL::Random(0);
   Domain domain(surface);
   domain.detect_features(o.crease_angle * degrees);
-  const Criteria bounds = criteria(sizes, o.radius_edge);
+  const Creases creases(domain);
+  const Criteria bounds = criteria(sizes, o.radius_edge, creases);
   Complex complex = CGAL::make_mesh_3<Complex>(domain, bounds, p::manifold(), p::no_perturb(), p::no_exude());
   if (seed_missed_patches(domain, complex))
     CGAL::refine_mesh_3(complex, domain, bounds, p::manifold(), p::no_perturb(), p::no_exude());
@@ -122,6 +163,20 @@ Deviation deviation_of(const Mesh& surface, const Mesh& tets, double spacing) {
   const Mesh border = triangle_surface(tets, "tets");
   return {distance_from_to(surface, border, spacing), distance_from_to(border, surface, spacing)};
 }
+
+struct Attempt {
+  Mesh tets;
+  Deviation deviation;
+  AngleHistogram angles;
+
+  bool keeps(double asked, const TetrahedralizeOptions& o) const {
+    return !tets.tets.empty() && deviation.largest() <= asked && angles.smallest >= o.dihedral_angle * degrees;
+  }
+  bool better_than(const Attempt& other, double asked) const {
+    const double excess = std::max(1.0, deviation.largest() / asked), others = std::max(1.0, other.deviation.largest() / asked);
+    return excess < others || (excess == others && angles.smallest > other.angles.smallest);
+  }
+};
 
 void require_whole(const Mesh& tets, const std::string& name) {
   if (tets.tets.empty())
@@ -144,19 +199,27 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
   refuse_too_short_edges(surface, sizes.surface, name);
   refuse_too_many_triangles(volume / (std::pow(sizes.inside, 3) / (6 * std::sqrt(2.0))), name, "ask for longer edges");
   const CgalMesh m = to_cgal(surface);
-  Mesh tets;
-  Deviation deviation;
+  Attempt best;
   // CGAL bounds the distance from the centre of each face to the surface, and that of curved creases not at all: what
   // is measured tells how much finer they have to be, the sagitta of a crease growing with the square of its edges.
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    tets = mesh_inside(m, sizes, o);
-    require_whole(tets, name);
-    deviation = deviation_of(surface, tets, asked);
-    const double excess = deviation.largest() / asked;
-    if (excess <= 1) break;
-    sizes.deviation *= 0.8 / excess;
-    sizes.crease *= std::sqrt(0.8 / excess);
+  // Slivers that are left are beside creases with edges too long for the curvature around: CGAL protects them by balls
+  // in which nothing is refined.
+  for (int attempt = 0; attempt < 5 && !best.keeps(asked, o); ++attempt) {
+    Attempt now;
+    now.tets = mesh_inside(m, sizes, o);
+    require_whole(now.tets, name);
+    now.deviation = deviation_of(surface, now.tets, asked);
+    now.angles = dihedral_angles(now.tets);
+    if (const double excess = now.deviation.largest() / asked; excess > 1) {
+      sizes.deviation *= 0.8 / excess;
+      sizes.crease *= std::sqrt(0.8 / excess);
+    } else {
+      sizes.crease *= 0.7;
+    }
+    if (attempt == 0 || now.better_than(best, asked)) best = std::move(now);
   }
+  const Mesh& tets = best.tets;
+  const Deviation& deviation = best.deviation;
   const double made = total_volume(tets);
   notes.push_back(fmt::format("{} triangles filled with {} tets; volume {:.8g} m^3, {:+.3g} % of the surface's", surface.triangles.size(),
                               tets.tets.size(), made, 100 * (made / volume - 1)));
@@ -169,11 +232,11 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
     notes.push_back(fmt::format("warning: that is more than the {:.3g} m asked for, at ({:.4g}, {:.4g}, {:.4g}); ask for shorter edges, "
                                 "or a smaller crease_angle", asked, worst.place[0], worst.place[1], worst.place[2]));
   }
-  if (const AngleHistogram angles = dihedral_angles(tets); angles.smallest < o.dihedral_angle * degrees)
+  if (const AngleHistogram& angles = best.angles; angles.smallest < o.dihedral_angle * degrees)
     notes.push_back(fmt::format("warning: the dihedral angle {:.3g} degrees of tet {} at ({:.4g}, {:.4g}, {:.4g}) is below the {:.3g} asked "
                                 "for; ask for shorter edges, or remesh the surface first", angles.smallest, angles.worst, angles.place[0],
                                 angles.place[1], angles.place[2], o.dihedral_angle * degrees));
-  return tets;
+  return std::move(best.tets);
 }
 
 }  // namespace tack

@@ -1,5 +1,6 @@
 // tack mesh as its users call it.
 #include <catch2/catch.hpp>
+#include <regex>
 
 #include "geometry/io/mesh_io.hpp"
 #include "geometry/io/write_mesh.hpp"
@@ -61,4 +62,26 @@ TEST_CASE("tack mesh refuses bad calls and bad meshes with a remedy") {
   CHECK_THAT(error({"tetrahedralize", "open.obj", "-o", "a.vtu", "edge_length=1"}), Contains("3 open edges") && Contains("repair"));
   CHECK_THAT(error({"info"}), Contains("which mesh"));
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.vtu"));
+}
+
+TEST_CASE("a creature of ten thousand good tets comes out of one file") {
+  const TemporaryFolder folder;
+  const ProgramResult r = run_tack(folder.path(), {"check", TACK_SOURCE_DIR "/experiments/meshing/creature.yaml"});
+  INFO(r.out << r.err);
+  REQUIRE(r.exit_code == 0);
+  const auto number = [&](const std::string& before) {
+    std::smatch found;
+    REQUIRE(std::regex_search(r.out, found, std::regex(before + "([-+0-9.e]+)")));
+    return std::stod(found[1]);
+  };
+  CHECK(number("triangles filled with ") > 10000);
+  CHECK(std::abs(number("filled with .*m.3, ")) < 1);  // percent of the volume
+  CHECK(number("from the old surface to the new: at most ") <= 1.3e-3);
+  CHECK(number("; back: at most ") <= 1.3e-3);
+  const auto tets = r.out.find("filled with");
+  const std::string after = r.out.substr(tets);
+  std::smatch angle;
+  REQUIRE(std::regex_search(after, angle, std::regex("dihedral angles from ([0-9.]+) to")));
+  CHECK(std::stod(angle[1]) > 8);
+  CHECK_FALSE(contains(after, "warning"));
 }
