@@ -31,8 +31,11 @@ target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::t
 # a folder are compiled together, as what they instantiate is mostly the same. They must not call the inline functions of
 # geometry/distance: of those that are not inlined the linker keeps one copy for all, and it may be theirs.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
-set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/scene framework/output framework/experiment framework/probes framework/compare framework/profile framework/run
-    framework/app geometry/io geometry/mesh geometry/shapes)
+set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output
+    framework/experiment framework/probes framework/compare framework/profile framework/run framework/app
+    geometry/io geometry/mesh geometry/meshing geometry/shapes)
+# Where CGAL takes so long to compile that one file alone is enough.
+set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp)
 function(tack_cool TARGET)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)
   target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -42,6 +45,9 @@ function(tack_cool TARGET)
     cmake_path(RELATIVE_PATH FOLDER BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
     string(REPLACE "/" "_" FOLDER ${FOLDER})
     set_source_files_properties(${SOURCE} PROPERTIES UNITY_GROUP ${FOLDER})
+  endforeach()
+  foreach(SOURCE ${TACK_ALONE})
+    set_source_files_properties(${CMAKE_SOURCE_DIR}/${SOURCE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endforeach()
 endfunction()
 

@@ -14,11 +14,13 @@ namespace tack {
 namespace {
 
 void print_contents(const World& world) {
-  for (const Body& body : world.bodies)
+  for (const Body& body : world.bodies) {
     fmt::print("object '{}': {} vertices, {} tets, {} surface triangles{}{}\n", body.name, body.vertex_count,
                body.tets.size(), body.triangles.size(),
                body.surface_triangles.empty() ? "" : fmt::format(" ({} in contact)", body.surface_triangles.size()),
                body.movable ? "" : ", held");
+    for (const std::string& line : body.notes) fmt::print("  {}\n", line);
+  }
   fmt::print("unknowns: {}\n", world.dofs.size());
   for (const AdhesionSummary& r : world.adhesion)
     fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective with the barrier "

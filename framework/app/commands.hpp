@@ -47,7 +47,12 @@ struct ListOptions {
 // What can be named in a scene file; also writes the reference page and the JSON schemas.
 int list_command(const ListOptions& options);
 
-// What a mesh file holds.
-int mesh_info_command(const std::string& path);
+struct MeshOptions {
+  std::string operation;            // `info`, or a component of kind mesh_operation
+  std::vector<std::string> words;   // files and parameters of the operation ("edge_length=5 mm"), in any order
+  std::string output;               // the file to write; empty for `info`
+};
+// What a mesh file holds and how good it is, or an operation on it.
+int mesh_command(const MeshOptions& options);
 
 }  // namespace tack

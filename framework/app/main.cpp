@@ -110,11 +110,13 @@ class CommandLine {
   }
 
   void add_mesh() {
-    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files");
-    mesh->require_subcommand(1);
-    CLI::App* info = mesh->add_subcommand("info", "Print what a mesh file holds");
-    info->add_option("file", mesh_file_, "obj, msh, ply, stl, off, vtk or vtu")->required();
-    info->callback([this] { exit_code_ = mesh_info_command(mesh_file_); });
+    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them: repair, remesh, fill with tets, unite, ...");
+    mesh->add_option("operation", mesh_.operation, "info, or an operation: ./tack list mesh_operation")->required();
+    mesh->add_option("words", mesh_.words,
+                     "the mesh file (obj, msh, ply, stl, off, vtk or vtu), for union, difference and intersection another one, and "
+                     "parameters of the operation: edge_length=5mm");
+    mesh->add_option("-o,--output", mesh_.output, "the mesh file to write");
+    mesh->callback([this] { exit_code_ = mesh_command(mesh_); });
   }
 
   static void add_run_options(CLI::App& command, RunOptions& options) {
@@ -135,7 +137,7 @@ class CommandLine {
   CompareOptions compare_;
   SceneOptions check_;
   ListOptions list_;
-  std::string mesh_file_;
+  MeshOptions mesh_;
   int exit_code_ = exit_done;
 };
 

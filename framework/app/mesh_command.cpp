@@ -1,29 +1,107 @@
-// tack mesh info: what a mesh file holds.
+// tack mesh info: what a mesh file holds and how good it is. tack mesh NAME: an operation on it.
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/meshing/mesh_operation.hpp"
+#include "geometry/errors.hpp"
 #include "geometry/io/mesh_io.hpp"
+#include "geometry/io/write_mesh.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
+#include "geometry/meshing/defects.hpp"
+#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/meshing/triangle_surface.hpp"
 
 namespace tack {
+namespace {
 
-int mesh_info_command(const std::string& path) {
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print("  {}\n", line);
+}
+
+const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
+
+void print_defects(const Mesh& surface) {
+  const SurfaceDefects d = find_defects(surface);
+  fmt::print("  manifold {}, closed {}, crosses itself {}; parts {}, holes {}\n", yes_or_no(d.manifold()), yes_or_no(d.closed()),
+             yes_or_no(!d.crossings.empty()), d.parts, d.holes);
+  if (d.volume != 0) fmt::print("  encloses {:.10g} m^3\n", d.volume);
+  if (!d.doubled_vertices.empty())
+    fmt::print("  {} vertices where another one is, the first {} at {}\n", d.doubled_vertices.size(), d.doubled_vertices[0][1],
+               d.doubled_vertices[0][0]);
+  print_lines(list_defects(d));
+}
+
+int print_info(const std::string& path) {
   const Mesh mesh = read_mesh(path);
-  const Surface surface = extract_surface(mesh);
   const auto box = bounding_box(mesh);
   fmt::print("{}\n  vertices {}, tets {}, triangles {}, edges {}, points {}\n", path, mesh.vertices.size(),
              mesh.tets.size(), mesh.triangles.size(), mesh.edges.size(), mesh.points.size());
   if (!box.isEmpty())
     fmt::print("  from ({}, {}, {}) to ({}, {}, {}) m\n", box.min().x(), box.min().y(), box.min().z(),
                box.max().x(), box.max().y(), box.max().z());
-  fmt::print("  surface: {} vertices, {} edges, {} triangles\n", surface.vertices.size(),
-             surface.edges.size(), surface.triangles.size());
-  if (!mesh.tets.empty())
-    fmt::print("  volume {} m^3, inverted tets {}\n", total_volume(mesh), inverted_tets(mesh).size());
+  const std::vector<int> inverted = inverted_tets(mesh);
+  if (!mesh.tets.empty()) fmt::print("  volume {} m^3, inverted tets {}\n", total_volume(mesh), inverted.size());
+  if (!inverted.empty()) fmt::print("  the first inverted tet is number {}\n", inverted[0]);
+  const Surface surface = extract_surface(mesh);
+  fmt::print("  surface: {} vertices, {} edges, {} triangles\n", surface.vertices.size(), surface.edges.size(), surface.triangles.size());
   for (const auto& [name, vertices] : mesh.tags) fmt::print("  group '{}': {} vertices\n", name, vertices.size());
+  if (!surface.triangles.empty() && inverted.empty()) {
+    Mesh triangles;
+    triangles.vertices = mesh.vertices;
+    triangles.triangles = surface.triangles;
+    print_defects(triangles);
+  }
+  print_lines(quality_notes(mesh));
+  return exit_done;
+}
+
+// Files first: what has no '='.
+struct Words {
+  std::vector<std::string> files, settings;
+  explicit Words(const std::vector<std::string>& words) {
+    for (const std::string& word : words) (word.find('=') == word.npos ? files : settings).push_back(word);
+  }
+};
+
+std::unique_ptr<MeshOperation> operation_of(const std::string& name, const Words& words) {
+  Value value = Value::map();
+  value.mark.file = std::make_shared<const std::string>("tack mesh " + name);
+  value.set("type", Value::scalar(name));
+  if (words.files.size() > 1) {
+    Value file = Value::map();
+    file.set("type", Value::scalar("file"));
+    file.set("path", Value::scalar(words.files[1]));
+    value.set("with", std::move(file));
+  }
+  for (const std::string& setting : words.settings) apply_override(value, setting);
+  return bind_component<MeshOperation>(value);
+}
+
+}  // namespace
+
+int mesh_command(const MeshOptions& o) {
+  const Words words(o.words);
+  if (o.operation != "info") Registry<MeshOperation>::kind().entry(o.operation);
+  if (words.files.empty()) throw InputError(fmt::format("tack mesh {}: which mesh? Give a file", o.operation));
+  if (o.operation == "info") {
+    if (words.files.size() > 1 || !words.settings.empty() || !o.output.empty())
+      throw InputError("tack mesh info: takes one file and nothing else");
+    return print_info(words.files[0]);
+  }
+  if (words.files.size() > 2) throw InputError(fmt::format("tack mesh {}: at most two files are of use", o.operation));
+  if (o.output.empty()) throw InputError(fmt::format("tack mesh {}: where to? Give -o FILE", o.operation));
+  const auto operation = operation_of(o.operation, words);
+  const Mesh mesh = read_mesh(words.files[0]);
+  Notes notes;
+  const Mesh result = run_operation(*operation, mesh, words.files[0], notes);
+  write_mesh(o.output, result);
+  fmt::print("{}\n", o.output);
+  print_lines(notes);
   return exit_done;
 }
 

@@ -266,6 +266,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
     add_body(object, mesh, *world);
     world->bodies.back().file_mesh = file_mesh;
+    world->bodies.back().notes = object.shape->notes();
   });
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);

@@ -1,4 +1,4 @@
-// Where an object's mesh comes from: a built-in shape or a file.
+// Where an object's mesh comes from: a built-in shape, a file, or what is made of them.
 #pragma once
 
 #include "framework/config/registry.hpp"
@@ -9,9 +9,10 @@ namespace tack {
 class ShapeSource : public Component {
  public:
   static constexpr const char* kind_name = "shape";
-  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape or a file.";
+  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape, a file, or what is made of them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool reads_files() const { return false; }  // so that the parameters alone do not make the mesh
+  virtual std::vector<std::string> notes() const { return {}; }  // what there is to tell about the mesh, in lines
 };
 
 }  // namespace tack

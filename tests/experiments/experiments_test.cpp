@@ -85,6 +85,8 @@ TEST_CASE("experiment affine/arch") { check_experiment("affine/arch.yaml"); }
 TEST_CASE("experiment affine/arch_collapses") { check_experiment("affine/arch_collapses.yaml"); }
 TEST_CASE("experiment first/tie") { check_experiment("first/tie.yaml"); }
 
+TEST_CASE("experiment meshing/creature") { check_experiment("meshing/creature.yaml"); }
+
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }

@@ -13,7 +13,7 @@ namespace {
 // From the ground up. Energies and solvers stand beside each other on the framework.
 const std::vector<std::string> layers = {
     "geometry", "framework/config", "framework/core", "framework/assembly", "framework/contact", "framework/affine", "framework/rod",
-    "framework/shapes", "framework/level_set", "framework/scene",
+    "framework/shapes", "framework/level_set", "framework/meshing", "framework/scene",
     "framework/stepping", "framework/output", "framework/experiment", "framework/probes", "framework/profile",
     "framework/run", "framework/compare", "framework/app", "energies", "solvers"};
 

@@ -8,7 +8,7 @@
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
-#include "tests/support/write_mesh.hpp"
+#include "geometry/io/write_mesh.hpp"
 
 using namespace tack;
 namespace fs = std::filesystem;

@@ -4,7 +4,7 @@
 
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
-#include "tests/support/write_mesh.hpp"
+#include "geometry/io/write_mesh.hpp"
 
 using namespace tack;
 

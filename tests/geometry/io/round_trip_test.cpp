@@ -6,7 +6,7 @@
 #include "geometry/shapes/solids.hpp"
 #include "geometry/shapes/surfaces.hpp"
 #include "tests/support/silence.hpp"
-#include "tests/support/write_mesh.hpp"
+#include "geometry/io/write_mesh.hpp"
 
 using namespace tack;
 

@@ -1,0 +1,41 @@
+#include "geometry/meshing/booleans.hpp"
+
+#include "framework/meshing/mesh_operation.hpp"
+#include "framework/scene/place.hpp"
+#include "framework/scene/shape_source.hpp"
+
+namespace tack {
+namespace {
+
+template <Boolean kind>
+class BooleanOperation : public MeshOperation {
+ public:
+  void prepare() override {
+    other_ = with_->make();
+    place_.apply(other_);
+  }
+  Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const override {
+    return boolean(kind, mesh, other_, name, name + ", `with`", notes);
+  }
+
+ protected:
+  void parameters(Fields& f) override {
+    f.component("with", with_, "the other solid").required();
+    f.object("place", place_, "where it is");
+  }
+
+ private:
+  std::unique_ptr<ShapeSource> with_;
+  PlaceConfig place_;
+  Mesh other_;
+};
+
+using Union = BooleanOperation<Boolean::unite>;
+using Difference = BooleanOperation<Boolean::subtract>;
+using Intersection = BooleanOperation<Boolean::intersect>;
+TACK_REGISTER(MeshOperation, Union, "union", "What is in either of two solids.", "");
+TACK_REGISTER(MeshOperation, Difference, "difference", "A solid without what is in another.", "");
+TACK_REGISTER(MeshOperation, Intersection, "intersection", "What is in both of two solids.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,55 @@
+// A shape with operations applied to it, one after the other.
+#include <fmt/format.h>
+
+#include <mutex>
+
+#include "framework/meshing/mesh_operation.hpp"
+#include "framework/scene/place.hpp"
+#include "framework/scene/shape_source.hpp"
+
+namespace tack {
+namespace {
+
+class ProcessedShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.component("of", of_, "the shape to begin with").required();
+    f.object("place", place_, "where it is before the first step");
+    f.component_list("steps", steps_, "applied in that order").required().nonempty();
+  }
+
+  Mesh make() const override {
+    std::call_once(once_, [this] { work(); });
+    return mesh_;
+  }
+  Notes notes() const override {
+    make();
+    return notes_;
+  }
+  bool reads_files() const override { return true; }  // the mesh hangs on the version of CGAL too
+
+ private:
+  void work() const {
+    mesh_ = of_->make();
+    place_.apply(mesh_);
+    Notes notes;
+    for (const auto& step : steps_) {
+      notes.push_back(fmt::format("{}:", step->type()));
+      Notes done;
+      mesh_ = run_operation(*step, mesh_, fmt::format("shape '{}'", of_->type()), done);
+      for (const std::string& line : done) notes.push_back("  " + line);
+    }
+    notes_ = notes;
+  }
+
+  std::unique_ptr<ShapeSource> of_;
+  PlaceConfig place_;
+  std::vector<std::unique_ptr<MeshOperation>> steps_;
+  mutable std::once_flag once_;
+  mutable Mesh mesh_;
+  mutable Notes notes_;
+};
+TACK_REGISTER(ShapeSource, ProcessedShape, "processed", "Another shape with operations applied to it: united, remeshed, filled with tets, ...", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,18 @@
+// Writes mesh files; the format follows from the extension.
+//   .vtu .vtk .msh (4.1, binary)   everything
+//   .obj                           all but tets
+//   .off .ply .stl (ASCII)         triangles only
+// Coordinates keep every bit, but in .vtk (ASCII). Groups are not written.
+// Errors: InputError naming the file and the remedy: another extension, elements that the format does not know, a file
+// that cannot be written.
+#pragma once
+
+#include <filesystem>
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+}  // namespace tack

@@ -1,0 +1,135 @@
+#include "geometry/isolated_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <new>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+using End = ProcessResult::End;
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+constexpr int patience = sanitized ? 20 : 1;
+
+// The first byte of what the child sends tells how its work ended; the last is the same again, as a sign that it came
+// to its end.
+char letter(End end) { return static_cast<char>('A' + static_cast<int>(end)); }
+
+void limit(int resource, rlim_t most) {
+  const rlimit value = {most, most};
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &value);
+}
+
+void set_limits(const ProcessLimits& limits) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::signal(SIGINT, SIG_DFL);
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.processor_time * patience)));
+  if (sanitized) return;
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  limit(RLIMIT_AS, pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + limits.memory);
+  const int nowhere = ::open("/dev/null", O_WRONLY);  // a crashing library's last words
+  ::dup2(nowhere, STDOUT_FILENO);
+  ::dup2(nowhere, STDERR_FILENO);
+}
+
+ProcessResult outcome(const std::function<std::string()>& work) {
+  try {
+    return {End::answer, work()};
+  } catch (const InputError& error) {
+    return {End::input_error, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {End::no_memory, ""};
+  } catch (const std::exception& error) {
+    return {End::exception, error.what()};
+  }
+}
+
+[[noreturn]] void be_child(const ProcessLimits& limits, const std::function<std::string()>& work, int pipe) {
+  set_limits(limits);
+  const ProcessResult result = outcome(work);
+  const std::string text = letter(result.end) + result.text + letter(result.end);
+  for (std::size_t sent = 0; sent < text.size();) {
+    const ssize_t more = ::write(pipe, text.data() + sent, text.size() - sent);
+    if (more < 0 && errno != EINTR) break;
+    if (more > 0) sent += static_cast<std::size_t>(more);
+  }
+  ::_exit(0);
+}
+
+// What the child sends until it ends. A child that waits for ever uses no processor time: hence a limit in wall time.
+std::string receive(int pipe, pid_t child, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds * patience);
+  std::string text;
+  std::array<char, 1 << 16> buffer;
+  for (;;) {
+    const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
+    pollfd ready = {pipe, POLLIN, 0};
+    const int some = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(left), 0.0, 1e9)));
+    if (some < 0 && errno == EINTR) continue;
+    if (some <= 0) ::kill(child, SIGKILL);
+    const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+ProcessResult end_of(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) return {End::died, "ended for an unknown reason"};
+  if (!WIFSIGNALED(status)) return {End::died, fmt::format("ended with code {}", WEXITSTATUS(status))};
+  const int signal = WTERMSIG(status);
+  if (signal == SIGXCPU || signal == SIGKILL) return {End::no_time, ""};
+  return {End::died, fmt::format("crashed ({})", ::strsignal(signal))};
+}
+
+}  // namespace
+
+ProcessResult run_isolated(const ProcessLimits& limits, const std::function<std::string()>& work) {
+  static std::mutex one_at_a_time;  // or children would hold each other's pipes open
+  const std::scoped_lock lock(one_at_a_time);
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("no pipe ({})", std::strerror(errno)));
+  const pid_t child = ::fork();
+  if (child == 0) be_child(limits, work, ends[1]);
+  ::close(ends[1]);
+  if (child < 0) {
+    ::close(ends[0]);
+    throw std::runtime_error(fmt::format("no process ({})", std::strerror(errno)));
+  }
+  const std::string text = receive(ends[0], child, limits.wall_time);
+  ::close(ends[0]);
+  const ProcessResult end = end_of(child);
+  if (text.size() < 2 || text.front() != text.back()) return end;
+  for (const End sent : {End::answer, End::input_error, End::exception, End::no_memory})
+    if (text.front() == letter(sent)) return {sent, text.substr(1, text.size() - 2)};
+  return end;
+}
+
+}  // namespace tack

@@ -1,0 +1,38 @@
+// How good the elements of a mesh are, and the lines that tell it.
+#pragma once
+
+#include <array>
+
+#include "geometry/mesh/mesh.hpp"
+#include "geometry/meshing/notes.hpp"
+
+namespace tack {
+
+// Angles in degrees: between the faces of tets (0 to 180), or in the corners of triangles.
+struct AngleHistogram {
+  static constexpr int bins = 18;  // of 10 degrees each
+  std::array<long, bins> count{};
+  double smallest = 180, largest = 0;
+  int worst = -1;       // the element with the smallest
+  Vec3 place = Vec3::Zero();  // its centroid [m]
+};
+
+struct EdgeLengths {
+  double shortest = 0, mean = 0, longest = 0;  // [m], over every edge once
+};
+
+AngleHistogram dihedral_angles(const Mesh& mesh);   // of the tets
+AngleHistogram triangle_angles(const Mesh& mesh);   // of the explicit triangles
+EdgeLengths edge_lengths(const Mesh& mesh);         // of tets and triangles
+
+// The largest ratio of circumradius to shortest edge among the tets (0.612 if regular), and the tet that has it.
+struct RadiusEdge {
+  double largest = 0;
+  int worst = -1;
+};
+RadiusEdge radius_edge(const Mesh& mesh);
+
+// Counts, edges, volume, angles with their histogram, the worst element by number and place.
+Notes quality_notes(const Mesh& mesh);
+
+}  // namespace tack

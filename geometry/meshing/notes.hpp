@@ -1,0 +1,11 @@
+// What an operation on a mesh has to tell: a line each, without a newline. A warning begins with "warning: ".
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tack {
+
+using Notes = std::vector<std::string>;
+
+}  // namespace tack

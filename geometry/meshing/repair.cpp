@@ -1,0 +1,295 @@
+#include "geometry/meshing/repair.hpp"
+
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "geometry/mesh/cleanup.hpp"
+#include "geometry/meshing/booleans.hpp"
+#include "geometry/meshing/cgal_mesh.hpp"
+#include "geometry/meshing/defects.hpp"
+#include "geometry/meshing/triangle_surface.hpp"
+
+namespace tack {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+
+// Its triangles with the numbers that they had in the mesh that was given.
+struct Numbered {
+  Mesh mesh;
+  std::vector<int> numbers;
+
+  // Removes those for which `drop(place)` holds; returns their numbers.
+  template <class Drop>
+  std::vector<int> remove(const Drop& drop) {
+    std::vector<int> removed, kept;
+    std::vector<Triangle> triangles;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const bool gone = drop(static_cast<int>(t));
+      (gone ? removed : kept).push_back(numbers[t]);
+      if (!gone) triangles.push_back(mesh.triangles[t]);
+    }
+    mesh.triangles = std::move(triangles);
+    numbers = std::move(kept);
+    return removed;
+  }
+};
+
+std::string first_ten(const std::vector<int>& numbers) {
+  const std::size_t count = std::min<std::size_t>(numbers.size(), 10);
+  return fmt::format("{}{}", fmt::join(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), ", "),
+                     numbers.size() > count ? ", ..." : "");
+}
+
+void note_removed(Notes& notes, const std::vector<int>& removed, const char* what) {
+  if (!removed.empty()) notes.push_back(fmt::format("removed {} {} triangles: {}", removed.size(), what, first_ten(removed)));
+}
+
+// Which old vertex each vertex becomes: the first within the distance.
+void merge_vertices(Numbered& s, double distance, Notes& notes) {
+  Mesh points;
+  points.vertices = s.mesh.vertices;
+  for (std::size_t v = 0; v < points.vertices.size(); ++v) {
+    points.points.push_back(static_cast<int>(v));
+    points.tags[std::to_string(v)] = {static_cast<int>(v)};
+  }
+  merge_duplicate_vertices(points, distance);
+  std::vector<int> merged(s.mesh.vertices.size());
+  for (const auto& [old, now] : points.tags) merged[static_cast<std::size_t>(std::stoi(old))] = now[0];
+  if (points.vertices.size() == merged.size()) return;
+  notes.push_back(fmt::format("merged {} vertices with others at the same place", merged.size() - points.vertices.size()));
+  s.mesh.vertices = points.vertices;
+  for (Triangle& t : s.mesh.triangles)
+    for (int& v : t) v = merged[v];
+}
+
+std::vector<int> repeated(const std::vector<std::array<int, 2>>& duplicates) {
+  std::vector<int> later;
+  for (const auto& [first, second] : duplicates) later.push_back(second);
+  std::sort(later.begin(), later.end());
+  return later;
+}
+
+// Sheets that hang on an edge of more than two triangles and end in open edges: no part of what is closed.
+std::vector<int> dangling(const Mesh& mesh, const SurfaceDefects& defects) {
+  std::set<Edge> crowded;
+  for (const CrowdedEdge& e : defects.crowded_edges) crowded.insert(e.edge);
+  std::map<Edge, std::vector<int>> uses;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+      uses[{std::min(a, b), std::max(a, b)}].push_back(static_cast<int>(t));
+    }
+  std::vector<int> sheet(mesh.triangles.size(), -1);
+  int sheets = 0;
+  std::vector<char> hangs, ends;
+  for (std::size_t start = 0; start < mesh.triangles.size(); ++start) {
+    if (sheet[start] >= 0) continue;
+    std::vector<int> reached = {static_cast<int>(start)};
+    sheet[start] = sheets++;
+    hangs.push_back(0), ends.push_back(0);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const int a = mesh.triangles[reached[i]][k], b = mesh.triangles[reached[i]][(k + 1) % 3];
+        const Edge edge = {std::min(a, b), std::max(a, b)};
+        const std::vector<int>& users = uses[edge];
+        if (crowded.contains(edge)) {
+          hangs.back() = 1;
+        } else if (users.size() == 1) {
+          ends.back() = 1;
+        } else {
+          for (const int t : users)
+            if (sheet[t] < 0) sheet[t] = sheet[start], reached.push_back(t);
+        }
+      }
+  }
+  std::vector<int> found;
+  for (std::size_t t = 0; t < sheet.size(); ++t)
+    if (hangs[sheet[t]] && ends[sheet[t]]) found.push_back(static_cast<int>(t));
+  return found;
+}
+
+void clean_triangles(Numbered& s, Notes& notes) {
+  const auto in = [](const std::vector<int>& list) {
+    return [&list](int t) { return std::binary_search(list.begin(), list.end(), t); };
+  };
+  note_removed(notes, s.remove([&](int t) {
+    const auto& [a, b, c] = s.mesh.triangles[t];
+    return a == b || b == c || c == a;
+  }), "collapsed");
+  note_removed(notes, s.remove(in(repeated(find_defects(s.mesh, false).duplicates))), "duplicated");
+  for (;;) {
+    const std::vector<int> hanging = dangling(s.mesh, find_defects(s.mesh, false));
+    if (hanging.empty() || hanging.size() == s.mesh.triangles.size()) return;
+    note_removed(notes, s.remove(in(hanging)), "dangling");
+  }
+}
+
+// Neighbours alike; edges of more than two triangles and vertices in which surfaces touch are cut apart.
+CgalMesh oriented(const Numbered& s, Notes& notes) {
+  std::vector<CgalPoint> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const Vec3& v : s.mesh.vertices) points.push_back(cgal_point(v));
+  for (const auto& [a, b, c] : s.mesh.triangles)
+    polygons.push_back({static_cast<std::size_t>(a), static_cast<std::size_t>(b), static_cast<std::size_t>(c)});
+  pmp::orient_polygon_soup(points, polygons);
+  std::vector<int> turned;
+  for (std::size_t t = 0; t < polygons.size(); ++t) {
+    std::array<Vec3, 3> now;
+    for (int i = 0; i < 3; ++i) now[i] = vec3(points[polygons[t][i]]);
+    const auto& [a, b, c] = s.mesh.triangles[t];
+    const Vec3 normal = (s.mesh.vertices[b] - s.mesh.vertices[a]).cross(s.mesh.vertices[c] - s.mesh.vertices[a]);
+    if (normal.dot((now[1] - now[0]).cross(now[2] - now[0])) < 0) turned.push_back(s.numbers[t]);
+  }
+  if (!turned.empty()) notes.push_back(fmt::format("turned {} triangles to face as their neighbours: {}", turned.size(), first_ten(turned)));
+  if (points.size() > s.mesh.vertices.size())
+    notes.push_back(fmt::format("cut surfaces apart that touched, at {} vertices", points.size() - s.mesh.vertices.size()));
+  CgalMesh m;
+  pmp::polygon_soup_to_polygon_mesh(points, polygons, m);
+  pmp::stitch_borders(m, CGAL::parameters::apply_per_connected_component(true));
+  return m;
+}
+
+void fill_holes(CgalMesh& m, Notes& notes) {
+  std::vector<CgalMesh::Halfedge_index> borders;
+  pmp::extract_boundary_cycles(m, std::back_inserter(borders));
+  std::vector<CgalMesh::Face_index> filled;
+  for (const auto h : borders) pmp::triangulate_hole(m, h, std::back_inserter(filled));
+  if (!borders.empty()) notes.push_back(fmt::format("filled {} holes with {} triangles", borders.size(), filled.size()));
+}
+
+std::vector<Mesh> split(const Mesh& mesh) {
+  const std::vector<int> part = parts_of(mesh);
+  std::vector<Mesh> parts(part.empty() ? 0 : static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1);
+  for (std::size_t t = 0; t < part.size(); ++t) parts[part[t]].triangles.push_back(mesh.triangles[t]);
+  for (Mesh& p : parts) {
+    p.vertices = mesh.vertices;
+    drop_unused_vertices(p);
+  }
+  return parts;
+}
+
+// Closed parts that cross each other become one.
+Mesh unite_crossing_parts(const Mesh& mesh, Notes& notes) {
+  const SurfaceDefects defects = find_defects(mesh);
+  const std::vector<int> part = parts_of(mesh);
+  std::set<int> crossing;
+  for (const auto& [s, t] : defects.crossings)
+    if (part[s] != part[t]) crossing.insert(part[s]), crossing.insert(part[t]);
+  if (crossing.empty() || defects.crossings.size() >= most_crossings) return mesh;
+  std::vector<Mesh> parts = split(mesh);
+  Mesh united, others;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (!crossing.contains(static_cast<int>(p))) {
+      append(others, parts[p]);
+      continue;
+    }
+    if (find_defects(parts[p], false).inside_out())
+      for (Triangle& t : parts[p].triangles) std::swap(t[1], t[2]);
+    if (!find_defects(parts[p]).bounds_volume()) return mesh;  // crosses itself as well
+    try {
+      Notes ignored;
+      united = united.triangles.empty() ? parts[p] : boolean(Boolean::unite, united, parts[p], "part", "part", ignored);
+    } catch (const InputError&) {
+      return mesh;  // they touch: what is left of the defects is told
+    }
+  }
+  notes.push_back(fmt::format("united {} closed parts that cross each other", crossing.size()));
+  append(others, united);
+  return others;
+}
+
+void orient_outwards(CgalMesh& m, Notes& notes) {
+  if (!CGAL::is_closed(m)) return;
+  const Mesh before = from_cgal(m);
+  pmp::orient_to_bound_a_volume(m);
+  const Mesh after = from_cgal(m);
+  const std::vector<int> part = parts_of(before);
+  std::set<int> turned;
+  for (std::size_t t = 0; t < part.size(); ++t) {
+    const auto normal = [&](const Mesh& mesh) -> Vec3 {
+      const auto& [a, b, c] = mesh.triangles[t];
+      return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+    };
+    if (normal(before).dot(normal(after)) < 0) turned.insert(part[t]);
+  }
+  if (!turned.empty()) notes.push_back(fmt::format("turned {} parts to have their normals outwards (hollows: inwards)", turned.size()));
+}
+
+// Each mesh is its vertices and triangles; where the first of each kind of defect is.
+std::string places(const Mesh& mesh, const SurfaceDefects& d) {
+  std::string text;
+  const auto add = [&](const char* what, const Vec3& x) { text += fmt::format("\n  {} at ({:.4g}, {:.4g}, {:.4g})", what, x[0], x[1], x[2]); };
+  const auto middle = [&](int t) -> Vec3 {
+    const auto& [a, b, c] = mesh.triangles[t];
+    return (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
+  };
+  if (!d.degenerate.empty()) add("the first degenerate triangle", middle(d.degenerate[0]));
+  if (!d.open_edges.empty()) add("the first open edge", mesh.vertices[d.open_edges[0].edge[0]]);
+  if (!d.crowded_edges.empty()) add("the first edge of more than two triangles", mesh.vertices[d.crowded_edges[0].edge[0]]);
+  if (!d.pinched_vertices.empty()) add("the first vertex in which surfaces touch", mesh.vertices[d.pinched_vertices[0]]);
+  if (!d.crossings.empty()) add("the first crossing", middle(d.crossings[0][0]));
+  return text;
+}
+
+void refuse(const Mesh& mesh, const SurfaceDefects& before, const SurfaceDefects& after, const Mesh& left, const std::string& name) {
+  std::string text = name + ": could not be repaired. Given were " + std::to_string(mesh.triangles.size()) + " triangles with";
+  for (const std::string& line : list_defects(before)) text += "\n  " + line;
+  text += "\nof which is left, in numbers of the repaired mesh,";
+  for (const std::string& line : list_defects(after)) text += "\n  " + line;
+  throw InputError(text + places(left, after) + "\nremedy: mend these places in a modelling program");
+}
+
+}  // namespace
+
+Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, Notes& notes) {
+  const Mesh given = triangle_surface(mesh, name);
+  const SurfaceDefects before = find_defects(given);
+  Numbered surface{given, {}};
+  for (std::size_t t = 0; t < given.triangles.size(); ++t) surface.numbers.push_back(static_cast<int>(t));
+  for (const std::string& line : list_defects(before)) notes.push_back("found " + line);
+  merge_vertices(surface, o.merge, notes);
+  clean_triangles(surface, notes);
+  if (surface.mesh.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
+  CgalMesh m = oriented(surface, notes);
+  const std::size_t all = m.number_of_faces();
+  pmp::remove_degenerate_faces(m);
+  m.collect_garbage();
+  if (m.number_of_faces() < all) notes.push_back(fmt::format("removed {} triangles without area by collapses and flips", all - m.number_of_faces()));
+  if (o.fill_holes) fill_holes(m, notes);
+  Mesh result = from_cgal(m);
+  drop_unused_vertices(result);
+  if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
+  result = unite_crossing_parts(result, notes);
+  m = to_cgal(result);
+  if (!find_defects(result).crossings.empty()) {
+    const std::size_t crossed = find_defects(result).crossings.size();
+    pmp::experimental::remove_self_intersections(m, CGAL::parameters::preserve_genus(false));
+    m.collect_garbage();
+    result = from_cgal(m);
+    const std::size_t left = find_defects(result).crossings.size();
+    if (left < crossed) notes.push_back(fmt::format("replaced triangles that crossed each other: {} pairs, {} left", crossed, left));
+    m = to_cgal(result);
+  }
+  if (find_defects(result).crossings.empty()) orient_outwards(m, notes);
+  result = from_cgal(m);
+  drop_unused_vertices(result);
+  const SurfaceDefects after = find_defects(result);
+  const bool open_as_asked = !o.fill_holes && !after.closed() && after.degenerate.empty() && after.manifold() && after.flipped.empty() &&
+                             after.crossings.empty();
+  if (!after.bounds_volume() && !open_as_asked) refuse(given, before, after, result, name);
+  if (notes.empty()) notes.push_back("nothing to repair");
+  return result;
+}
+
+}  // namespace tack

@@ -1,0 +1,92 @@
+// Operations in scenes and in their own process: whatever they do, there is a mesh or an error.
+#include "framework/meshing/mesh_operation.hpp"
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
+#include <unistd.h>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/scene/shape_source.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/mesh/quality.hpp"
+#include "geometry/mesh/surface.hpp"
+#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/shapes/surfaces.hpp"
+
+using namespace tack;
+using Catch::Matchers::Contains;
+
+namespace {
+
+template <class Act>
+class Acting : public MeshOperation {
+ public:
+  Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const override {
+    Act()(name, notes);
+    return mesh;
+  }
+};
+
+template <class Act>
+std::string error_after(Act, const char* settings = "{}") {
+  Acting<Act> operation;
+  bind(parse_string(settings, "settings"), operation, "operation");
+  Notes notes;
+  try {
+    run_operation(operation, box_surface({1, 1, 1}), "box.obj", notes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::unique_ptr<ShapeSource> shape(const std::string& yaml) { return bind_component<ShapeSource>(parse_string(yaml, "scene.yaml")); }
+
+}  // namespace
+
+TEST_CASE("an operation that fails in any way ends in an error", "[meshing]") {
+  CHECK(error_after([](auto&, Notes& notes) { notes.push_back("done"); }).empty());
+  CHECK_THAT(error_after([](auto& name, Notes&) { throw InputError(name + ": bad"); }), Contains("box.obj") && Contains("bad"));
+  CHECK_THAT(error_after([](auto&, Notes&) { throw std::logic_error("CGAL ERROR: assertion violation!"); }),
+             Contains("box.obj") && Contains("assertion violation"));
+  CHECK_THAT(error_after([](auto&, Notes&) { std::raise(SIGSEGV); }), Contains("CGAL crashed"));
+  CHECK_THAT(error_after([](auto&, Notes&) { throw std::bad_alloc(); }), Contains("memory"));
+}
+
+TEST_CASE("an operation is given up after its time limit", "[meshing]") {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string told = error_after([](auto&, Notes&) {
+    for (;;) ::pause();
+  }, "{time_limit: 0.2 s}");
+  CHECK_THAT(told, Contains("box.obj") && Contains("not done after 0.2 s"));
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(10 * TACK_PATIENCE));
+}
+
+TEST_CASE("a shape is processed in the order of its steps", "[meshing]") {
+  const auto processed = shape(
+      "{type: processed, of: {type: box, size: [1, 1, 1]}, place: {scale: [2, 1, 1]}, steps: ["
+      "{type: difference, with: {type: box, size: [1, 1, 1]}, place: {translate: [1, 0, 0]}},"
+      "{type: cut, point: [-0.5, 0, 0], normal: [-1, 0, 0]},"
+      "{type: tetrahedralize, edge_length: 0.4}]}");
+  const Mesh mesh = processed->make();
+  CHECK(total_volume(mesh) == Approx(1).epsilon(1e-9));
+  CHECK(bounding_box(mesh).min().x() == Approx(-0.5));
+  CHECK(bounding_box(mesh).max().x() == Approx(0.5));
+  std::string told;
+  for (const std::string& line : processed->notes()) told += line + "\n";
+  CHECK_THAT(told, Contains("difference:") && Contains("cut:") && Contains("dihedral angles from") && Contains("took"));
+}
+
+TEST_CASE("every mesh operation is told about with its steps' keys", "[meshing]") {
+  CHECK(Registry<MeshOperation>::kind().names() ==
+        std::vector<std::string>{"cut", "difference", "intersection", "offset", "remesh", "repair", "simplify", "subdivide",
+                                 "tetrahedralize", "union"});
+  CHECK_THROWS_WITH(shape("{type: processed, of: {type: box, size: [1, 1, 1]}, steps: [{type: remesh}]}"), Contains("edge_length"));
+  CHECK_THROWS_WITH(shape("{type: processed, of: {type: box, size: [1, 1, 1]}, steps: []}"), Contains("steps"));
+  CHECK_THROWS_WITH(shape("{type: processed, of: {type: box, size: [1, 1, 1]}, steps: [{type: remsh, edge_length: 1}]}"),
+                    Contains("remesh"));
+  CHECK_THROWS_WITH(shape("{type: processed, of: {type: grid, size: [1, 1]}, steps: [{type: tetrahedralize, edge_length: 1}]}")->make(),
+                    Contains("shape 'grid', tetrahedralize") && Contains("open edges"));
+}

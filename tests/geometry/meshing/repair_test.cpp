@@ -1,0 +1,158 @@
+// A dozen broken surfaces: their defects are found by number, and repaired, or refused with the numbers.
+#include "geometry/meshing/repair.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/errors.hpp"
+#include "geometry/meshing/defects.hpp"
+#include "geometry/meshing/triangle_surface.hpp"
+#include "tests/support/broken_meshes.hpp"
+
+using namespace tack;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string joined(const Notes& notes) {
+  std::string text;
+  for (const std::string& line : notes) text += line + "\n";
+  return text;
+}
+
+struct Repaired {
+  Mesh mesh;
+  std::string told;
+};
+
+Repaired repaired(const Mesh& mesh, const RepairOptions& options = {}) {
+  Notes notes;
+  Mesh result = repair(mesh, options, "part", notes);
+  return {std::move(result), joined(notes)};
+}
+
+// Repaired to a solid of that volume, in that many parts.
+std::string check_solid(const Mesh& mesh, double volume, int parts, double within = 1e-12) {
+  const Repaired r = repaired(mesh);
+  INFO(r.told);
+  const SurfaceDefects d = find_defects(r.mesh);
+  CHECK(d.bounds_volume());
+  CHECK(list_defects(d).empty());
+  CHECK(d.parts == parts);
+  CHECK(d.volume == Approx(volume).epsilon(within));
+  return r.told;
+}
+
+double ball_volume() { return enclosed_volume_of(sphere_surface(1, 4)); }
+
+std::string error_of(const Mesh& mesh, const RepairOptions& options = {}) {
+  try {
+    repaired(mesh, options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a whole surface has no defects and stays as it is", "[meshing]") {
+  for (const Mesh& mesh : {box_surface({1, 2, 3}, {2, 3, 4}), sphere_surface(1, 4), boxes_at({Vec3(0, 0, 0), Vec3(2, 0, 0)})}) {
+    const SurfaceDefects d = find_defects(mesh);
+    CHECK(list_defects(d).empty());
+    CHECK(d.bounds_volume());
+    const Repaired r = repaired(mesh);
+    CHECK(r.mesh.vertices == mesh.vertices);
+    CHECK(r.mesh.triangles.size() == mesh.triangles.size());
+    CHECK(r.told == "nothing to repair\n");
+  }
+}
+
+TEST_CASE("holes are found and filled", "[meshing]") {
+  const SurfaceDefects d = find_defects(with_hole());
+  CHECK(d.open_edges.size() == 3);
+  CHECK(d.holes == 1);
+  CHECK_FALSE(d.closed());
+  CHECK_THAT(check_solid(with_hole(), 1, 1), Contains("found 3 open edges") && Contains("filled 1 holes with 1 triangles"));
+  CHECK(find_defects(with_two_holes()).holes == 2);
+  CHECK_THAT(check_solid(with_two_holes(), ball_volume(), 1, 0.02), Contains("filled 2 holes"));
+  const Repaired open = repaired(with_hole(), {0, false});
+  CHECK(find_defects(open.mesh).holes == 1);
+}
+
+TEST_CASE("flipped triangles are found by number and turned", "[meshing]") {
+  const SurfaceDefects d = find_defects(with_flipped());
+  CHECK(d.flipped.size() == 6);
+  CHECK_THAT(check_solid(with_flipped(), 1, 1), Contains("turned 2 triangles to face as their neighbours: 3, 17"));
+  CHECK(find_defects(inside_out()).inside_out());
+  CHECK_THAT(check_solid(inside_out(), 1, 1), Contains("found inside out") && Contains("turned 1 parts"));
+}
+
+TEST_CASE("duplicated, collapsed and degenerate triangles are found by number and removed", "[meshing]") {
+  using Pairs = std::vector<std::array<int, 2>>;
+  CHECK(find_defects(with_duplicates()).duplicates == Pairs{{2, 13}, {4, 12}});
+  CHECK_THAT(check_solid(with_duplicates(), 1, 1), Contains("removed 2 duplicated triangles: 12, 13"));
+  CHECK(find_defects(with_collapsed()).degenerate == std::vector<int>{12});
+  CHECK_THAT(check_solid(with_collapsed(), 1, 1), Contains("removed 1 collapsed triangles: 12"));
+  CHECK(find_defects(with_degenerate()).degenerate == std::vector<int>{13});
+  check_solid(with_degenerate(), 1, 1);
+}
+
+TEST_CASE("vertices at one place are merged, near ones if asked", "[meshing]") {
+  CHECK(find_defects(unmerged()).doubled_vertices.size() == 28);
+  CHECK_THAT(check_solid(unmerged(), 1, 1), Contains("merged 28 vertices"));
+  Mesh near = unmerged();
+  near.vertices[5] += Vec3(1e-7, 0, 0);
+  const Repaired r = repaired(near, {1e-6, true});
+  CHECK(r.mesh.vertices.size() == 8);
+}
+
+TEST_CASE("edges of more than two triangles are found: fins are removed, solids cut apart", "[meshing]") {
+  const SurfaceDefects fin = find_defects(with_fin());
+  REQUIRE(fin.crowded_edges.size() == 1);
+  CHECK(fin.crowded_edges[0].triangles.size() == 3);
+  CHECK(fin.crowded_edges[0].triangles.back() == 12);
+  CHECK_FALSE(fin.manifold());
+  CHECK_THAT(check_solid(with_fin(), 1, 1), Contains("removed 1 dangling triangles: 12"));
+  const SurfaceDefects edge = find_defects(sharing_an_edge());
+  REQUIRE(edge.crowded_edges.size() == 1);
+  CHECK(edge.crowded_edges[0].triangles.size() == 4);
+  const SurfaceDefects vertex = find_defects(sharing_a_vertex());
+  CHECK(vertex.pinched_vertices.size() == 1);
+  CHECK_FALSE(vertex.manifold());
+  // Apart, they touch still: which is no solid, and cannot be mended without a decision.
+  CHECK_THAT(error_of(sharing_an_edge()), Contains("edge of more than two triangles") && Contains("could not be repaired"));
+}
+
+TEST_CASE("parts that cross are united", "[meshing]") {
+  const SurfaceDefects d = find_defects(crossing_boxes());
+  CHECK(d.crossings.size() > 4);
+  CHECK_THAT(check_solid(crossing_boxes(), 2 - 0.5 * 0.6 * 0.7, 1), Contains("united 2 closed parts"));
+}
+
+TEST_CASE("a surface that crosses itself is mended where it does", "[meshing]") {
+  CHECK(find_defects(crossing_itself()).crossings.size() > 4);
+  const Repaired r = repaired(crossing_itself());
+  INFO(r.told);
+  CHECK(find_defects(r.mesh).bounds_volume());
+}
+
+TEST_CASE("neighbours that are folded onto each other cross", "[meshing]") {
+  Mesh mesh;
+  mesh.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 1, 0), Vec3(0.5, 0.5, 0)};
+  mesh.triangles = {{0, 1, 2}, {1, 0, 3}};
+  CHECK(find_defects(mesh).crossings.size() == 1);
+  mesh.vertices[3].y() = -0.5;
+  CHECK(find_defects(mesh).crossings.empty());
+}
+
+TEST_CASE("what is no surface, or has nothing to it, is refused", "[meshing]") {
+  Mesh line;
+  line.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0)};
+  line.edges = {{0, 1}};
+  CHECK_THAT(error_of(line), Contains("1 edges"));
+  CHECK_THAT(error_of(Mesh()), Contains("no triangle"));
+  Mesh flat;
+  flat.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)};
+  flat.triangles = {{0, 1, 2}, {0, 0, 1}};
+  CHECK_THAT(error_of(flat), Contains("part: "));
+}
