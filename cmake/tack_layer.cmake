@@ -28,7 +28,7 @@ target_precompile_headers(tack_precompiled PRIVATE ${TACK_PRECOMPILED})
 target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)
 
 # Parsing, describing and writing are not worth the optimiser's time, nor the compiler's: the files of such
-# a folder are compiled together, as what they instantiate is mostly the same. They must not call the inline functions of
+# a folder are compiled together, as what they instantiate is mostly the same. They had better not call inline functions of
 # geometry/distance: of those that are not inlined the linker keeps one copy for all, and it may be theirs.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output

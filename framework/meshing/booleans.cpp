@@ -1,8 +1,8 @@
 #include "geometry/meshing/booleans.hpp"
 
 #include "framework/meshing/mesh_operation.hpp"
-#include "framework/scene/place.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/place.hpp"
+#include "framework/shapes/shape_source.hpp"
 
 namespace tack {
 namespace {

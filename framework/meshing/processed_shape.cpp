@@ -4,8 +4,8 @@
 #include <mutex>
 
 #include "framework/meshing/mesh_operation.hpp"
-#include "framework/scene/place.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/place.hpp"
+#include "framework/shapes/shape_source.hpp"
 
 namespace tack {
 namespace {
