@@ -25,7 +25,7 @@ struct SurfaceDefects {
   std::vector<int> degenerate;                        // triangles: a vertex twice, or corners on one line (exactly)
   std::vector<std::array<int, 2>> duplicates;         // triangles of the same three vertices as an earlier one: earlier, later
   std::vector<std::array<int, 2>> doubled_vertices;   // vertices where an earlier one is (exactly): earlier, later
-  std::vector<OpenEdge> open_edges;                   // no hole: a border
+  std::vector<OpenEdge> open_edges;                   // of one triangle only
   std::vector<CrowdedEdge> crowded_edges;             // not manifold
   std::vector<int> pinched_vertices;                  // where surfaces touch in this vertex alone: not manifold either
   std::vector<std::array<int, 2>> flipped;            // neighbours with normals on different sides

@@ -39,6 +39,7 @@ struct Sizes {
   double inside, surface, crease, deviation;  // [m]
 };
 
+// The sharp edges that the domain has found.
 class Creases {
  public:
   explicit Creases(const Domain& domain) {
