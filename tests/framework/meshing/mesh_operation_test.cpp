@@ -8,7 +8,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
-#include "framework/scene/shape_source.hpp"
+#include "framework/shapes/shape_source.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
