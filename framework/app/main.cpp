@@ -7,6 +7,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/version.hpp"
+#include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -146,6 +147,7 @@ class CommandLine {
 
 int main(int argc, char** argv) {
   try {
+    tack::keep_meshes_in(tack::usual_mesh_folder());
     return tack::CommandLine().execute(argc, argv);
   } catch (const tack::InputError& error) {
     fmt::print(stderr, "error: {}\n", error.what());

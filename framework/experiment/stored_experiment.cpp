@@ -1,6 +1,7 @@
 #include "framework/experiment/stored_experiment.hpp"
 
 #include "framework/config/describe.hpp"
+#include "framework/shapes/made_mesh.hpp"
 
 namespace tack {
 namespace {
@@ -23,7 +24,7 @@ StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment) {
   file.scene = to_yaml(fields_of(experiment));
   if (kind == StateFile::Kind::checkpoint) return file;  // resumed with the scene's own files
   for (const ObjectConfig& object : experiment.objects)
-    if (object.shape->reads_files()) file.meshes[object.name] = object.shape->make();
+    if (object.shape->reads_files()) file.meshes[object.name] = made(*object.shape)->mesh;
   return file;
 }
 

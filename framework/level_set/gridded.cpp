@@ -3,7 +3,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/level_set/level_set.hpp"
-#include "framework/shapes/shape_source.hpp"
+#include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 #include "geometry/mesh/mass_properties.hpp"
@@ -74,7 +74,7 @@ class MeshLevelSet : public LevelSet {
     LevelSet::fields(f);
   }
   void prepare(double voxel) override {
-    const Mesh mesh = shape_->make();
+    const Mesh mesh = made(*shape_)->mesh;
     mass_properties(mesh);  // refuses what is not closed
     box_ = bounding_box(mesh);
     grid_ = DistanceGrid::of(mesh, voxel, 4 * voxel);

@@ -17,6 +17,7 @@ class LevelSetShape : public ShapeSource {
     f.number("voxel", voxel_, units::length, "edge of the cubes on which the surface is found, and about the length of its triangles' edges; "
              "what is thinner than two of them may be lost").required().positive();
   }
+  bool costly() const override { return true; }
   Mesh make() const override {
     of_->prepare(voxel_);
     const Eigen::AlignedBox3d box = of_->bounds();

@@ -1,6 +1,7 @@
 #include "geometry/meshing/booleans.hpp"
 
 #include "framework/meshing/mesh_operation.hpp"
+#include "framework/shapes/made_mesh.hpp"
 #include "framework/shapes/place.hpp"
 #include "framework/shapes/shape_source.hpp"
 
@@ -11,7 +12,7 @@ template <Boolean kind>
 class BooleanOperation : public MeshOperation {
  public:
   void prepare() override {
-    other_ = with_->make();
+    other_ = made(*with_)->mesh;
     place_.apply(other_);
   }
   Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const override {

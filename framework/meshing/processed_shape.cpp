@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "framework/meshing/mesh_operation.hpp"
+#include "framework/shapes/made_mesh.hpp"
 #include "framework/shapes/place.hpp"
 #include "framework/shapes/shape_source.hpp"
 
@@ -18,6 +19,7 @@ class ProcessedShape : public ShapeSource {
     f.component_list("steps", steps_, "applied in that order").required().nonempty();
   }
 
+  bool costly() const override { return true; }
   Mesh make() const override {
     std::call_once(once_, [this] { work(); });
     return mesh_;
@@ -30,7 +32,7 @@ class ProcessedShape : public ShapeSource {
 
  private:
   void work() const {
-    mesh_ = of_->make();
+    mesh_ = made(*of_)->mesh;
     place_.apply(mesh_);
     Notes notes;
     for (const auto& step : steps_) {

@@ -17,6 +17,7 @@
 #include "framework/scene/refined_surface.hpp"
 #include "framework/scene/rod_twists.hpp"
 #include "framework/scene/selected_elements.hpp"
+#include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -259,14 +260,15 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
       throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
-    Mesh mesh = object.shape->make();
+    const auto shape = made(*object.shape);
+    Mesh mesh = shape->mesh;
     std::optional<MeshDigest> file_mesh;
     if (object.shape->reads_files()) file_mesh = digest_of(mesh);
     mesh = placed(std::move(mesh), object);
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
     add_body(object, mesh, *world);
     world->bodies.back().file_mesh = file_mesh;
-    world->bodies.back().notes = object.shape->notes();
+    world->bodies.back().notes = shape->notes;
   });
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "framework/scene/scene_config.hpp"
+#include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 #include "geometry/mesh/mass_properties.hpp"
@@ -212,7 +213,7 @@ Value filled(Value root, const SceneConfig& scene) {
       continue;
     }
     try {
-      Mesh mesh = object.shape->make();
+      Mesh mesh = made(*object.shape)->mesh;
       object.place.apply(mesh);
       add_copies(entry, object, Filler(*object.fill, mesh).poses(), entries);
     } catch (const InputError& error) {

@@ -1,4 +1,5 @@
 // A mesh put together of others.
+#include "framework/shapes/made_mesh.hpp"
 #include "framework/shapes/place.hpp"
 #include "framework/shapes/shape_source.hpp"
 
@@ -19,10 +20,13 @@ class PartsShape : public ShapeSource {
   void fields(Fields& f) override {
     f.list("parts", parts_, "what it is made of; vertices that coincide stay apart, groups of the same name are united").required().nonempty();
   }
+  bool costly() const override {
+    return std::any_of(parts_.begin(), parts_.end(), [](const PartConfig& part) { return part.shape->costly(); });
+  }
   Mesh make() const override {
     Mesh all;
     for (const PartConfig& part : parts_) {
-      Mesh mesh = part.shape->make();
+      Mesh mesh = made(*part.shape)->mesh;
       part.place.apply(mesh);
       append(all, mesh);
     }

@@ -1,0 +1,151 @@
+#include "framework/shapes/made_mesh.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <mutex>
+
+#include "framework/config/field.hpp"
+#include "framework/config/read_file.hpp"
+#include "framework/config/yaml_text.hpp"
+#include "geometry/checksum.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/io/mesh_bytes.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;  // bytes
+
+// Size and time: another build is another program.
+std::string this_program() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  return fmt::format("{} {}", fs::file_size(program, none), fs::last_write_time(program, none).time_since_epoch().count());
+}
+
+void add_files(const Value& value, std::string& recipe) {
+  const Value *type = value.find("type"), *path = value.find("path");
+  if (type && path && type->text == "file") {
+    const std::string bytes = read_file(path->text, largest_file);
+    recipe += fmt::format("\nfile of {} bytes, {:08x}", bytes.size(), crc32_of(bytes.data(), bytes.size()));
+  }
+  for (const Value& item : value.items) add_files(item, recipe);
+  for (const Value::Entry& entry : value.entries) add_files(entry.value, recipe);
+}
+
+// FNV-1a.
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t h = 0xcbf29ce484222325ULL;
+  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return h;
+}
+
+// Pieces of text, each behind its length, behind a checksum of them all.
+std::string packed(const std::vector<std::string>& pieces) {
+  std::string all;
+  for (const std::string& piece : pieces) all += fmt::format("{}\n", piece.size()) + piece;
+  return fmt::format("tack mesh {:08x}\n", crc32_of(all.data(), all.size())) + all;
+}
+
+std::vector<std::string> unpacked(const std::string& bytes) {
+  const size_t start = bytes.find('\n');
+  if (start == bytes.npos) return {};
+  const std::string all = bytes.substr(start + 1);
+  if (bytes.substr(0, start) != fmt::format("tack mesh {:08x}", crc32_of(all.data(), all.size()))) return {};
+  std::vector<std::string> pieces;
+  for (size_t at = 0; at < all.size();) {
+    const size_t end = all.find('\n', at);
+    if (end == all.npos) return {};
+    const size_t size = std::strtoull(all.c_str() + at, nullptr, 10);
+    if (size > all.size() - end - 1) return {};
+    pieces.push_back(all.substr(end + 1, size));
+    at = end + 1 + size;
+  }
+  return pieces;
+}
+
+class Store {
+ public:
+  void keep_in(const fs::path& folder) { folder_ = folder; }
+
+  std::shared_ptr<const MadeMesh> made(const ShapeSource& shape) {
+    const std::string recipe = recipe_of(shape);
+    const std::lock_guard lock(mutex_);  // a recipe may hold others; who asks for the same mesh waits for it
+    if (const auto found = meshes_.find(recipe); found != meshes_.end()) return found->second;
+    auto mesh = from_file(recipe);
+    if (!mesh) {
+      mesh = std::make_shared<MadeMesh>(MadeMesh{shape.make(), shape.notes()});
+      to_file(recipe, *mesh);
+    }
+    return meshes_[recipe] = mesh;
+  }
+
+ private:
+  static std::string recipe_of(const ShapeSource& shape) {
+    const Value value = to_value(&shape);
+    static const std::string program = this_program();
+    std::string recipe = program + "\n" + yaml_text(value);
+    add_files(value, recipe);
+    return recipe;
+  }
+
+  fs::path file_of(const std::string& recipe) const { return folder_ / fmt::format("{:016x}.mesh", hash_of(recipe)); }
+
+  std::shared_ptr<const MadeMesh> from_file(const std::string& recipe) const {
+    if (folder_.empty() || !fs::is_regular_file(file_of(recipe))) return nullptr;
+    try {
+      const std::vector<std::string> pieces = unpacked(read_file(file_of(recipe), largest_file));
+      if (pieces.size() < 2 || pieces[0] != recipe) return nullptr;
+      auto mesh = mesh_from(pieces[1]);
+      if (!mesh) return nullptr;
+      return std::make_shared<MadeMesh>(MadeMesh{std::move(*mesh), {pieces.begin() + 2, pieces.end()}});
+    } catch (const InputError&) {
+      return nullptr;
+    }
+  }
+
+  void to_file(const std::string& recipe, const MadeMesh& mesh) const {
+    if (folder_.empty()) return;
+    std::vector<std::string> pieces{recipe, bytes_of(mesh.mesh)};
+    pieces.insert(pieces.end(), mesh.notes.begin(), mesh.notes.end());
+    std::error_code failed;
+    fs::create_directories(folder_, failed);
+    // Whole or not at all, also where two write the same.
+    const fs::path file = file_of(recipe), draft = file.string() + fmt::format(".{}", getpid());
+    std::ofstream(draft, std::ios::binary) << packed(pieces);
+    fs::rename(draft, file, failed);
+    if (failed) fs::remove(draft, failed);
+  }
+
+  fs::path folder_;
+  std::recursive_mutex mutex_;
+  std::map<std::string, std::shared_ptr<const MadeMesh>> meshes_;
+};
+
+Store& store() {
+  static Store one;
+  return one;
+}
+
+}  // namespace
+
+std::shared_ptr<const MadeMesh> made(const ShapeSource& shape) {
+  if (!shape.costly()) return std::make_shared<MadeMesh>(MadeMesh{shape.make(), shape.notes()});
+  return store().made(shape);
+}
+
+void keep_meshes_in(const fs::path& folder) { store().keep_in(folder); }
+
+fs::path usual_mesh_folder() {
+  const char* said = std::getenv("TACK_MESHES");
+  if (!said || !*said) return "results/meshes";
+  return std::string(said) == "none" ? fs::path() : fs::path(said);
+}
+
+}  // namespace tack
