@@ -139,13 +139,11 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
 void check_mass(const Value& root, const World& world) {
   for (int v = 0; v < world.mesh_vertex_count(); ++v) {
     if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
-    for (size_t i = 0; i < world.bodies.size(); ++i) {
-      const Body& body = world.bodies[i];
-      if (body.frame.empty() && v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
-        throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
-                                     "with a density", place_of(root, "objects", i), body.name,
-                                     v - body.first_vertex));
-    }
+    const int i = world.body_of(v);
+    if (world.bodies[i].frame.empty())
+      throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
+                                   "with a density", place_of(root, "objects", static_cast<size_t>(i)), world.bodies[i].name,
+                                   world.number_in_body(v)));
   }
 }
 
@@ -156,6 +154,7 @@ void start_state(const SceneConfig& scene, World& world) {
   s.v = s.a = VecX::Zero(world.rest.size());
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const ObjectConfig& object = scene.objects[i];
+    if (object.velocity.isZero() && object.spin.isZero()) continue;
     const Vec3 centre = object.spin.isZero() ? Vec3::Zero() : world.centre_of_mass(static_cast<int>(i), s.x);
     const Body& body = world.bodies[i];
     if (body.rod)
@@ -296,7 +295,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const Body& body : world->bodies)
     if (body.rod)
       for (const int v : body.rod->twists()) world->weighing_mass(v) = 0;
-  add_affine_terms(scene, first_step, *world);
+  add_affine_terms(scene, root, first_step, *world);
   add_springs(scene, root, *world);
   check_mass(root, *world);
   add_loads(scene, root, *world);

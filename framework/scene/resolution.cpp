@@ -83,8 +83,17 @@ class Warnings {
       : scene_(scene), world_(world), measures_(measure(world.contact->surface(), world.bodies.size())) {}
 
   std::vector<std::string> take() {
+    const ObjectClasses& classes = world_.contact->pairs().classes();
     for (const AdhesionSummary& adhesion : world_.adhesion)
-      for (const auto& [a, b] : adhesion.pairs) interface(adhesion, a, b);
+      for (const auto& [a, b] : adhesion.kinds) {
+        interface(adhesion, a, b);
+        if (a == b) continue;
+        // The others of their classes, which may have other meshes.
+        for (int i = 0; i < classes.objects(); ++i) {
+          if (i != a && i != b && classes.of(i) == classes.of(a)) interface(adhesion, i, b);
+          if (i != a && i != b && classes.of(i) == classes.of(b)) interface(adhesion, a, i);
+        }
+      }
     for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
     start();
     return std::move(lines_);

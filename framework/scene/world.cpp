@@ -30,9 +30,8 @@ int World::index_of(const std::string& name, const std::string& who) const {
 
 int World::body_of(int vertex) const {
   if (vertex >= mesh_vertex_count()) return extra_object[vertex - mesh_vertex_count()];
-  int body = 0;
-  while (vertex >= bodies[body].first_vertex + bodies[body].vertex_count) ++body;
-  return body;
+  const auto after = std::upper_bound(bodies.begin(), bodies.end(), vertex, [](int v, const Body& body) { return v < body.first_vertex; });
+  return static_cast<int>(after - bodies.begin()) - 1;
 }
 
 std::vector<int> World::vertices_of(int body) const {
