@@ -14,6 +14,7 @@
 #include "framework/scene/containment.hpp"
 #include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/named_selections.hpp"
+#include "framework/scene/push_out.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "framework/scene/rod_twists.hpp"
 #include "framework/scene/selected_elements.hpp"
@@ -255,6 +256,9 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
+  std::vector<Mesh> meshes;
+  std::vector<std::optional<MeshDigest>> file_meshes;
+  std::vector<std::vector<std::string>> notes;  // of the shapes
   for_each_object(scene, root, [&](size_t i) {
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
@@ -265,10 +269,17 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     if (object.shape->reads_files()) file_mesh = digest_of(mesh);
     mesh = placed(std::move(mesh), object);
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
-    add_body(object, mesh, *world);
-    world->bodies.back().file_mesh = file_mesh;
-    world->bodies.back().notes = shape->notes;
+    meshes.push_back(std::move(mesh));
+    file_meshes.push_back(file_mesh);
+    notes.push_back(shape->notes);
   });
+  world->pushed = push_out(scene, root, meshes);
+  for_each_object(scene, root, [&](size_t i) {
+    add_body(scene.objects[i], meshes[i], *world);
+    world->bodies.back().file_mesh = file_meshes[i];
+    world->bodies.back().notes = std::move(notes[i]);
+  });
+  meshes.clear();
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
     if (scene.objects[i].surface && !scene.contact)
