@@ -12,7 +12,8 @@ namespace {
 // edge adds few candidates to what the extent of the primitives brings along already.
 double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
 
-const std::string sides_name = "contact/sides";
+const std::string sides_name = "contact/turned_sides";  // two objects each
+const std::string former_sides_name = "contact/sides";        // in older states: per pair of objects, whether the first integrates
 
 // Of the edges that may move [m]; 0 without any.
 double mean_edge_of(const ContactSurface& surface) {
@@ -32,11 +33,9 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
                              PhaseClock& clock)
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
-  for (int a = 0; a < pairs_.objects(); ++a)
-    for (int b = a; b < pairs_.objects(); ++b) {
-      edge_range_ = std::max(edge_range_, pairs_.edge(a, b).range);
-      if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).range);
-    }
+  edge_range_ = pairs_.largest_edge_range();
+  for (const auto& [a, b] : pairs_.classes().examples())
+    if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).range);
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   stride_ = std::max(2 * mean_edge, range_);
@@ -49,15 +48,28 @@ void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(s
 
 void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_groups(dissolved); }
 
-const std::vector<char>& ContactSystem::sides() const { return narrow_phase_->sides(); }
+const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
 
 void ContactSystem::remember(const History& history) {
-  const std::vector<double>* sides = remembered(history, sides_name, 1, pairs_.objects() * pairs_.objects());
-  sides_before_ = sides ? std::vector<char>(sides->begin(), sides->end()) : std::vector<char>();
+  turned_before_.reset();
+  if (const auto* all = remembered(history, former_sides_name, 1, pairs_.objects() * pairs_.objects())) {
+    turned_before_.emplace();
+    for (int a = 0; a < pairs_.objects(); ++a)
+      for (int b = a + 1; b < pairs_.objects(); ++b)
+        if (pairs_.point(a, b).automatic && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) turned_before_->emplace_back(a, b);
+  }
+  const auto sides = history.find(sides_name);
+  if (sides == history.end()) return;
+  turned_before_.emplace();
+  for (int i = 0; i < sides->second.entries(); ++i)
+    turned_before_->emplace_back(static_cast<int>(sides->second.values[2 * i]), static_cast<int>(sides->second.values[2 * i + 1]));
 }
 
 void ContactSystem::commit(const VecX&, History& history) const {
-  history[sides_name] = {1, {sides().begin(), sides().end()}, {}};
+  history.erase(former_sides_name);
+  if (!pairs_.any_automatic()) return;
+  HistoryArray& sides = history[sides_name] = {2, {}, {}};
+  for (const auto& [a, b] : turned_sides()) sides.values.insert(sides.values.end(), {double(a), double(b)});
 }
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
@@ -78,7 +90,7 @@ void ContactSystem::begin_step(const StepStart& start) {
   const bool renewed = renew_candidates(x, VecX());
   const PhaseScope scope(clock_, Phase::narrow_phase);
   if (renewed) narrow_phase_->take(candidates());
-  narrow_phase_->set_sides_before(sides_before_);
+  narrow_phase_->set_turned_before(turned_before_);
   narrow_phase_->begin_step(candidates(), x);
 }
 

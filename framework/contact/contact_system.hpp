@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "framework/contact/contact_set.hpp"
+#include "framework/contact/integration_sides.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_participant.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
@@ -25,10 +26,10 @@ class ContactSystem : public StepParticipant {
   // Whether the vertices of a rigidly held group may move against each other at present.
   void dissolve_groups(bool dissolved);
   void forget() override;
-  // Which sides of pairs integrate in the present step, and which did in the one before the next (empty: none is
-  // known); they are remembered.
-  const std::vector<char>& sides() const;
-  void set_sides_before(std::vector<char> sides) { sides_before_ = std::move(sides); }
+  // The pairs whose coarser side integrates in the present step, and those whose did in the one before the next (none: it is
+  // not known); they are remembered.
+  const IntegrationSides::Pairs& turned_sides() const;
+  void set_turned_before(std::optional<IntegrationSides::Pairs> turned) { turned_before_ = std::move(turned); }
   void remember(const History& history) override;
   void commit(const VecX& x, History& history) const override;
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
@@ -62,7 +63,7 @@ class ContactSystem : public StepParticipant {
   double stride_ = 0;      // m
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
-  std::vector<char> sides_before_;
+  std::optional<IntegrationSides::Pairs> turned_before_;
   ContactSet contacts_;
 };
 

@@ -31,11 +31,9 @@ struct Coverage::Found {
 };
 
 Coverage::Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held)
-    : surface_(surface), pairs_(pairs), held_(held), first_triangle_(pairs.objects() + 1, 0) {
+    : surface_(surface), pairs_(pairs), held_(held), first_triangle_(pairs.objects() + 1, 0), wanted_(pairs.any_covered()) {
   for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[surface.mesh.vertex_object[t[0]] + 1];
   for (int a = 0; a < pairs.objects(); ++a) first_triangle_[a + 1] += first_triangle_[a];
-  for (int a = 0; a < pairs.objects(); ++a)
-    for (int b = 0; b < pairs.objects(); ++b) wanted_ = wanted_ || pairs.point(a, b).covered;
 }
 
 std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& views, int triangle, int object) const {
@@ -125,15 +123,45 @@ void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::ve
   });
 }
 
+bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
+  return pairs_.point(a, b).covered && sides.integrates(a, b);
+}
+
+std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& sides) const {
+  const int n = pairs_.objects();
+  std::vector<Aabb> boxes(n);
+  for_each(n, [&](int a) {
+    for (int t = first_triangle_[a]; t < first_triangle_[a + 1]; ++t)
+      for (const int v : surface_.mesh.triangles[t]) boxes[a].include(Vec3(vertex(held_.x(), v)));
+  });
+  // From left to right, each with those that begin before it ends.
+  double widest = 0;
+  for (const PairLaw& law : pairs_.laws()) widest = std::max(widest, 2 * law.range());
+  std::vector<int> order;
+  for (int a = 0; a < n; ++a)
+    if (first_triangle_[a] < first_triangle_[a + 1]) order.push_back(a);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(boxes[a].lo[0], a) < std::pair(boxes[b].lo[0], b); });
+  std::vector<std::array<int, 2>> found;
+  const auto take = [&](int a, int b) {
+    Aabb reached = boxes[b];
+    reached.inflate(2 * pairs_.point(a, b).range);
+    if (weighs(a, b, sides) && boxes[a].overlaps(reached)) found.push_back({a, b});
+  };
+  for (size_t i = 0; i < order.size(); ++i)
+    for (size_t j = i + 1; j < order.size() && boxes[order[j]].lo[0] <= boxes[order[i]].hi[0] + widest; ++j) {
+      take(order[i], order[j]);
+      take(order[j], order[i]);
+    }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 void Coverage::weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views) {
   samples_.clear();
-  const auto weighs = [&](int a, int b) { return pairs_.point(a, b).covered && sides.integrates(a, b); };
   std::vector<std::vector<Found>> all;
-  for (int a = 0; a < pairs_.objects(); ++a)
-    for (int b = 0; b < pairs_.objects(); ++b)
-      if (weighs(a, b)) weigh_pair(a, b, near, views, all.emplace_back());
+  for (const auto& [a, b] : near_objects(sides)) weigh_pair(a, b, near, views, all.emplace_back());
   for (GroupView& group : views)
-    if (weighs(surface_.mesh.vertex_object[group.point], group.object))
+    if (weighs(surface_.mesh.vertex_object[group.point], group.object, sides))
       for (SeenPiece& piece : group.view.pieces) piece.area = 0;
   for (const std::vector<Found>& pair : all)
     for (const Found& found : pair) {

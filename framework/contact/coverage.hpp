@@ -46,6 +46,9 @@ class Coverage {
   std::array<Corner, 3> corners(const std::vector<GroupView>& views, int triangle, int object) const;
   bool covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const;
   bool may_face(int triangle, int other) const;
+  bool weighs(int a, int b, const IntegrationSides& sides) const;
+  // Ordered pairs of objects that want weights, integrate and may be near, ascending.
+  std::vector<std::array<int, 2>> near_objects(const IntegrationSides& sides) const;
   void weigh_pair(int a, int b, const NearTriangles& near, const std::vector<GroupView>& views,
                   std::vector<Found>& found) const;
 
@@ -53,7 +56,7 @@ class Coverage {
   const PairTable& pairs_;
   const HeldSurface& held_;
   std::vector<int> first_triangle_;  // of each object, and the end
-  bool wanted_ = false;
+  bool wanted_;
   std::vector<ContactSample> samples_;
 };
 

@@ -6,6 +6,10 @@
 // nobody did.
 #pragma once
 
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "framework/contact/pair_table.hpp"
@@ -18,31 +22,42 @@ inline constexpr double rim_slack = 0.02;
 
 class IntegrationSides {
  public:
-  explicit IntegrationSides(const PairTable& pairs);
+  // Objects a < b, ascending.
+  using Pairs = std::vector<std::pair<int, int>>;
+
+  explicit IntegrationSides(const PairTable& pairs) : pairs_(pairs) {}
 
   struct Capture {
     double area = 0;  // m^2
     int triangles = 0;
   };
   // What the points of a capture of b.
-  Capture& capture(int a, int b) { return captures_[a * objects_ + b]; }
-  void clear();
+  Capture& capture(int a, int b) {
+    auto& both = captures_[std::minmax(a, b)];
+    return a < b ? both.first : both.second;
+  }
+  void clear() { captures_.clear(); }
   // From the captures, and the sides of the step before, for the pairs that are left open.
   void choose();
-  // Per pair of objects (a, b) of a * objects + b: whether the points of a integrate. To go on from, empty: from none.
-  const std::vector<char>& sides() const { return integrates_; }
-  void set_before(std::vector<char> before) {
-    before_ = before.size() == integrates_.size() ? std::move(before) : std::vector<char>();
+  // Of the pairs that are left open, those whose coarser side integrates (PairTable::finer). To go on from, empty: from
+  // none.
+  const Pairs& turned() const { return turned_; }
+  void set_before(std::optional<Pairs> before) { before_ = std::move(before); }
+  // Whether the points of a do, against b.
+  bool integrates(int a, int b) const {
+    if (!pairs_.point(a, b).automatic) return pairs_.presses(a, b);
+    return pairs_.finer(a, b) != holds(turned_, std::minmax(a, b));
   }
-  bool integrates(int a, int b) const { return integrates_[a * objects_ + b] != 0; }
 
  private:
-  bool first_integrates(int a, int b) const;
+  using Both = std::pair<Capture, Capture>;  // of the first object, and of the second
+  static bool holds(const Pairs& all, std::pair<int, int> pair) { return !all.empty() && std::binary_search(all.begin(), all.end(), pair); }
+  bool first_integrates(std::pair<int, int> pair, const Both& captures) const;
 
   const PairTable& pairs_;
-  int objects_;
-  std::vector<Capture> captures_;
-  std::vector<char> integrates_, before_;
+  std::map<std::pair<int, int>, Both> captures_;  // of pairs that are close; the others capture nothing
+  Pairs turned_;
+  std::optional<Pairs> before_;
 };
 
 }  // namespace tack

@@ -169,8 +169,8 @@ NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, 
       near_(std::move(near)), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
-  const PairRole& role = pairs_.point(surface_.mesh.vertex_object[group.point], group.object);
-  return role.law >= 0 && (role.facing || held_.topology().thin(group.point));
+  const int own = surface_.mesh.vertex_object[group.point];
+  return pairs_.point(own, group.object).law >= 0 && (pairs_.presses(own, group.object) || held_.topology().thin(group.point));
 }
 
 // Takes the views of the groups that have none in this step yet.

@@ -22,9 +22,9 @@ class NarrowPhase {
   void set_candidates(const Candidates& candidates, const VecX& x);
   // Holds x: areas, orientations and integration sides are those of x from now on.
   void begin_step(const Candidates& candidates, const VecX& x);
-  // The sides that integrate (IntegrationSides), and those of the step before the next.
-  const std::vector<char>& sides() const { return sides_.sides(); }
-  void set_sides_before(std::vector<char> sides) { sides_.set_before(std::move(sides)); }
+  // IntegrationSides::turned, and those of the step before the next.
+  const IntegrationSides::Pairs& turned_sides() const { return sides_.turned(); }
+  void set_turned_before(std::optional<IntegrationSides::Pairs> turned) { sides_.set_before(std::move(turned)); }
   // Stencils without a free vertex (non-zero) are left out; empty: every candidate has one.
   void set_free(std::vector<char> free) { free_ = std::move(free); }
   // The stencils closer than their law's range.

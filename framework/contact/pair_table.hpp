@@ -20,6 +20,7 @@
 
 #include "framework/contact/pair_law.hpp"
 #include "framework/contact/tangential_law.hpp"
+#include "geometry/broad_phase/object_classes.hpp"
 
 namespace tack {
 
@@ -32,18 +33,30 @@ struct PairRole {
   int guard_law = -1;   // of what carries no pressure here; -1: none
   double guard_range = 0;    // m
   bool automatic = false;    // pressure only while this side is the one that captures more (integration_sides.hpp)
-  bool preferred = false;    // the side that is taken where both capture as much
+  bool finer = false;        // pressure only if this side has the finer surface
   bool by_size = false;      // both sides press, with shares by the sizes of their cells; beyond a rim, nothing does
   bool covered = false;      // only where the other surface lies opposite: stated tractions end at its rim
 };
 
+// Over classes of objects: what is set for two objects holds for all that are of their classes.
 class PairTable {
  public:
-  explicit PairTable(int objects)
-      : objects_(objects), point_(objects * objects), edge_(objects * objects), thin_(objects * objects),
-        offset_(objects * objects, 0.0) {}
+  explicit PairTable(int objects) : PairTable(ObjectClasses::single(objects), std::vector<double>(objects, 0.0)) {}
+  // cells: per object, the area of its surface that a vertex has in the mean [m^2].
+  PairTable(ObjectClasses classes, std::vector<double> cells)
+      : classes_(std::move(classes)), cells_(std::move(cells)), point_(classes_.entries()), edge_(classes_.entries()),
+        thin_(classes_.entries()), offset_(classes_.entries(), 0.0) {}
 
-  int objects() const { return objects_; }
+  const ObjectClasses& classes() const { return classes_; }
+  int objects() const { return classes_.objects(); }
+  double cell(int object) const { return cells_[object]; }
+  // Whether the surface of a is the finer one; of two alike, that of the first object is.
+  bool finer(int a, int b) const { return a < b ? cells_[a] <= cells_[b] : cells_[a] < cells_[b]; }
+  // Whether points of a press, or may: captures decide if the role is automatic.
+  bool presses(int a, int b) const {
+    const PairRole& role = point(a, b);
+    return role.facing && (!role.finer || finer(a, b));
+  }
   int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
     laws_.push_back(std::move(law));
     tangential_.push_back(tangential);
@@ -56,34 +69,42 @@ class PairTable {
   }
 
   // Points of object a against the surface of object b.
-  PairRole& point(int a, int b) { return point_[a * objects_ + b]; }
-  const PairRole& point(int a, int b) const { return point_[a * objects_ + b]; }
+  PairRole& point(int a, int b) { return point_[classes_.index(a, b)]; }
+  const PairRole& point(int a, int b) const { return point_[classes_.index(a, b)]; }
   // Edges of a against edges of b; symmetric.
   void set_edge(int a, int b, const PairRole& role) {
-    edge_[a * objects_ + b] = edge_[b * objects_ + a] = role;
+    edge_[classes_.index(a, b)] = edge_[classes_.index(b, a)] = role;
     largest_edge_range_ = std::max(largest_edge_range_, role.range);
   }
-  const PairRole& edge(int a, int b) const { return edge_[a * objects_ + b]; }
+  const PairRole& edge(int a, int b) const { return edge_[classes_.index(a, b)]; }
   double largest_edge_range() const { return largest_edge_range_; }
   // The whole law between rods and particles of a and anything of b, or the other way; symmetric.
   void set_thin(int a, int b, const PairRole& role) {
-    thin_[a * objects_ + b] = thin_[b * objects_ + a] = role;
+    thin_[classes_.index(a, b)] = thin_[classes_.index(b, a)] = role;
   }
-  const PairRole& thin(int a, int b) const { return thin_[a * objects_ + b]; }
+  const PairRole& thin(int a, int b) const { return thin_[classes_.index(a, b)]; }
 
   // What is not there of the distance of two surfaces: half thicknesses [m].
   void set_offset(int a, int b, double offset) {
-    offset_[a * objects_ + b] = offset_[b * objects_ + a] = offset;
+    offset_[classes_.index(a, b)] = offset_[classes_.index(b, a)] = offset;
     largest_offset_ = std::max(largest_offset_, offset);
   }
-  double offset(int a, int b) const { return offset_[a * objects_ + b]; }
+  double offset(int a, int b) const { return offset_[classes_.index(a, b)]; }
   double largest_offset() const { return largest_offset_; }
+
+  bool any_automatic() const {
+    return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.automatic; });
+  }
+  bool any_covered() const {
+    return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.covered; });
+  }
 
   // Plain IPC sums instead: every close pair of primitives counts, no inclusion-exclusion.
   bool plain_sums = false;
 
  private:
-  int objects_;
+  ObjectClasses classes_;
+  std::vector<double> cells_;  // m^2
   std::vector<PairLaw> laws_;
   std::vector<TangentialLaw> tangential_;  // per law
   std::vector<PairRole> point_, edge_, thin_;

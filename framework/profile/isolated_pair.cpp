@@ -95,7 +95,9 @@ void both_ways(const Cut& cut, const Act& act) {
 }
 
 PairTable table_of(const PairTable& all, const Cut& cut) {
-  PairTable own(cut.objects());
+  std::vector<double> cells;
+  for (int i = 0; i < cut.objects(); ++i) cells.push_back(all.cell(cut.body(i)));
+  PairTable own(ObjectClasses::single(cut.objects()), std::move(cells));
   own.plain_sums = all.plain_sums;
   for (size_t law = 0; law < all.laws().size(); ++law)
     own.add_law(all.laws()[law], all.tangential(static_cast<int>(law)));
@@ -114,14 +116,10 @@ CollidingObjects colliding_in(const Cut& cut) {
   return colliding;
 }
 
-// The sides that integrated, of which there is one for each ordered pair of objects.
-std::vector<char> sides_of(const std::vector<char>& all, int objects, const Cut& cut) {
-  if (all.empty()) return {};
-  std::vector<char> own(static_cast<size_t>(cut.objects()) * cut.objects());
-  for (int i = 0; i < cut.objects(); ++i)
-    for (int j = 0; j < cut.objects(); ++j)
-      own[i * cut.objects() + j] = all[static_cast<size_t>(cut.body(i)) * objects + cut.body(j)];
-  return own;
+IntegrationSides::Pairs turned_in(const IntegrationSides::Pairs& all, const Cut& cut) {
+  const std::pair pair(cut.body(0), cut.body(cut.objects() - 1));
+  if (!std::binary_search(all.begin(), all.end(), pair)) return {};
+  return {{0, 1}};
 }
 
 // The shorter one of two evaluations: the first may have to fetch memory.
@@ -173,7 +171,7 @@ IsolatedPair isolate(const World& world, ObjectIds pair, const State& state) {
   ContactSystem contact(surface_of(world.contact->surface(), cut), table_of(world.contact->pairs(), cut),
                         colliding_in(cut), clock);
   contact.set_free(cut.part(free));
-  contact.set_sides_before(sides_of(world.contact->sides(), world.contact->pairs().objects(), cut));
+  contact.set_turned_before(turned_in(world.contact->turned_sides(), cut));
   const ContactTerm term(contact);
   std::optional<FrictionTerm> friction;
   if (world.friction) friction.emplace(contact, term);

@@ -138,12 +138,15 @@ std::vector<Reach> Profiler::reaches() const {
     length[object] += (vertex(surface.rest, a) - vertex(surface.rest, b)).norm();
     ++edges[object];
   }
+  const auto examples = pairs.classes().examples();
+  const auto kind = [&](int object) { return pairs.classes().of(object); };
   std::vector<Reach> all;
   for (size_t i = 0; i < world_.bodies.size(); ++i) {
     if (!world_.bodies[i].movable || edges[i] == 0) continue;
     Reach reach{world_.bodies[i].name, length[i] / edges[i]};
-    for (int j = 0; j < pairs.objects(); ++j)
-      reach.range = std::max({reach.range, pairs.point(static_cast<int>(i), j).range, pairs.point(j, static_cast<int>(i)).range});
+    for (const auto& [a, b] : examples)
+      if (kind(a) == kind(static_cast<int>(i)) || kind(b) == kind(static_cast<int>(i)))
+        reach.range = std::max({reach.range, pairs.point(a, b).range, pairs.point(b, a).range});
     all.push_back(std::move(reach));
   }
   std::stable_sort(all.begin(), all.end(),

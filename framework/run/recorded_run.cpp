@@ -83,6 +83,7 @@ void RecordedRun::tell_beginning() {
     progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.threads));
+  for (const std::string& line : world_.pushed) progress_.message(line);
   warn_of_weak_wells(world_, progress_);
   for (const std::string& line : resolution_warnings(experiment_, world_)) progress_.warning(line);
   for (const std::string& line : doubtful_tolerances(experiment_, world_)) progress_.warning(line);

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "framework/affine/frame.hpp"
 #include "framework/affine/orthogonality_term.hpp"
+#include "framework/scene/build_world.hpp"
 #include "framework/scene/extent.hpp"
 #include "framework/scene/local_mesh.hpp"
 #include "geometry/errors.hpp"
@@ -55,7 +57,12 @@ void add_frame(const ObjectConfig& object, int index, World& world) {
   }
 }
 
-double default_stiffness(const SceneConfig& scene, const World& world, int index, double step) {
+// What all that moves may press with.
+struct Loading {
+  double speed = 0, weight = 0;  // m/s, N
+};
+
+Loading loading_of(const SceneConfig& scene, const World& world) {
   Eigen::AlignedBox3d all;
   double speed = 0, mass = 0;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -68,10 +75,13 @@ double default_stiffness(const SceneConfig& scene, const World& world, int index
     if (world.script.ever_free(v)) mass += world.weighing_mass(v);
   const double g = scene.gravity.norm();
   if (g > 0) speed = std::hypot(speed, std::sqrt(2 * all.diagonal().dot(scene.gravity.cwiseAbs())));
-  Vec3 size = extent_of(world.bodies[index], world.rest).sizes();
+  return {speed, mass * g};
+}
+
+double default_stiffness(const ObjectConfig& object, const Body& body, const Loading& loading, const VecX& rest, double step) {
+  Vec3 size = extent_of(body, rest).sizes();
   std::sort(size.begin(), size.end());
-  const double density = scene.objects[index].body->density();
-  const double stress = mass * g / (size(0) * size(1)) + density * size(2) * speed / step;
+  const double stress = loading.weight / (size(0) * size(1)) + object.body->density() * size(2) * loading.speed / step;
   constexpr double least = 1e6;  // Pa: of what nothing ever pushes
   return std::max(least, stress / tolerated_affine_strain);
 }
@@ -81,14 +91,24 @@ void add_affine_masses(const ObjectConfig& object, int index, World& world) {
   for (const int v : body.frame) world.mass(v) = object.body->density() * body.volume / 4;
 }
 
-void add_affine_terms(const SceneConfig& scene, double step, World& world) {
+void add_affine_terms(const SceneConfig& scene, const Value& root, double step, World& world) {
   auto term = std::make_unique<OrthogonalityTerm>();
+  const Loading loading = loading_of(scene, world);
+  // Copies of one entry (fill) are as stiff as the stiffest of them, however they are turned.
+  std::map<std::string, double> of_entry;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    Body& body = world.bodies[i];
+    if (body.frame.empty() || !body.movable) continue;
+    body.stiffness = scene.objects[i].body->stiffness().value_or(0);
+    if (body.stiffness == 0) body.stiffness = default_stiffness(scene.objects[i], body, loading, world.rest, step);
+    double& stiffest = of_entry[place_of(root, "objects", i)];
+    stiffest = std::max(stiffest, body.stiffness);
+  }
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];
     if (body.frame.empty() || !body.movable) continue;
     const Tet frame = {body.frame[0], body.frame[1], body.frame[2], body.frame[3]};
-    body.stiffness = scene.objects[i].body->stiffness().value_or(0);
-    if (body.stiffness == 0) body.stiffness = default_stiffness(scene, world, static_cast<int>(i), step);
+    if (const std::string place = place_of(root, "objects", i); !place.empty()) body.stiffness = of_entry[place];
     term->add(frame, world.rest, body.volume, body.stiffness);
     world.tets.push_back(frame);
   }

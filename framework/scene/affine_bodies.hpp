@@ -16,6 +16,6 @@ double default_stiffness(const SceneConfig& scene, const World& world, int index
 
 // Masses and the orthogonality term, once masses of all bodies have a place.
 void add_affine_masses(const ObjectConfig& object, int index, World& world);
-void add_affine_terms(const SceneConfig& scene, double step, World& world);
+void add_affine_terms(const SceneConfig& scene, const Value& root, double step, World& world);
 
 }  // namespace tack

@@ -37,6 +37,7 @@ struct Body {
   // With a finer surface for contact (refined_surface.hpp): its vertices that are in no mesh, and its triangles; else empty.
   std::vector<int> surface_vertices;
   std::vector<Triangle> surface_triangles;
+  std::vector<int> extra_vertices;  // of its that are in no mesh, ascending: of its frame, surface and twists
   std::optional<MeshDigest> file_mesh;  // if the mesh was read from a file, or processed: as it was there
   std::vector<std::string> notes;       // what processing the mesh had to tell
 };

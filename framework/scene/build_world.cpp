@@ -14,6 +14,7 @@
 #include "framework/scene/containment.hpp"
 #include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/named_selections.hpp"
+#include "framework/scene/push_out.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "framework/scene/rod_twists.hpp"
 #include "framework/scene/selected_elements.hpp"
@@ -139,13 +140,11 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
 void check_mass(const Value& root, const World& world) {
   for (int v = 0; v < world.mesh_vertex_count(); ++v) {
     if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
-    for (size_t i = 0; i < world.bodies.size(); ++i) {
-      const Body& body = world.bodies[i];
-      if (body.frame.empty() && v >= body.first_vertex && v < body.first_vertex + body.vertex_count)
-        throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
-                                     "with a density", place_of(root, "objects", i), body.name,
-                                     v - body.first_vertex));
-    }
+    const int i = world.body_of(v);
+    if (world.bodies[i].frame.empty())
+      throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
+                                   "with a density", place_of(root, "objects", static_cast<size_t>(i)), world.bodies[i].name,
+                                   world.number_in_body(v)));
   }
 }
 
@@ -156,6 +155,7 @@ void start_state(const SceneConfig& scene, World& world) {
   s.v = s.a = VecX::Zero(world.rest.size());
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const ObjectConfig& object = scene.objects[i];
+    if (object.velocity.isZero() && object.spin.isZero()) continue;
     const Vec3 centre = object.spin.isZero() ? Vec3::Zero() : world.centre_of_mass(static_cast<int>(i), s.x);
     const Body& body = world.bodies[i];
     if (body.rod)
@@ -256,6 +256,9 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
+  std::vector<Mesh> meshes;
+  std::vector<std::optional<MeshDigest>> file_meshes;
+  std::vector<std::vector<std::string>> notes;  // of the shapes
   for_each_object(scene, root, [&](size_t i) {
     const ObjectConfig& object = scene.objects[i];
     if (!names.insert(object.name).second)
@@ -266,10 +269,17 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     if (object.shape->reads_files()) file_mesh = digest_of(mesh);
     mesh = placed(std::move(mesh), object);
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
-    add_body(object, mesh, *world);
-    world->bodies.back().file_mesh = file_mesh;
-    world->bodies.back().notes = shape->notes;
+    meshes.push_back(std::move(mesh));
+    file_meshes.push_back(file_mesh);
+    notes.push_back(shape->notes);
   });
+  world->pushed = push_out(scene, root, meshes);
+  for_each_object(scene, root, [&](size_t i) {
+    add_body(scene.objects[i], meshes[i], *world);
+    world->bodies.back().file_mesh = file_meshes[i];
+    world->bodies.back().notes = std::move(notes[i]);
+  });
+  meshes.clear();
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
     if (scene.objects[i].surface && !scene.contact)
@@ -296,7 +306,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const Body& body : world->bodies)
     if (body.rod)
       for (const int v : body.rod->twists()) world->weighing_mass(v) = 0;
-  add_affine_terms(scene, first_step, *world);
+  add_affine_terms(scene, root, first_step, *world);
   add_springs(scene, root, *world);
   check_mass(root, *world);
   add_loads(scene, root, *world);

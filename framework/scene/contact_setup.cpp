@@ -3,6 +3,7 @@
 
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "framework/contact/friction_term.hpp"
@@ -63,34 +64,67 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactS
 // distance with a tenth of this part of its stiffness.
 constexpr double affine_modulus = 0.01;
 
+// The lowest modulus of its energies [Pa]; 0: none has one.
+double softest_young(const ObjectConfig& object) {
+  double least = 0;
+  for (const auto& energy : object.energies)
+    if (const double young = energy->young().value_or(0); young > 0 && (least == 0 || young < least)) least = young;
+  return least;
+}
+
+// Objects are alike if every entry of pairs means them in the same way, they are as stiff, as thick and held alike, and
+// attached to the same ones.
+ObjectClasses classes_of(const SceneConfig& scene, const World& world) {
+  std::set<std::string> names;
+  for (const PairConfig& pair : scene.contact->pairs) names.insert(pair.between.begin(), pair.between.end());
+  std::vector<std::set<int>> attached(world.bodies.size());
+  for (const auto& [a, b] : world.attached) attached[a].insert(b), attached[b].insert(a);
+  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double>;
+  std::map<Key, int> known;
+  std::vector<int> classes;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const ObjectConfig& object = scene.objects[i];
+    const Body& body = world.bodies[i];
+    std::vector<NamedAs> named;
+    for (const std::string& name : names) named.push_back(named_as(object, name));
+    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness};
+    classes.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
+  }
+  return ObjectClasses(std::move(classes));
+}
+
+std::vector<double> cells_of(const std::vector<SurfaceSize>& sizes) {
+  std::vector<double> cells;
+  for (const SurfaceSize& size : sizes) cells.push_back(size.per_vertex());
+  return cells;
+}
+
 class PairBuilder {
  public:
-  PairBuilder(const SceneConfig& scene, const Value& root, World& world)
-      : scene_(scene), contact_(*scene.contact), root_(root), world_(world),
-        configs_(scene, root), table_(static_cast<int>(world.bodies.size())) {
+  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<SurfaceSize>& sizes, World& world)
+      : scene_(scene), contact_(*scene.contact), root_(root), world_(world), classes_(classes_of(scene, world)),
+        configs_(scene, root, classes_), table_(classes_, cells_of(sizes)), colliding_(classes_) {
     table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   }
 
-  void build(const std::vector<SurfaceSize>& sizes) {
-    const int n = table_.objects();
-    for (int a = 0; a < n; ++a) {
-      for (int b = a; b < n; ++b) {
-        const int index = configs_.of(a, b);
-        const bool attached = std::count(world_.attached.begin(), world_.attached.end(), std::pair{a, b}) > 0;
-        if (attached && index >= 0 && contact_.pairs[index].contact && configs_.names_objects(index))
-          throw configs_.error(index,
-                               fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
-                                           "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
-        const bool held = !world_.bodies[a].movable && !world_.bodies[b].movable;
-        if (attached || (held && !contact_.between_held) || (index >= 0 && !contact_.pairs[index].contact)) {
-          colliding_.set(a, b, false);
-          continue;
-        }
-        // Without a law, but the exact check sees one being driven through the other.
-        if (held) continue;
-        table_.set_offset(a, b, offset_of(a, b));
-        set_roles(a, b, index, sizes);
+  void build() {
+    const std::set<std::pair<int, int>> all_attached(world_.attached.begin(), world_.attached.end());
+    for (const auto& [a, b] : classes_.examples()) {
+      const int index = configs_.of(a, b);
+      const bool attached = all_attached.contains({a, b});
+      if (attached && index >= 0 && contact_.pairs[index].contact && configs_.names_objects(index))
+        throw configs_.error(index,
+                             fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
+                                         "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
+      const bool held = !world_.bodies[a].movable && !world_.bodies[b].movable;
+      if (attached || (held && !contact_.between_held) || (index >= 0 && !contact_.pairs[index].contact)) {
+        colliding_.set(a, b, false);
+        continue;
       }
+      // Without a law, but the exact check sees one being driven through the other.
+      if (held) continue;
+      table_.set_offset(a, b, offset_of(a, b));
+      set_roles(a, b, index);
     }
   }
 
@@ -127,7 +161,7 @@ class PairBuilder {
       if (modulus > 0 && (softer == 0 || modulus < softer)) softer = modulus;
     };
     for (const int object : {a, b}) {
-      for (const auto& energy : scene_.objects[object].energies) lower(m.softer_young, energy->young().value_or(0));
+      lower(m.softer_young, softest_young(scene_.objects[object]));
       lower(m.softer_stiffness, affine_modulus * world_.bodies[object].stiffness);
     }
     lower(m.softer_stiffness, m.softer_young);
@@ -144,7 +178,7 @@ class PairBuilder {
     const double offset = table_.offset(a, b);
     const auto key = std::tuple{config, materials.softer_young, materials.softer_stiffness, offset};
     if (const auto found = laws_.find(key); found != laws_.end()) {
-      if (found->second.summary >= 0) world_.adhesion[found->second.summary].pairs.push_back({a, b});
+      if (found->second.summary >= 0) add_to(world_.adhesion[found->second.summary], a, b);
       return found->second;
     }
     const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
@@ -181,14 +215,19 @@ class PairBuilder {
     return ids;
   }
 
+  void add_to(AdhesionSummary& summary, int a, int b) const {
+    summary.pairs += classes_.pairs_like(a, b);
+    summary.kinds.push_back({a, b});
+  }
+
   void report(int a, int b, const AdhesionLaw& adhesion, const PairLaw& law) {
     const PairLaw::Well well = law.well();
-    world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, {{a, b}},
+    world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}},
                                adhesion.work_of_adhesion(), well.depth, well.gap,
                                adhesion.peak_traction()});
   }
 
-  void set_roles(int a, int b, int config, const std::vector<SurfaceSize>& sizes) {
+  void set_roles(int a, int b, int config) {
     const LawIds ids = laws_of(a, b, config);
     const double range = table_.laws()[ids.pressure].range(), guard_range = table_.laws()[ids.guard].range();
     const PairRole guard{ids.guard, 1, guard_range, false};
@@ -202,7 +241,6 @@ class PairBuilder {
     PairRole pressure{ids.pressure, 1, range, true, ids.guard, guard_range};
     pressure.covered = a != b && config >= 0 && contact_.pairs[config].adhesion;
     const std::string& side = config >= 0 ? contact_.pairs[config].integrate : PairConfig().integrate;
-    const bool first_finer = sizes[a].per_vertex() <= sizes[b].per_vertex();
     pressure.by_size = a != b && side == "automatic" && !pressure.covered;
     // Both may be of the group that is named.
     const bool both = side == "both" || (config >= 0 && configs_.integrates(config, a) && configs_.integrates(config, b));
@@ -211,12 +249,12 @@ class PairBuilder {
       table_.point(a, b) = table_.point(b, a) = pressure;
     } else if (side == "automatic") {
       pressure.automatic = true;
-      for (const bool first : {true, false}) {
-        pressure.preferred = first == first_finer;
-        (first ? table_.point(a, b) : table_.point(b, a)) = pressure;
-      }
+      table_.point(a, b) = table_.point(b, a) = pressure;
+    } else if (side == "finer") {
+      pressure.finer = true;
+      table_.point(a, b) = table_.point(b, a) = pressure;
     } else {
-      const bool first = side == "finer" ? first_finer : configs_.integrates(config, a);
+      const bool first = configs_.integrates(config, a);
       table_.point(a, b) = first ? pressure : guard;
       table_.point(b, a) = first ? guard : pressure;
     }
@@ -226,6 +264,7 @@ class PairBuilder {
   const ContactConfig& contact_;
   const Value& root_;
   World& world_;
+  ObjectClasses classes_;
   PairConfigs configs_;
   PairTable table_;
   CollidingObjects colliding_;
@@ -281,8 +320,8 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
     surface.mesh.vertex_movable[v] = world.dofs.moves(v) || world.script.may_move(v);
   surface.mesh.vertex_object.insert(surface.mesh.vertex_object.end(), world.extra_object.begin(), world.extra_object.end());
   surface.mesh.vertex_group = rigid_groups(world);
-  PairBuilder builder(scene, root, world);
-  builder.build(sizes);
+  PairBuilder builder(scene, root, sizes, world);
+  builder.build();
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);

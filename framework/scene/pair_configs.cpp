@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "framework/config/nearest.hpp"
 
@@ -19,14 +20,21 @@ bool in_group(const ObjectConfig& o, const std::string& name) {
 
 }  // namespace
 
-PairConfigs::PairConfigs(const SceneConfig& scene, const Value& root)
-    : scene_(scene), root_(root), objects_(static_cast<int>(scene.objects.size())),
-      entries_(scene.contact->pairs.size()), entry_(static_cast<size_t>(objects_) * objects_, -1) {
+NamedAs named_as(const ObjectConfig& object, const std::string& name) {
+  if (name == all_objects) return NamedAs::everything;
+  if (object.name == name) return NamedAs::object;
+  return in_group(object, name) ? NamedAs::group : NamedAs::not_at_all;
+}
+
+PairConfigs::PairConfigs(const SceneConfig& scene, const Value& root, const ObjectClasses& classes)
+    : scene_(scene), root_(root), objects_(static_cast<int>(scene.objects.size())), classes_(classes),
+      entries_(scene.contact->pairs.size()), entry_(classes.entries(), -1) {
+  std::set<std::string> names;
+  for (const ObjectConfig& o : scene.objects) names.insert(o.name);
   for (const ObjectConfig& o : scene.objects)
-    for (const ObjectConfig& other : scene.objects)
-      if (in_group(o, other.name))
-        throw InputError(fmt::format("object '{}' is in a group '{}', which is the name of an object; name the group otherwise",
-                                     o.name, other.name));
+    for (const std::string& group : o.groups)
+      if (names.contains(group))
+        throw InputError(fmt::format("object '{}' is in a group '{}', which is the name of an object; name the group otherwise", o.name, group));
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i) read(i);
   for (int i = 0; i < static_cast<int>(entries_.size()); ++i) spread(i);
 }
@@ -40,8 +48,10 @@ std::string PairConfigs::place(int entry) const {
 PairConfigs::Side PairConfigs::side(int entry, const std::string& name) const {
   Side found{std::vector<char>(objects_, name == all_objects), name == all_objects ? all : group};
   for (int i = 0; i < objects_; ++i) {
-    if (scene_.objects[i].name == name) found.objects[i] = 1, found.rank = object;
-    if (in_group(scene_.objects[i], name)) found.objects[i] = 1;
+    const NamedAs as = named_as(scene_.objects[i], name);
+    if (as == NamedAs::not_at_all) continue;
+    found.objects[i] = 1;
+    if (as == NamedAs::object) found.rank = object;
   }
   if (std::find(found.objects.begin(), found.objects.end(), 1) != found.objects.end()) return found;
   std::vector<std::string> names;
@@ -68,9 +78,8 @@ void PairConfigs::read(int i) {
 
 void PairConfigs::spread(int i) {
   const Entry& e = entries_[i];
-  for (int a = 0; a < objects_; ++a)
-    for (int b = a; b < objects_; ++b)
-      if ((e.first[a] && e.second[b]) || (e.first[b] && e.second[a])) take(i, a, b);
+  for (const auto& [a, b] : classes_.examples())
+    if ((e.first[a] && e.second[b]) || (e.first[b] && e.second[a])) take(i, a, b);
 }
 
 void PairConfigs::take(int i, int a, int b) {
@@ -84,7 +93,7 @@ void PairConfigs::take(int i, int a, int b) {
                                "objects", first, second, other.between[0], other.between[1],
                                place(known).empty() ? "" : fmt::format(" ({})", place(known).substr(0, place(known).size() - 2))));
   }
-  entry_[static_cast<size_t>(a) * objects_ + b] = entry_[static_cast<size_t>(b) * objects_ + a] = i;
+  entry_[classes_.index(a, b)] = entry_[classes_.index(b, a)] = i;
 }
 
 }  // namespace tack

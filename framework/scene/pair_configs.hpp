@@ -10,16 +10,22 @@
 
 #include "framework/config/value.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "geometry/broad_phase/object_classes.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 
+// How an object is meant by a name in a pair.
+enum class NamedAs { not_at_all, everything, group, object };
+NamedAs named_as(const ObjectConfig& object, const std::string& name);
+
 class PairConfigs {
  public:
-  PairConfigs(const SceneConfig& scene, const Value& root);
+  // classes: objects of one are named by the same entries (ObjectClasses).
+  PairConfigs(const SceneConfig& scene, const Value& root, const ObjectClasses& classes);
 
   // The number of the entry; -1: none fits.
-  int of(int a, int b) const { return entry_[static_cast<size_t>(a) * objects_ + b]; }
+  int of(int a, int b) const { return entry_[classes_.index(a, b)]; }
   // Whether the entry names the two objects themselves.
   bool names_objects(int entry) const { return entries_[entry].rank == most_said; }
   // Whether the integration side that the entry names is, or holds, an object.
@@ -46,8 +52,9 @@ class PairConfigs {
   const SceneConfig& scene_;
   const Value& root_;
   int objects_;
+  const ObjectClasses& classes_;
   std::vector<Entry> entries_;
-  std::vector<int> entry_;  // per pair of objects
+  std::vector<int> entry_;  // per pair of classes
 };
 
 }  // namespace tack

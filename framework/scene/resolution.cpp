@@ -8,6 +8,7 @@
 #include <set>
 
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/stencil_kinds.hpp"
 #include "framework/contact/surface_topology.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
@@ -83,8 +84,17 @@ class Warnings {
       : scene_(scene), world_(world), measures_(measure(world.contact->surface(), world.bodies.size())) {}
 
   std::vector<std::string> take() {
+    const ObjectClasses& classes = world_.contact->pairs().classes();
     for (const AdhesionSummary& adhesion : world_.adhesion)
-      for (const auto& [a, b] : adhesion.pairs) interface(adhesion, a, b);
+      for (const auto& [a, b] : adhesion.kinds) {
+        interface(adhesion, a, b);
+        if (a == b) continue;
+        // The others of their classes, which may have other meshes.
+        for (int i = 0; i < classes.objects(); ++i) {
+          if (i != a && i != b && classes.of(i) == classes.of(a)) interface(adhesion, i, b);
+          if (i != a && i != b && classes.of(i) == classes.of(b)) interface(adhesion, a, i);
+        }
+      }
     for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
     start();
     return std::move(lines_);
@@ -148,7 +158,13 @@ class Warnings {
   void start() {
     world_.contact->begin_step({world_.start.x});
     world_.contact->move_to(world_.start.x);
-    for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i) {
+    std::set<int> on_themselves;
+    for_each_kind(world_.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
+      const auto& object = world_.contact->surface().mesh.vertex_object;
+      for (const auto& s : stencils)
+        if (const int i = object[s.vertices[0]]; i == object[s.vertices[decltype(kind)::first_vertices]]) on_themselves.insert(i);
+    });
+    for (const int i : on_themselves) {
       const VecX force = world_.contact_term->forces(world_.start.x, LawPart::all, ObjectPair{i, i});
       Eigen::Index at = 0;
       const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;

@@ -78,6 +78,10 @@ void ContactConfig::fields(Fields& f) {
            "how pairs are weighted");
   f.flag("between_held", between_held,
          "whether objects that motions hold throughout are kept from meeting one another; false: they may overlap");
+  f.optional_number("push_out", push_out, units::length,
+                    "objects that overlap at the start, or are closer than their offsets, are moved apart, none farther than this, to a gap "
+                    "of half the contact distance; those stay that motions hold, that are attached or at springs. Unless given, "
+                    "such a start is refused").positive();
   f.optional_object("friction", friction, "friction of every pair");
   f.object("lagging", lagging, "how friction follows the normal forces within a step");
   f.list("pairs", pairs, "what differs between two objects");

@@ -84,6 +84,7 @@ struct ContactConfig {
   Weights weights = Weights::area;
   bool between_held = true;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
+  std::optional<double> push_out;  // m
   std::optional<FrictionConfig> friction;
   LaggingConfig lagging;
   std::vector<PairConfig> pairs;

@@ -30,24 +30,22 @@ int World::index_of(const std::string& name, const std::string& who) const {
 
 int World::body_of(int vertex) const {
   if (vertex >= mesh_vertex_count()) return extra_object[vertex - mesh_vertex_count()];
-  int body = 0;
-  while (vertex >= bodies[body].first_vertex + bodies[body].vertex_count) ++body;
-  return body;
+  const auto after = std::upper_bound(bodies.begin(), bodies.end(), vertex, [](int v, const Body& body) { return v < body.first_vertex; });
+  return static_cast<int>(after - bodies.begin()) - 1;
 }
 
 std::vector<int> World::vertices_of(int body) const {
   std::vector<int> all(bodies[body].vertex_count);
   std::iota(all.begin(), all.end(), bodies[body].first_vertex);
-  for (size_t i = 0; i < extra_object.size(); ++i)
-    if (extra_object[i] == body) all.push_back(mesh_vertex_count() + static_cast<int>(i));
+  all.insert(all.end(), bodies[body].extra_vertices.begin(), bodies[body].extra_vertices.end());
   return all;
 }
 
 int World::number_in_body(int vertex) const {
-  const int body = body_of(vertex);
-  if (vertex < mesh_vertex_count()) return vertex - bodies[body].first_vertex;
-  return bodies[body].vertex_count +
-         static_cast<int>(std::count(extra_object.begin(), extra_object.begin() + (vertex - mesh_vertex_count()), body));
+  const Body& body = bodies[body_of(vertex)];
+  if (vertex < mesh_vertex_count()) return vertex - body.first_vertex;
+  const auto at = std::lower_bound(body.extra_vertices.begin(), body.extra_vertices.end(), vertex);
+  return body.vertex_count + static_cast<int>(at - body.extra_vertices.begin());
 }
 
 std::vector<int> World::append_vertices(std::span<const Vec3> x, int body) {
@@ -56,6 +54,7 @@ std::vector<int> World::append_vertices(std::span<const Vec3> x, int body) {
   rest.conservativeResize(rest.size() + 3 * static_cast<Eigen::Index>(x.size()));
   for (size_t i = 0; i < x.size(); ++i) vertex(rest, added[i]) = x[i];
   extra_object.insert(extra_object.end(), x.size(), body);
+  bodies[body].extra_vertices.insert(bodies[body].extra_vertices.end(), added.begin(), added.end());
   return added;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -11,12 +12,31 @@
 namespace tack {
 namespace {
 
+// Those that have candidates with object a, ascending.
+std::vector<int> objects_near(const ContactSystem& contact, int a) {
+  const CollisionMesh& mesh = contact.surface().mesh;
+  const Candidates& c = contact.candidates();
+  std::vector<int> near;
+  const auto add = [&](int v, int w) {
+    const int i = mesh.vertex_object[v], j = mesh.vertex_object[w];
+    if (i == a) near.push_back(j);
+    else if (j == a) near.push_back(i);
+  };
+  for (const auto& [p, t] : c.point_triangle) add(p, mesh.triangles[t][0]);
+  for (const auto& [i, j] : c.edge_edge) add(mesh.edges[i][0], mesh.edges[j][0]);
+  for (const auto& [p, e] : c.point_edge) add(p, mesh.edges[e][0]);
+  for (const auto& [p, q] : c.point_point) add(p, q);
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
 // The object nearest to object a; -1 if nothing is within the reach of contact.
 int nearest_object(const ContactSystem& contact, const VecX& x, int a) {
   const CollisionMesh& mesh = contact.surface().mesh;
   int nearest = -1;
   double smallest = std::numeric_limits<double>::infinity();
-  for (int b = 0; b < contact.pairs().objects(); ++b) {
+  for (const int b : objects_near(contact, a)) {
     const double d = smallest_gap(mesh, contact.pairs(), candidates_between(mesh, contact.candidates(), a, b), x);
     if (d < smallest) smallest = d, nearest = b;
   }

@@ -1,40 +1,45 @@
-// Which pairs of objects may touch: a symmetric table over object ids, and one answer for every
+// Which pairs of objects may touch: a symmetric table over classes of objects, and one answer for every
 // pair that the table does not hold. Contact within one object is the pair (a, a).
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
+#include "geometry/broad_phase/object_classes.hpp"
+
 namespace tack {
 
 class CollidingObjects {
  public:
-  explicit CollidingObjects(bool otherwise = true) : otherwise_(otherwise) {}
+  // Of objects that are all different.
+  explicit CollidingObjects(bool otherwise = true) : otherwise_(otherwise), classes_({}) {}
+  // What is set holds for all of the classes of two objects.
+  explicit CollidingObjects(ObjectClasses classes) : otherwise_(true), classes_(std::move(classes)), table_(classes_.entries(), true) {}
 
-  // Object ids are >= 0; the table grows as needed.
+  // Object ids are >= 0; the table grows as needed, by objects that are different from all.
   void set(int a, int b, bool allowed) {
     grow(std::max(a, b) + 1);
-    table_[index(a, b)] = table_[index(b, a)] = allowed;
+    table_[classes_.index(a, b)] = table_[classes_.index(b, a)] = allowed;
   }
   bool allows(int a, int b) const {
-    const bool known = a >= 0 && b >= 0 && a < objects_ && b < objects_;
-    return known ? table_[index(a, b)] != 0 : otherwise_;
+    const int n = classes_.objects();
+    const bool known = a >= 0 && b >= 0 && a < n && b < n;
+    return known ? table_[classes_.index(a, b)] != 0 : otherwise_;
   }
 
  private:
-  std::size_t index(int a, int b) const { return static_cast<std::size_t>(a) * objects_ + b; }
   void grow(int objects) {
-    if (objects <= objects_) return;
-    std::vector<char> larger(static_cast<std::size_t>(objects) * objects, otherwise_);
-    for (int a = 0; a < objects_; ++a)
-      std::copy_n(table_.begin() + a * objects_, objects_,
-                  larger.begin() + static_cast<std::ptrdiff_t>(a) * objects);
-    table_ = std::move(larger);
-    objects_ = objects;
+    if (objects <= classes_.objects()) return;
+    const ObjectClasses larger = ObjectClasses::single(objects);
+    std::vector<char> table(larger.entries(), otherwise_);
+    for (int a = 0; a < classes_.objects(); ++a)
+      for (int b = 0; b < classes_.objects(); ++b) table[larger.index(a, b)] = table_[classes_.index(a, b)];
+    table_ = std::move(table);
+    classes_ = larger;
   }
 
   bool otherwise_;
-  int objects_ = 0;
+  ObjectClasses classes_;
   std::vector<char> table_;
 };
 

@@ -6,21 +6,19 @@ using namespace tack;
 
 namespace {
 
-// Two objects; the points of the first are preferred where both capture the same.
+// Two objects; the surface of the first is finer.
 PairTable automatic_pair() {
-  PairTable pairs(2);
+  PairTable pairs(ObjectClasses::single(2), {1e-6, 2e-6});
   PairRole role{0, 1, 1e-3, true};
-  role.automatic = role.preferred = true;
-  pairs.point(0, 1) = role;
-  role.preferred = false;
-  pairs.point(1, 0) = role;
+  role.automatic = true;
+  pairs.point(0, 1) = pairs.point(1, 0) = role;
   return pairs;
 }
 
 bool first_chosen(const PairTable& pairs, IntegrationSides::Capture first, IntegrationSides::Capture second,
-                  const std::vector<char>& before = {}) {
+                  std::optional<IntegrationSides::Pairs> before = std::nullopt) {
   IntegrationSides sides(pairs);
-  sides.set_before(before);
+  sides.set_before(std::move(before));
   sides.capture(0, 1) = first;
   sides.capture(1, 0) = second;
   sides.choose();
@@ -42,9 +40,9 @@ TEST_CASE("integration sides: the side that captures more, the finer one where b
 
 TEST_CASE("integration sides: one is kept while it captures nearly as much", "[contact]") {
   const PairTable pairs = automatic_pair();
-  const std::vector<char> second = {0, 0, 1, 0};
+  const IntegrationSides::Pairs second = {{0, 1}};
   CHECK_FALSE(first_chosen(pairs, {1, 8}, {0.75, 8}, second));
   CHECK(first_chosen(pairs, {1, 8}, {0.65, 8}, second));
   CHECK_FALSE(first_chosen(pairs, {}, {}, second));
-  CHECK(first_chosen(pairs, {1, 8}, {1, 8}, {1}));  // of another scene
+  CHECK(first_chosen(pairs, {1, 8}, {0.75, 8}, IntegrationSides::Pairs{}));
 }

@@ -75,3 +75,19 @@ TEST_CASE("pairs that are no use are told", "[scene]") {
   named.replace(named.find("groups: [small]"), 15, "groups: [wall]");
   CHECK_THROWS_WITH(TestScene(named), Contains("a group 'wall', which is the name of an object"));
 }
+
+TEST_CASE("copies share a class; who is named, thicker or attached has one of its own", "[scene]") {
+  TestScene scene("objects:\n"
+                  "  - {name: grain, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: affine, fill: {region: {type: sphere, radius: 1}, count: 30, clearance: 0.01}}\n"
+                  "  - {name: thick, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [5, 0, 0]}, body: affine, contact_offset: 1e-3}\n"
+                  "  - {name: floor, shape: {type: box, size: [9, 0.1, 9]}, place: {translate: [0, -2, 0]}, motion: [fixed]}\n"
+                  "contact: {distance: 1e-3, pairs: [{between: [grain, floor], friction: {mu: 0.3}}, {between: [grain, grain], friction: {mu: 0.2}}, "
+                  "{between: [grain_7, floor], friction: {mu: 0.4}}, {between: [floor, floor], contact: false}]}\n");
+  CHECK(scene.world->contact->pairs().classes().count() == 4);
+  CHECK(friction(scene, "grain_3", "floor") == 0.3);
+  CHECK(friction(scene, "floor", "grain_7") == 0.4);
+  CHECK(friction(scene, "grain_3", "grain_30") == 0.2);
+  CHECK(friction(scene, "grain_3", "grain_7") == 0.2);
+  CHECK(friction(scene, "grain_3", "thick") == 0);
+  CHECK(friction(scene, "floor", "floor") == -1);
+}
