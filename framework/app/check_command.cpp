@@ -59,7 +59,7 @@ int check_command(const SceneOptions& options) {
   World& world = built.world();
   probes_of(built);
   print_contents(world);
-  for (const std::string& line : world.pushed) fmt::print("{}\n", line);
+  for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
   const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock()));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "framework/experiment/earlier_run.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/scene/build_world.hpp"
 
@@ -21,7 +22,9 @@ void check_damping(const Experiment& e, const Value& root, const World& world) {
 
 BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
   const Experiment& e = loaded_.experiment;
-  world_ = build_world(e, loaded_.root, e.time.step, clock_);
+  if (e.start && !loaded_.earlier) at_place(loaded_.root.find("start"), [&] { loaded_.earlier = state_of_run(e.start->from); });
+  world_ = build_world(e, loaded_.root, e.time.step, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr);
+  loaded_.earlier.reset();
   check_damping(e, loaded_.root, *world_);
   at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e); });
   at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });

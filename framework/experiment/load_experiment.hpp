@@ -1,16 +1,19 @@
 // From a file on disk to a typed experiment.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "framework/experiment/experiment.hpp"
+#include "framework/scene/earlier_state.hpp"
 
 namespace tack {
 
 struct LoadedExperiment {
   Value root;  // as parsed, for places in messages
   Experiment experiment;
+  std::optional<EarlierState> earlier;  // where it starts; unset: as `start` says (earlier_run.hpp)
 };
 
 // `overrides` are "a.b=c". Throws InputError with file, line and remedy.

@@ -1,6 +1,7 @@
 #include "framework/experiment/stored_experiment.hpp"
 
 #include "framework/config/describe.hpp"
+#include "framework/experiment/earlier_run.hpp"
 #include "framework/shapes/made_mesh.hpp"
 
 namespace tack {
@@ -33,6 +34,11 @@ LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
   for (ObjectConfig& object : loaded.experiment.objects)
     if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
       object.shape = std::make_unique<StoredMesh>(mesh->second);
+  // The start is checked where the problem is, and the file that the experiment started from may be gone.
+  if (!file.objects.empty()) {
+    loaded.earlier = earlier_state(file, loaded.experiment, name);
+    loaded.experiment.start.reset();
+  }
   return loaded;
 }
 

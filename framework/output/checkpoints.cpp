@@ -38,7 +38,7 @@ void check_meshes(const fs::path& path, const StateFile& file, const World& worl
 std::map<std::string, MeshDigest> file_meshes_of(const World& world) {
   std::map<std::string, MeshDigest> digests;
   for (const Body& body : world.bodies)
-    if (body.file_mesh) digests[body.name] = *body.file_mesh;
+    if (body.from_file) digests[body.name] = body.digest;
   return digests;
 }
 
@@ -46,11 +46,16 @@ fs::path checkpoint_path(const RunFolder& folder, int step) {
   return folder.checkpoints() / fmt::format("step_{:08}.checkpoint", step);
 }
 
-StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world) {
+fs::path newest_checkpoint_in(const fs::path& checkpoints) {
   fs::path newest;
   std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder.checkpoints(), none))
+  for (const auto& entry : fs::directory_iterator(checkpoints, none))
     if (entry.path().extension() == ".checkpoint") newest = std::max(newest, entry.path());
+  return newest;
+}
+
+StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world) {
+  const fs::path newest = newest_checkpoint_in(folder.checkpoints());
   if (newest.empty())
     throw InputError(fmt::format("{}: there is no checkpoint to resume from; run with output.checkpoint_interval, "
                                  "or start anew without --resume", folder.checkpoints().string()));

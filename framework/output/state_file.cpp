@@ -188,11 +188,12 @@ Json content_of(const std::filesystem::path& path) {
 }  // namespace
 
 void write_state_file(const std::filesystem::path& path, const StateFile& file) {
-  Json meshes = Json::object(), file_meshes = Json::object();
+  Json meshes = Json::object(), file_meshes = Json::object(), objects = Json::object();
   for (const auto& [object, mesh] : file.meshes) meshes[object] = to_json(mesh);
   for (const auto& [object, digest] : file.file_meshes) file_meshes[object] = to_json(digest);
+  for (const auto& [name, object] : file.objects) objects[name] = {{"vertices", object.vertices}, {"mesh", to_json(object.mesh)}};
   const Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
-                     {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes},
+                     {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes}, {"objects", objects},
                      {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals}};
   std::string content;
   Json::to_cbor(json, content);
@@ -212,6 +213,9 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     for (const auto& [object, mesh] : json.at("meshes").items()) file.meshes[object] = mesh_of(mesh);
     if (json.contains("file_meshes"))
       for (const auto& [object, digest] : json["file_meshes"].items()) file.file_meshes[object] = digest_of(digest);
+    if (json.contains("objects"))
+      for (const auto& [name, object] : json["objects"].items())
+        file.objects[name] = {object.at("vertices").get<std::vector<int>>(), digest_of(object.at("mesh"))};
     read_fields(json.at("state"), file.state);
     // Files of version 2 had the sides of contact beside the history at first.
     if (const auto sides = json.at("state").find("sides"); sides != json.at("state").end() && !sides->empty())

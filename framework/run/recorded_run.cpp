@@ -83,7 +83,7 @@ void RecordedRun::tell_beginning() {
     progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.threads));
-  for (const std::string& line : world_.pushed) progress_.message(line);
+  for (const std::string& line : world_.start_notes) progress_.message(line);
   warn_of_weak_wells(world_, progress_);
   for (const std::string& line : resolution_warnings(experiment_, world_)) progress_.warning(line);
   for (const std::string& line : doubtful_tolerances(experiment_, world_)) progress_.warning(line);
@@ -149,6 +149,7 @@ StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) cons
   StateFile file = state_file_of(kind, experiment_);
   file.program = provenance_.version;
   file.commit = provenance_.commit;
+  file.objects = state_objects(world_);
   if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(world_);
   file.state = state;
   return file;

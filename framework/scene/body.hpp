@@ -38,7 +38,8 @@ struct Body {
   std::vector<int> surface_vertices;
   std::vector<Triangle> surface_triangles;
   std::vector<int> extra_vertices;  // of its that are in no mesh, ascending: of its frame, surface and twists
-  std::optional<MeshDigest> file_mesh;  // if the mesh was read from a file, or processed: as it was there
+  MeshDigest digest;              // of the mesh before it was placed
+  bool from_file = false;         // the mesh was read from a file, or processed
   std::vector<std::string> notes;       // what processing the mesh had to tell
 };
 

@@ -13,6 +13,7 @@
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/describe_primitive.hpp"
+#include "framework/scene/earlier_state.hpp"
 #include "framework/scene/named_selections.hpp"
 #include "framework/scene/push_out.hpp"
 #include "framework/scene/refined_surface.hpp"
@@ -183,7 +184,7 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
 void check_start(const Value& root, const World& world) {
   if (!world.contact) return;
   const ContactSurface& surface = world.contact->surface();
-  const auto hits = find_intersections(surface.mesh, world.rest, world.contact->colliding(), 5);
+  const auto hits = find_intersections(surface.mesh, world.start.x, world.contact->colliding(), 5);
   if (hits.empty()) return;
   std::string list;
   int a = 0, b = 0;
@@ -204,8 +205,8 @@ void check_start(const Value& root, const World& world) {
 // Contact surfaces lie in front of what is meshed, if objects have an offset.
 void check_offsets(const Value& root, World& world) {
   if (!world.contact || world.contact->pairs().largest_offset() == 0) return;
-  world.contact->cover(world.rest, VecX());
-  const auto found = find_too_close(*world.contact, world.rest);
+  world.contact->cover(world.start.x, VecX());
+  const auto found = find_too_close(*world.contact, world.start.x);
   world.contact->forget();
   if (found.empty()) return;
   std::string list;
@@ -224,7 +225,7 @@ void check_containment(const Value& root, const World& world) {
   if (!found) return;
   const Body& inner = world.bodies[found->body];
   const Body& outer = world.bodies[found->around];
-  const Vec3 x = vertex(world.rest, found->vertex);
+  const Vec3 x = vertex(world.start.x, found->vertex);
   throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
                                "in tet {}); move the objects apart (place.translate) or turn their contact off "
                                "(contact.pairs, contact: false)",
@@ -253,11 +254,11 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
   return value ? value->mark.text() + ": " : "";
 }
 
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock) {
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, const EarlierState* earlier) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
   std::vector<Mesh> meshes;
-  std::vector<std::optional<MeshDigest>> file_meshes;
+  std::vector<MeshDigest> digests;
   std::vector<std::vector<std::string>> notes;  // of the shapes
   for_each_object(scene, root, [&](size_t i) {
     const ObjectConfig& object = scene.objects[i];
@@ -265,18 +266,17 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
       throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
     const auto shape = made(*object.shape);
     Mesh mesh = shape->mesh;
-    std::optional<MeshDigest> file_mesh;
-    if (object.shape->reads_files()) file_mesh = digest_of(mesh);
+    digests.push_back(digest_of(mesh));
     mesh = placed(std::move(mesh), object);
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
     meshes.push_back(std::move(mesh));
-    file_meshes.push_back(file_mesh);
     notes.push_back(shape->notes);
   });
-  world->pushed = push_out(scene, root, meshes);
+  world->start_notes = push_out(scene, root, meshes);
   for_each_object(scene, root, [&](size_t i) {
     add_body(scene.objects[i], meshes[i], *world);
-    world->bodies.back().file_mesh = file_meshes[i];
+    world->bodies.back().digest = digests[i];
+    world->bodies.back().from_file = scene.objects[i].shape->reads_files();
     world->bodies.back().notes = std::move(notes[i]);
   });
   meshes.clear();
@@ -313,6 +313,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   world->gravity = scene.gravity;
   if (!scene.gravity.isZero()) world->gravity_term.set_up(world->weighing_mass, scene.gravity);
   start_state(scene, *world);
+  if (earlier)
+    at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   build_contact(scene, root, clock, *world);
   check_start(root, *world);
   check_offsets(root, *world);

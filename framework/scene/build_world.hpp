@@ -11,10 +11,13 @@
 
 namespace tack {
 
+struct EarlierState;
+
 // Builds the world as it is before a first step of that size [s]; it points into the scene. `root` is the parsed
 // file, for places in messages. Throws InputError for anything that does not fit together, also for a start that
-// intersects.
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock);
+// intersects. `earlier`: the state that the scene's `start` speaks of; null without.
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock,
+                                   const EarlierState* earlier = nullptr);
 
 // The pairs of objects and their laws (contact_setup.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);

@@ -26,13 +26,13 @@ Aabb box_of(const Body& body, const VecX& x) {
 // Surface vertices of the other objects that may be in this one.
 std::vector<int> candidates(const World& world, int around) {
   const CollisionMesh& mesh = world.contact->surface().mesh;
-  const Aabb box = box_of(world.bodies[around], world.rest);
+  const Aabb box = box_of(world.bodies[around], world.start.x);
   std::vector<int> inside;
   for (const int v : mesh.vertices) {
     const int body = mesh.vertex_object[v];
     const bool relevant = body != around && world.contact->colliding().allows(body, around) &&
                           (world.bodies[body].movable || world.bodies[around].movable);
-    if (relevant && box.contains(vertex(world.rest, v))) inside.push_back(v);
+    if (relevant && box.contains(vertex(world.start.x, v))) inside.push_back(v);
   }
   return inside;
 }
@@ -60,7 +60,7 @@ std::optional<Containment> find_containment(const World& world) {
     const std::vector<int> vertices = candidates(world, around);
     if (vertices.empty()) continue;
     std::vector<std::array<int, 2>> hits;
-    overlap_pairs(tree_of(vertices, world.rest), tree_of(tets, world.rest), VertexInTet{vertices, tets, world.rest}, hits);
+    overlap_pairs(tree_of(vertices, world.start.x), tree_of(tets, world.start.x), VertexInTet{vertices, tets, world.start.x}, hits);
     if (hits.empty()) continue;
     const int v = vertices[hits.front()[0]];
     return Containment{world.contact->surface().mesh.vertex_object[v], v, around, hits.front()[1]};

@@ -87,12 +87,23 @@ void ContactConfig::fields(Fields& f) {
   f.list("pairs", pairs, "what differs between two objects");
 }
 
+void StartConfig::fields(Fields& f) {
+  f.path("from", from, "a checkpoint (output.checkpoint_interval), or the folder of a run: its newest").required();
+  f.texts("objects", objects, "or groups of them; empty: all that both scenes have. Others start as the scene says. Their meshes must be the "
+          "same; what they remember (plastic strain, twist) is taken along");
+  f.flag("velocities", velocities, "false: they start at rest");
+}
+
 void SceneConfig::fields(Fields& f) {
   f.vector("gravity", gravity, units::acceleration, "acceleration of every mass");
   f.list("objects", objects, "what is simulated").required().nonempty();
   f.list("selections", selections, "as those of an object, of all objects of which they choose a vertex");
   f.list("springs", springs, "springs between objects");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
+  f.optional_object("start", start, "objects that an earlier run has moved start as they were at one of its checkpoints, at time 0");
+  f.check("start", [this]() -> std::string {
+    return start && contact && contact->push_out ? "places objects, as contact.push_out does; take one of them out" : "";
+  });
 }
 
 }  // namespace tack

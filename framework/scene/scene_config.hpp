@@ -21,6 +21,7 @@
 #include "framework/scene/rod_section.hpp"
 #include "framework/shapes/shape_source.hpp"
 #include "framework/scene/springs.hpp"
+#include "framework/scene/start_config.hpp"
 
 namespace tack {
 
@@ -97,6 +98,7 @@ struct SceneConfig {
   std::vector<NamedSelection> selections;
   std::vector<SpringConfig> springs;
   std::optional<ContactConfig> contact;
+  std::optional<StartConfig> start;
   void fields(Fields& f);
 };
 

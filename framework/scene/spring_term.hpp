@@ -22,6 +22,7 @@ class SpringTerm : public Term, public ResidualView {
   };
   void add(Edge vertices, const Spring& spring);
   const std::string& label() const { return label_; }
+  const std::string& history_name() const { return history_; }
   int count() const { return static_cast<int>(springs_.size()); }
   int intact() const;
   // What the springs exert on their first vertices in sum [N].

@@ -54,7 +54,7 @@ struct World {
   StepParticipants participants;  // contact and the terms
   std::vector<AdhesionSummary> adhesion;
   State start;
-  std::vector<std::string> pushed;  // what became of objects that overlapped (push_out.hpp)
+  std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (earlier_state.hpp)
 
   int body_index(const std::string& name) const;  // -1 if there is none
   // The same; throws InputError with the nearest name, after `who` ("probe 'gap': "), if there is none.

@@ -46,8 +46,8 @@ TEST_CASE("blocks that overlap by 1 mm come apart by that and half the contact d
   const TestScene scene(scene_of(objects));
   CHECK((moved(scene, objects, "block") - Vec3(0, 1.5e-3, 0)).norm() < 1e-9);
   CHECK(moved(scene, objects, "floor").norm() == 0);
-  REQUIRE(scene.world->pushed.size() == 1);
-  CHECK_THAT(scene.world->pushed[0], Contains("'block' is pushed by 0.0015 m") && Contains("away from 'floor'"));
+  REQUIRE(scene.world->start_notes.size() == 1);
+  CHECK_THAT(scene.world->start_notes[0], Contains("'block' is pushed by 0.0015 m") && Contains("away from 'floor'"));
   CHECK(scene.world->contact->smallest_gap(scene.world->rest) > 0);
 }
 
@@ -61,9 +61,9 @@ TEST_CASE("of two that may go, the smaller one goes farther; offsets are kept", 
 
 TEST_CASE("who keeps clear is left alone, and so is who may pass through", "[push_out]") {
   const std::string near = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.1001, 0), loose);
-  CHECK(TestScene(scene_of(near)).world->pushed.empty());
+  CHECK(TestScene(scene_of(near)).world->start_notes.empty());
   const std::string through = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.05, 0), loose);
-  CHECK(TestScene(scene_of(through, "push_out: 5 mm, pairs: [{between: [block, floor], contact: false}]")).world->pushed.empty());
+  CHECK(TestScene(scene_of(through, "push_out: 5 mm, pairs: [{between: [block, floor], contact: false}]")).world->start_notes.empty());
 }
 
 TEST_CASE("a heap of balls that overlap finds room, and the same one twice", "[push_out]") {
@@ -76,8 +76,8 @@ TEST_CASE("a heap of balls that overlap finds room, and the same one twice", "[p
   balls += box("wall", Vec3(0.13, 0, 0), fixed, Vec3(0.08, 0.4, 0.4));
   CHECK_THROWS_WITH(TestScene(scene_of(balls, "guard: 0.5")), Contains("the start intersects"));
   const TestScene scene(scene_of(balls, "push_out: 40 mm")), again(scene_of(balls, "push_out: 40 mm"));
-  CHECK(scene.world->pushed.size() == 11);
-  CHECK_THAT(scene.world->pushed.back(), Contains("more objects"));
+  CHECK(scene.world->start_notes.size() == 11);
+  CHECK_THAT(scene.world->start_notes.back(), Contains("more objects"));
   CHECK(scene.world->rest == again.world->rest);
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("what cannot come apart is refused by name", "[push_out]") {
 
 TEST_CASE("what motions hold stays where it is, and so do those at springs", "[push_out]") {
   const std::string held = box("floor", Vec3::Zero(), fixed) + box("shelf", Vec3(0, 0.099, 0), fixed) + box("block", Vec3(1, 0, 0), loose);
-  CHECK(TestScene(scene_of(held)).world->pushed.empty());
+  CHECK(TestScene(scene_of(held)).world->start_notes.empty());
   const std::string block = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.099, 0), loose);
   CHECK_THROWS_WITH(TestScene(scene_of(block) + "springs: [{name: cord, stiffness: 10 N/m, from: {object: block}, to: {object: floor}}]\n"), Contains("the start intersects"));
 }

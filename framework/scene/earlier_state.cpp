@@ -1,0 +1,129 @@
+#include "framework/scene/earlier_state.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "framework/config/describe.hpp"
+#include "framework/config/nearest.hpp"
+#include "framework/scene/spring_term.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+const StateObject& checked(const std::string& name, const EarlierState& earlier, const StateObject& here) {
+  const StateObject& there = earlier.objects.at(name);
+  MeshDigest was = there.mesh;
+  was.vertices = here.mesh.vertices, was.groups = here.mesh.groups;  // it may be of another size, and have other groups
+  if (const std::string other = difference(was, here.mesh); !other.empty())
+    throw InputError(fmt::format("object '{}' had another mesh in {} ({}); give it the same shape, or leave it out of start.objects", name,
+                                 earlier.file, other));
+  if (there.vertices.size() != here.vertices.size())
+    throw InputError(fmt::format("object '{}' had {} vertices in {} beside those of its mesh (of affine bodies, finer surfaces, twists), and has {} "
+                                 "here; give it the same `body`, `surface` and energies that twist, or leave it out of start.objects", name,
+                                 there.vertices.size() - there.mesh.vertex_count, earlier.file, here.vertices.size() - here.mesh.vertex_count));
+  return there;
+}
+
+std::string names_of(const std::map<std::string, StateObject>& objects) {
+  std::vector<std::string> names;
+  for (const auto& [name, _] : objects) names.push_back(name);
+  if (names.size() > 8) {
+    names.resize(8);
+    names.push_back("...");
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// In the scene's order.
+std::vector<const ObjectConfig*> chosen(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene) {
+  std::vector<const ObjectConfig*> all;
+  const auto among = [](const std::vector<std::string>& list, const std::string& name) { return std::find(list.begin(), list.end(), name) != list.end(); };
+  for (const ObjectConfig& object : scene.objects) {
+    const bool named = among(start.objects, object.name) ||
+                       std::any_of(object.groups.begin(), object.groups.end(), [&](const std::string& group) { return among(start.objects, group); });
+    if (named && !earlier.objects.contains(object.name))
+      throw InputError(fmt::format("there is no object '{}' in {}; it has {}", object.name, earlier.file, names_of(earlier.objects)));
+    if (named || (start.objects.empty() && earlier.objects.contains(object.name))) all.push_back(&object);
+  }
+  for (const std::string& name : start.objects)
+    if (std::none_of(scene.objects.begin(), scene.objects.end(), [&](const ObjectConfig& o) { return o.name == name || among(o.groups, name); })) {
+      std::vector<std::string> names;
+      for (const ObjectConfig& o : scene.objects) names.push_back(o.name), names.insert(names.end(), o.groups.begin(), o.groups.end());
+      throw InputError(fmt::format("there is no object or group '{}'{}", name, suggestion(name, names, "objects and groups")));
+    }
+  if (all.empty())
+    throw InputError(fmt::format("no object of the scene is in {}, which has {}; name them alike, or take `start` out", earlier.file,
+                                 names_of(earlier.objects)));
+  return all;
+}
+
+// What the object remembers, by the names that it begins with.
+void take_history(const ObjectConfig& object, const EarlierState& earlier, State& state) {
+  const std::string prefix = object.name + "/";
+  bool any = false;
+  for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
+    if (it->first == prefix + "broken") continue;  // of a spring of that name
+    state.history.insert(*it);
+    any = true;
+  }
+  if (any && earlier.energies.at(object.name) != energies_text(object))
+    throw InputError(fmt::format("object '{}' remembers what happened to it in {} (plastic strain, turns, frames), and its energies are others now; "
+                                 "give it the same, or leave it out of start.objects", object.name, earlier.file));
+}
+
+// Which springs broke between objects that are both taken.
+void take_springs(const std::vector<const ObjectConfig*>& objects, const EarlierState& earlier, const SceneConfig& scene, World& world) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(objects.begin(), objects.end(), [&](const ObjectConfig* object) { return object->name == name; });
+  };
+  for (size_t i = 0; i < scene.springs.size(); ++i) {
+    const SpringTerm& springs = *world.springs[i];
+    const auto there = earlier.history.find(springs.history_name());
+    if (there == earlier.history.end() || !taken(scene.springs[i].from.object) || !taken(scene.springs[i].to.object)) continue;
+    if (there->second.entries() != springs.count())
+      throw InputError(fmt::format("springs '{}' were {} in {}, and are {} here; name them otherwise, or give them the same ends",
+                                   scene.springs[i].name, there->second.entries(), earlier.file, springs.count()));
+    world.start.history.insert(*there);
+  }
+}
+
+}  // namespace
+
+std::map<std::string, StateObject> state_objects(const World& world) {
+  std::map<std::string, StateObject> objects;
+  for (size_t i = 0; i < world.bodies.size(); ++i) objects[world.bodies[i].name] = {world.vertices_of(static_cast<int>(i)), world.bodies[i].digest};
+  return objects;
+}
+
+std::string energies_text(const ObjectConfig& object) {
+  std::string text;
+  for (const auto& energy : object.energies) text += fmt::format("{}\n{}", energy->type(), to_yaml(fields_of(*energy)));
+  return text;
+}
+
+std::string start_as_before(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene, World& world) {
+  const std::map<std::string, StateObject> here = state_objects(world);
+  State& s = world.start;
+  const std::vector<const ObjectConfig*> objects = chosen(start, earlier, scene);
+  for (const ObjectConfig* object : objects) {
+    const StateObject& now = here.at(object->name);
+    const StateObject& then = checked(object->name, earlier, now);
+    for (size_t k = 0; k < now.vertices.size(); ++k) {
+      const int v = now.vertices[k], w = then.vertices[k];
+      vertex(s.x, v) = vertex(earlier.x, w);
+      const bool moves = start.velocities && world.dofs.moves(v);
+      vertex(s.v, v) = moves ? Vec3(vertex(earlier.v, w)) : Vec3::Zero();
+      vertex(s.a, v) = moves ? Vec3(vertex(earlier.a, w)) : Vec3::Zero();
+    }
+    take_history(*object, earlier, s);
+  }
+  take_springs(objects, earlier, scene, world);
+  for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.follow(*field);
+  return fmt::format("{} of {} objects start as they were in {} (t = {:.6g} s)", objects.size(), scene.objects.size(), earlier.file, earlier.time);
+}
+
+}  // namespace tack
