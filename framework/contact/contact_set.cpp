@@ -4,9 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/distance/edge_edge.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
+#include "framework/contact/rest_neighbours.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -34,39 +32,33 @@ Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candi
   return found;
 }
 
-double smallest_gap(const CollisionMesh& mesh, const PairTable& pairs, const Candidates& candidates, const VecX& x) {
+double smallest_gap(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const VecX& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto smallest = [&](const auto& list, const auto& clearance, const auto& offset, const auto& squared) {
+  const CollisionMesh& mesh = surface.mesh;
+  const auto smallest = [&](const auto& list, const auto& clearance, const auto& first_of, const auto& second_of) {
     return min_chunks(static_cast<int>(list.size()), infinity, [&](int first, int last) {
       double least = infinity;
       for (int i = first; i < last; ++i) {
-        const double filled = pairs.largest_offset() > 0 ? offset(list[i][0], list[i][1]) : 0;
-        if (clearance[i] - filled < least) least = std::min(least, std::sqrt(squared(list[i][0], list[i][1])) - filled);
+        const auto& a = first_of(list[i][0]);
+        const auto& b = second_of(list[i][1]);
+        const int of_a = mesh.vertex_object[a[0]], of_b = mesh.vertex_object[b[0]];
+        double filled = pairs.largest_offset() > 0 ? pairs.offset(of_a, of_b) : 0;
+        if (clearance[i] - filled >= least) continue;
+        const double distance = std::sqrt(squared_distance(corners(x, a), corners(x, b)));
+        if (filled > 0 && distance - filled < least && rest_neighbours(surface, a, b, pairs.edge(of_a, of_b).range)) filled = 0;
+        least = std::min(least, distance - filled);
       }
       return least;
     });
   };
-  const auto at = [&](int v) { return Vec3(vertex(x, v)); };
-  const auto offset = [&](int v, int w) { return pairs.offset(mesh.vertex_object[v], mesh.vertex_object[w]); };
+  const auto point = [](int v) { return std::array{v}; };
+  const auto edge = [&](int e) -> const Edge& { return mesh.edges[e]; };
+  const auto triangle = [&](int t) -> const Triangle& { return mesh.triangles[t]; };
   const Clearances& clearances = candidates.clearances;
-  const double points = smallest(
-      candidates.point_triangle, clearances.point_triangle, [&](int p, int t) { return offset(p, mesh.triangles[t][0]); },
-      [&](int p, int t) {
-        const Triangle& f = mesh.triangles[t];
-        return point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2]));
-      });
-  const double edges = smallest(
-      candidates.edge_edge, clearances.edge_edge, [&](int i, int j) { return offset(mesh.edges[i][0], mesh.edges[j][0]); },
-      [&](int i, int j) {
-        const Edge &a = mesh.edges[i], &b = mesh.edges[j];
-        return edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1]));
-      });
-  const double rods = smallest(
-      candidates.point_edge, clearances.point_edge, [&](int p, int e) { return offset(p, mesh.edges[e][0]); },
-      [&](int p, int e) { return point_edge_closest(at(p), at(mesh.edges[e][0]), at(mesh.edges[e][1])).s; });
-  const double particles = smallest(candidates.point_point, clearances.point_point, offset,
-                                    [&](int a, int b) { return (at(a) - at(b)).squaredNorm(); });
-  return std::min({points, edges, rods, particles});
+  return std::min({smallest(candidates.point_triangle, clearances.point_triangle, point, triangle),
+                   smallest(candidates.edge_edge, clearances.edge_edge, edge, edge),
+                   smallest(candidates.point_edge, clearances.point_edge, point, edge),
+                   smallest(candidates.point_point, clearances.point_point, point, point)});
 }
 
 }  // namespace tack

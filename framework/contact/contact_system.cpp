@@ -112,7 +112,7 @@ void ContactSystem::cover(const VecX& x, const VecX& p) {
 }
 
 double ContactSystem::smallest_gap(const VecX& x) const {
-  return tack::smallest_gap(surface_.mesh, pairs_, candidates(), x);
+  return tack::smallest_gap(surface_, pairs_, candidates(), x);
 }
 
 }  // namespace tack

@@ -79,7 +79,7 @@ class Gap : public Probe {
   Unit unit() const override { return units::length; }
   std::vector<double> sample(const World& world, const State& state) override {
     const CollisionMesh& mesh = world.contact->surface().mesh;
-    return {smallest_gap(mesh, world.contact->pairs(), candidates_between(mesh, world.contact->candidates(), a_, b_), state.x)};
+    return {smallest_gap(world.contact->surface(), world.contact->pairs(), candidates_between(mesh, world.contact->candidates(), a_, b_), state.x)};
   }
 
  private:

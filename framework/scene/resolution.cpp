@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "framework/contact/contact_term.hpp"
@@ -97,7 +98,10 @@ class Warnings {
       }
     for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
     start();
-    return std::move(lines_);
+    std::vector<std::string> texts;
+    for (const Line& line : lines_)
+      texts.push_back(line.more == 0 ? line.text : fmt::format("{} (and so it is for {} more copies of '{}')", line.text, line.more, line.group));
+    return texts;
   }
 
  private:
@@ -112,19 +116,19 @@ class Warnings {
       const std::string& name = world_.bodies[i].name;
       const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
       if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, "zone"))
-        lines_.push_back(fmt::format(
+        tell(i, "zone", fmt::format(
             "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
             "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
       const double length = std::pow(bending_stiffness(i) * 2 * adhesion.work_of_adhesion / std::pow(adhesion.peak_traction, 2), 0.25);
       if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, "bent"))
-        lines_.push_back(fmt::format(
+        tell(i, "bent", fmt::format(
             "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
             "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
             "resolved; refine '{}'",
             name, size, world_.bodies[a].name, world_.bodies[b].name, length, name));
       if (m.gap_change > range / 4 && first_time(i, "curved"))
-        lines_.push_back(fmt::format(
+        tell(i, "curved", fmt::format(
             "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
             "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
             name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
@@ -145,11 +149,11 @@ class Warnings {
     const std::string& name = world_.bodies[i].name;
     if (!world_.bodies[i].movable) return;
     if (m.size > 0 && distance > m.size)
-      lines_.push_back(fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
+      tell(i, "distance", fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
                                    "to a half of them or less",
                                    distance, name, m.size));
     if (m.thickness > 0 && range > m.thickness)
-      lines_.push_back(fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
+      tell(i, "thickness", fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
                                    "({:.3g} m); lower the range, or name the pair with contact: false",
                                    name, range, m.thickness));
   }
@@ -169,21 +173,45 @@ class Warnings {
       Eigen::Index at = 0;
       const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
       if (!(largest > 0)) continue;
-      lines_.push_back(fmt::format(
+      tell(i, "start", fmt::format(
           "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
           "lower contact.distance or the range of its adhesion below the gaps between its parts",
           world_.bodies[i].name, largest, world_.number_in_body(static_cast<int>(at / 3))));
     }
   }
 
-  // One warning of a kind is enough for an object, however many it adheres to.
+  // One warning of a kind is enough for an object, however many it adheres to, and for all copies of one (fill.hpp).
   bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
+
+  void tell(int object, const char* kind, std::string line) {
+    const std::string group = copies_of(scene_.objects[object]);
+    if (!group.empty()) {
+      const auto [found, first] = line_of_.emplace(std::pair(group, kind), lines_.size());
+      if (!first) {
+        ++lines_[found->second].more;
+        return;
+      }
+    }
+    lines_.push_back({std::move(line), group});
+  }
+
+  // The entry that it is a copy of: the last of its groups, of which it has the name and a number; else "".
+  static std::string copies_of(const ObjectConfig& object) {
+    if (object.groups.empty() || !object.name.starts_with(object.groups.back() + "_")) return "";
+    return object.groups.back();
+  }
+
+  struct Line {
+    std::string text, group;
+    int more = 0;  // copies of the same that it also holds for
+  };
 
   const SceneConfig& scene_;
   World& world_;
   std::set<std::pair<int, std::string>> told_;
   std::vector<SurfaceMeasure> measures_;
-  std::vector<std::string> lines_;
+  std::map<std::pair<std::string, std::string>, size_t> line_of_;  // by group and kind
+  std::vector<Line> lines_;
 };
 
 }  // namespace

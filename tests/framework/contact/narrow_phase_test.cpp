@@ -76,3 +76,15 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
     CHECK(known > 1000);
   }
 }
+
+TEST_CASE("edges of a rod that are close at rest do not count as overlapping", "[contact]") {
+  // Edges shorter than the rod is thick: those next but one are 1 mm apart, within its 4 mm.
+  TestScene scene("objects: [{name: rod, shape: {type: segment, length: 0.02, edges: 20}, rod: {radius: 2 mm}, contact_offset: 2 mm,\n"
+                  "  energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]},\n"
+                  "  {name: other, shape: {type: segment, length: 0.02, edges: 20}, place: {translate: [0, 0, 4.3 mm]}, rod: {radius: 2 mm},\n"
+                  "  contact_offset: 2 mm, energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]}]\n"
+                  "contact: {distance: 0.5 mm}\n");
+  ContactSystem& contact = *scene.world->contact;
+  contact.move_to(scene.world->rest);
+  CHECK(contact.smallest_gap(scene.world->rest) == Approx(0.3e-3));
+}

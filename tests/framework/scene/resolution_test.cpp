@@ -82,3 +82,11 @@ TEST_CASE("resolution: a range above the thickness is told") {
                             "     place: {translate: [0, 0.0015, 0]}, energies: [{type: neo_hookean, young: 1e5}]}\n";
   CHECK(one_with(warnings(ground + sheet, "  distance: 1 mm\n"), "above its thickness"));
 }
+
+TEST_CASE("resolution: copies of an object are warned of in one line") {
+  const std::string grains = "  - {name: grain, shape: {type: sphere, radius: 1 cm, cells: 8, surface: true}, body: {type: affine, density: 1000},\n"
+                             "     fill: {region: {type: box, size: [0.2, 0.2, 0.2], place: {translate: [0, 0.2, 0]}}, count: 5, clearance: 6 mm}}\n";
+  const auto lines = warnings(ground + grains, "  distance: 5 mm\n");
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], Catch::Contains("exceeds the elements of 'grain_1'") && Catch::Contains("(and so it is for 4 more copies of 'grain')"));
+}
