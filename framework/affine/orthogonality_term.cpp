@@ -2,7 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 
+#include "framework/affine/bent_change.hpp"
 #include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
 #include "geometry/parallel.hpp"
@@ -42,6 +44,35 @@ double OrthogonalityTerm::largest_strain(const VecX& x) const {
                                     .eigenvalues().lpNorm<Eigen::Infinity>());
   }
   return largest;
+}
+
+bool OrthogonalityTerm::bend(const DofMap& dofs, const VecX& q, VecX& p, double loss) const {
+  std::vector<char> bent(frames_.size(), 0);
+  for_each(static_cast<int>(frames_.size()), [&](int b) {
+    const Tet& frame = frames_[b];
+    if (!std::all_of(frame.begin(), frame.end(), [&](int v) { return dofs.owns(v); })) return;
+    Eigen::Matrix<double, 3, 4> x, way;
+    for (int i = 0; i < 4; ++i) {
+      x.col(i) = q.segment<3>(3 * dofs.block(frame[i]));
+      way.col(i) = p.segment<3>(3 * dofs.block(frame[i]));
+    }
+    const Eigen::Matrix<double, 4, 3> map = corners(b).transpose();
+    const Mat3 straight = way * map;
+    const Mat3 a = x * map;
+    Mat3 change = straight;
+    if (!bend_change(a, change)) return;
+    const Mat3 beyond = strain_of(a + straight) - strain_of(a + change);
+    if (bodies_[b].modulus / 2 * beyond.squaredNorm() <= loss) return;
+    // What A gains acts on the corners at rest, about their centroid.
+    const Mat3 edges = bodies_[b].shape.inverse();
+    const Vec3 first = -edges.rowwise().sum() / 4;
+    for (int i = 0; i < 4; ++i) {
+      const Vec3 rest = i == 0 ? first : Vec3(first + edges.col(i - 1));
+      p.segment<3>(3 * dofs.block(frame[i])) += (change - straight) * rest;
+    }
+    bent[b] = 1;
+  }, 16);
+  return std::any_of(bent.begin(), bent.end(), [](char b) { return b != 0; });
 }
 
 double OrthogonalityTerm::value(const VecX& x) const {

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "framework/core/dof_map.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
 
@@ -21,6 +22,9 @@ class OrthogonalityTerm : public Term, public ResidualView {
   // rest: 3n [m]; volume [m^3]; stiffness [Pa].
   void add(const Tet& frame, const VecX& rest, double volume, double stiffness);
   bool empty() const { return frames_.empty(); }
+  // Bends the step p from the unknowns q of bodies that are free as a whole (bent_change.hpp), where turning them straight
+  // would cost more than `loss` [J]; their centroids go straight. False if there are none.
+  bool bend(const DofMap& dofs, const VecX& q, VecX& p, double loss) const;
   // The largest principal strain of any body, by magnitude.
   double largest_strain(const VecX& x) const;
 

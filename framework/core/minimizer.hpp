@@ -47,6 +47,9 @@ struct MinimizerProblem {
   // The largest force that nothing balances, in units of what is tolerated; if given, it must be below 1
   // where the minimisation ends.
   std::function<double(const VecX& gradient)> imbalance = {};
+  // If given, p <- a step from q that agrees with it to first order and turns stiff bodies without straining them, where
+  // straining one would cost more than `loss`, in units of the objective. False, and p as it was, if there is none.
+  std::function<bool(const VecX& q, VecX& p, double loss)> bend = {};
 };
 
 struct MinimizerResult {

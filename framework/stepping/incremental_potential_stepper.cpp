@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "framework/affine/orthogonality_term.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/scene_config.hpp"
@@ -75,6 +76,10 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
                            {}, clock_};
   problem.observer = observers_.minimizer;
   convergence_.judge(problem);
+  if (world_.affine)
+    problem.bend = [&](const VecX& from, VecX& p, double loss) {
+      return world_.affine->bend(world_.dofs, from, p, loss / step.potential.scale());
+    };
   minimize_lagged(problem, q, attempt);
 }
 

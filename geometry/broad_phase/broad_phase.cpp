@@ -17,6 +17,7 @@ namespace tack {
 namespace {
 
 constexpr int kGrain = 4096;
+constexpr double kFew = 0.4;  // of the vertices: so many are worth a search of theirs alone
 constexpr double kTight = 0.05;  // of the skin: how far vertices may move in tight boxes
 
 template <class Predicate>
@@ -61,8 +62,19 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
 
   const double reach = largest(x) + largest(p) + range + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
-  safe_boxes_ = boxes_around(x, p, 0.5 * skin + rounding);
-  finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
+  std::vector<Aabb> boxes = boxes_around(x, p, 0.5 * skin + rounding);
+  std::vector<char> changed;
+  if (builds_ > 0 && range <= range_ && edge_range <= edge_range_) changed = strayed(x, p);
+  if (changed.empty()) {
+    safe_boxes_ = std::move(boxes);
+    finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
+  } else {
+    for (const int v : mesh_.vertices)
+      if (changed[mesh_.vertex_object[v]]) safe_boxes_[v] = boxes[v];
+    range = range_;  // that of the other candidates
+    edge_range = edge_range_;
+    finder_.find_again(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, changed, candidates_);
+  }
   find_clearances(mesh_, safe_boxes_, candidates_);
   tight_boxes_.clear();
   served_ = 0;
@@ -70,6 +82,34 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
   edge_range_ = edge_range;
   ++builds_;
   return true;
+}
+
+// A flag for each object that has left its safe boxes; empty if they are so many, or such, that all should be searched.
+std::vector<char> BroadPhase::strayed(const VecX& x, const VecX& p) const {
+  std::vector<char> objects, fixed;
+  std::vector<int> size;
+  for (const int v : mesh_.vertices) {
+    const auto object = static_cast<std::size_t>(mesh_.vertex_object[v]);
+    if (object >= objects.size()) {
+      objects.resize(object + 1, 0);
+      fixed.resize(object + 1, 0);
+      size.resize(object + 1, 0);
+    }
+    ++size[object];
+    fixed[object] |= !mesh_.vertex_movable[v];
+    if (objects[object]) continue;
+    const Aabb& box = safe_boxes_[v];
+    if (box.contains(vertex(x, v)) && (p.size() == 0 || box.contains(vertex(x, v) + vertex(p, v)))) continue;
+    objects[object] = 1;
+  }
+  int strayed = 0;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (!objects[i]) continue;
+    if (fixed[i]) return {};
+    strayed += size[i];
+  }
+  if (strayed > kFew * static_cast<double>(mesh_.vertices.size())) return {};
+  return objects;
 }
 
 // Distances are found anew where vertices have come to rest far from where they were found.

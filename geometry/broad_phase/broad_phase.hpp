@@ -8,6 +8,7 @@
 // primitive box, by convexity; hence, as long as every vertex lies in its safe box, every pair
 // closer than `range` is among the candidates, during minimisation, line search and CCD alike. (All
 // boxes are a few rounding errors larger than said, so that this holds in floating point.)
+// Where only few objects have left their safe boxes, those alone get new ones and are searched.
 // Most candidates are far apart all the same, so each has a clearance (clearances.hpp). It holds in the safe boxes,
 // or, where vertices hardly moved for a while, in much smaller ones, and is found anew when a vertex leaves those. Their distances are those in the middle of these
 // boxes, and found anew where vertices have come to rest far from there.
@@ -54,6 +55,7 @@ class BroadPhase {
   bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
   void renew_distances(const VecX& x, const VecX& p, double range);
   bool renew_clearances(const VecX& x, const VecX& p, double skin);
+  std::vector<char> strayed(const VecX& x, const VecX& p) const;
 
   const CollisionMesh& mesh_;
   CandidateFinder finder_;

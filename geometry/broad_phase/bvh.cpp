@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "geometry/broad_phase/space_order.hpp"
 #include "geometry/errors.hpp"
@@ -32,6 +33,12 @@ bool Bvh::update(const std::vector<Aabb>& boxes, double growth) {
   if (node_area() <= growth * built_area_) return false;
   order_by_position(boxes);
   return true;
+}
+
+void Bvh::set_active(std::vector<char> active) {
+  if (active.size() != primitive_active_.size())
+    throw InputError(fmt::format("Bvh: {} boxes but {} activity flags; give one flag a box", size(), active.size()));
+  primitive_active_ = std::move(active);
 }
 
 void Bvh::order_by_position(const std::vector<Aabb>& boxes) {

@@ -28,6 +28,9 @@ class Bvh {
   // the nodes has grown by more than `growth` since the order was made. Returns true if re-ordered.
   bool update(const std::vector<Aabb>& boxes, double growth = 1.5);
 
+  // Who is active from the next update on: one flag a primitive. Throws InputError if sizes disagree.
+  void set_active(std::vector<char> active);
+
   int size() const { return static_cast<int>(primitive_active_.size()); }
   int levels() const { return static_cast<int>(level_begin_.size()) - 1; }
   // Number of groups at a level; level 0 holds the primitives, the last level is one group: the

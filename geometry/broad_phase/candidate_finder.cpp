@@ -38,10 +38,26 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
   return order;
 }
 
+// found <- what it holds and the pairs of `kept` that touch nothing that changed, in the order of `key`.
+template <class Key, class Changed>
+void merge_kept(const std::vector<std::array<int, 2>>& kept, const Changed& changed, const Key& key,
+                std::vector<std::array<int, 2>>& found) {
+  std::vector<std::array<int, 2>> all;
+  all.reserve(kept.size() + found.size());
+  auto next = found.begin();
+  for (const auto& pair : kept) {
+    if (changed(pair)) continue;
+    for (; next != found.end() && key(*next) < key(pair); ++next) all.push_back(*next);
+    all.push_back(pair);
+  }
+  all.insert(all.end(), next, found.end());
+  found = std::move(all);
+}
+
 }  // namespace
 
 CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding)
-    : colliding_(std::move(colliding)), rivals_(mesh) {
+    : mesh_(mesh), colliding_(std::move(colliding)), rivals_(mesh) {
   for (const int v : mesh.vertices) points_.add({v}, v, mesh);
   for (const int v : mesh.codim_points) codim_points_.add({v}, v, mesh);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) edges_.add(mesh.edges[e], e, mesh);
@@ -51,9 +67,33 @@ CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects col
 
 void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflation,
                            double edge_inflation, Candidates& candidates) {
-  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation), ...); };
+  search(vertex_boxes, inflation, edge_inflation, {}, candidates);
+}
+
+void CandidateFinder::find_again(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
+                                 const std::vector<char>& changed, Candidates& candidates) {
+  Candidates found;
+  search(vertex_boxes, inflation, edge_inflation, changed, found);
+  const auto of_vertex = [&](int v) { return changed[mesh_.vertex_object[v]] != 0; };
+  const auto of_edge = [&](int e) { return of_vertex(mesh_.edges[e][0]); };
+  const auto of_triangle = [&](int t) { return of_vertex(mesh_.triangles[t][0]); };
+  const auto same = [](const std::array<int, 2>& pair) { return pair; };
+  merge_kept(candidates.point_triangle, [&](const auto& pair) { return of_vertex(pair[0]) || of_triangle(pair[1]); },
+             [&](const auto& pair) { return std::array{pair[0], mesh_.vertex_object[mesh_.triangles[pair[1]][0]], pair[1]}; },
+             found.point_triangle);
+  merge_kept(candidates.edge_edge, [&](const auto& pair) { return of_edge(pair[0]) || of_edge(pair[1]); }, same, found.edge_edge);
+  merge_kept(candidates.point_edge, [&](const auto& pair) { return of_vertex(pair[0]) || of_edge(pair[1]); }, same,
+             found.point_edge);
+  merge_kept(candidates.point_point, [&](const auto& pair) { return of_vertex(pair[0]) || of_vertex(pair[1]); }, same,
+             found.point_point);
+  candidates = std::move(found);
+}
+
+void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
+                             const std::vector<char>& active_objects, Candidates& candidates) {
+  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation, active_objects), ...); };
   refresh(points_, codim_points_, codim_edges_, triangles_);
-  edges_.refresh_tree(vertex_boxes, edge_inflation);
+  edges_.refresh_tree(vertex_boxes, edge_inflation, active_objects);
   rivals_.find(vertex_boxes, std::max(inflation, edge_inflation));
   overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, dissolved_, rivals_},
                 candidates.point_triangle);

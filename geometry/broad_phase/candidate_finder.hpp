@@ -18,6 +18,9 @@ class CandidateFinder {
   // id; finite and not empty for surface vertices), inflated [m].
   void find(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
             Candidates& candidates);
+  // The same where the boxes of these movable objects alone (a flag for each) have changed since `candidates` were found.
+  void find_again(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
+                  const std::vector<char>& changed, Candidates& candidates);
   // Whether pairs of one rigid group are searched too.
   void dissolve_groups(bool dissolved) { dissolved_ = dissolved; }
 
@@ -25,6 +28,10 @@ class CandidateFinder {
   void triangles_in(const Aabb& box, std::vector<int>& out) const;
 
  private:
+  void search(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
+              const std::vector<char>& active_objects, Candidates& candidates);
+
+  const CollisionMesh& mesh_;
   CollidingObjects colliding_;
   bool dissolved_ = false;
   Primitives<1> points_, codim_points_;

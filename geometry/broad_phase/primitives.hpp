@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "geometry/broad_phase/bvh.hpp"
@@ -31,17 +32,23 @@ struct Primitives {
       if (groups.back() >= 0 && mesh.vertex_group[v] != groups.back()) groups.back() = -1;
   }
 
-  // Sets the tree to the unions of the vertices' boxes (by global id), inflated [m].
-  void refresh_tree(const std::vector<Aabb>& vertex_boxes, double inflation) {
+  // Sets the tree to the unions of the vertices' boxes (by global id), inflated [m]. Movable primitives are active, of these
+  // objects alone if `of` (a flag for each object) is not empty.
+  void refresh_tree(const std::vector<Aabb>& vertex_boxes, double inflation, const std::vector<char>& of = {}) {
     std::vector<Aabb> boxes(vertices.size());
     for_each(static_cast<int>(boxes.size()), [&](int i) {
       for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
       boxes[i].inflate(inflation);
     }, 2048);
-    if (tree.size() == static_cast<int>(boxes.size()))
+    std::vector<char> active = movable;
+    if (!of.empty())
+      for (std::size_t i = 0; i < active.size(); ++i) active[i] &= of[objects[i]];
+    if (tree.size() == static_cast<int>(boxes.size())) {
+      tree.set_active(std::move(active));
       tree.update(boxes);
-    else
-      tree = Bvh(boxes, movable, groups);
+    } else {
+      tree = Bvh(boxes, active, groups);
+    }
   }
 };
 

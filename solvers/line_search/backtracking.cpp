@@ -31,9 +31,8 @@ class Backtracking : public LineSearch {
       ++result.evaluations;
       if (!std::isfinite(value)) continue;
       const double noise = std::max(start_noise, objective.value_noise());
-      const bool descends = value < start - noise && value <= start + decrease_ * t * slope;
       const bool in_the_noise = std::abs(value - start) <= noise;
-      if (descends || (in_the_noise && flat_enough(objective, p, slope))) {
+      if (descends(start, value, noise, t, slope, decrease_) || (in_the_noise && flat_enough(objective, p, slope))) {
         result.found = true;
         result.step = t;
         return result;

@@ -17,6 +17,9 @@ constexpr double longest = 4;   // further step, in units of the way so far
 constexpr int most_further = 10;
 // A Hessian is too stiff where a step that is at least so long decreases the objective so many times as much as predicted.
 constexpr double longish = 0.3, too_much = 1.25;
+// Bent steps: of what a straight one gains, the part that it may lose to strains; the shortest; of a feasible length, what
+// is tried next; Armijo's condition.
+constexpr double little_loss = 1e-6, shortest_bent = 1e-4, shorter = 0.9, sufficient = 1e-4;
 constexpr double descent = 0.1;  // part of a Newton direction's slope that one conjugate to the last step must keep
 
 }  // namespace
@@ -89,6 +92,7 @@ void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
 MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
                                           MinimizerResult& result) {
   Objective& objective = problem.objective;
+  if (problem.bend && newton_like() && advance_bent(problem, p, q, result)) return MinimizerStatus::converged;
   const double t_max = problem.feasible_step(q, p);
   if (!(t_max > 1e-12)) return MinimizerStatus::blocked;
   const PhaseScope scope(problem.clock, Phase::line_search);
@@ -107,6 +111,37 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
   stepped(problem, {p, found.step, t_max, found.evaluations, slope, decrease});
   if (newton_like() && result.residual > 1 && found.step == 1) extend(problem, p, slope, before, q, result);
   return MinimizerStatus::converged;
+}
+
+// Moves q straight to the end of t p as it is bent, where that is feasible and descends; t shrinks until it does. False, and
+// nothing moved, where p need not be bent, or nothing is found.
+bool DescentMinimizer::advance_bent(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result) {
+  Objective& objective = problem.objective;
+  const double slope = objective.gradient().dot(p), before = objective.value(), noise = objective.value_noise();
+  int evaluations = 0;
+  double feasible = 1;
+  for (double t = 1; t > shortest_bent && -t * slope > 2 * noise;) {
+    VecX way = t * p;
+    if (!problem.bend(q, way, t == 1 ? -little_loss * slope : 0)) break;
+    if (const double part = problem.feasible_step(q, way); part < 1) {
+      t *= feasible < 1 ? shorter * part : part;
+      feasible = t;
+      continue;
+    }
+    const PhaseScope scope(problem.clock, Phase::line_search);
+    objective.move_to(q + way);
+    const double value = objective.value();
+    ++evaluations;
+    ++result.line_search_evaluations;
+    if (descends(before, value, std::max(noise, objective.value_noise()), t, slope, sufficient)) {
+      q += way;
+      stepped(problem, {p, t, feasible, evaluations, slope, before - value});
+      return true;
+    }
+    t /= 2;
+  }
+  if (evaluations > 0) objective.move_to(q);
+  return false;
 }
 
 // Negative curvatures that a projection has taken out of stencils make Newton steps short where others would

@@ -46,6 +46,7 @@ class DescentMinimizer : public Minimizer {
  private:
   MinimizerResult descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result);
   MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result);
+  bool advance_bent(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result);
   void conjugate(const VecX& gradient, const VecX& q, VecX& p);
   void extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before, VecX& q,
               MinimizerResult& result);

@@ -65,3 +65,31 @@ TEST_CASE("orthogonality as least squares", "[affine]") {
         vertex(gradient, frames[b][k]) += r[6 * b + i] * Eigen::Map<const Vec3>(jacobian.data() + 12 * (6 * b + i) + 3 * k);
   CHECK((gradient - dense_gradient(f.term, x)).norm() <= 1e-12 * gradient.norm());
 }
+
+TEST_CASE("orthogonality: bent steps turn bodies about centroids that go straight", "[affine]") {
+  Frames f;
+  const std::vector<char> free(8, 1);
+  const DofMap dofs(free);
+  VecX q, p = VecX::Zero(24);
+  dofs.gather(f.rest, q);
+  const Vec3 spin(0.5, -0.8, 0.3), velocity(2, 1, 0);
+  for (int v = 0; v < 4; ++v) p.segment<3>(3 * v) = velocity + spin.cross(Vec3(q.segment<3>(3 * v)));
+  p.tail<12>() = f.random.vectors(12).segment<3>(0).replicate<4, 1>();  // turns nothing
+  const VecX straight = p;
+  REQUIRE(f.term.bend(dofs, q, p, 1e-3));
+  CHECK(f.term.value(q + straight) > 1e-3);
+  CHECK(f.term.value(q + p) < 1e-20);
+  const auto mean = [](const VecX& x) { return Vec3((x.segment<3>(0) + x.segment<3>(3) + x.segment<3>(6) + x.segment<3>(9)) / 4); };
+  CHECK((mean(p) - mean(straight)).norm() < 1e-14);
+  CHECK(p.tail<12>() == straight.tail<12>());
+  VecX cheap = straight;
+  CHECK_FALSE(f.term.bend(dofs, q, cheap, 1.01 * f.term.value(q + straight)));
+  CHECK(cheap == straight);
+  // A body that is held in part stays as it is.
+  std::vector<char> held(8, 1);
+  held[0] = 0;
+  const DofMap fewer(held);
+  VecX r, s = straight.tail<21>();
+  fewer.gather(f.rest, r);
+  CHECK_FALSE(f.term.bend(fewer, r, s, 1e-3));
+}

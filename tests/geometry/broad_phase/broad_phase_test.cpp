@@ -2,6 +2,7 @@
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -117,6 +118,31 @@ TEST_CASE("candidates are rebuilt exactly when they must be", "[broad_phase]") {
   REQUIRE(broad_phase.covers(x + p));
   REQUIRE(broad_phase.update(x, none, 0.03, 0.01));
   REQUIRE(broad_phase.builds() == 3);
+}
+
+TEST_CASE("what moves away alone is searched alone, and nothing is missed", "[broad_phase]") {
+  std::mt19937 random(11);
+  for (Scene scene : {triangle_soup(150), mixed(12, 60)}) {
+    scene.freeze(1);
+    VecX x = scene.x();
+    BroadPhase kept(scene.mesh, CollidingObjects());
+    kept.update(x, VecX(), kRange, kSkin);
+    for (int step = 0; step < 6; ++step) {
+      const VecX way = random_motion(random, x.size(), 0.05);
+      for (Eigen::Index v = 0; v < x.size() / 3; ++v)
+        if (scene.mesh.vertex_object[v] == 0) x.segment<3>(3 * v) += way.segment<3>(3 * v);
+      REQUIRE(kept.update(x, VecX(), kRange, kSkin));
+      REQUIRE(kept.covers(x));
+      const Candidates near = BruteForce(scene.mesh, CollidingObjects(), x, VecX(), kRange, 0.0).find();
+      const auto holds = [](const auto& all, const auto& some) { return std::includes(all.begin(), all.end(), some.begin(), some.end()); };
+      REQUIRE(holds(kept.candidates().edge_edge, near.edge_edge));
+      REQUIRE(holds(kept.candidates().point_edge, near.point_edge));
+      REQUIRE(holds(kept.candidates().point_point, near.point_point));
+      for (const auto& pair : near.point_triangle)
+        REQUIRE(std::count(kept.candidates().point_triangle.begin(), kept.candidates().point_triangle.end(), pair) == 1);
+      REQUIRE(near.edge_edge.size() > 20);
+    }
+  }
 }
 
 TEST_CASE("interior vertices have no safe box to leave", "[broad_phase]") {

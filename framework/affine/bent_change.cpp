@@ -1,0 +1,34 @@
+#include "framework/affine/bent_change.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace tack {
+namespace {
+
+// Of a matrix with a positive determinant.
+Mat3 rotation_of(const Mat3& m) {
+  const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+Mat3 skew(const Vec3& w) {
+  Mat3 m;
+  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return m;
+}
+
+}  // namespace
+
+bool bend_change(const Mat3& a, Mat3& change) {
+  const Mat3 end = a + change;
+  if (!(end.determinant() > 0)) return false;
+  const Mat3 r = rotation_of(a), s = r.transpose() * a, k = r.transpose() * change;
+  // K = W S + D: its skew part is that of W S, which is (tr S - S) w.
+  const Vec3 twice(k(2, 1) - k(1, 2), k(0, 2) - k(2, 0), k(1, 0) - k(0, 1));
+  const Vec3 w = (s.trace() * Mat3::Identity() - s).inverse() * twice;
+  change = rotation_of(end) * (s + k - skew(w) * s) - a;
+  return true;
+}
+
+}  // namespace tack
