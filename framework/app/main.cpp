@@ -9,6 +9,7 @@
 #include "framework/app/version.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {
@@ -154,6 +155,9 @@ int main(int argc, char** argv) {
   } catch (const tack::InputError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
+  } catch (const tack::Interrupted&) {
+    fmt::print("interrupted: while meshes were made; no step was done, nothing is written\n");
+    return tack::exit_interrupted;
   } catch (const tack::SimulationError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_simulation_failed;
