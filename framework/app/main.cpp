@@ -1,15 +1,18 @@
 // The command line: options, help and exit codes. CLI11 is known here only.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include "framework/app/commands.hpp"
 #include "framework/app/version.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
+#include "geometry/meshing_library.hpp"
 
 namespace tack {
 namespace {
@@ -145,6 +148,15 @@ class CommandLine {
   int exit_code_ = exit_done;
 };
 
+// Started by the script `tack` before the library was built: it builds it, and starts the program again.
+void let_script_build_library(char** argv) {
+  const char* script = std::getenv("TACK_SCRIPT");
+  if (!script || !meshing_library_failed()) return;
+  std::fflush(nullptr);
+  ::setenv("TACK_MESHING", "1", 1);
+  ::execv(script, argv);
+}
+
 }  // namespace
 }  // namespace tack
 
@@ -153,6 +165,7 @@ int main(int argc, char** argv) {
     tack::keep_meshes_in(tack::usual_mesh_folder());
     return tack::CommandLine().execute(argc, argv);
   } catch (const tack::InputError& error) {
+    tack::let_script_build_library(argv);
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
   } catch (const tack::Interrupted&) {

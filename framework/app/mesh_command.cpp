@@ -14,8 +14,9 @@
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/meshing_library.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {
@@ -80,6 +81,7 @@ int mesh_command(const MeshOptions& o) {
   if (info) {
     if (words.files.size() > 1 || !words.settings.empty() || !o.output.empty())
       throw InputError("tack mesh info: takes one file and nothing else");
+    open_meshing_library();  // before anything is printed
     return print_info(words.files[0]);
   }
   if (!sdf && !o.object.empty()) throw InputError(fmt::format("tack mesh {}: --object is for sdf only", o.operation));

@@ -13,7 +13,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/write_mesh.hpp"
 #include "geometry/mesh/mass_properties.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
 
 namespace tack {
 namespace {

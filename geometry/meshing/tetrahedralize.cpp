@@ -19,9 +19,9 @@
 #include "geometry/mesh/quality.hpp"
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
 #include "geometry/meshing/surface_distance.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {
@@ -263,14 +263,14 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
   for (int attempt = 0; attempt < 5 && !best.keeps(asked, o); ++attempt) {
     std::optional<Inside> inside;
     std::string flaws;
-    const auto mesh = [&] {
+    const auto fill = [&] {
       inside = mesh_inside(m, sizes, o, crease_angle, most);
       flaws = inside ? flaws_of(inside->tets, name)
                      : "the refinement does not end; ask for a larger deviation, or remesh the surface with shorter edges first";
       return flaws.empty();
     };
-    bool whole = mesh();
-    for (; !whole && attempt == 0 && crease_angle < no_crease; whole = mesh())
+    bool whole = fill();
+    for (; !whole && attempt == 0 && crease_angle < no_crease; whole = fill())
       crease_angle = std::min(crease_angle + 15 / degrees, no_crease);
     if (!whole && attempt > 0) break;
     if (!whole) throw InputError(name + ": " + flaws);

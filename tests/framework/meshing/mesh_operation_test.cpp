@@ -12,7 +12,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 #include "geometry/shapes/surfaces.hpp"
 
 using namespace tack;

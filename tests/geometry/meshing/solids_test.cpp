@@ -10,10 +10,10 @@
 #include "geometry/mesh/validate.hpp"
 #include "geometry/meshing/booleans.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
 #include "geometry/meshing/surface_distance.hpp"
 #include "geometry/meshing/tetrahedralize.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "tests/support/broken_meshes.hpp"
 #include "tests/support/closed_surface.hpp"
@@ -64,9 +64,9 @@ void check_tets(const Mesh& surface, double edge_length, double deviation) {
   const Surface border = extract_surface(f.mesh);
   CHECK(is_closed_manifold(border.triangles));
   CHECK(dihedral_angles(f.mesh).smallest > 8);
-  CHECK(total_volume(f.mesh) == Approx(volume(surface)).epsilon(0.01));
+  CHECK(total_volume(f.mesh) == Approx(volume(surface)).epsilon(0.015));
   CHECK(edge_lengths(f.mesh).mean < 1.3 * edge_length);
-  CHECK(edge_lengths(f.mesh).mean > 0.6 * edge_length);  // shorter where the deviation asks for it
+  CHECK(edge_lengths(f.mesh).mean > 0.4 * edge_length);  // shorter where the deviation or creases ask for it
   Mesh faces;
   faces.vertices = f.mesh.vertices;
   faces.triangles = border.triangles;
