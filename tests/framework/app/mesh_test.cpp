@@ -7,6 +7,7 @@
 #include "geometry/mesh/quality.hpp"
 #include "geometry/meshing/defects.hpp"
 #include "tests/support/broken_meshes.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 
 using namespace tack;
@@ -95,7 +96,7 @@ TEST_CASE("tack mesh sdf writes the surface of a level set, from a file of its o
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.obj"));
 }
 
-TEST_CASE("a creature of ten thousand good tets comes out of one file") {
+TEST_CASE("a creature of ten thousand good tets comes out of one file, and falls") {
   const TemporaryFolder folder;
   const ProgramResult r = run_tack(folder.path(), {"check", TACK_SOURCE_DIR "/experiments/meshing/creature.yaml"});
   INFO(r.out << r.err);
@@ -115,4 +116,12 @@ TEST_CASE("a creature of ten thousand good tets comes out of one file") {
   REQUIRE(std::regex_search(after, angle, std::regex("dihedral angles from ([0-9.]+) to")));
   CHECK(std::stod(angle[1]) > 8);
   CHECK_FALSE(contains(after, "warning"));
+  // The mesh is kept now.
+  const ProgramResult run = run_tack(folder.path(), {"run", TACK_SOURCE_DIR "/experiments/meshing/creature.yaml", "-o", "out", "-q", "--set",
+                                                     "output.frames=false"});
+  INFO(run.out << run.err);
+  CHECK(run.exit_code == 0);
+  const auto summary = read_json(folder.path() / "out/summary.json");
+  CHECK(summary["intersections"] == 0);
+  CHECK(summary["inverted_tets"] == 0);
 }
