@@ -34,8 +34,9 @@ option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is
 set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output
     framework/experiment framework/probes framework/compare framework/profile framework/run framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
-# Where CGAL takes so long to compile that one file alone is enough.
-set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp)
+# Where CGAL takes so long to compile that one file alone is enough, and what is hot all the same.
+set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
+    geometry/meshing/distance_grid.cpp)
 function(tack_cool TARGET)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)
   target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -86,6 +87,34 @@ function(tack_link_all TARGET)
   endforeach()
   target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt
                         CLI11::CLI11 Threads::Threads ${LINKS})
+endfunction()
+
+# The library of geometry/meshing, which the program opens when it needs it, beside the program. It has copies of its own of what it
+# uses of geometry/mesh.
+function(tack_meshing_library)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.cpp)
+  foreach(FILE cleanup mesh mesh_quality quality surface triangle_surface)
+    list(APPEND SOURCES ${CMAKE_SOURCE_DIR}/geometry/mesh/${FILE}.cpp)
+  endforeach()
+  add_library(tack_meshing MODULE ${SOURCES})
+  tack_cool(tack_meshing)
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
+                              COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+  set_target_properties(tack_meshing PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  target_link_libraries(tack_meshing PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt CGAL::CGAL ${OPENVDB_LIBRARY})
+  target_link_options(tack_meshing PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
+  # The program refuses a library that was built from other headers, or in another way.
+  file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.hpp ${CMAKE_SOURCE_DIR}/geometry/*.hpp
+       ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/level_set/distance_grid.hpp)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${HEADERS})
+  set(ALL "${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${TACK_NATIVE} ${TACK_SANITIZE}")
+  foreach(HEADER ${HEADERS})
+    file(SHA256 ${HEADER} DIGEST)
+    string(APPEND ALL ${DIGEST})
+  endforeach()
+  string(SHA256 DIGEST "${ALL}")
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/functions.cpp ${CMAKE_SOURCE_DIR}/geometry/meshing_library.cpp
+                              PROPERTIES COMPILE_DEFINITIONS TACK_MESHING_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 function(tack_app)

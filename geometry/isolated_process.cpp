@@ -20,6 +20,7 @@
 #include <new>
 
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {
@@ -45,6 +46,7 @@ void limit(int resource, rlim_t most) {
 void set_limits(const ProcessLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::signal(SIGINT, SIG_DFL);
+  ::signal(SIGTERM, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.processor_time * patience)));
   if (sanitized) return;
@@ -80,7 +82,8 @@ ProcessResult outcome(const std::function<std::string()>& work) {
   ::_exit(0);
 }
 
-// What the child sends until it ends. A child that waits for ever uses no processor time: hence a limit in wall time.
+// What the child sends until it ends, or until it is killed: when time is out, or the program is interrupted, which any of its threads
+// may be told. A child that waits for ever uses no processor time: hence a limit in wall time.
 std::string receive(int pipe, pid_t child, double seconds) {
   using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::duration<double>(seconds * patience);
@@ -89,9 +92,9 @@ std::string receive(int pipe, pid_t child, double seconds) {
   for (;;) {
     const double left = std::chrono::duration<double, std::milli>(deadline - Clock::now()).count();
     pollfd ready = {pipe, POLLIN, 0};
-    const int some = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(left), 0.0, 1e9)));
-    if (some < 0 && errno == EINTR) continue;
-    if (some <= 0) ::kill(child, SIGKILL);
+    const int some = ::poll(&ready, 1, static_cast<int>(std::clamp(std::ceil(left), 0.0, 100.0)));
+    if (interrupt_requested || left <= 0) ::kill(child, SIGKILL);
+    else if (some <= 0) continue;
     const ssize_t count = ::read(pipe, buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return text;
@@ -126,6 +129,7 @@ ProcessResult run_isolated(const ProcessLimits& limits, const std::function<std:
   const std::string text = receive(ends[0], child, limits.wall_time);
   ::close(ends[0]);
   const ProcessResult end = end_of(child);
+  if (interrupt_requested) throw Interrupted();
   if (text.size() < 2 || text.front() != text.back()) return end;
   for (const End sent : {End::answer, End::input_error, End::exception, End::no_memory})
     if (text.front() == letter(sent)) return {sent, text.substr(1, text.size() - 2)};

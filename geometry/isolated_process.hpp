@@ -32,7 +32,8 @@ struct ProcessResult {
   std::string text;
 };
 
-// Throws std::runtime_error if there is no process or pipe to be had. One at a time: others wait.
+// Throws std::runtime_error if there is no process or pipe to be had, and Interrupted, within a tenth of a second, if that is asked
+// for. One at a time: others wait.
 ProcessResult run_isolated(const ProcessLimits& limits, const std::function<std::string()>& work);
 
 }  // namespace tack

@@ -1,14 +1,18 @@
 // The command line: options, help and exit codes. CLI11 is known here only.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include "framework/app/commands.hpp"
 #include "framework/app/version.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
+#include "geometry/meshing_library.hpp"
 
 namespace tack {
 namespace {
@@ -111,12 +115,14 @@ class CommandLine {
   }
 
   void add_mesh() {
-    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them: repair, remesh, fill with tets, unite, ...");
-    mesh->add_option("operation", mesh_.operation, "info, or an operation: ./tack list mesh_operation")->required();
+    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them (repair, remesh, fill with tets, unite, ...), make them of level sets");
+    mesh->add_option("operation", mesh_.operation,
+                     "info; an operation: ./tack list mesh_operation; or sdf, the surface of a level set: ./tack list level_set")->required();
     mesh->add_option("words", mesh_.words,
                      "the mesh file (obj, msh, ply, stl, off, vtk or vtu), for union, difference and intersection another one, and "
-                     "parameters of the operation: edge_length=5mm");
+                     "parameters of the operation: edge_length=5mm; for sdf a YAML file with `of` and `voxel`, and overrides of its keys");
     mesh->add_option("-o,--output", mesh_.output, "the mesh file to write");
+    mesh->add_option("--object", mesh_.object, "for sdf: the file is an experiment, and this the object whose shape is written");
     mesh->callback([this] { exit_code_ = mesh_command(mesh_); });
   }
 
@@ -142,6 +148,15 @@ class CommandLine {
   int exit_code_ = exit_done;
 };
 
+// Started by the script `tack` before the library was built: it builds it, and starts the program again.
+void let_script_build_library(char** argv) {
+  const char* script = std::getenv("TACK_SCRIPT");
+  if (!script || !meshing_library_failed()) return;
+  std::fflush(nullptr);
+  ::setenv("TACK_MESHING", "1", 1);
+  ::execv(script, argv);
+}
+
 }  // namespace
 }  // namespace tack
 
@@ -150,8 +165,12 @@ int main(int argc, char** argv) {
     tack::keep_meshes_in(tack::usual_mesh_folder());
     return tack::CommandLine().execute(argc, argv);
   } catch (const tack::InputError& error) {
+    tack::let_script_build_library(argv);
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
+  } catch (const tack::Interrupted&) {
+    fmt::print("interrupted: while meshes were made; no step was done, nothing is written\n");
+    return tack::exit_interrupted;
   } catch (const tack::SimulationError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_simulation_failed;

@@ -1,9 +1,10 @@
-// tack mesh info: what a mesh file holds and how good it is. tack mesh NAME: an operation on it.
+// tack mesh info: what a mesh file holds and how good it is. tack mesh NAME: an operation on it. tack mesh sdf: mesh_sdf.cpp.
 #include <fmt/format.h>
 
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
+#include "framework/app/mesh_report.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/meshing/mesh_operation.hpp"
@@ -13,15 +14,12 @@
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/meshing_library.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {
-
-void print_lines(const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) fmt::print("  {}\n", line);
-}
 
 const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
@@ -38,19 +36,9 @@ void print_defects(const Mesh& surface) {
 
 int print_info(const std::string& path) {
   const Mesh mesh = read_mesh(path);
-  const auto box = bounding_box(mesh);
-  fmt::print("{}\n  vertices {}, tets {}, triangles {}, edges {}, points {}\n", path, mesh.vertices.size(),
-             mesh.tets.size(), mesh.triangles.size(), mesh.edges.size(), mesh.points.size());
-  if (!box.isEmpty())
-    fmt::print("  from ({}, {}, {}) to ({}, {}, {}) m\n", box.min().x(), box.min().y(), box.min().z(),
-               box.max().x(), box.max().y(), box.max().z());
-  const std::vector<int> inverted = inverted_tets(mesh);
-  if (!mesh.tets.empty()) fmt::print("  volume {} m^3, inverted tets {}\n", total_volume(mesh), inverted.size());
-  if (!inverted.empty()) fmt::print("  the first inverted tet is number {}\n", inverted[0]);
+  print_contents(path, mesh);
   const Surface surface = extract_surface(mesh);
-  fmt::print("  surface: {} vertices, {} edges, {} triangles\n", surface.vertices.size(), surface.edges.size(), surface.triangles.size());
-  for (const auto& [name, vertices] : mesh.tags) fmt::print("  group '{}': {} vertices\n", name, vertices.size());
-  if (!surface.triangles.empty() && inverted.empty()) {
+  if (!surface.triangles.empty() && inverted_tets(mesh).empty()) {
     Mesh triangles;
     triangles.vertices = mesh.vertices;
     triangles.triangles = surface.triangles;
@@ -86,15 +74,21 @@ std::unique_ptr<MeshOperation> operation_of(const std::string& name, const Words
 
 int mesh_command(const MeshOptions& o) {
   const Words words(o.words);
-  if (o.operation != "info") Registry<MeshOperation>::kind().entry(o.operation);
-  if (words.files.empty()) throw InputError(fmt::format("tack mesh {}: which mesh? Give a file", o.operation));
-  if (o.operation == "info") {
+  const bool sdf = o.operation == "sdf", info = o.operation == "info";
+  if (!info && !sdf) Registry<MeshOperation>::kind().entry(o.operation);
+  if (words.files.empty())
+    throw InputError(fmt::format("tack mesh {}: which {}? Give a file", o.operation, sdf ? "level set" : "mesh"));
+  if (info) {
     if (words.files.size() > 1 || !words.settings.empty() || !o.output.empty())
       throw InputError("tack mesh info: takes one file and nothing else");
+    open_meshing_library();  // before anything is printed
     return print_info(words.files[0]);
   }
-  if (words.files.size() > 2) throw InputError(fmt::format("tack mesh {}: at most two files are of use", o.operation));
+  if (!sdf && !o.object.empty()) throw InputError(fmt::format("tack mesh {}: --object is for sdf only", o.operation));
+  if (words.files.size() > (sdf ? 1 : 2))
+    throw InputError(fmt::format("tack mesh {}: at most {} of use", o.operation, sdf ? "one file is" : "two files are"));
   if (o.output.empty()) throw InputError(fmt::format("tack mesh {}: where to? Give -o FILE", o.operation));
+  if (sdf) return mesh_sdf(words.files[0], words.settings, o);
   const auto operation = operation_of(o.operation, words);
   const Mesh mesh = read_mesh(words.files[0]);
   Notes notes;

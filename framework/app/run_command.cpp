@@ -7,7 +7,7 @@
 #include "framework/app/commands.hpp"
 #include "framework/app/thread_limit.hpp"
 #include "framework/app/version.hpp"
-#include "framework/core/interrupt.hpp"
+#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {

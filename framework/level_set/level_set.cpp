@@ -1,5 +1,7 @@
 #include "framework/level_set/level_set.hpp"
 
+#include "geometry/interrupt.hpp"
+
 namespace tack {
 
 std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box) {
@@ -24,6 +26,7 @@ Eigen::AlignedBox3d LevelSet::bounds() const {
 }
 
 void LevelSet::evaluate(std::span<const Vec3> points, std::span<double> values) const {
+  if (interrupt_requested) throw Interrupted();
   if (place_.trivial()) return own_values(points, values);
   const Eigen::Affine3d back = place_.transform().inverse();
   std::vector<Vec3> own;

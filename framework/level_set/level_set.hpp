@@ -23,7 +23,7 @@ class LevelSet : public Component {
   // What lies outside of it is outside of the body; infinite where the body is. Empty: nothing is inside.
   Eigen::AlignedBox3d bounds() const;
 
-  // At each point: negative inside, nowhere steeper than 1.
+  // At each point: negative inside, nowhere steeper than 1. Throws Interrupted if that is asked for.
   void evaluate(std::span<const Vec3> points, std::span<double> values) const;
 
  protected:

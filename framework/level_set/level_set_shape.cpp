@@ -1,40 +1,30 @@
-// The surface of a level set, as the mesh of an object.
+#include "framework/level_set/level_set_shape.hpp"
+
 #include <fmt/format.h>
 
 #include "framework/config/field.hpp"
-#include "framework/level_set/level_set.hpp"
-#include "framework/shapes/shape_source.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 
 namespace tack {
-namespace {
 
-class LevelSetShape : public ShapeSource {
- public:
-  void fields(Fields& f) override {
-    f.component("of", of_, "what is inside").required();
-    f.number("voxel", voxel_, units::length, "edge of the cubes on which the surface is found, and about the length of its triangles' edges; "
-             "what is thinner than two of them may be lost").required().positive();
-  }
-  bool costly() const override { return true; }
-  Mesh make() const override {
-    of_->prepare(voxel_);
-    const Eigen::AlignedBox3d box = of_->bounds();
-    if (box.isEmpty()) throw InputError("level set: nothing is inside");
-    if (!finite(box)) throw InputError("level set: has no bounds; intersect it with something that has");
-    Mesh mesh = zero_surface([this](auto points, auto values) { of_->evaluate(points, values); }, box, voxel_);
-    if (mesh.triangles.empty())
-      throw InputError(fmt::format("level set: nothing of it is as large as a voxel of {} m; take smaller ones", voxel_));
-    return mesh;
-  }
+void LevelSetShape::fields(Fields& f) {
+  f.component("of", of_, "what is inside").required();
+  f.number("voxel", voxel_, units::length, "edge of the cubes on which the surface is found, and about the length of its triangles' edges; "
+           "what is thinner than two of them may be lost").required().positive();
+}
 
- private:
-  std::unique_ptr<LevelSet> of_;
-  double voxel_ = 0;  // m
-};
+Mesh LevelSetShape::make() const {
+  of_->prepare(voxel_);
+  const Eigen::AlignedBox3d box = of_->bounds();
+  if (box.isEmpty()) throw InputError("level set: nothing is inside");
+  if (!finite(box)) throw InputError("level set: has no bounds; intersect it with something that has");
+  Mesh mesh = zero_surface([this](auto points, auto values) { of_->evaluate(points, values); }, box, voxel_);
+  if (mesh.triangles.empty())
+    throw InputError(fmt::format("level set: nothing of it is as large as a voxel of {} m; take smaller ones", voxel_));
+  return mesh;
+}
 
 TACK_REGISTER(ShapeSource, LevelSetShape, "level_set", "The surface of a body that is given by signed distances.", "");
 
-}  // namespace
 }  // namespace tack

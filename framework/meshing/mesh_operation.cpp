@@ -7,7 +7,8 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/mesh_bytes.hpp"
 #include "geometry/isolated_process.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
+#include "geometry/meshing_library.hpp"
 
 namespace tack {
 namespace {
@@ -49,6 +50,7 @@ void MeshOperation::fields(Fields& f) {
 
 Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string& name, Notes& notes) {
   const auto start = std::chrono::steady_clock::now();
+  open_meshing_library();
   operation.prepare();
   const std::string what = fmt::format("{}, {}", name, operation.type());
   const ProcessResult result = run(operation, mesh, what);

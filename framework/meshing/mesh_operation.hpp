@@ -28,7 +28,7 @@ class MeshOperation : public Component {
   virtual void parameters(Fields&) {}
 
  private:
-  double time_limit_ = 600;  // s
+  double time_limit_ = 120;  // s
 };
 
 // Prepares and applies it, within its time limit. Throws the InputError that it throws, or one that says how it ended.

@@ -14,6 +14,7 @@
 #include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/mesh_bytes.hpp"
+#include "geometry/meshing_library.hpp"
 
 namespace tack {
 namespace {
@@ -22,11 +23,12 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;  // bytes
 
-// Size and time: another build is another program.
+// Size and time of the program and of its library: another build is another program.
 std::string this_program() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  return fmt::format("{} {}", fs::file_size(program, none), fs::last_write_time(program, none).time_since_epoch().count());
+  return fmt::format("{} {} {}", fs::file_size(program, none), fs::last_write_time(program, none).time_since_epoch().count(),
+                     meshing_library_stamp());
 }
 
 void add_files(const Value& value, std::string& recipe) {

@@ -9,7 +9,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
-#include "framework/core/interrupt.hpp"
+#include "geometry/interrupt.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/time_config.hpp"

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "geometry/errors.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {

@@ -5,29 +5,65 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
+namespace {
 
-Mesh remesh(const Mesh& mesh, const RemeshOptions& o, const std::string& name, Notes& notes) {
+constexpr double degree = std::numbers::pi / 180, flat = std::numbers::pi;  // rad
+
+struct Remeshed {
+  CgalMesh mesh;
+  long creases;  // edges that were kept
+};
+
+Remeshed remeshed(CgalMesh m, const RemeshOptions& o, double crease_angle) {
   namespace pmp = CGAL::Polygon_mesh_processing;
-  const Mesh surface = triangle_surface(mesh, name);
-  require_oriented_manifold(surface, name);
-  refuse_too_short_edges(surface, o.edge_length, name);
-  CgalMesh m = to_cgal(surface);
   const auto crease = m.add_property_map<CgalMesh::Edge_index, bool>("e:crease", false).first;
-  pmp::detect_sharp_edges(m, o.crease_angle * 180 / std::numbers::pi, crease);
-  const auto creases = std::count_if(m.edges().begin(), m.edges().end(), [&](auto e) { return crease[e]; });
+  pmp::detect_sharp_edges(m, crease_angle / degree, crease);
+  const long creases = std::count_if(m.edges().begin(), m.edges().end(), [&](auto e) { return crease[e]; });
   const auto keep = CGAL::parameters::edge_is_constrained_map(crease);
   pmp::isotropic_remeshing(m.faces(), o.edge_length, m,
                            keep.number_of_iterations(o.iterations).number_of_relaxation_steps(3).relax_constraints(true));
+  return {std::move(m), creases};
+}
+
+// Edges in which the surface turns back on itself.
+long folds(const CgalMesh& m) {
+  return std::count_if(m.edges().begin(), m.edges().end(), [&](auto e) {
+    const auto h = m.halfedge(e);
+    if (m.is_border(e)) return false;
+    const auto corner = [&](auto half) -> const CgalPoint& { return m.point(m.target(half)); };
+    const CgalPoint &a = m.point(m.source(h)), &b = corner(h);
+    const auto u = CGAL::cross_product(b - a, corner(m.next(h)) - a), v = CGAL::cross_product(corner(m.next(m.opposite(h))) - a, b - a);
+    return u * v < -0.87 * std::sqrt(u.squared_length() * v.squared_length());  // by more than 150 degrees
+  });
+}
+
+}  // namespace
+
+Mesh remesh(const Mesh& mesh, const RemeshOptions& o, const std::string& name, Notes& notes) {
+  const Mesh surface = triangle_surface(mesh, name);
+  require_oriented_manifold(surface, name);
+  refuse_too_short_edges(surface, o.edge_length, name);
+  const CgalMesh given = to_cgal(surface);
+  // Where a smooth surface is coarse, some of its edges pass for creases. Kept ones that end nowhere fold what is collapsed around
+  // them: then the bluntest are let go.
+  double crease_angle = o.crease_angle;
+  Remeshed made = remeshed(given, o, crease_angle);
+  for (const long before = folds(given); folds(made.mesh) > before && crease_angle < flat; made = remeshed(given, o, crease_angle))
+    crease_angle = std::min(crease_angle + 15 * degree, flat);
   notes.push_back(fmt::format("{} triangles remeshed to {}, {} edges on creases kept", surface.triangles.size(),
-                              m.number_of_faces(), creases));
-  return from_cgal(m);
+                              made.mesh.number_of_faces(), made.creases));
+  if (crease_angle > o.crease_angle)
+    notes.push_back(fmt::format("warning: edges of less than {:.3g} degrees are not kept, as the surface folded between them; ask for "
+                                "shorter edges if they are meant, or raise crease_angle", crease_angle / degree));
+  return from_cgal(made.mesh);
 }
 
 }  // namespace tack

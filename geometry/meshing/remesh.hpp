@@ -17,7 +17,7 @@ struct RemeshOptions {
 };
 
 // Of a surface (triangle_surface.hpp), open or closed; borders and creases are divided anew, but do not move. New
-// vertices lie on the old surface. Throws InputError, beginning with `name`, for one that is no oriented manifold.
+// vertices lie on the old surface. Creases between which the surface would fold are not kept: a warning. Throws InputError, beginning with `name`, for one that is no oriented manifold.
 Mesh remesh(const Mesh& mesh, const RemeshOptions& options, const std::string& name, Notes& notes);
 
 }  // namespace tack

@@ -17,7 +17,7 @@
 #include "geometry/meshing/booleans.hpp"
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {

@@ -4,11 +4,11 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
+#include <CGAL/Mesh_3/Mesher_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/make_mesh_3.h>
-#include <CGAL/refine_mesh_3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@
 #include "geometry/mesh/quality.hpp"
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
 #include "geometry/meshing/surface_distance.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {
@@ -31,7 +31,20 @@ using Triangulation = CGAL::Mesh_triangulation_3<Domain>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
 
+}  // namespace
+}  // namespace tack
+
+// Or CGAL would leave files in the working directory before it reports that something is wrong.
+template <>
+struct CGAL::Dump_c3t3<tack::Complex, true> {
+  void dump_c3t3(const tack::Complex&, const std::string&) const {}
+};
+
+namespace tack {
+namespace {
+
 constexpr double degrees = 180 / std::numbers::pi;
+constexpr double no_crease = std::numbers::pi;
 constexpr int seeds_per_patch = 20;
 
 // Lengths with their defaults filled in.
@@ -52,6 +65,7 @@ class Creases {
   }
   Creases(const Creases&) = delete;
   Creases& operator=(const Creases&) = delete;
+  bool none() const { return segments_.empty(); }
   double distance(const CgalPoint& p) const {
     return segments_.empty() ? std::numeric_limits<double>::infinity() : std::sqrt(tree_.squared_distance(p));
   }
@@ -116,6 +130,7 @@ bool seed_missed_patches(const Domain& domain, Complex& complex) {
   for (const auto& [id, points] : missed)
     for (const CgalPoint& x : spread(points)) {
       const auto v = complex.triangulation().insert(Triangulation::Weighted_point(x));
+      if (v == Triangulation::Vertex_handle()) continue;  // inside a ball that protects a crease
       if (complex.in_dimension(v) >= 0 && complex.in_dimension(v) < 2) continue;  // on a crease already
       complex.set_dimension(v, 2);
       complex.set_index(v, domain.index_from_surface_patch_index(id));
@@ -139,20 +154,57 @@ Mesh tets_of(const Complex& complex) {
   return mesh;
 }
 
-Mesh mesh_inside(const CgalMesh& surface, const Sizes& sizes, const TetrahedralizeOptions& o) {
+// CGAL's refinement, step by step. False if it does not end: where creases come so close to each other that the balls which
+// protect them touch, the surface beside them cannot be made manifold, and the point that should do it falls into a ball, again and
+// again, or points are added without end.
+bool refine(Complex& complex, const Domain& domain, const Criteria& bounds, std::size_t most_vertices) {
+  complex.clear_cells_and_facets_from_c3t3();
+  CGAL::Mesh_3::Mesher_3<Complex, Criteria, Domain> mesher(complex, domain, bounds, CGAL::parameters::manifold().mesh_topology);
+  try {
+    mesher.initialize();
+    std::size_t vertices = 0, idle = 0;
+    while (!mesher.is_algorithm_done()) {
+      mesher.one_step();
+      const std::size_t now = complex.triangulation().number_of_vertices();
+      idle = now == vertices ? idle + 1 : 0;
+      vertices = now;
+      if (vertices > most_vertices || idle > 1000 + vertices) return false;
+    }
+  } catch (const CGAL::Failure_exception&) {  // the same point twice
+    return false;
+  }
+  complex.clear_manifold_info();
+  return true;
+}
+
+struct Inside {
+  Mesh tets;
+  bool creased = false;
+};
+
+// With edges kept whose angle [rad] is larger. Nothing if that does not end.
+std::optional<Inside> mesh_inside(const CgalMesh& surface, const Sizes& sizes, const TetrahedralizeOptions& o, double crease_angle,
+                                  std::size_t most_vertices) {
   namespace p = CGAL::parameters;
   CGAL::get_default_random() = CGAL::Random(0);
   Domain domain(surface);
-  domain.detect_features(o.crease_angle * degrees);
+  domain.detect_features(crease_angle * degrees);
   const Creases creases(domain);
   const Criteria bounds = criteria(sizes, o.radius_edge, creases);
-  Complex complex = CGAL::make_mesh_3<Complex>(domain, bounds, p::manifold(), p::no_perturb(), p::no_exude());
-  if (seed_missed_patches(domain, complex))
-    CGAL::refine_mesh_3(complex, domain, bounds, p::manifold(), p::no_perturb(), p::no_exude());
+  Complex complex;
+  CGAL::Mesh_3::internal::C3t3_initializer<Complex, Domain, Criteria, true>()(complex, domain, bounds, true);
+  if (!refine(complex, domain, bounds, most_vertices)) return std::nullopt;
+  if (seed_missed_patches(domain, complex) && !refine(complex, domain, bounds, most_vertices)) return std::nullopt;
   const double aim = std::max(12.0, o.dihedral_angle * degrees + 1);
   CGAL::perturb_mesh_3(complex, domain, p::time_limit = 0, p::sliver_bound = aim);
   CGAL::exude_mesh_3(complex, p::time_limit = 0, p::sliver_bound = aim);
-  return tets_of(complex);
+  return Inside{tets_of(complex), !creases.none()};
+}
+
+// Far more vertices than such tets should have: inside, on the surface, and where it is too curved for their size.
+std::size_t most_vertices(const Sizes& s, double volume, double area) {
+  const double inside = volume / std::pow(s.inside, 3), on = area / (s.surface * s.surface), curved = area / (s.surface * s.deviation);
+  return static_cast<std::size_t>(10000 + 10 * (2 * inside + 2 * on + curved));
 }
 
 struct Deviation {
@@ -179,14 +231,14 @@ struct Attempt {
   }
 };
 
-void require_whole(const Mesh& tets, const std::string& name) {
-  if (tets.tets.empty())
-    throw InputError(name + ": no tet came out; ask for shorter edges");
+// What keeps the tets from filling a closed manifold; empty: nothing.
+std::string flaws_of(const Mesh& tets, const std::string& name) {
+  if (tets.tets.empty()) return "no tet came out; ask for shorter edges";
   const SurfaceDefects defects = find_defects(triangle_surface(tets, name), false);
-  if (defects.closed() && defects.manifold()) return;
-  std::string text = name + ": the surface of the tets is no closed manifold; ask for shorter edges, or a smaller deviation:";
+  if (defects.closed() && defects.manifold()) return "";
+  std::string text = "the surface of the tets is no closed manifold; ask for shorter edges, or a smaller deviation:";
   for (const std::string& line : list_defects(defects)) text += "\n  " + line;
-  throw InputError(text);
+  return text;
 }
 
 }  // namespace
@@ -200,24 +252,42 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
   refuse_too_short_edges(surface, sizes.surface, name);
   refuse_too_many_triangles(volume / (std::pow(sizes.inside, 3) / (6 * std::sqrt(2.0))), name, "ask for longer edges");
   const CgalMesh m = to_cgal(surface);
+  const std::size_t most = most_vertices(sizes, volume, total_area(surface));
+  double crease_angle = o.crease_angle;
   Attempt best;
   // CGAL bounds the distance from the centre of each face to the surface, and that of curved creases not at all: what
   // is measured tells how much finer they have to be, the sagitta of a crease growing with the square of its edges.
   // Slivers that are left are beside creases with edges too long for the curvature around: CGAL protects them by balls
-  // in which nothing is refined.
+  // in which nothing is refined. On a coarse surface that is meant to be round everything is a crease; where they cannot all be
+  // protected, the bluntest are let go.
   for (int attempt = 0; attempt < 5 && !best.keeps(asked, o); ++attempt) {
+    std::optional<Inside> inside;
+    std::string flaws;
+    const auto fill = [&] {
+      inside = mesh_inside(m, sizes, o, crease_angle, most);
+      flaws = inside ? flaws_of(inside->tets, name)
+                     : "the refinement does not end; ask for a larger deviation, or remesh the surface with shorter edges first";
+      return flaws.empty();
+    };
+    bool whole = fill();
+    for (; !whole && attempt == 0 && crease_angle < no_crease; whole = fill())
+      crease_angle = std::min(crease_angle + 15 / degrees, no_crease);
+    if (!whole && attempt > 0) break;
+    if (!whole) throw InputError(name + ": " + flaws);
     Attempt now;
-    now.tets = mesh_inside(m, sizes, o);
-    require_whole(now.tets, name);
+    now.tets = std::move(inside->tets);
     now.deviation = deviation_of(surface, now.tets, asked);
     now.angles = dihedral_angles(now.tets);
-    if (const double excess = now.deviation.largest() / asked; excess > 1) {
+    const double excess = now.deviation.largest() / asked;
+    if (attempt == 0 || now.better_than(best, asked)) best = std::move(now);
+    if (excess > 1) {
       sizes.deviation *= 0.8 / excess;
       sizes.crease *= std::sqrt(0.8 / excess);
-    } else {
+    } else if (inside->creased) {
       sizes.crease *= 0.7;
+    } else {
+      break;
     }
-    if (attempt == 0 || now.better_than(best, asked)) best = std::move(now);
   }
   const Mesh& tets = best.tets;
   const Deviation& deviation = best.deviation;
@@ -227,6 +297,10 @@ Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& o, const std:
   notes.push_back(fmt::format("distance from the old surface to the new: at most {:.3g} m, rms {:.2g} m; back: at most {:.3g} m, rms "
                               "{:.2g} m", deviation.from_input.largest, deviation.from_input.rms, deviation.from_tets.largest,
                               deviation.from_tets.rms));
+  if (crease_angle > o.crease_angle)
+    notes.push_back(fmt::format("warning: creases of less than {:.3g} degrees are not kept but rounded, within the deviation: they are too "
+                                "close to each other; if they are not meant, remesh with shorter edges or raise crease_angle",
+                                crease_angle * degrees));
   if (deviation.largest() > asked) {
     const SurfaceDistance& worst =
         deviation.from_input.largest > deviation.from_tets.largest ? deviation.from_input : deviation.from_tets;

@@ -23,8 +23,8 @@ struct TetrahedralizeOptions {
 
 // Of a solid (require_solid); else InputError, beginning with `name`. Tets are positive, no vertex is unused, their
 // surface is a closed manifold: else InputError too. Bounds that are not reached are told in a warning, with the worst
-// element's number: dihedral angles cannot be larger than those between faces of the surface. The same input gives the
-// same bits.
+// element's number: dihedral angles cannot be larger than those between faces of the surface. Creases too close to each other to
+// be protected are rounded, the bluntest first: a warning too. The same input gives the same bits.
 Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& options, const std::string& name, Notes& notes);
 
 }  // namespace tack

@@ -6,7 +6,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/core/deadline.hpp"
-#include "framework/core/interrupt.hpp"
+#include "geometry/interrupt.hpp"
 #include "solvers/minimizers/tell_iteration.hpp"
 
 namespace tack {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "framework/core/deadline.hpp"
-#include "framework/core/interrupt.hpp"
+#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {

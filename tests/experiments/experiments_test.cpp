@@ -1,5 +1,5 @@
 // Every shipped experiment runs to its end, shows what its file says, and leaves nothing
-// intersecting, inverted or touching.
+// intersecting, inverted or touching. (meshing/creature, which takes long to make: framework/app/mesh_test.cpp.)
 #include <catch2/catch.hpp>
 
 #include "framework/output/csv.hpp"
@@ -84,8 +84,6 @@ TEST_CASE("experiment affine/dominoes") { check_experiment("affine/dominoes.yaml
 TEST_CASE("experiment affine/arch") { check_experiment("affine/arch.yaml"); }
 TEST_CASE("experiment affine/arch_collapses") { check_experiment("affine/arch_collapses.yaml"); }
 TEST_CASE("experiment first/tie") { check_experiment("first/tie.yaml"); }
-
-TEST_CASE("experiment meshing/creature") { check_experiment("meshing/creature.yaml"); }
 
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }

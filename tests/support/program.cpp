@@ -40,6 +40,14 @@ Program::~Program() {
 
 void Program::interrupt() { ::kill(pid_, SIGINT); }
 
+void Program::terminate() { ::kill(pid_, SIGTERM); }
+
+bool Program::has_child() const {
+  for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(pid_) + "/task"))
+    if (!file_text(thread.path() / "children").empty()) return true;
+  return false;
+}
+
 void Program::kill() { ::kill(pid_, SIGKILL); }
 
 ProgramResult Program::wait() {

@@ -27,6 +27,8 @@ class Program {
   Program& operator=(const Program&) = delete;
 
   void interrupt();      // as Ctrl-C does
+  void terminate();      // as `kill` does
+  bool has_child() const;  // whether it has forked a process that runs
   void kill();           // as `kill -9` does
   ProgramResult wait();  // kills it after a minute, with sanitizers after twenty
 

@@ -7,6 +7,7 @@
 #include "geometry/mesh/quality.hpp"
 #include "geometry/meshing/defects.hpp"
 #include "tests/support/broken_meshes.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 
 using namespace tack;
@@ -64,7 +65,38 @@ TEST_CASE("tack mesh refuses bad calls and bad meshes with a remedy") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.vtu"));
 }
 
-TEST_CASE("a creature of ten thousand good tets comes out of one file") {
+TEST_CASE("tack mesh sdf writes the surface of a level set, from a file of its own or of an object") {
+  const TemporaryFolder folder;
+  const char* capsule = "{type: capsule, from: [0, 0, 0], to: [4 cm, 0, 0], radius: 1 cm}";
+  write_file(folder.path() / "body.yaml", std::string("voxel: 4 mm\nplace: {translate: [1, 0, 0]}\nof: ") + capsule + "\n");
+  write_file(folder.path() / "scene.yaml", std::string("name: s\nobjects:\n  - name: body\n    shape: {type: level_set, voxel: 2 mm, of: ") +
+                                               capsule + "}\n    place: {translate: [1, 0, 0]}\n  - {name: box, shape: {type: box}}\n");
+  const auto run = [&](Arguments words, int exit_code) {
+    words.insert(words.begin(), {"mesh", "sdf"});
+    const ProgramResult r = run_tack(folder.path(), words);
+    INFO(r.out << r.err);
+    CHECK(r.exit_code == exit_code);
+    return r.out + r.err;
+  };
+  const double volume = M_PI * 1e-4 * (0.04 + 4 * 0.01 / 3);
+  CHECK_THAT(run({"body.yaml", "-o", "body.vtu", "voxel=2 mm"}, 0),
+             Contains("triangles") && Contains("from (0.99") && Contains("encloses") && Contains("area") && Contains("degrees") && Contains("took"));
+  run({"scene.yaml", "-o", "scene.obj", "--object", "body"}, 0);
+  const Mesh body = read_mesh(folder.path() / "body.vtu"), object = read_mesh(folder.path() / "scene.obj");
+  CHECK(body.vertices == object.vertices);
+  CHECK(find_defects(body).volume == Approx(volume).epsilon(0.01));
+  CHECK_THAT(run({"body.yaml", "-o", "a.obj", "--object", "body"}, 2), Contains("body.yaml: has no `objects`"));
+  CHECK_THAT(run({"scene.yaml", "-o", "a.obj"}, 2), Contains("--object NAME"));
+  CHECK_THAT(run({"scene.yaml", "-o", "a.obj", "--object", "bod"}, 2), Contains("no object 'bod'; there are: body, box"));
+  CHECK_THAT(run({"body.yaml", "-o", "a.obj", "voxle=2 mm"}, 2), Contains("unknown key 'voxle'") && Contains("'voxel'"));
+  CHECK_THAT(run({"body.yaml"}, 2), Contains("-o FILE"));
+  CHECK_THAT(run({}, 2), Contains("which level set"));
+  write_file(folder.path() / "bad.yaml", "voxel: 4 mm\nof: {type: spere}\n");
+  CHECK_THAT(run({"bad.yaml", "-o", "a.obj"}, 2), Contains("bad.yaml:2:") && Contains("sphere"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "a.obj"));
+}
+
+TEST_CASE("a creature of ten thousand good tets comes out of one file, and falls") {
   const TemporaryFolder folder;
   const ProgramResult r = run_tack(folder.path(), {"check", TACK_SOURCE_DIR "/experiments/meshing/creature.yaml"});
   INFO(r.out << r.err);
@@ -84,4 +116,12 @@ TEST_CASE("a creature of ten thousand good tets comes out of one file") {
   REQUIRE(std::regex_search(after, angle, std::regex("dihedral angles from ([0-9.]+) to")));
   CHECK(std::stod(angle[1]) > 8);
   CHECK_FALSE(contains(after, "warning"));
+  // The mesh is kept now.
+  const ProgramResult run = run_tack(folder.path(), {"run", TACK_SOURCE_DIR "/experiments/meshing/creature.yaml", "-o", "out", "-q", "--set",
+                                                     "output.frames=false"});
+  INFO(run.out << run.err);
+  CHECK(run.exit_code == 0);
+  const auto summary = read_json(folder.path() / "out/summary.json");
+  CHECK(summary["intersections"] == 0);
+  CHECK(summary["inverted_tets"] == 0);
 }

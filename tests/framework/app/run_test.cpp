@@ -1,5 +1,6 @@
 // tack run from the command line: exit codes, options, and what remains of a run.
 #include <catch2/catch.hpp>
+#include <chrono>
 
 #include "framework/output/csv.hpp"
 #include "tests/support/json.hpp"
@@ -139,6 +140,28 @@ TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
   const size_t done = summary["steps"];
   CHECK(done >= 3);
   CHECK(read_csv(steps).rows.size() == done);
+}
+
+TEST_CASE("Ctrl-C and kill end a run with 130 at once while a mesh is made") {
+  const Place place(tiny_scene_with("contact:", R"(  - name: ball
+    shape: {type: processed, of: {type: sphere, radius: 1}, place: {translate: [5, 0, 0]}, steps: [{type: tetrahedralize, edge_length: 0.02}]}
+    motion: [fixed]
+contact:)"));
+  for (const bool kill : {false, true}) {
+    Program program(place.folder.path(), {"run", "scene.yaml"});
+    for (int i = 0; i < 20000 && !program.has_child(); ++i) ::usleep(1000);
+    REQUIRE(program.has_child());
+    const auto start = std::chrono::steady_clock::now();
+    if (kill) program.terminate();
+    else program.interrupt();
+    const ProgramResult result = program.wait();
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2 * TACK_PATIENCE));
+    INFO(result.out << result.err);
+    CHECK(result.exit_code == 130);
+    CHECK(contains(result.out, "interrupted: "));
+    CHECK(result.err == "");
+    CHECK_FALSE(fs::exists(place.path("results/tiny")));
+  }
 }
 
 TEST_CASE("time.wall_limit ends a run with 3 and what was done so far is complete") {

@@ -12,7 +12,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 #include "geometry/shapes/surfaces.hpp"
 
 using namespace tack;
@@ -77,6 +77,21 @@ TEST_CASE("a shape is processed in the order of its steps", "[meshing]") {
   std::string told;
   for (const std::string& line : processed->notes()) told += line + "\n";
   CHECK_THAT(told, Contains("difference:") && Contains("cut:") && Contains("dihedral angles from") && Contains("took"));
+}
+
+TEST_CASE("a smooth body that is remeshed coarsely neither folds nor keeps tets from ending", "[meshing]") {
+  const auto toy = shape(
+      "{type: processed, steps: [{type: remesh, edge_length: 8 mm}, {type: tetrahedralize, edge_length: 10 mm, surface_edge_length: 8 mm,"
+      "deviation: 1 mm, time_limit: 60 s}], of: {type: level_set, voxel: 4 mm, of: {type: union, blend: 8 mm, of: [{type: sphere, radius: 16 mm},"
+      "{type: capsule, from: [0, 0, 0], to: [35 mm, 0, 0], radius: 7 mm}, {type: capsule, from: [0, 0, 0], to: [-18 mm, 30 mm, 0], radius: 7 mm},"
+      "{type: capsule, from: [0, 0, 0], to: [-18 mm, -30 mm, 0], radius: 7 mm}]}}}");
+  const Mesh mesh = toy->make();
+  CHECK(mesh.tets.size() > 500);
+  CHECK(mesh.tets.size() < 3000);
+  CHECK(total_volume(mesh) == Approx(2.8e-5).epsilon(0.06));
+  std::string told;
+  for (const std::string& line : toy->notes()) told += line + "\n";
+  CHECK_THAT(told, Contains("the surface folded between them") && !Contains("creases of less than"));
 }
 
 TEST_CASE("every mesh operation is told about with its steps' keys", "[meshing]") {

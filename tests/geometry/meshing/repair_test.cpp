@@ -5,7 +5,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 #include "tests/support/broken_meshes.hpp"
 
 using namespace tack;

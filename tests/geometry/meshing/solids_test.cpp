@@ -3,16 +3,17 @@
 #include <numbers>
 
 #include "geometry/errors.hpp"
+#include "geometry/io/mesh_io.hpp"
 #include "geometry/mesh/mass_properties.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/surface.hpp"
 #include "geometry/mesh/validate.hpp"
 #include "geometry/meshing/booleans.hpp"
 #include "geometry/meshing/defects.hpp"
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
 #include "geometry/meshing/surface_distance.hpp"
 #include "geometry/meshing/tetrahedralize.hpp"
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "tests/support/broken_meshes.hpp"
 #include "tests/support/closed_surface.hpp"
@@ -63,9 +64,9 @@ void check_tets(const Mesh& surface, double edge_length, double deviation) {
   const Surface border = extract_surface(f.mesh);
   CHECK(is_closed_manifold(border.triangles));
   CHECK(dihedral_angles(f.mesh).smallest > 8);
-  CHECK(total_volume(f.mesh) == Approx(volume(surface)).epsilon(0.01));
+  CHECK(total_volume(f.mesh) == Approx(volume(surface)).epsilon(0.015));
   CHECK(edge_lengths(f.mesh).mean < 1.3 * edge_length);
-  CHECK(edge_lengths(f.mesh).mean > 0.6 * edge_length);  // shorter where the deviation asks for it
+  CHECK(edge_lengths(f.mesh).mean > 0.4 * edge_length);  // shorter where the deviation or creases ask for it
   Mesh faces;
   faces.vertices = f.mesh.vertices;
   faces.triangles = border.triangles;
@@ -129,9 +130,20 @@ TEST_CASE("tets fill bodies of several parts, smooth and sharp, and hollow ones"
   Mesh parts = box_surface({1, 1, 1});
   append(parts, moved(sphere_surface(0.3, 6), {2, 0, 0}));  // smooth: no crease leads there
   append(parts, moved(sphere_surface(0.2, 6), {0, 2, 0}));
-  check_tets(parts, 0.15, 0.02);
-  check_tets(combined(Boolean::subtract, sphere_surface(1, 10), sphere_surface(0.6, 8)), 0.2, 0.03);
-  check_tets(combined(Boolean::unite, box_surface({1, 1, 1}), moved(sphere_surface(0.5, 8), {0.5, 0.1, 0.2})), 0.15, 0.01);
+  check_tets(parts, 0.2, 0.025);
+  check_tets(combined(Boolean::subtract, sphere_surface(1, 10), sphere_surface(0.6, 8)), 0.25, 0.03);
+  check_tets(combined(Boolean::unite, box_surface({1, 1, 1}), moved(sphere_surface(0.5, 6), {0.5, 0.1, 0.2})), 0.25, 0.03);
+}
+
+// An arm of a coarse smooth body that was remeshed into a fold: nearly every edge passes for a crease, and balls that protect them touch.
+TEST_CASE("creases that cannot be protected are rounded instead of refining for ever", "[meshing]") {
+  const Mesh folded = read_mesh(TACK_TEST_DATA "/meshes/folded.obj");
+  const Filled f = filled(folded, {.edge_length = 0.01, .surface_edge_length = 0.008, .deviation = 0.002});
+  INFO(f.told);
+  CHECK_NOTHROW(validate_mesh(f.mesh, "tets"));
+  CHECK(is_closed_manifold(extract_surface(f.mesh).triangles));
+  CHECK(f.mesh.tets.size() < 2000);
+  CHECK_THAT(f.told, Contains("warning: creases of less than"));
 }
 
 TEST_CASE("the same surface gives the same tets", "[meshing]") {
@@ -149,7 +161,7 @@ TEST_CASE("an angle that cannot be had is told with the worst tet", "[meshing]")
   wedge.triangles = {{0, 3, 1}, {0, 2, 3}, {0, 1, 5}, {0, 5, 4}, {2, 4, 5}, {2, 5, 3}, {0, 4, 2}, {1, 3, 5}};
   if (volume(wedge) < 0)
     for (Triangle& t : wedge.triangles) std::swap(t[0], t[1]);
-  const Filled f = filled(wedge, {.edge_length = 0.3});
+  const Filled f = filled(wedge, {.edge_length = 0.5});
   CHECK_THAT(f.told, Contains("warning: the dihedral angle") && Contains("of tet"));
 }
 

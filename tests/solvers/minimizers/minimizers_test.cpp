@@ -5,7 +5,7 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/deadline.hpp"
-#include "framework/core/interrupt.hpp"
+#include "geometry/interrupt.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/core/interrupt.hpp"
+#include "geometry/interrupt.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/residual_view.hpp"
 #include "tests/support/component_variants.hpp"

@@ -1,4 +1,4 @@
-#include "geometry/meshing/triangle_surface.hpp"
+#include "geometry/mesh/triangle_surface.hpp"
 
 #include <fmt/format.h>
 

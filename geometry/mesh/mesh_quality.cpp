@@ -1,4 +1,4 @@
-#include "geometry/meshing/mesh_quality.hpp"
+#include "geometry/mesh/mesh_quality.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Ctrl-C: the signal handler sets a flag, minimisers and the time loop look at it, so that a run ends
-// between iterations with everything written.
+// between iterations with everything written. What takes long before there is a run, the making of meshes, throws Interrupted.
 #pragma once
 
 #include <atomic>
@@ -7,5 +7,8 @@
 namespace tack {
 
 inline std::atomic<bool> interrupt_requested{false};
+
+// No std::exception, so that nobody takes it for an error.
+struct Interrupted {};
 
 }  // namespace tack

@@ -1,0 +1,42 @@
+// What the shared library libtack_meshing.so holds: CGAL's operations and OpenVDB's grids, which take minutes to compile and tenths of
+// a second to load. The program calls the functions of this folder's headers and of level_set/distance_grid.hpp as if they were its
+// own; meshing_library.cpp has those go through this table.
+#pragma once
+
+#include "geometry/level_set/distance_grid.hpp"
+#include "geometry/meshing/booleans.hpp"
+#include "geometry/meshing/defects.hpp"
+#include "geometry/meshing/offset.hpp"
+#include "geometry/meshing/remesh.hpp"
+#include "geometry/meshing/repair.hpp"
+#include "geometry/meshing/simplify.hpp"
+#include "geometry/meshing/subdivide.hpp"
+#include "geometry/meshing/surface_distance.hpp"
+#include "geometry/meshing/tetrahedralize.hpp"
+
+namespace tack {
+
+struct MeshingFunctions {
+  const char* interface;  // TACK_MESHING_INTERFACE: a digest of these headers and of how they were compiled
+  decltype(&tack::boolean) boolean;
+  decltype(&tack::cut) cut;
+  decltype(&tack::find_defects) find_defects;
+  decltype(&tack::list_defects) list_defects;
+  decltype(&tack::require_solid) require_solid;
+  decltype(&tack::require_oriented_manifold) require_oriented_manifold;
+  bool (*bounds_volume)(const SurfaceDefects&);
+  decltype(&tack::offset) offset;
+  decltype(&tack::remesh) remesh;
+  decltype(&tack::repair) repair;
+  decltype(&tack::simplify) simplify;
+  decltype(&tack::subdivide) subdivide;
+  decltype(&tack::distance_from_to) distance_from_to;
+  decltype(&tack::tetrahedralize) tetrahedralize;
+  DistanceGrid (*grid_of_function)(const DistanceFunction&, const Eigen::AlignedBox3d&, double voxel);
+  DistanceGrid (*grid_of_mesh)(const Mesh&, double voxel, double band);
+  void (*grid_sample)(const DistanceGrid&, std::span<const Vec3>, std::span<double>);
+  Mesh (*grid_surface)(const DistanceGrid&);
+  Eigen::AlignedBox3d (*grid_voxel_of)(const DistanceGrid&, const Vec3&);
+};
+
+}  // namespace tack

@@ -1,0 +1,100 @@
+#include "geometry/meshing_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cstring>
+#include <filesystem>
+
+#include "geometry/errors.hpp"
+#include "geometry/meshing/functions.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::atomic<bool> failed{false};
+
+// Tests are in a folder beside that of the program.
+fs::path library_path() {
+  std::error_code none;
+  return fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "bin" / "libtack_meshing.so";
+}
+
+[[noreturn]] void refuse(const std::string& why) {
+  failed = true;
+  throw InputError(fmt::format("meshes cannot be made: {}; run `./tack`, which builds it, or `cmake --build --preset release --target "
+                               "tack_meshing`", why));
+}
+
+const MeshingFunctions& opened() {
+  const std::string path = library_path().string();
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) refuse(fmt::format("the library for it is not built or broken ({})", ::dlerror()));
+  const auto* functions = static_cast<const MeshingFunctions*>(::dlsym(library, "tack_meshing_functions"));
+  if (!functions || std::strcmp(functions->interface, TACK_MESHING_INTERFACE) != 0) refuse(path + " is of another build");
+  return *functions;
+}
+
+const MeshingFunctions& library() {
+  static const MeshingFunctions& functions = opened();
+  return functions;
+}
+
+}  // namespace
+
+void open_meshing_library() { library(); }
+
+bool meshing_library_failed() { return failed; }
+
+std::string meshing_library_stamp() {
+  std::error_code none;
+  const fs::path path = library_path();
+  if (!fs::exists(path, none)) return "";
+  return fmt::format("{} {}", fs::file_size(path, none), fs::last_write_time(path, none).time_since_epoch().count());
+}
+
+Mesh boolean(Boolean kind, const Mesh& a, const Mesh& b, const std::string& name_a, const std::string& name_b, Notes& notes) {
+  return library().boolean(kind, a, b, name_a, name_b, notes);
+}
+Mesh cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, const std::string& name, Notes& notes) {
+  return library().cut(mesh, point, normal, name, notes);
+}
+SurfaceDefects find_defects(const Mesh& surface, bool crossings) { return library().find_defects(surface, crossings); }
+std::vector<std::string> list_defects(const SurfaceDefects& defects) { return library().list_defects(defects); }
+void require_solid(const Mesh& surface, const std::string& name) { library().require_solid(surface, name); }
+void require_oriented_manifold(const Mesh& surface, const std::string& name) { library().require_oriented_manifold(surface, name); }
+bool SurfaceDefects::bounds_volume() const { return library().bounds_volume(*this); }
+Mesh offset(const Mesh& mesh, const OffsetOptions& options, const std::string& name, Notes& notes) {
+  return library().offset(mesh, options, name, notes);
+}
+Mesh remesh(const Mesh& mesh, const RemeshOptions& options, const std::string& name, Notes& notes) {
+  return library().remesh(mesh, options, name, notes);
+}
+Mesh repair(const Mesh& mesh, const RepairOptions& options, const std::string& name, Notes& notes) {
+  return library().repair(mesh, options, name, notes);
+}
+Mesh simplify(const Mesh& mesh, int triangles, const std::string& name, Notes& notes) {
+  return library().simplify(mesh, triangles, name, notes);
+}
+Mesh subdivide(const Mesh& mesh, SubdivisionRule rule, int times, const std::string& name, Notes& notes) {
+  return library().subdivide(mesh, rule, times, name, notes);
+}
+SurfaceDistance distance_from_to(const Mesh& from, const Mesh& to, double spacing) { return library().distance_from_to(from, to, spacing); }
+Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& options, const std::string& name, Notes& notes) {
+  return library().tetrahedralize(mesh, options, name, notes);
+}
+
+DistanceGrid DistanceGrid::of(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel) {
+  return library().grid_of_function(function, box, voxel);
+}
+DistanceGrid DistanceGrid::of(const Mesh& mesh, double voxel, double band) { return library().grid_of_mesh(mesh, voxel, band); }
+void DistanceGrid::sample(std::span<const Vec3> points, std::span<double> distances) const {
+  library().grid_sample(*this, points, distances);
+}
+Mesh DistanceGrid::surface() const { return library().grid_surface(*this); }
+Eigen::AlignedBox3d DistanceGrid::voxel_of(const Vec3& point) const { return library().grid_voxel_of(*this, point); }
+
+}  // namespace tack
