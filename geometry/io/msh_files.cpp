@@ -9,6 +9,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
+#include "geometry/io/gmsh_types.hpp"
 #include "geometry/io/precheck.hpp"
 #include "geometry/mesh/cleanup.hpp"
 
@@ -16,8 +17,6 @@ namespace tack {
 namespace {
 
 using NodeNumbers = std::unordered_map<std::size_t, int>;
-
-constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
 
 // Gmsh holds one global state: one session at a time, started silent and without the user's
 // options.
@@ -73,7 +72,7 @@ void read_elements(int type, const NodeNumbers& numbers,
 }
 
 void check_types(const std::string& name) {
-  constexpr int known[] = {line_type, triangle_type, tet_type, point_type};
+  constexpr int known[] = {gmsh_types::line, gmsh_types::triangle, gmsh_types::tet, gmsh_types::point};
   std::vector<int> types;
   gmsh::model::mesh::getElementTypes(types);
   for (int type : types) {
@@ -111,11 +110,11 @@ Mesh read_model(const std::string& name) {
   check_types(name);
   Mesh mesh;
   const NodeNumbers numbers = read_nodes(mesh);
-  read_elements(tet_type, numbers, mesh.tets);
-  read_elements(triangle_type, numbers, mesh.triangles);
-  read_elements(line_type, numbers, mesh.edges);
+  read_elements(gmsh_types::tet, numbers, mesh.tets);
+  read_elements(gmsh_types::triangle, numbers, mesh.triangles);
+  read_elements(gmsh_types::line, numbers, mesh.edges);
   std::vector<std::array<int, 1>> points;
-  read_elements(point_type, numbers, points);
+  read_elements(gmsh_types::point, numbers, points);
   for (const auto& [v] : points) mesh.points.push_back(v);
   read_groups(mesh, numbers);
   drop_redundant_elements(mesh);

@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "geometry/errors.hpp"
+#include "geometry/io/gmsh_types.hpp"
 
 namespace tack {
 namespace {
@@ -89,7 +90,6 @@ void add_elements(int type, const std::vector<std::array<int, N>>& elements, std
 }
 
 void write_msh(const std::filesystem::path& path, const Mesh& mesh) {
-  constexpr int line_type = 1, triangle_type = 2, tet_type = 4, point_type = 15;
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::model::add("mesh");
@@ -102,10 +102,10 @@ void write_msh(const std::filesystem::path& path, const Mesh& mesh) {
   std::vector<std::array<int, 1>> points;
   for (const int v : mesh.points) points.push_back({v});
   std::size_t next = 1;
-  add_elements(tet_type, mesh.tets, next);
-  add_elements(triangle_type, mesh.triangles, next);
-  add_elements(line_type, mesh.edges, next);
-  add_elements(point_type, points, next);
+  add_elements(gmsh_types::tet, mesh.tets, next);
+  add_elements(gmsh_types::triangle, mesh.triangles, next);
+  add_elements(gmsh_types::line, mesh.edges, next);
+  add_elements(gmsh_types::point, points, next);
   gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
   gmsh::option::setNumber("Mesh.Binary", 1);
   gmsh::option::setNumber("Mesh.SaveAll", 1);

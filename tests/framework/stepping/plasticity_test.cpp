@@ -35,7 +35,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
     INFO("H = " << hardening);
     TestRun run(pulled("quasi_static", 0.2, precise + ", projection: none", hardening));
     std::vector<double> residuals;
-    run.stepper.observe({.minimizer = [&](int, double residual, double, double) { residuals.push_back(residual); }});
+    run.stepper.observe({[&](int, double residual, double, double) { residuals.push_back(residual); }, {}, {}});
     for (int i = 0; i < 3; ++i) {
       residuals.clear();
       REQUIRE(run.step().halvings == 0);
