@@ -28,6 +28,8 @@ class Multifrontal : public LinearSolver {
     clock.count_factorization();
     blas::set_threads(1);
     analyze(matrix);
+    if (outdated_) tree_.emplace(*analysis_.factor(), matrix);
+    outdated_ = false;
     if (approximate() && single_.factorize(*tree_, matrix, clock.deadline())) {
       exact_ = false;
       return true;
@@ -61,8 +63,9 @@ class Multifrontal : public LinearSolver {
   }
 
  private:
+  // The tree stays as it is until the next factor: the one that there is belongs to it.
   void analyze(const BlockMatrix& matrix) {
-    if (analysis_.update(matrix, CholmodAnalysis::Kind::supernodal_blocks)) tree_.emplace(*analysis_.factor(), matrix);
+    if (analysis_.update(matrix, CholmodAnalysis::Kind::supernodal_blocks)) outdated_ = true;
   }
 
   bool approximate() const {
@@ -73,6 +76,7 @@ class Multifrontal : public LinearSolver {
   bool preconditioner_ = false;
   CholmodAnalysis analysis_;
   std::optional<SupernodeTree> tree_;
+  bool outdated_ = false;  // the tree is of another pattern than the analysis
   MultifrontalFactor<float> single_;
   MultifrontalFactor<double> double_;
   bool exact_ = true;  // of the last factor

@@ -161,3 +161,20 @@ TEST_CASE("a lagged factor does not hide an indefinite matrix", "[linear]") {
   if (factorized) solver->solve(random.vectors(90), x, clock);
   CHECK((!factorized || !x.allFinite()));
 }
+
+TEST_CASE("what another matrix would cost can be asked for while a factor is kept", "[linear]") {
+  for_each_solver([](const std::string& type, LinearSolver& solver) {
+    RandomMotions random(6);
+    const BlockMatrix matrix = random_spd(60, random, 8), fuller = random_spd(60, random, 3);
+    CHECK(residual(solver, matrix, random) < accuracy(type));
+    PhaseClock clock;
+    const VecX b = random.vectors(matrix.size());
+    VecX x, again;
+    REQUIRE(solver.factorize(matrix, clock));
+    solver.solve(b, x, clock);
+    solver.predict(fuller, clock);
+    solver.solve(b, again, clock);
+    CHECK(residual(matrix, again, b) < accuracy(type));
+    CHECK(residual(solver, fuller, random) < accuracy(type));
+  });
+}
