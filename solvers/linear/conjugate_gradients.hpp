@@ -10,7 +10,8 @@ namespace tack {
 
 class ConjugateGradients {
  public:
-  enum class Outcome { solved, too_slow, indefinite };
+  // indefinite: the matrix is, along some direction; misled: the preconditioner is not positive definite.
+  enum class Outcome { solved, too_slow, indefinite, misled };
   struct Goal {
     double tolerance;    // of the residual, relative to that of x = 0
     int max_iterations;  // products with A
@@ -53,7 +54,7 @@ ConjugateGradients::Outcome ConjugateGradients::solve(const BlockMatrix& matrix,
     clock.deadline().check();
     operator_.multiply(matrix, direction_, product_);
     const double curvature = dot(direction_, product_);
-    if (!(curvature > 0)) return Outcome::indefinite;
+    if (!(curvature > 0)) return curvature <= 0 ? Outcome::indefinite : Outcome::misled;
     advance(rz / curvature, x);
     precondition(residual_, z_);
     const double next = dot(residual_, z_);
@@ -61,7 +62,7 @@ ConjugateGradients::Outcome ConjugateGradients::solve(const BlockMatrix& matrix,
     rz = next;
   }
   // A preconditioner that is not positive definite, or a right side that is not finite.
-  return rz >= 0 ? Outcome::solved : Outcome::indefinite;
+  return rz >= 0 ? Outcome::solved : Outcome::misled;
 }
 
 }  // namespace tack

@@ -57,7 +57,7 @@ class LaggedCholesky : public LinearSolver {
           [&](const VecX& r, VecX& z) { direct_->solve(r, z, clock); });
       iterations_ += cg_.iterations();
       if (outcome == Outcome::solved) return true;
-      const bool hopeless = fresh_ && (outcome == Outcome::indefinite || !direct_->sharpen());
+      const bool hopeless = outcome == Outcome::indefinite || (fresh_ && !direct_->sharpen());
       if (hopeless || !refresh(clock)) {
         x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
         return false;
