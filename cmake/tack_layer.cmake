@@ -32,7 +32,7 @@ target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::t
 # geometry/distance: of those that are not inlined the linker keeps one copy for all, and it may be theirs.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output
-    framework/experiment framework/probes framework/compare framework/profile framework/run framework/app
+    framework/experiment framework/probes framework/compare framework/batch framework/profile framework/run framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 # Where CGAL takes so long to compile that one file alone is enough, and what is hot all the same.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp

@@ -2,6 +2,7 @@
 // Each returns the exit code, or throws InputError or SimulationError.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,13 +37,27 @@ struct CompareOptions {
 // Speed against error of several solvers on the same problems.
 int compare_command(const CompareOptions& options);
 
+struct BatchOptions {
+  SceneOptions file;
+  std::string output;         // empty: results/<name>
+  int jobs = 0, threads = 0;  // 0: as the file says
+  bool dry_run = false;       // show the plan and what it will take
+  bool failed = false;        // run those again that failed
+  bool slurm = false, no_wait = false;
+  std::string collect;        // the folder of a batch, to make its table again
+  std::optional<int> task;    // only that case of the batch in `output`, as a task of a job array
+  bool quiet = false;
+};
+// Many experiments and one table of them. Calling it again goes on where it was ended.
+int batch_command(const BatchOptions& options);
+
 // Validates an experiment without running it: keys, meshes, pairs, the start, and the derivatives of the
 // whole incremental potential at the start.
 int check_command(const SceneOptions& options);
 
 struct ListOptions {
   std::string kind, name;                         // empty: all
-  std::string reference, schema, compare_schema;  // files to write instead
+  std::string reference, schema, compare_schema, batch_schema;  // files to write instead
 };
 // What can be named in a scene file; also writes the reference page and the JSON schemas.
 int list_command(const ListOptions& options);

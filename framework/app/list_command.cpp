@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "framework/app/commands.hpp"
+#include "framework/batch/batch_config.hpp"
 #include "framework/compare/compare_config.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/experiment/experiment.hpp"
@@ -27,12 +28,16 @@ int list_command(const ListOptions& o) {
   if (!o.reference.empty())
     write_text(o.reference, reference_page(prototype<Experiment>(), title) +
                                 "\n## Comparison files\n\nWhat `tack compare` reads; see [comparing.md](comparing.md).\n\n" +
-                                parameter_table(prototype<CompareConfig>()));
+                                parameter_table(prototype<CompareConfig>()) +
+                                "\n## Batch files\n\nWhat `tack batch` reads; see [batches.md](batches.md). What varies: [variation](#variation).\n\n" +
+                                parameter_table(prototype<BatchConfig>()));
   if (!o.schema.empty())
     write_text(o.schema, json_schema(prototype<Experiment>(), "tack scene") + "\n");
   if (!o.compare_schema.empty())
     write_text(o.compare_schema, json_schema(prototype<CompareConfig>(), "tack comparison") + "\n");
-  if (!o.reference.empty() || !o.schema.empty() || !o.compare_schema.empty()) return exit_done;
+  if (!o.batch_schema.empty())
+    write_text(o.batch_schema, json_schema(prototype<BatchConfig>(), "tack batch") + "\n");
+  if (!o.reference.empty() || !o.schema.empty() || !o.compare_schema.empty() || !o.batch_schema.empty()) return exit_done;
   if (o.kind.empty()) {
     fmt::print("{}", list_kinds());
   } else {

@@ -46,6 +46,7 @@ class CommandLine {
     add_run();
     add_profile();
     add_compare();
+    add_batch();
     add_check();
     add_list();
     add_mesh();
@@ -95,6 +96,25 @@ class CommandLine {
     });
   }
 
+  void add_batch() {
+    CLI::App* batch = app_.add_subcommand("batch", "Run many experiments side by side, and make one table of them");
+    add_scene_options(*batch, batch_.file);
+    add_output(*batch, batch_.output, batch_.threads);
+    batch->add_option("--jobs", batch_.jobs, "cases side by side (default: as many as cores allow)")->check(CLI::PositiveNumber);
+    batch->add_flag("--dry-run", batch_.dry_run, "check all cases, show them and how long they will take");
+    batch->add_flag("--failed", batch_.failed, "run those again that failed");
+    CLI::Option* slurm = batch->add_flag("--slurm", batch_.slurm, "run the cases as a job array of Slurm");
+    batch->add_flag("--no-wait", batch_.no_wait, "with --slurm: do not wait for the end")->needs(slurm);
+    batch->add_option("--collect", batch_.collect, "make the table of a batch's folder again, and run nothing");
+    batch->add_option("--task", batch_.task, "only this case, from 0, of the batch in the folder -o: what a job array runs");
+    batch->add_flag("-q,--quiet", batch_.quiet, "print errors only");
+    batch->callback([this] {
+      if (batch_.task && batch_.output.empty()) throw CLI::RequiredError("--task: -o");
+      if (!batch_.task && batch_.collect.empty()) settle(batch_.file);
+      exit_code_ = batch_command(batch_);
+    });
+  }
+
   void add_check() {
     CLI::App* check = app_.add_subcommand("check", "Validate an experiment without running it");
     add_scene_options(*check, check_);
@@ -111,6 +131,7 @@ class CommandLine {
     list->add_option("--reference", list_.reference, "write the reference page (Markdown) to a file");
     list->add_option("--schema", list_.schema, "write the JSON schema for editors to a file");
     list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`");
+    list->add_option("--batch-schema", list_.batch_schema, "the same for the files of `tack batch`");
     list->callback([this] { exit_code_ = list_command(list_); });
   }
 
@@ -142,6 +163,7 @@ class CommandLine {
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
   RunOptions run_, profile_;
   CompareOptions compare_;
+  BatchOptions batch_;
   SceneOptions check_;
   ListOptions list_;
   MeshOptions mesh_;

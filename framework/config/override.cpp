@@ -1,4 +1,4 @@
-// `--set a.b=c`: walks the dotted path, creating what is missing, and replaces the value there.
+// `--set a.b=c`, and values for keys from elsewhere: walks the dotted path, creating what is missing, and replaces the value there.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -83,11 +83,16 @@ void apply_override(Value& root, const std::string& assignment) {
   }
   Value replacement = read_yaml(assignment.substr(equals + 1), *name);
   place_marks(replacement, origin);
+  set_at(root, assignment.substr(0, equals), std::move(replacement));
+}
+
+void set_at(Value& root, const std::string& path, Value value) {
+  const SourceMark origin = value.mark;
   Value* node = &root;
-  for (const std::string& segment : split_path(assignment.substr(0, equals), origin)) {
+  for (const std::string& segment : split_path(path, origin)) {
     node = node->is_sequence() ? &in_list(*node, segment, origin) : &in_map(*node, segment, origin);
   }
-  *node = std::move(replacement);
+  *node = std::move(value);
 }
 
 }  // namespace tack

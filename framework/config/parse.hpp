@@ -20,6 +20,9 @@ Value parse_string(const std::string& text, const std::string& name);
 // do not exist are created (binding checks them); a component written as a bare name becomes a map.
 void apply_override(Value& root, const std::string& assignment);
 
+// The same with a value that was read elsewhere, whose marks it keeps.
+void set_at(Value& root, const std::string& path, Value value);
+
 // The absolute form of a path written at `mark`: relative to the folder of that file, or to the
 // working directory for values that stand in no file. An empty path stays empty.
 std::string resolve_path(const SourceMark& mark, const std::string& path);

@@ -4,9 +4,8 @@
 #include "framework/config/parse.hpp"
 
 namespace tack {
-namespace {
 
-LoadedExperiment bound(Value root) {
+LoadedExperiment bound_experiment(Value root) {
   LoadedExperiment loaded{std::move(root), {}, {}};
   bind(loaded.root, loaded.experiment, "the scene");
   const auto fills = [](const ObjectConfig& object) { return object.fill.has_value(); };
@@ -16,16 +15,14 @@ LoadedExperiment bound(Value root) {
   return whole;
 }
 
-}  // namespace
-
 LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
   Value root = parse_file(path);
   for (const std::string& assignment : overrides) apply_override(root, assignment);
-  return bound(std::move(root));
+  return bound_experiment(std::move(root));
 }
 
 LoadedExperiment parse_experiment(const std::string& text, const std::string& name) {
-  return bound(parse_string(text, name));
+  return bound_experiment(parse_string(text, name));
 }
 
 }  // namespace tack

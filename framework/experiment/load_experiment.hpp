@@ -19,6 +19,9 @@ struct LoadedExperiment {
 // `overrides` are "a.b=c". Throws InputError with file, line and remedy.
 LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides);
 
+// The same of what was parsed.
+LoadedExperiment bound_experiment(Value root);
+
 // The same of a text; `name` stands for the file in messages.
 LoadedExperiment parse_experiment(const std::string& text, const std::string& name);
 

@@ -14,11 +14,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-std::string check_window(const std::vector<double>& over) {
-  if (over.empty() || (over.size() == 2 && over[0] <= over[1])) return "";
-  return "expects the first and the last time [t0, t1] with t0 not above t1";
-}
-
 // "" if the expectation says in exactly one way what is accepted.
 std::string check_criterion(const Expectation& e) {
   const bool bounded = e.at_least || e.at_most;
@@ -37,38 +32,6 @@ std::string check_tolerance(const Expectation& e) {
   } catch (const InputError& error) {
     return error.what();
   }
-}
-
-std::string check_abscissa(const Expectation& e) {
-  const bool at = e.query.statistic == Statistic::at;
-  if (at && !e.where) return "statistic 'at' needs where, the value of along at which to look";
-  if (!at && e.where) return "only statistic 'at' uses it; remove it or change the statistic";
-  return "";
-}
-
-std::string check_along(const Expectation& e) {
-  const Statistic s = e.query.statistic;
-  const bool used = s == Statistic::at || s == Statistic::integral;
-  if (used || e.query.along == "time") return "";
-  return "only the statistics 'integral' and 'at' use it; remove it or change the statistic";
-}
-
-std::vector<Choice<Statistic>> statistics() {
-  using enum Statistic;
-  return {{"final", final, "the last sample"},
-          {"mean", mean, "the average over time"},
-          {"max", max, "the largest sample"},
-          {"min", min, "the smallest sample"},
-          {"peak", peak, "the largest absolute value"},
-          {"integral", integral, "the integral along a column, by the trapezoidal rule"},
-          {"at", at, "the value where the column `along` first passes `where`"}};
-}
-
-// The query with everything that is kept apart from it while it is bound.
-StatisticQuery query_of(const Expectation& e) {
-  StatisticQuery query = e.query;
-  if (e.where) query.where = *e.where;
-  return query;
 }
 
 void set_interval(ExpectationResult& result, const Expectation& e) {
@@ -98,25 +61,18 @@ bool accepted(const ExpectationResult& r) {
 
 void Expectation::fields(Fields& f) {
   f.text("name", name, "how reports call it; made from the rest if empty");
-  f.text("probe", query.probe, "column of probes.csv").required();
-  f.choice("statistic", query.statistic, statistics(), "the number that is compared").required();
-  f.numbers("over", query.over, units::time, "first and last time that count; empty for all");
-  f.text("along", query.along, "column to integrate over, or in which to find `where`");
-  f.optional_quantity("where", where, "value of the column `along`, for 'at', in a unit of that column's kind");
+  SpecifiedStatistic::fields(f);
   f.optional_quantity("target", target,
                       "expected value, in a unit of the probe's kind; for 'integral', of probe times `along`");
   f.raw("within", within, "tolerance of the target: a number of the same kind, or a percentage of the target");
   f.optional_quantity("at_least", at_least, "smallest value accepted, in a unit of the target's kind");
   f.optional_quantity("at_most", at_most, "largest value accepted, in a unit of the target's kind");
-  f.check("over", [this] { return check_window(query.over); });
-  f.check("along", [this] { return check_along(*this); });
-  f.check("where", [this] { return check_abscissa(*this); });
   f.check("target", [this] { return check_criterion(*this); });
   f.check("within", [this] { return check_tolerance(*this); });
 }
 
 std::string name_of(const Expectation& e) {
-  return e.name.empty() ? description(query_of(e)) : e.name;
+  return e.name.empty() ? description(e.resolved()) : e.name;
 }
 
 double tolerance_of(const Value& within, double target) {
@@ -173,7 +129,7 @@ ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& se
   set_interval(result, expectation);
   StatisticValue found;
   try {
-    found = evaluate(query_of(expectation), series);
+    found = evaluate(expectation.resolved(), series);
   } catch (const InputError& error) {
     throw InputError(fmt::format("expectation '{}': {}", result.name, error.what()));
   }

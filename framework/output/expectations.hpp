@@ -13,16 +13,14 @@
 #include <vector>
 
 #include "framework/config/field.hpp"
-#include "framework/output/statistic.hpp"
+#include "framework/output/specified_statistic.hpp"
 
 namespace tack {
 
-struct Expectation {
+struct Expectation : SpecifiedStatistic {
   std::string name;  // empty: made from the rest
-  StatisticQuery query;
   std::optional<Quantity> target;
   Value within;  // as written: "5%" or a number
-  std::optional<Quantity> where;
   std::optional<Quantity> at_least;
   std::optional<Quantity> at_most;
 

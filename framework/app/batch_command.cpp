@@ -1,0 +1,192 @@
+// tack batch: many experiments, side by side on this machine or as a job array of Slurm, and one table of them.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <thread>
+
+#include "framework/app/commands.hpp"
+#include "framework/app/version.hpp"
+#include "framework/batch/batch_estimate.hpp"
+#include "framework/batch/batch_progress.hpp"
+#include "framework/batch/results_table.hpp"
+#include "framework/batch/slurm.hpp"
+#include "framework/config/read_file.hpp"
+#include "framework/output/progress.hpp"
+#include "framework/output/replace_file.hpp"
+#include "framework/output/run_folder.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double trial_seconds = 3;
+constexpr size_t most_cases_shown = 40;
+
+extern "C" void request_end(int) { interrupt_requested = true; }
+
+std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
+
+std::string counted(size_t count, const std::string& noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+
+// Builds every open case once; all that is wrong is told at once.
+void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open) {
+  std::vector<std::string> errors;
+  for (const BatchCase* one : open) {
+    if (interrupt_requested) throw Interrupted{};
+    try {
+      check_case(plan, *one);
+    } catch (const InputError& error) {
+      if (errors.size() < 10) errors.push_back(error.what());
+    }
+  }
+  if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
+}
+
+// The table and the description as things stand, and how many cases ended how.
+std::map<CaseStatus, size_t> collect(const BatchFolder& folder, const BatchDescription& description) {
+  write_description(folder, description);
+  replace_file(folder.table(), csv_text(results_of(folder, description.plan)));
+  std::map<CaseStatus, size_t> counts;
+  for (const BatchCase& one : description.plan.cases) ++counts[state_of(folder, one).status];
+  return counts;
+}
+
+int report(const BatchFolder& folder, const BatchDescription& description, bool quiet) {
+  const std::map<CaseStatus, size_t> counts = collect(folder, description);
+  std::vector<std::string> parts;
+  bool all_done = true, expectations_only = true;
+  for (const auto& [status, count] : counts) {
+    parts.push_back(fmt::format("{} {}", count, to_string(status)));
+    all_done = all_done && status == CaseStatus::done;
+    expectations_only = expectations_only && (status == CaseStatus::done || status == CaseStatus::expectation_failed);
+  }
+  if (!quiet)
+    fmt::print("{}: {}: {}; table in {}\n", description.plan.name, counted(description.plan.cases.size(), "case"),
+               fmt::join(parts, ", "), folder.table().string());
+  if (all_done) return exit_done;
+  return expectations_only ? exit_expectation_failed : exit_simulation_failed;
+}
+
+void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::vector<const BatchCase*>& open) {
+  for (size_t i = 0; i < std::min(d.plan.cases.size(), most_cases_shown); ++i) {
+    const BatchCase& one = d.plan.cases[i];
+    fmt::print("  {}  {}\n", one.name, to_string(state_of(folder, one).status));
+  }
+  if (d.plan.cases.size() > most_cases_shown) fmt::print("  and {} more\n", d.plan.cases.size() - most_cases_shown);
+  fmt::print("{}: {}, {} to run; {} side by side with {} each\n", d.plan.name, counted(d.plan.cases.size(), "case"), open.size(),
+             d.limits.jobs, counted(static_cast<size_t>(d.limits.threads), "thread"));
+  if (open.empty()) return;
+  const BatchEstimate estimate = estimate_of(this_program(), folder, d.plan, d.limits, open, trial_seconds);
+  for (const auto& [base, seconds] : estimate.of_case) fmt::print("a case of {} takes about {}\n", base, duration_text(seconds));
+  fmt::print("about {} in all; nothing was run yet\n", duration_text(estimate.seconds));
+}
+
+// The states that are written by the array's tasks, until all of them have ended.
+void follow(SlurmJob& job, const BatchFolder& folder, const std::vector<const BatchCase*>& open, BatchProgress& progress) {
+  const BatchObserver observer = progress.observer();
+  std::set<const BatchCase*> told;
+  const auto look = [&] {
+    for (const BatchCase* one : open) {
+      const CaseState state = state_of(folder, *one);
+      if (finished(state.status) && told.insert(one).second) observer.ended(*one, state);
+    }
+  };
+  while (!job.waiting.ended() && !interrupt_requested) {
+    look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  look();
+}
+
+int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const BatchFolder& folder, const BatchDescription& d,
+                 const std::vector<const BatchCase*>& open) {
+  std::vector<size_t> tasks;
+  for (const BatchCase* one : open) {
+    tasks.push_back(static_cast<size_t>(one - d.plan.cases.data()));
+    replace_file(folder.scene(one->name), one->scene);
+    // Those that failed are to run again: their tasks must not take them for done.
+    std::filesystem::remove(folder.state(one->name));
+  }
+  replace_file(folder.job_script(), job_script(this_program(), folder, config, d.limits, tasks));
+  const std::string later = fmt::format("the table is made by `tack batch --collect {}`", folder.root.string());
+  if (options.no_wait) {
+    fmt::print("job {} submitted: {}; {}\n", submit_and_leave(folder), counted(open.size(), "case"), later);
+    return exit_done;
+  }
+  SlurmJob job = submit(folder);
+  if (!options.quiet) fmt::print("job {} submitted: {}\n", job.id, counted(open.size(), "case"));
+  {
+    BatchProgress progress(std::cout, d.plan.cases.size(), open.size(), d.limits.jobs, 0, options.quiet);
+    follow(job, folder, open, progress);
+  }
+  if (interrupt_requested) {
+    fmt::print("job {} goes on (`scancel {}` ends it); {}\n", job.id, job.id, later);
+    return exit_interrupted;
+  }
+  return report(folder, d, options.quiet);
+}
+
+// One case, in a job array.
+int run_task(const BatchOptions& options) {
+  const BatchFolder folder = BatchFolder::found(options.output);
+  BatchDescription d = read_description(folder);
+  if (*options.task < 0 || *options.task >= static_cast<int>(d.plan.cases.size()))
+    throw InputError(fmt::format("--task {}: the batch has {}, counted from 0", *options.task, counted(d.plan.cases.size(), "case")));
+  BatchCase& one = d.plan.cases[static_cast<size_t>(*options.task)];
+  if (!one.digest.ends_with(" " + program_digest()))
+    throw InputError(fmt::format("{}: was planned by another build of tack; call `tack batch` again", folder.description().string()));
+  one.scene = read_file(folder.scene(one.name), std::uintmax_t{1} << 30);
+  if (finished(state_of(folder, one).status)) return exit_done;
+  run_cases(this_program(), folder, d.limits, {&one}, {});
+  const CaseState state = state_of(folder, one);
+  fmt::print("{}: {} {}\n", one.name, to_string(state.status), state.error);
+  return exit_done;  // what became of the case stands in its state
+}
+
+}  // namespace
+
+int batch_command(const BatchOptions& options) {
+  std::signal(SIGINT, request_end);
+  std::signal(SIGTERM, request_end);
+  if (options.task) return run_task(options);
+  if (!options.collect.empty()) {
+    const BatchFolder folder = BatchFolder::found(options.collect);
+    return report(folder, read_description(folder), options.quiet);
+  }
+  const BatchConfig config = load_batch(options.file.file, options.file.overrides);
+  BatchDescription d;
+  d.plan = plan_of(config, program_digest());
+  d.file = std::filesystem::absolute(options.file.file).lexically_normal().string();
+  d.limits.threads = options.threads > 0 ? options.threads : config.threads;
+  d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);
+  d.limits.memory = config.memory;
+  d.limits.time_limit = config.time_limit;
+  d.provenance = nlohmann::ordered_json{{"program", "tack"}, {"version", TACK_VERSION}, {"commit", TACK_COMMIT}}.dump();
+  const std::filesystem::path root = RunFolder::chosen_root(options.output, config.name);
+  const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root);
+  const std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);
+  check_cases(d.plan, open);
+  if (options.dry_run) {
+    show_plan(folder, d, open);
+    return exit_done;
+  }
+  write_description(folder, d);
+  if (open.size() < d.plan.cases.size() && !options.quiet)
+    fmt::print("{} of {} are done already\n", d.plan.cases.size() - open.size(), counted(d.plan.cases.size(), "case"));
+  if (options.slurm && !open.empty()) return run_by_slurm(options, config, folder, d, open);
+  {
+    BatchProgress progress(std::cout, d.plan.cases.size(), open.size(), d.limits.jobs, terminal_width(STDOUT_FILENO), options.quiet);
+    run_cases(this_program(), folder, d.limits, open, progress.observer());
+  }
+  const int code = report(folder, d, options.quiet);
+  return interrupt_requested ? exit_interrupted : code;
+}
+
+}  // namespace tack

@@ -1,0 +1,85 @@
+#include "framework/batch/batch_config.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+
+namespace tack {
+namespace {
+
+template <class T, class Name>
+std::string twice(const std::vector<T>& list, const char* what, const Name& name) {
+  std::set<std::string> names;
+  for (const T& entry : list)
+    if (!names.insert(name(entry)).second) return fmt::format("two {} are named '{}'; give them names that differ", what, name(entry));
+  return "";
+}
+
+}  // namespace
+
+void BatchBase::fields(Fields& f) {
+  f.text("name", name, "what tables call it; the file's name unless given");
+  f.path("file", file, "an experiment").required();
+  f.texts("set", set, "overrides of this one, as `time.step=1 ms`");
+}
+
+void BatchStatistic::fields(Fields& f) {
+  f.text("name", name, "the column of results.csv; made from the rest if empty");
+  SpecifiedStatistic::fields(f);
+}
+
+std::string BatchStatistic::column() const { return name.empty() ? description(resolved()) : name; }
+
+void SlurmConfig::fields(Fields& f) {
+  f.text("partition", partition, "where to run; the cluster's own unless given");
+  f.text("account", account, "who pays");
+  f.number("time", time, units::time, "limit of a case; it is sent SIGTERM a minute before").positive();
+  f.integer("at_once", at_once, "cases at the same time; 0: as many as there is room for").at_least(0);
+  f.texts("options", options, "further ones of sbatch, as `--constraint=fast`");
+}
+
+void BatchConfig::fields(Fields& f) {
+  f.text("name", name, "what the results folder is called").required();
+  f.text("about", about, "what the batch is to show");
+  f.path("base", base, "the experiment that is varied");
+  f.list("bases", bases, "or several, each of which is varied");
+  f.texts("set", set, "overrides of all cases, as `output.frames=false`");
+  f.component_list("vary", vary, "what varies; with several entries, all combinations of them");
+  f.list("statistics", statistics,
+         "numbers of probes that results.csv has a column of; without any, final, min and max of all probes");
+  f.integer("threads", threads, "of a case").at_least(1);
+  f.integer("jobs", jobs, "cases side by side; 0: as many as there are cores for").at_least(0);
+  f.optional_number("memory", memory, units::none,
+                    "GB that a case may take; one that asks for more fails. Without it, none is started while memory is short").positive();
+  f.optional_number("time_limit", time_limit, units::time, "wall time of a case; then it is ended, and counts as failed").positive();
+  f.object("slurm", slurm, "what `--slurm` asks for");
+  f.check("base", [this]() -> std::string {
+    if (base.empty() && bases.empty()) return "give an experiment (base), or several (bases)";
+    if (!base.empty() && !bases.empty()) return "either base or bases, not both";
+    return "";
+  });
+  f.check("bases", [this] { return twice(all_bases(), "bases", [](const BatchBase& b) { return b.name; }); });
+  f.check("statistics", [this] { return twice(statistics, "statistics", [](const BatchStatistic& s) { return s.column(); }); });
+}
+
+std::vector<BatchBase> BatchConfig::all_bases() const {
+  std::vector<BatchBase> all = bases;
+  if (!base.empty()) all.push_back({"", base, {}});
+  for (BatchBase& b : all)
+    if (b.name.empty()) b.name = std::filesystem::path(b.file).stem();
+  return all;
+}
+
+BatchConfig load_batch(const std::string& path, const std::vector<std::string>& overrides) {
+  Value root = parse_file(path);
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  BatchConfig config;
+  bind(root, config, "the batch");
+  return config;
+}
+
+}  // namespace tack

@@ -1,0 +1,56 @@
+// The file of `tack batch`, typed: which experiment, what varies, what is kept, and what it may use.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/batch/variation.hpp"
+#include "framework/output/specified_statistic.hpp"
+
+namespace tack {
+
+struct BatchBase {
+  std::string name;  // empty: that of the file
+  std::string file;  // absolute
+  std::vector<std::string> set;
+  void fields(Fields& f);
+};
+
+struct BatchStatistic : SpecifiedStatistic {
+  std::string name;  // a column of results.csv; empty: made from the rest
+  void fields(Fields& f);
+  std::string column() const;
+};
+
+// What a job array of Slurm asks for; threads and memory are those of a case.
+struct SlurmConfig {
+  std::string partition, account;
+  double time = 3600;                // s, of a case
+  int at_once = 0;                   // cases; 0: as many as there is room for
+  std::vector<std::string> options;  // of sbatch, as "--constraint=..."
+  void fields(Fields& f);
+};
+
+struct BatchConfig {
+  std::string name, about;
+  std::string base;  // absolute; empty: `bases`
+  std::vector<BatchBase> bases;
+  std::vector<std::string> set;
+  std::vector<std::unique_ptr<const Variation>> vary;
+  std::vector<BatchStatistic> statistics;
+  int threads = 1;                        // of a case
+  int jobs = 0;                           // side by side; 0: as many as cores allow
+  std::optional<double> memory;           // GB, of a case
+  std::optional<double> time_limit;       // s, of a case
+  SlurmConfig slurm;
+  void fields(Fields& f);
+
+  std::vector<BatchBase> all_bases() const;  // with names
+};
+
+// Throws InputError with file, line and remedy.
+BatchConfig load_batch(const std::string& path, const std::vector<std::string>& overrides);
+
+}  // namespace tack

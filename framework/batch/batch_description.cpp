@@ -1,0 +1,98 @@
+#include "framework/batch/batch_description.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "framework/output/replace_file.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
+
+std::optional<double> optional(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
+}
+
+Json json_of(const BatchStatistic& s) {
+  const StatisticQuery q = s.resolved();
+  return {{"name", s.column()}, {"probe", q.probe}, {"statistic", to_string(q.statistic)}, {"along", q.along}, {"where", q.where}, {"over", q.over}};
+}
+
+BatchStatistic statistic_of(const Json& json) {
+  BatchStatistic s;
+  s.name = json.at("name");
+  s.query.probe = json.at("probe");
+  s.query.along = json.at("along");
+  s.query.where = json.at("where");
+  s.query.over = json.at("over").get<std::vector<double>>();
+  using enum Statistic;
+  for (const Statistic statistic : {final, mean, max, min, peak, integral, at})
+    if (to_string(statistic) == json.at("statistic")) s.query.statistic = statistic;
+  return s;
+}
+
+Json json_of(const BatchFolder& folder, const BatchPlan& plan, const BatchCase& one) {
+  const CaseState state = state_of(folder, one);
+  Json values = Json::object();
+  for (const std::string& column : plan.columns)
+    if (const auto found = one.values.find(column); found != one.values.end()) values[column] = found->second;
+  return {{"name", one.name},     {"base", one.base},
+          {"folder", "cases/" + one.name}, {"scene", "scenes/" + one.name + ".yaml"},
+          {"values", values},     {"duration", one.duration},
+          {"digest", one.digest}, {"status", to_string(state.status)},
+          {"error", state.error}};
+}
+
+}  // namespace
+
+CaseState state_of(const BatchFolder& folder, const BatchCase& one) {
+  const CaseState state = read_case_state(folder.state(one.name));
+  return state.digest == one.digest ? state : CaseState{};
+}
+
+void write_description(const BatchFolder& folder, const BatchDescription& d) {
+  Json json{{"name", d.plan.name}, {"about", d.plan.about}, {"file", d.file}, {"provenance", Json::parse(d.provenance)},
+            {"threads", d.limits.threads}, {"jobs", d.limits.jobs}, {"memory", optional(d.limits.memory)},
+            {"time_limit", optional(d.limits.time_limit)}, {"keys", d.plan.columns},
+            {"statistics", Json::array()}, {"cases", Json::array()}};
+  for (const BatchStatistic& s : d.plan.statistics) json["statistics"].push_back(json_of(s));
+  for (const BatchCase& one : d.plan.cases) json["cases"].push_back(json_of(folder, d.plan, one));
+  replace_file(folder.description(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+BatchDescription read_description(const BatchFolder& folder) {
+  const std::string path = folder.description();
+  std::ifstream in(path);
+  if (!in) throw InputError(fmt::format("{}: there is no such file; give the folder that `tack batch` made", path));
+  try {
+    const Json json = Json::parse(in);
+    BatchDescription d;
+    d.plan.name = json.at("name");
+    d.plan.about = json.at("about");
+    d.file = json.at("file");
+    d.provenance = json.at("provenance").dump();
+    d.limits = {json.at("threads"), json.at("jobs"), optional(json.at("memory")), optional(json.at("time_limit"))};
+    d.plan.columns = json.at("keys").get<std::vector<std::string>>();
+    for (const Json& s : json.at("statistics")) d.plan.statistics.push_back(statistic_of(s));
+    for (const Json& c : json.at("cases")) {
+      BatchCase one;
+      one.name = c.at("name");
+      one.base = c.at("base");
+      one.values = c.at("values").get<std::map<std::string, std::string>>();
+      one.digest = c.at("digest");
+      one.duration = c.at("duration");
+      d.plan.cases.push_back(std::move(one));
+    }
+    return d;
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: is damaged ({}); run the batch again, which keeps what is done", path, error.what()));
+  }
+}
+
+}  // namespace tack

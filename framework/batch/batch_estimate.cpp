@@ -1,0 +1,64 @@
+#include "framework/batch/batch_estimate.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "framework/output/csv.hpp"
+#include "framework/output/replace_file.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Scratch {
+  fs::path path = fs::temp_directory_path() / fmt::format("tack_trial_{}", ::getpid());
+  Scratch() { fs::create_directories(path); }
+  ~Scratch() {
+    std::error_code none;
+    fs::remove_all(path, none);
+  }
+};
+
+// Seconds of the whole case, by what a part of it took.
+double trial_of(const std::string& program, const BatchCase& one, const BatchLimits& limits, double trial) {
+  const Scratch scratch;
+  replace_file(scratch.path / "scene.yaml", one.scene);
+  ChildProcess process({program, "run", scratch.path / "scene.yaml", "-o", scratch.path / "run", "--threads", fmt::format("{}", limits.threads),
+                        "--set", "output.frames=false", fmt::format("time.wall_limit={} s", trial)},
+                       scratch.path / "output.txt", limits.memory.value_or(0) * 1e9);
+  while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  try {
+    const CsvTable steps = read_csv(scratch.path / "run" / "steps.csv");
+    const auto time = steps.column("time");
+    if (!time || steps.rows.empty() || steps.rows.back()[*time] <= 0) return process.seconds();
+    return process.seconds() * std::max(1.0, one.duration / steps.rows.back()[*time]);
+  } catch (const InputError&) {
+    return process.seconds();
+  }
+}
+
+}  // namespace
+
+BatchEstimate estimate_of(const std::string& program, const BatchFolder& folder, const BatchPlan& plan, const BatchLimits& limits,
+                          const std::vector<const BatchCase*>& open, double trial) {
+  BatchEstimate estimate;
+  std::map<std::string, int> known;
+  for (const BatchCase& one : plan.cases) {
+    const CaseState state = state_of(folder, one);
+    if (state.status != CaseStatus::done && state.status != CaseStatus::expectation_failed) continue;
+    double& mean = estimate.of_case[one.base];
+    mean += (state.wall_seconds - mean) / ++known[one.base];
+  }
+  for (const BatchCase* one : open) {
+    if (!estimate.of_case.contains(one->base)) estimate.of_case[one->base] = trial_of(program, *one, limits, trial);
+    estimate.seconds += estimate.of_case[one->base];
+  }
+  estimate.seconds /= std::min<double>(limits.jobs, std::max<size_t>(1, open.size()));
+  return estimate;
+}
+
+}  // namespace tack

@@ -1,0 +1,201 @@
+#include "framework/batch/batch_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "framework/config/describe.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/config/read_file.hpp"
+#include "framework/config/units.hpp"
+#include "framework/experiment/built_experiment.hpp"
+#include "framework/output/checkpoints.hpp"
+#include "framework/output/run_folder.hpp"
+#include "geometry/checksum.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 30;  // bytes
+constexpr size_t longest_name = 100;                                // of a case
+constexpr size_t most_errors = 10;
+
+std::string digest_of_text(const std::string& text) {
+  return fmt::format("{}-{:08x}", text.size(), crc32_of(text.data(), text.size()));
+}
+
+// What a scene reads besides itself: of a file its bytes, of an earlier run its newest checkpoint.
+void add_files(const Value& value, std::string& digest) {
+  if (value.is_scalar() && value.text.starts_with('/')) {
+    std::error_code none;
+    fs::path path = value.text;
+    if (fs::is_directory(path, none)) path = newest_checkpoint_in(path / "checkpoints");
+    if (fs::is_regular_file(path, none)) digest += " " + digest_of_text(read_file(path, largest_file));
+  }
+  for (const Value& item : value.items) add_files(item, digest);
+  for (const Value::Entry& entry : value.entries) add_files(entry.value, digest);
+}
+
+// "1 MPa" as 1000000, so that tables can be plotted; what is no number stays as it is.
+std::string cell_text(const std::string& text) {
+  try {
+    return fmt::format("{}", to_si(text, units::any));
+  } catch (const InputError&) {
+    return text;
+  }
+}
+
+// The last part of a key that no other column has: "young" of "objects.cube.energies.0.young".
+std::string short_column(const std::string& column, const std::vector<std::string>& columns) {
+  for (size_t dot = column.rfind('.'); dot != column.npos && dot > 0; dot = column.rfind('.', dot - 1)) {
+    const std::string tail = column.substr(dot);
+    const auto same = [&](const std::string& other) { return other.ends_with(tail) || "." + other == tail; };
+    if (std::count_if(columns.begin(), columns.end(), same) == 1) return tail.substr(1);
+  }
+  return column;
+}
+
+// Of a case's values; safe in shells and file systems.
+std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
+  std::string name;
+  for (const auto& [key, text] : parts) name += (name.empty() ? "" : ",") + key + "=" + text;
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && std::string_view("-_.,=+").find(c) == std::string_view::npos) c = '_';
+  if (name.empty()) return "case";
+  return name.size() <= longest_name ? name : fmt::format("case_{:04}", number);
+}
+
+// Names that differ: the second "a" is "a.2".
+std::string free_name(const std::string& name, const std::vector<BatchCase>& cases) {
+  const auto taken = [&](const std::string& n) {
+    return std::any_of(cases.begin(), cases.end(), [&](const BatchCase& c) { return c.name == n; });
+  };
+  if (!taken(name)) return name;
+  int i = 2;
+  while (taken(fmt::format("{}.{}", name, i))) ++i;
+  return fmt::format("{}.{}", name, i);
+}
+
+std::vector<Variant> all_variants(const BatchConfig& config) {
+  std::vector<Variant> all{{}};
+  for (const auto& variation : config.vary) {
+    std::vector<Variant> next;
+    const std::vector<Variant> more = variation->variants();
+    for (const Variant& a : all)
+      for (const Variant& b : more) next.push_back(joined(a, b));
+    all = std::move(next);
+  }
+  return all;
+}
+
+void refuse_columns_twice(const Variant& variant) {
+  for (size_t i = 0; i < variant.shown.size(); ++i)
+    for (size_t k = 0; k < i; ++k)
+      if (variant.shown[i].column == variant.shown[k].column)
+        throw InputError(fmt::format("vary: two entries vary '{}'; name one of them otherwise with `as`, or take it out",
+                                     variant.shown[i].column));
+}
+
+class Planner {
+ public:
+  Planner(const BatchConfig& config, const std::string& program) : config_(config), program_(program), variants_(all_variants(config)) {
+    refuse_columns_twice(variants_.front());
+    for (const Variant::Shown& s : variants_.front().shown) columns_.push_back(s.column);
+    plan_.name = config.name;
+    plan_.about = config.about;
+    for (const BatchStatistic& s : config.statistics) plan_.statistics.push_back(s);
+  }
+
+  BatchPlan plan() {
+    const std::vector<BatchBase> bases = config_.all_bases();
+    several_ = bases.size() > 1;
+    if (several_) plan_.columns.push_back("base");
+    plan_.columns.insert(plan_.columns.end(), columns_.begin(), columns_.end());
+    for (const BatchBase& base : bases) add_base(base);
+    if (!errors_.empty()) throw InputError(fmt::format("{}", fmt::join(errors_, "\n")));
+    return std::move(plan_);
+  }
+
+ private:
+  void add_base(const BatchBase& base) {
+    Value root;
+    try {
+      root = parse_file(base.file);
+      for (const auto* list : {&config_.set, &base.set})
+        for (const std::string& assignment : *list) apply_override(root, assignment);
+    } catch (const InputError& error) {
+      return note(error, "");
+    }
+    for (const Variant& variant : variants_) {
+      if (errors_.size() >= most_errors) return;
+      add_case(base, root, variant);
+    }
+  }
+
+  void add_case(const BatchBase& base, Value root, const Variant& variant) {
+    BatchCase one;
+    std::vector<std::pair<std::string, std::string>> parts;
+    if (several_) {
+      one.values["base"] = base.name;
+      parts.push_back({"base", base.name});
+    }
+    for (const Variant::Shown& s : variant.shown) {
+      one.values[s.column] = cell_text(s.text);
+      parts.push_back({short_column(s.column, columns_), s.text});
+    }
+    one.base = base.name;
+    one.name = free_name(name_of(parts, static_cast<int>(plan_.cases.size()) + 1), plan_.cases);
+    try {
+      for (const Variant::Setting& s : variant.set) set_at(root, s.key, s.value);
+      const LoadedExperiment loaded = bound_experiment(std::move(root));
+      one.duration = loaded.experiment.time.duration;
+      one.scene = to_yaml(fields_of(loaded.experiment));
+      one.digest = digest_of_text(one.scene);
+      add_files(to_value(fields_of(loaded.experiment)), one.digest);
+      one.digest += " " + program_;
+    } catch (const InputError& error) {
+      return note(error, one.name);
+    }
+    plan_.cases.push_back(std::move(one));
+  }
+
+  // The same error of many cases is told once.
+  void note(const InputError& error, const std::string& name) {
+    const std::string what = error.what();
+    if (std::find(told_.begin(), told_.end(), what) != told_.end()) return;
+    told_.push_back(what);
+    errors_.push_back(name.empty() ? what : fmt::format("{} (case '{}')", what, name));
+  }
+
+  const BatchConfig& config_;
+  const std::string& program_;
+  std::vector<Variant> variants_;
+  std::vector<std::string> columns_;
+  bool several_ = false;
+  BatchPlan plan_;
+  std::vector<std::string> errors_, told_;
+};
+
+}  // namespace
+
+BatchPlan plan_of(const BatchConfig& config, const std::string& program) { return Planner(config, program).plan(); }
+
+void check_case(const BatchPlan& plan, const BatchCase& one) {
+  BuiltExperiment built(parse_experiment(one.scene, fmt::format("case '{}'", one.name)));
+  const ProbeSet probes = probes_of(built);
+  std::vector<std::string> columns{"time"};
+  columns.insert(columns.end(), probes.columns().begin(), probes.columns().end());
+  for (const BatchStatistic& s : plan.statistics) try {
+      evaluate(s.resolved(), ProbeSeries{columns, {}});
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("statistic '{}': {} (case '{}')", s.column(), error.what(), one.name));
+    }
+}
+
+std::string program_digest() { return digest_of_text(read_file("/proc/self/exe", largest_file)); }
+
+}  // namespace tack

@@ -1,0 +1,39 @@
+// The cases of a batch, each with its whole scene: all are read and built once before any of them runs.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/batch/batch_config.hpp"
+
+namespace tack {
+
+struct BatchCase {
+  std::string name;                           // also of its folder: "young=1e5,mu=0.2"
+  std::string base;                           // name of the experiment
+  std::map<std::string, std::string> values;  // by column; numbers with a unit in SI
+  std::string scene;                          // resolved, as YAML
+  std::string digest;                         // of the scene, the files that it reads and the program
+  double duration = 0;                        // s, simulated
+};
+
+struct BatchPlan {
+  std::string name, about;
+  std::vector<std::string> columns;  // what varies; `base` first if there are several
+  std::vector<BatchStatistic> statistics;
+  std::vector<BatchCase> cases;
+};
+
+// `program`: what identifies the program (program_digest()). Throws InputError with everything that is wrong with any case.
+BatchPlan plan_of(const BatchConfig& config, const std::string& program);
+
+// Builds the world of a case, as a run does first: meshes, pairs, probes, the start. Throws InputError.
+void check_case(const BatchPlan& plan, const BatchCase& one);
+
+// Size and checksum of the running program.
+std::string program_digest();
+
+}  // namespace tack

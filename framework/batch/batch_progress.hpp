@@ -1,0 +1,38 @@
+// What a batch tells while it runs. On a terminal a block that is rewritten: how many are done, running, failed, the time
+// left, and a line per running case; elsewhere, and above the block, a line for each case that ends.
+#pragma once
+
+#include <chrono>
+#include <ostream>
+
+#include "framework/batch/batch_run.hpp"
+
+namespace tack {
+
+class BatchProgress {
+ public:
+  // `cases` of the plan, of which `open` are to be run. `live_width`: columns of a terminal, 0 for none.
+  BatchProgress(std::ostream& out, size_t cases, size_t open, int jobs, int live_width, bool quiet);
+  ~BatchProgress();  // takes the block away
+
+  BatchObserver observer();
+
+ private:
+  void ended(const BatchCase& one, const CaseState& state);
+  void tick(const std::vector<BatchObserver::Running>& running, size_t waiting);
+  void erase();
+  double seconds() const;
+
+  std::ostream& out_;
+  size_t cases_, open_, ended_ = 0, failed_ = 0;
+  int jobs_, live_width_;
+  bool quiet_;
+  int lines_ = 0;       // of the block that stands
+  double shown_ = -1;   // s
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
+// "2m05s".
+std::string duration_text(double seconds);
+
+}  // namespace tack

@@ -1,0 +1,107 @@
+#include "framework/batch/batch_run.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+#include "geometry/interrupt.hpp"
+
+namespace tack {
+namespace {
+
+// MB of the machine: "MemTotal", "MemAvailable". Infinite where the kernel does not tell.
+double machine_memory(const std::string& what) {
+  std::ifstream in("/proc/meminfo");
+  std::string name, unit;
+  for (double kb; in >> name >> kb; std::getline(in, unit))
+    if (name == what + ":") return kb / 1024;
+  return std::numeric_limits<double>::infinity();
+}
+
+class Runner {
+ public:
+  Runner(const std::string& program, const BatchFolder& folder, const BatchLimits& limits, const BatchObserver& observer)
+      : program_(program), folder_(folder), limits_(limits), observer_(observer) {}
+
+  void run(const std::vector<const BatchCase*>& cases) {
+    waiting_.assign(cases.begin(), cases.end());
+    while (!running_.empty() || (!waiting_.empty() && !interrupt_requested)) {
+      if (interrupt_requested)
+        for (Running& r : running_) r.run.interrupt();
+      collect();
+      while (!interrupt_requested && room()) {
+        running_.push_back({waiting_.front(), CaseRun(program_, folder_, *waiting_.front(), limits_)});
+        waiting_.pop_front();
+      }
+      tell();
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+ private:
+  struct Running {
+    const BatchCase* one;
+    CaseRun run;
+  };
+
+  void collect() {
+    for (auto r = running_.begin(); r != running_.end();) {
+      if (!r->run.ended()) {
+        ++r;
+        continue;
+      }
+      largest_ = std::max(largest_, r->run.state().memory_mb);
+      if (observer_.ended) observer_.ended(*r->one, r->run.state());
+      r = running_.erase(r);
+    }
+  }
+
+  // As far as is known of the memory that the next one will take.
+  bool room() const {
+    if (waiting_.empty() || static_cast<int>(running_.size()) >= limits_.jobs) return false;
+    return running_.empty() || limits_.memory || machine_memory("MemAvailable") > 1.2 * largest_;
+  }
+
+  void tell() {
+    if (!observer_.tick) return;
+    std::vector<BatchObserver::Running> running;
+    for (const Running& r : running_) running.push_back({r.one, &r.run});
+    observer_.tick(running, waiting_.size());
+  }
+
+  const std::string& program_;
+  const BatchFolder& folder_;
+  const BatchLimits& limits_;
+  const BatchObserver& observer_;
+  std::list<const BatchCase*> waiting_;
+  std::list<Running> running_;
+  double largest_ = 0;  // MB that a case has taken
+};
+
+}  // namespace
+
+void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits,
+               const std::vector<const BatchCase*>& cases, const BatchObserver& observer) {
+  Runner(program, folder, limits, observer).run(cases);
+}
+
+std::vector<const BatchCase*> open_cases(const BatchFolder& folder, const BatchPlan& plan, bool again) {
+  std::vector<const BatchCase*> open;
+  for (const BatchCase& one : plan.cases) {
+    const CaseStatus status = state_of(folder, one).status;
+    const bool kept = std::filesystem::exists(folder.run(one.name));
+    if (!finished(status) || (status == CaseStatus::done && !kept) || (again && failed(status))) open.push_back(&one);
+  }
+  return open;
+}
+
+int jobs_that_fit(int wanted, int threads, std::optional<double> memory) {
+  const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int jobs = wanted > 0 ? wanted : std::max(1, cores / threads);
+  if (memory) jobs = std::min(jobs, static_cast<int>(machine_memory("MemTotal") / (*memory * 1e3)));
+  return std::max(1, jobs);
+}
+
+}  // namespace tack

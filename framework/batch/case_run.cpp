@@ -1,0 +1,147 @@
+#include "framework/batch/case_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "framework/config/read_file.hpp"
+#include "framework/output/checkpoints.hpp"
+#include "framework/output/folder_lock.hpp"
+#include "framework/output/replace_file.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double patience = 20;  // s, from the request to end to being killed
+constexpr std::uintmax_t largest_output = std::uintmax_t{1} << 30;
+
+// The end of a file, at most `size` bytes of it.
+std::string tail(const fs::path& path, std::streamoff size) {
+  std::ifstream in(path, std::ios::binary | std::ios::ate);
+  if (!in) return "";
+  const std::streamoff from = std::max<std::streamoff>(0, static_cast<std::streamoff>(in.tellg()) - size);
+  in.seekg(from);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool resumable(const BatchFolder& folder, const BatchCase& one) {
+  return FolderLock::marked(folder.run(one.name)) && !newest_checkpoint_in(folder.run(one.name) / "checkpoints").empty();
+}
+
+// What it says of itself: "error" of summary.json.
+std::string error_in_summary(const fs::path& run) {
+  std::ifstream in(run / "summary.json");
+  const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
+  return json.is_object() && json.contains("error") && json["error"].is_string() ? json["error"].get<std::string>() : "";
+}
+
+}  // namespace
+
+CaseRun::CaseRun(const std::string& program, const BatchFolder& folder, const BatchCase& one, const BatchLimits& limits)
+    : program_(program), folder_(folder), case_(one), limits_(limits), process_([&] {
+        // Of the same case: it was cut short, or is to be run again.
+        const bool same = read_case_state(folder.state(one.name)).digest == one.digest;
+        resumed_ = same && !finished(state_of(folder, one).status) && resumable(folder, one);
+        if (same && !resumed_ && FolderLock::marked(folder.run(one.name))) {
+          const FolderLock lock(folder.run(one.name));  // nobody else's
+          fs::remove_all(folder.run(one.name));
+        }
+        replace_file(folder.scene(one.name), one.scene);
+        replace_file(folder.output(one.name), "");
+        state_ = {CaseStatus::running, one.digest, "", 0, 0, 0};
+        write_case_state(folder.state(one.name), state_);
+        return start(resumed_);
+      }()) {}
+
+ChildProcess CaseRun::start(bool resume) {
+  std::vector<std::string> arguments{program_, "run", folder_.scene(case_.name), "-o", folder_.run(case_.name),
+                                     "--threads", fmt::format("{}", limits_.threads)};
+  if (resume) arguments.push_back("--resume");
+  return {arguments, folder_.output(case_.name), limits_.memory.value_or(0) * 1e9};
+}
+
+bool CaseRun::ended() {
+  if (state_.status != CaseStatus::running) return true;
+  if (!process_.ended()) {
+    if (killed_at_ >= 0 && process_.seconds() > killed_at_) {
+      process_.send(SIGKILL);
+    } else if (killed_at_ < 0 && process_.seconds() > limits_.time_limit.value_or(std::numeric_limits<double>::infinity())) {
+      timed_out_ = true;
+      interrupt();
+    }
+    return false;
+  }
+  if (resumed_ && process_.exit_code() == 2) {  // a checkpoint that is damaged, say
+    resumed_ = false;
+    fs::remove_all(folder_.run(case_.name));
+    process_ = start(false);
+    return false;
+  }
+  settle();
+  write_case_state(folder_.state(case_.name), state_);
+  return true;
+}
+
+void CaseRun::interrupt() {
+  if (killed_at_ >= 0) return;
+  killed_at_ = process_.seconds() + patience;
+  process_.send(SIGTERM);
+}
+
+double CaseRun::fraction() const {
+  const std::string end = tail(folder_.run(case_.name) / "steps.csv", 8192);
+  const size_t last = end.rfind('\n');
+  if (last == end.npos || last == 0) return 0;
+  const size_t line = end.rfind('\n', last - 1);
+  const size_t comma = end.find(',', line == end.npos ? 0 : line);
+  if (line == end.npos || comma == end.npos) return 0;
+  double time = 0;
+  std::from_chars(end.data() + comma + 1, end.data() + last, time);
+  return case_.duration > 0 ? std::clamp(time / case_.duration, 0.0, 1.0) : 0;
+}
+
+std::string CaseRun::last_words() const {
+  const std::string text = tail(folder_.output(case_.name), 16384);
+  const size_t error = text.rfind("error: ");
+  if (error != text.npos) return text.substr(error + 7, text.find('\n', error) - error - 7);
+  return "";
+}
+
+void CaseRun::settle() {
+  state_.wall_seconds = process_.seconds();
+  state_.cpu_seconds = process_.cpu_seconds();
+  state_.memory_mb = process_.memory_mb();
+  const fs::path run = folder_.run(case_.name);
+  const int code = process_.exit_code(), signal = process_.signal();
+  if (timed_out_) {
+    state_.status = CaseStatus::timed_out;
+    state_.error = fmt::format("not done within its time limit of {:g} s", *limits_.time_limit);
+  } else if (code == 0) {
+    state_.status = CaseStatus::done;
+  } else if (code == 1) {
+    state_.status = CaseStatus::expectation_failed;
+  } else if (code == 2) {
+    state_.status = CaseStatus::refused;
+    state_.error = last_words();
+  } else if (code == 3) {
+    state_.status = CaseStatus::simulation_failed;
+    state_.error = error_in_summary(run);
+    if (state_.error.empty()) state_.error = last_words();
+  } else if (code == 130 || killed_at_ >= 0) {
+    state_.status = CaseStatus::interrupted;
+  } else {
+    state_.status = CaseStatus::crashed;
+    state_.error = signal ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal)) : fmt::format("ended with code {}", code);
+  }
+}
+
+}  // namespace tack

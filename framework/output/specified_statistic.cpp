@@ -1,0 +1,55 @@
+#include "framework/output/specified_statistic.hpp"
+
+namespace tack {
+namespace {
+
+std::string check_window(const std::vector<double>& over) {
+  if (over.empty() || (over.size() == 2 && over[0] <= over[1])) return "";
+  return "expects the first and the last time [t0, t1] with t0 not above t1";
+}
+
+std::string check_abscissa(const SpecifiedStatistic& e) {
+  const bool at = e.query.statistic == Statistic::at;
+  if (at && !e.where) return "statistic 'at' needs where, the value of along at which to look";
+  if (!at && e.where) return "only statistic 'at' uses it; remove it or change the statistic";
+  return "";
+}
+
+std::string check_along(const SpecifiedStatistic& e) {
+  const Statistic s = e.query.statistic;
+  const bool used = s == Statistic::at || s == Statistic::integral;
+  if (used || e.query.along == "time") return "";
+  return "only the statistics 'integral' and 'at' use it; remove it or change the statistic";
+}
+
+std::vector<Choice<Statistic>> statistics() {
+  using enum Statistic;
+  return {{"final", final, "the last sample"},
+          {"mean", mean, "the average over time"},
+          {"max", max, "the largest sample"},
+          {"min", min, "the smallest sample"},
+          {"peak", peak, "the largest absolute value"},
+          {"integral", integral, "the integral along a column, by the trapezoidal rule"},
+          {"at", at, "the value where the column `along` first passes `where`"}};
+}
+
+}  // namespace
+
+void SpecifiedStatistic::fields(Fields& f) {
+  f.text("probe", query.probe, "column of probes.csv").required();
+  f.choice("statistic", query.statistic, statistics(), "the number that is compared").required();
+  f.numbers("over", query.over, units::time, "first and last time that count; empty for all");
+  f.text("along", query.along, "column to integrate over, or in which to find `where`");
+  f.optional_quantity("where", where, "value of the column `along`, for 'at', in a unit of that column's kind");
+  f.check("over", [this] { return check_window(query.over); });
+  f.check("along", [this] { return check_along(*this); });
+  f.check("where", [this] { return check_abscissa(*this); });
+}
+
+StatisticQuery SpecifiedStatistic::resolved() const {
+  StatisticQuery resolved = query;
+  if (where) resolved.where = *where;
+  return resolved;
+}
+
+}  // namespace tack

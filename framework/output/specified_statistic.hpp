@@ -1,0 +1,19 @@
+// A statistic of a probe as a file names it: {probe: force, statistic: at, along: gap, where: 1 mm}.
+#pragma once
+
+#include <optional>
+
+#include "framework/config/field.hpp"
+#include "framework/output/statistic.hpp"
+
+namespace tack {
+
+struct SpecifiedStatistic {
+  StatisticQuery query;
+  std::optional<Quantity> where;
+
+  void fields(Fields& f);
+  StatisticQuery resolved() const;  // the query with `where` in SI
+};
+
+}  // namespace tack
