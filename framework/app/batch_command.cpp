@@ -38,12 +38,15 @@ std::string counted(size_t count, const std::string& noun) { return fmt::format(
 // Builds every open case once; all that is wrong is told at once.
 void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open) {
   std::vector<std::string> errors;
+  std::set<std::string> told;  // the same error of many cases is told once
   for (const BatchCase* one : open) {
     if (interrupt_requested) throw Interrupted{};
     try {
       check_case(plan, *one);
     } catch (const InputError& error) {
-      if (errors.size() < 10) errors.push_back(error.what());
+      const std::string what = error.what();
+      if (errors.size() < 10 && told.insert(what).second)
+        errors.push_back(what.find(one->name) == what.npos ? fmt::format("{} (case '{}')", what, one->name) : what);
     }
   }
   if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));

@@ -59,10 +59,12 @@ std::string short_column(const std::string& column, const std::vector<std::strin
   return column;
 }
 
-// Of a case's values; safe in shells and file systems.
+// Of a case's values, "translate=0,0.05,0"; safe in shells and file systems.
 std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
   std::string name;
   for (const auto& [key, text] : parts) name += (name.empty() ? "" : ",") + key + "=" + text;
+  std::erase_if(name, [](char c) { return std::string_view("[]{}'\" ").find(c) != std::string_view::npos; });
+  std::replace(name.begin(), name.end(), ':', '=');
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c)) && std::string_view("-_.,=+").find(c) == std::string_view::npos) c = '_';
   if (name.empty()) return "case";
@@ -192,7 +194,7 @@ void check_case(const BatchPlan& plan, const BatchCase& one) {
   for (const BatchStatistic& s : plan.statistics) try {
       evaluate(s.resolved(), ProbeSeries{columns, {}});
     } catch (const InputError& error) {
-      throw InputError(fmt::format("statistic '{}': {} (case '{}')", s.column(), error.what(), one.name));
+      throw InputError(fmt::format("statistic '{}': {}", s.column(), error.what()));
     }
 }
 

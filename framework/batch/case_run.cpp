@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "framework/config/read_file.hpp"
 #include "framework/output/checkpoints.hpp"
@@ -37,6 +38,17 @@ bool resumable(const BatchFolder& folder, const BatchCase& one) {
   return FolderLock::marked(folder.run(one.name)) && !newest_checkpoint_in(folder.run(one.name) / "checkpoints").empty();
 }
 
+// Once nobody writes there: the processes of a batch that was killed end a moment later.
+FolderLock locked(const fs::path& run) {
+  using namespace std::chrono_literals;
+  for (int i = 0; i < 100; ++i) try {
+      return FolderLock(run);
+    } catch (const InputError&) {
+      std::this_thread::sleep_for(20ms);
+    }
+  return FolderLock(run);
+}
+
 // What it says of itself: "error" of summary.json.
 std::string error_in_summary(const fs::path& run) {
   std::ifstream in(run / "summary.json");
@@ -51,9 +63,9 @@ CaseRun::CaseRun(const std::string& program, const BatchFolder& folder, const Ba
         // Of the same case: it was cut short, or is to be run again.
         const bool same = read_case_state(folder.state(one.name)).digest == one.digest;
         resumed_ = same && !finished(state_of(folder, one).status) && resumable(folder, one);
-        if (same && !resumed_ && FolderLock::marked(folder.run(one.name))) {
-          const FolderLock lock(folder.run(one.name));  // nobody else's
-          fs::remove_all(folder.run(one.name));
+        if (FolderLock::marked(folder.run(one.name))) {
+          const FolderLock lock = locked(folder.run(one.name));
+          if (same && !resumed_) fs::remove_all(folder.run(one.name));
         }
         replace_file(folder.scene(one.name), one.scene);
         replace_file(folder.output(one.name), "");

@@ -152,7 +152,8 @@ class SobolVariation : public SampledVariation {
   std::vector<double> unit_points(int dimensions) const override {
     boost::random::sobol engine(dimensions);
     std::vector<double> points(static_cast<size_t>(samples_) * dimensions);
-    for (double& x : points) x = static_cast<double>(engine() >> 11) * 0x1p-53;
+    // The engine leaves the first point out, the origin, and with it the balance of powers of two.
+    for (size_t i = static_cast<size_t>(dimensions); i < points.size(); ++i) points[i] = static_cast<double>(engine() >> 11) * 0x1p-53;
     return points;
   }
 };

@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# A batch through a real Slurm gives the table of the same batch without: slurm.sh PROGRAM SOURCE_DIR
+# Starts munged, slurmctld and slurmd for this user, in a temporary folder and on free ports, and stops them again.
+# Exits with 77 (skipped) where Slurm is not installed.
+set -euo pipefail
+
+program=$1 source=$2
+for command in munged slurmctld slurmd sbatch squeue; do
+  PATH=$PATH:/usr/sbin command -v $command >/dev/null && continue
+  echo "skipped: $command is not installed (Debian: slurm-wlm, munge)"
+  exit 77
+done
+PATH=$PATH:/usr/sbin
+
+# Sockets have short names: not below a deep folder of builds.
+work=$(mktemp -d /tmp/tack_slurm.XXXXXX)
+pids=()
+clean_up() {
+  local status=$?
+  if ((status != 0)); then tail -n 40 "$work"/*.log "$work"/*.txt 2>/dev/null || true; fi
+  for pid in "${pids[@]}"; do kill "$pid" 2>/dev/null || true; done
+  for pid in "${pids[@]}"; do wait "$pid" 2>/dev/null || true; done
+  pkill -f "slurmstepd.*$work" 2>/dev/null || true
+  rm -rf "$work"
+  exit $status
+}
+trap clean_up EXIT
+chmod 755 "$work"
+
+free_port() {
+  local port
+  while port=$((20000 + RANDOM % 20000)); (: >"/dev/tcp/127.0.0.1/$port") 2>/dev/null; do :; done
+  echo $port
+}
+
+dd if=/dev/urandom of="$work/munge.key" bs=128 count=1 status=none
+chmod 400 "$work/munge.key"
+munged --foreground --force --key-file="$work/munge.key" --socket="$work/munge.socket" --pid-file="$work/munged.pid" \
+  --log-file="$work/munged.log" --seed-file="$work/munge.seed" >"$work/munged.out.log" 2>&1 &
+pids+=($!)
+
+host=$(hostname -s) user=$(id -un)
+mkdir "$work/state" "$work/spool"
+cat >"$work/slurm.conf" <<CONF
+ClusterName=tack
+SlurmctldHost=$host(127.0.0.1)
+SlurmUser=$user
+SlurmdUser=$user
+AuthType=auth/munge
+AuthInfo=socket=$work/munge.socket
+CredType=cred/munge
+SlurmctldPort=$(free_port)
+SlurmdPort=$(free_port)
+SlurmctldPidFile=$work/slurmctld.pid
+SlurmdPidFile=$work/slurmd.pid
+StateSaveLocation=$work/state
+SlurmdSpoolDir=$work/spool
+SlurmctldLogFile=$work/slurmctld.log
+SlurmdLogFile=$work/slurmd.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+SchedulerParameters=sched_interval=1,sched_min_interval=0
+ReturnToService=2
+MailProg=/bin/true
+NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+PartitionName=short Nodes=$host Default=YES MaxTime=INFINITE State=UP
+CONF
+export SLURM_CONF=$work/slurm.conf
+slurmctld -D >"$work/slurmctld.out.log" 2>&1 &
+pids+=($!)
+slurmd -D -N "$host" >"$work/slurmd.out.log" 2>&1 &
+pids+=($!)
+for ((i = 0; ; ++i)); do
+  if sinfo -h -o %T 2>/dev/null | grep -q idle; then break; fi
+  ((i < 300)) || { echo "the cluster does not come up"; exit 1; }
+  sleep 0.1
+done
+
+# Those that a batch is to keep apart: an expectation that fails, a time limit, and all is well.
+cat >"$work/batch.yaml" <<YAML
+name: through_slurm
+base: $source/experiments/first/hang.yaml
+set: [output.frames=false, time.duration=0.1 s]
+vary:
+  - type: grid
+    keys: {objects.cube.energies.0.young: {values: [0.05 MPa, 0.1 MPa, 0.2 MPa], as: young}}
+  - {type: repeat, count: 2}
+slurm: {partition: short, time: 10 min}
+YAML
+cd "$work"
+"$program" batch batch.yaml -o here >here.txt || [[ $? == 1 ]]
+"$program" batch batch.yaml -o there --slurm >there.txt || [[ $? == 1 ]]
+"$program" batch batch.yaml -o left --slurm --no-wait >left.txt
+for ((i = 0; ; ++i)); do
+  if [[ -z $(squeue -h) ]]; then break; fi
+  ((i < 600)) || { echo "the jobs do not end"; exit 1; }
+  sleep 0.1
+done
+"$program" batch --collect left >collected.txt || [[ $? == 1 ]]
+
+# Times and memory are measured, and stand last; all before them has to be the same.
+for folder in here there left; do
+  measured=$(head -n 1 $folder/results.csv | grep -o 'wall_seconds.*' | tr ',' '\n' | wc -l)
+  sed -E "s/(,[^,]*){$measured}\$//" $folder/results.csv >$folder.table
+done
+cmp here.table there.table
+cmp here.table left.table
+[[ $(wc -l <here.table) == 7 ]]
+grep -q ',done,' here.table
+grep -q ',expectation failed,' here.table
+# Nothing is submitted that is done.
+"$program" batch batch.yaml -o there --slurm >again.txt || [[ $? == 1 ]]
+grep -q "6 of 6 cases are done already" again.txt
+echo "the same table here, through Slurm, and collected later"

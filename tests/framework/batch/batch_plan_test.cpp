@@ -1,0 +1,107 @@
+#include "framework/batch/batch_plan.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framework/batch/batch_run.hpp"
+#include "framework/experiment/load_experiment.hpp"
+#include "geometry/errors.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Files {
+  TemporaryFolder folder;
+  Files() { write_file(folder.path() / "tiny.yaml", tiny_scene); }
+  BatchPlan plan(const std::string& rest) const {
+    write_file(folder.path() / "batch.yaml", "name: b\nbase: tiny.yaml\n" + rest);
+    return plan_of(load_batch(folder.path() / "batch.yaml", {}), "program");
+  }
+};
+
+std::vector<std::string> names_of(const BatchPlan& plan) {
+  std::vector<std::string> names;
+  for (const BatchCase& one : plan.cases) names.push_back(one.name);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("cases are all combinations of what varies, named after it", "[batch]") {
+  const Files files;
+  const BatchPlan plan = files.plan(
+      "set: [time.duration=0.02 s]\n"
+      "vary:\n"
+      "  - type: grid\n"
+      "    keys: {objects.block.energies.0.young: [1 MPa, 2e6], contact.friction.mu: {values: [0.1], as: mu}}\n"
+      "  - {type: repeat, count: 2}\n");
+  CHECK(names_of(plan) == std::vector<std::string>{"young=1MPa,mu=0.1,repeat=1", "young=1MPa,mu=0.1,repeat=2",
+                                                   "young=2e6,mu=0.1,repeat=1", "young=2e6,mu=0.1,repeat=2"});
+  CHECK(plan.columns == std::vector<std::string>{"objects.block.energies.0.young", "mu", "repeat"});
+  CHECK(plan.cases[0].values.at("objects.block.energies.0.young") == "1000000");
+  CHECK(plan.cases[3].values.at("objects.block.energies.0.young") == "2000000");
+  CHECK(plan.cases[0].duration == 0.02);
+  CHECK(plan.cases[0].digest == plan.cases[1].digest);
+  CHECK(plan.cases[0].digest != plan.cases[2].digest);
+  // A resolved scene is a scene, and stays what it is.
+  const LoadedExperiment again = parse_experiment(plan.cases[2].scene, "again");
+  CHECK(contains(plan.cases[2].scene, "young: 2000000"));
+  CHECK(again.experiment.time.duration == 0.02);
+  check_case(plan, plan.cases[0]);
+}
+
+TEST_CASE("without anything that varies a batch has one case of each base", "[batch]") {
+  const Files files;
+  CHECK(names_of(files.plan("")) == std::vector<std::string>{"case"});
+  write_file(files.folder.path() / "other.yaml", "include: tiny.yaml\nname: other\n");
+  write_file(files.folder.path() / "batch.yaml", "name: b\nbases: [{file: tiny.yaml}, {name: second, file: other.yaml, set: [time.step=5 ms]}]\n");
+  const BatchPlan plan = plan_of(load_batch(files.folder.path() / "batch.yaml", {}), "program");
+  CHECK(names_of(plan) == std::vector<std::string>{"base=tiny", "base=second"});
+  CHECK(plan.columns == std::vector<std::string>{"base"});
+  CHECK(contains(plan.cases[1].scene, "step: 0.005"));
+}
+
+TEST_CASE("names differ, and are no longer than file systems like", "[batch]") {
+  const Files files;
+  CHECK(names_of(files.plan("vary: [{type: grid, keys: {about: ['a/b', 'a_b', a b]}}]\n")) == std::vector<std::string>{"about=a_b", "about=a_b.2", "about=ab"});
+  CHECK(names_of(files.plan("vary: [{type: grid, keys: {about: ['" + std::string(300, 'x') + "', y]}}]\n")) ==
+        std::vector<std::string>{"case_0001", "about=y"});
+}
+
+TEST_CASE("what is wrong with any case is told before anything runs", "[batch]") {
+  const Files files;
+  const auto refused = [&](const std::string& rest, const std::string& message) {
+    CHECK_THROWS_WITH(files.plan(rest), Catch::Contains(message));
+  };
+  refused("vary: [{type: grid, keys: {objects.block.energies.0.yuong: [1 MPa]}}]\n", "batch.yaml:3:");
+  refused("vary: [{type: grid, keys: {objects.block.energies.0.yuong: [1 MPa]}}]\n", "did you mean 'young'?");
+  refused("vary: [{type: grid, keys: {objects.blok.energies.0.young: [1 MPa]}}]\n", "no list entry is named 'blok'");
+  refused("vary: [{type: grid, keys: {time.step: [1 ms, 1 kg]}}]\n", "case 'step=1kg'");
+  refused("vary: [{type: grid, keys: {time.step: [1 ms]}}, {type: zip, keys: {time.step: [1 ms]}}]\n", "two entries vary 'time.step'");
+  refused("bases: [{file: tiny.yaml}]\n", "either base or bases");
+  refused("statistics: [{probe: height, statistic: at}]\n", "needs where");
+  const BatchPlan plan = files.plan("statistics: [{name: h, probe: hieght, statistic: max}]\n");
+  CHECK_THROWS_WITH(check_case(plan, plan.cases[0]), Catch::Contains("statistic 'h'") && Catch::Contains("did you mean 'height'?"));
+  const BatchPlan deep = files.plan("vary: [{type: grid, keys: {objects.block.place.translate: [[0, 0.09, 0]]}}]\n");
+  CHECK_THROWS_AS(check_case(deep, deep.cases[0]), InputError);  // the block stands in the floor
+}
+
+TEST_CASE("a case is another one when a file that it reads has changed", "[batch]") {
+  const Files files;
+  write_file(files.folder.path() / "tet.obj", "v 0 1 0\nv 1 1 0\nv 0 1 1\nv 0 2 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  const std::string vary = "vary: [{type: grid, keys: {objects.0.shape: [{type: file, path: tet.obj}]}}]\n";
+  const std::string before = files.plan(vary).cases[0].digest;
+  CHECK(contains(files.plan(vary).cases[0].scene, (files.folder.path() / "tet.obj").string()));  // relative to the batch's file
+  CHECK(files.plan(vary).cases[0].digest == before);
+  write_file(files.folder.path() / "tet.obj", "v 0 1 0\nv 1 1 0\nv 0 1 1\nv 0 3 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");
+  CHECK(files.plan(vary).cases[0].digest != before);
+}
+
+TEST_CASE("cases side by side fit cores and memory", "[batch]") {
+  CHECK(jobs_that_fit(3, 1, {}) == 3);
+  CHECK(jobs_that_fit(0, 1000000, {}) == 1);
+  CHECK(jobs_that_fit(8, 1, 1e9) == 1);
+}
