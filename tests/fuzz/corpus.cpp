@@ -34,7 +34,7 @@ std::vector<Sample> meshes(const fs::path& scratch) {
   return samples;
 }
 
-// All experiments but comparisons and the hard ones, which are many of a kind, and large files, whose checks take long; the two smallest are run for two steps as well.
+// All experiments but comparisons, batches and the hard ones, which are many of a kind, and large files, whose checks take long; the two smallest are run for two steps as well.
 std::vector<Sample> scenes(const fs::path& scratch) {
   fs::copy(TACK_SOURCE_DIR "/experiments", scratch / "experiments", fs::copy_options::recursive);
   std::vector<Sample> samples;
@@ -42,7 +42,7 @@ std::vector<Sample> scenes(const fs::path& scratch) {
     if (entry.path().extension() != ".yaml") continue;
     const fs::path family = entry.path().parent_path().filename();
     constexpr std::uintmax_t large = 20000;  // bytes
-    if (entry.file_size() > large || family == "compare" || entry.path().string().find("/hard/") != std::string::npos) continue;
+    if (entry.file_size() > large || family == "compare" || family == "batches" || entry.path().string().find("/hard/") != std::string::npos) continue;
     samples.push_back({entry.path(), file_text(entry.path()), {{"check", entry.path()}}, scratch});
   }
   for (const std::string& text : {tiny_scene, file_text(TACK_SOURCE_DIR "/experiments/first/hang.yaml")}) {

@@ -38,6 +38,6 @@ TEST_CASE("every link of the README and file of docs/design.md exists") {
 TEST_CASE("the README tells every exit code and command") {
   const std::string readme = file_text(source / "README.md");
   for (const char* code : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 130 |"}) CHECK(contains(readme, code));
-  for (const char* command : {"tack run", "tack check", "tack compare", "tack list", "tack mesh info", "tack test"})
+  for (const char* command : {"tack run", "tack check", "tack compare", "tack batch", "tack list", "tack mesh info", "tack test"})
     CHECK(contains(readme, command));
 }

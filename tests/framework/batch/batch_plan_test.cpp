@@ -100,6 +100,16 @@ TEST_CASE("a case is another one when a file that it reads has changed", "[batch
   CHECK(files.plan(vary).cases[0].digest != before);
 }
 
+TEST_CASE("every shipped batch fits together", "[batch]") {
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(TACK_SOURCE_DIR "/experiments/batches")) {
+    INFO(entry.path());
+    CHECK(plan_of(load_batch(entry.path(), {}), "program").cases.size() >= 4);
+    ++files;
+  }
+  CHECK(files >= 4);
+}
+
 TEST_CASE("cases side by side fit cores and memory", "[batch]") {
   CHECK(jobs_that_fit(3, 1, {}) == 3);
   CHECK(jobs_that_fit(0, 1000000, {}) == 1);
