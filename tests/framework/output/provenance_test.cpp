@@ -50,13 +50,14 @@ TEST_CASE("what runs now knows its build, its machine and the time") {
 TEST_CASE("provenance as JSON has exactly the documented keys, and null for what is not known") {
   Provenance p;
   std::vector<std::string> keys;
-  for (const auto& [key, value] : to_json(p).items()) keys.push_back(key);
+  const nlohmann::ordered_json unknown = to_json(p);
+  for (const auto& [key, value] : unknown.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"version", "commit", "sources", "changed_sources", "untracked_sources", "compiler",
                                          "flags", "instruction_set", "date", "host", "cpu", "cores", "hardware_threads",
                                          "threads", "command", "directory"});
-  CHECK(to_json(p)["changed_sources"].is_null());
-  CHECK(to_json(p)["commit"] == "");
-  CHECK(to_json(p)["sources"] == "no git checkout");
+  CHECK(unknown["changed_sources"].is_null());
+  CHECK(unknown["commit"] == "");
+  CHECK(unknown["sources"] == "no git checkout");
   p.build = built(true, 2);
   CHECK(to_json(p)["changed_sources"] == true);
   CHECK(to_json(p)["untracked_sources"] == 2);
