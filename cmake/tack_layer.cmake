@@ -2,9 +2,11 @@
 # static archive would drop. Sources are globbed, so a new file in the right folder is enough.
 add_library(tack_options INTERFACE)
 target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
-target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic
-                       $<$<BOOL:${TACK_NATIVE}>:-march=native>
-                       -fno-math-errno
+set(TACK_CODE_OPTIONS -fno-math-errno)  # those that change what is computed; written into results
+if(TACK_NATIVE)
+  list(PREPEND TACK_CODE_OPTIONS -march=native)
+endif()
+target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic ${TACK_CODE_OPTIONS}
                        # a tenth of the compiler's time went into collecting its garbage
                        --param=ggc-min-heapsize=600000
                        # false alarms of GCC 12 inside its own intrinsics and Eigen
@@ -34,9 +36,9 @@ option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is
 set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output
     framework/experiment framework/probes framework/compare framework/batch framework/profile framework/run framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
-# Where CGAL takes so long to compile that one file alone is enough, and what is hot all the same.
+# Where CGAL takes so long to compile that one file alone is enough, what is hot all the same, and what changes with every commit.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
-    geometry/meshing/distance_grid.cpp)
+    geometry/meshing/distance_grid.cpp framework/output/provenance.cpp)
 function(tack_cool TARGET)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)
   target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
@@ -117,6 +119,20 @@ function(tack_meshing_library)
                               PROPERTIES COMPILE_DEFINITIONS TACK_MESHING_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
+# What it was built from goes into every summary.json; it is read again at each build.
+function(tack_build_info)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" TYPE)
+  set(FLAGS "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${TYPE}} ${TACK_CODE_OPTIONS}")
+  string(REGEX REPLACE "[ ;]+" " " FLAGS "${FLAGS}")
+  set(HEADER ${CMAKE_BINARY_DIR}/generated/framework/output/build_info.hpp)
+  add_custom_target(tack_build_info BYPRODUCTS ${HEADER} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DOUTPUT=${HEADER} -DPROJECT_VERSION=${PROJECT_VERSION}
+            "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DFLAGS=${FLAGS}"
+            -P ${CMAKE_SOURCE_DIR}/cmake/write_build_info.cmake)
+  add_dependencies(tack_framework_cold tack_build_info)
+  target_include_directories(tack_framework_cold PRIVATE ${CMAKE_BINARY_DIR}/generated)
+endfunction()
+
 function(tack_app)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
   add_executable(tack_cli ${SOURCES})
@@ -124,13 +140,5 @@ function(tack_app)
   target_precompile_headers(tack_cli REUSE_FROM tack_precompiled)
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack RUNTIME_OUTPUT_DIRECTORY
                         ${CMAKE_BINARY_DIR}/bin)
-  # The commit goes into every summary.json; it is read again at each build.
-  add_custom_target(tack_version
-    COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DPROJECT_VERSION=${PROJECT_VERSION}
-            -DOUTPUT=${CMAKE_BINARY_DIR}/generated/framework/app/version.hpp
-            -P ${CMAKE_SOURCE_DIR}/cmake/write_version.cmake
-    BYPRODUCTS ${CMAKE_BINARY_DIR}/generated/framework/app/version.hpp)
-  add_dependencies(tack_cli tack_version)
-  target_include_directories(tack_cli PRIVATE ${CMAKE_BINARY_DIR}/generated)
   tack_link_all(tack_cli)
 endfunction()

@@ -22,7 +22,8 @@ struct SceneOptions {
 // With `profile`, no frames are written unless overrides ask for them.
 struct RunOptions : RunSettings {
   SceneOptions scene;
-  int threads = 0;  // 0: all cores
+  std::string command_line;  // as a shell would take it
+  int threads = 0;           // 0: all cores
   bool quiet = false, verbose = false;
 };
 // Simulates an experiment. Throws InputError before anything is written.
@@ -30,8 +31,9 @@ int run_command(const RunOptions& options);
 
 struct CompareOptions {
   SceneOptions file;
-  std::string output;  // empty: results/<name>
-  int threads = 0;     // 0: all cores
+  std::string output;        // empty: results/<name>
+  std::string command_line;  // as a shell would take it
+  int threads = 0;           // 0: all cores
   bool quiet = false;
 };
 // Speed against error of several solvers on the same problems.

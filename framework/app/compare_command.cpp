@@ -6,8 +6,8 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/thread_limit.hpp"
-#include "framework/app/version.hpp"
 #include "framework/compare/compare_csv.hpp"
+#include "framework/compare/compare_json.hpp"
 #include "framework/compare/plots.hpp"
 #include "framework/compare/report.hpp"
 #include "framework/output/replace_file.hpp"
@@ -18,6 +18,7 @@ namespace tack {
 int compare_command(const CompareOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   const ThreadLimit threads(options.threads);
+  const Provenance provenance = provenance_of(options.command_line, threads.count());
   const CompareConfig config = load_comparison(options.file.file, options.file.overrides);
   const std::vector<CompareCase> cases = cases_of(config);
   const RunFolder folder =
@@ -29,8 +30,8 @@ int compare_command(const CompareOptions& options) {
   });
   write_compare_csv(folder.root() / "compare.csv", result.rows);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
-  replace_file(folder.root() / "compare.md",
-               compare_report(config, result, {TACK_VERSION, TACK_COMMIT, machine_name(), threads.count(), wall.count()}));
+  replace_file(folder.root() / "compare.md", compare_report(config, result, provenance, wall.count()));
+  replace_file(folder.root() / "compare.json", compare_json(config, result, provenance, wall.count()));
   for (const std::string& failure : draw_plots(result, folder.root())) fmt::print("{}\n", failure);
   if (!options.quiet) fmt::print("results in {}\n", folder.root().string());
   return exit_done;

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "framework/app/commands.hpp"
-#include "framework/app/version.hpp"
+#include "framework/output/provenance.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
@@ -35,12 +35,17 @@ void settle(SceneOptions& options) {
   values.erase(file);
 }
 
+std::string version_text() {
+  const Build build = this_build();
+  return fmt::format("tack {} ({})\n{}, {}; {}", build.version, build.sources(), build.compiler, build.flags, build.instruction_set);
+}
+
 // Every command adds itself and, when chosen, sets the exit code.
 class CommandLine {
  public:
   CommandLine() {
     app_.name("tack");
-    app_.set_version_flag("--version", TACK_VERSION);
+    app_.set_version_flag("--version", version_text());
     app_.require_subcommand(1);
     app_.footer("`./tack test` runs the tests.");
     add_run();
@@ -53,6 +58,7 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
+    run_.command_line = profile_.command_line = compare_.command_line = shell_line({argv, argv + argc});
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

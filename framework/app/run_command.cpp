@@ -6,7 +6,6 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/thread_limit.hpp"
-#include "framework/app/version.hpp"
 #include "geometry/interrupt.hpp"
 
 namespace tack {
@@ -46,7 +45,7 @@ int run_command(const RunOptions& options) {
   std::signal(SIGTERM, request_interrupt);
   const ThreadLimit threads(options.threads);
   RecordedRun run(load_experiment(options.scene.file, overrides_of(options)), options,
-                  {TACK_VERSION, TACK_COMMIT, threads.count()}, std::cout, progress_options(options));
+                  provenance_of(options.command_line, threads.count()), std::cout, progress_options(options));
   return exit_code(run.execute().status);
 }
 

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <thread>
 
 namespace tack {
 namespace {
@@ -20,12 +18,12 @@ std::string cell(const std::string& text) {
   return out;
 }
 
-std::string header(const CompareConfig& config, const MeasuredOn& on) {
-  return fmt::format("# {}\n\n{}\n\nMeasured with tack {} ({}) on {}, {} threads; {} repetitions, interleaved, medians; every "
-                     "solve in a world of its own, loading not timed. {:.0f} s in all. Times depend on the machine and on "
-                     "what else it does: compare them within this table.\n",
-                     cell(config.name), config.about, on.program, on.commit, on.machine, on.threads, config.repeat,
-                     on.wall_seconds);
+std::string header(const CompareConfig& config, const Provenance& p, double wall_seconds) {
+  return fmt::format("# {}\n\n{}\n\nMeasured with tack {} ({}; {}, {}) on {} ({}), {} threads, from {}, by `{}`; {} repetitions, "
+                     "interleaved, medians; every solve in a world of its own, loading not timed. {:.0f} s in all. Times depend "
+                     "on the machine and on what else it does: compare them within this table.\n",
+                     cell(config.name), config.about, p.build.version, p.build.sources(), p.build.compiler, p.build.flags,
+                     p.machine.host, p.machine.description(), p.threads, p.date, p.command_line, config.repeat, wall_seconds);
 }
 
 std::string references(const Comparison& c) {
@@ -96,20 +94,9 @@ std::string failures(const Comparison& c) {
 
 }  // namespace
 
-std::string machine_name() {
-  std::ifstream in("/proc/cpuinfo");
-  std::string line, model = "an unknown processor";
-  while (std::getline(in, line)) {
-    if (!line.starts_with("model name")) continue;
-    if (const size_t colon = line.find(": "); colon != std::string::npos) model = line.substr(colon + 2);
-    break;
-  }
-  return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
-}
-
-std::string compare_report(const CompareConfig& config, const Comparison& c, const MeasuredOn& on) {
-  return header(config, on) + references(c) + pareto(c) + failures(c) +
-         "\nAll numbers: compare.csv. Pictures: plots/.\n";
+std::string compare_report(const CompareConfig& config, const Comparison& c, const Provenance& provenance, double wall_seconds) {
+  return header(config, provenance, wall_seconds) + references(c) + pareto(c) + failures(c) +
+         "\nAll numbers: compare.csv, and compare.json for where they come from. Pictures: plots/.\n";
 }
 
 }  // namespace tack

@@ -2,18 +2,12 @@
 #pragma once
 
 #include "framework/compare/comparison.hpp"
+#include "framework/output/provenance.hpp"
 
 namespace tack {
 
-struct MeasuredOn {
-  std::string program, commit, machine;
-  int threads = 0;
-  double wall_seconds = 0;  // of it all
-};
-
-std::string compare_report(const CompareConfig& config, const Comparison& comparison, const MeasuredOn& on);
-
-// "Intel(R) Xeon(R) ..., 2 cores": from /proc/cpuinfo.
-std::string machine_name();
+// `wall_seconds`: of it all.
+std::string compare_report(const CompareConfig& config, const Comparison& comparison, const Provenance& provenance,
+                           double wall_seconds);
 
 }  // namespace tack

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "framework/output/provenance_json.hpp"
 #include "framework/output/replace_file.hpp"
 
 namespace tack {
@@ -64,11 +65,12 @@ OrderedJson energy_json(const RunSummary& s) {
 
 OrderedJson to_json(const RunSummary& s) {
   return {{"name", s.name},
-          {"version", s.version},
-          {"commit", s.commit},
+          {"version", s.provenance.build.version},
+          {"commit", s.provenance.build.revision()},
+          {"provenance", to_json(s.provenance)},
           {"status", to_string(s.status)},
           {"error", s.error},
-          {"threads", s.threads},
+          {"threads", s.provenance.threads},
           {"dofs", s.dofs},
           {"linear_solver", s.linear_solver},
           {"steps", s.steps},

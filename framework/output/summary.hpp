@@ -1,6 +1,6 @@
 // What remains of a run in one place: summary.json, and the tables at the end on the terminal.
 //
-// Keys: name, version, commit, status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
+// Keys: name, version, commit ("-dirty" behind it if the sources are others), provenance {...} (output/provenance_json.hpp), status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], max_affine_strain, intersections,
 // inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
@@ -18,6 +18,7 @@
 
 #include "framework/contact/adhesion_summary.hpp"
 #include "framework/output/expectations.hpp"
+#include "framework/output/provenance.hpp"
 #include "framework/stepping/step_report.hpp"
 
 namespace tack {
@@ -27,11 +28,9 @@ std::string_view to_string(RunStatus status);  // "done", "expectation failed", 
 
 struct RunSummary {
   std::string name;
-  std::string version;
-  std::string commit;
+  Provenance provenance;
   RunStatus status = RunStatus::done;
   std::string error;  // empty if there was none
-  int threads = 0;
   int dofs = 0;
   std::string linear_solver;  // what it is and why; empty for minimisers without one
   int steps = 0;

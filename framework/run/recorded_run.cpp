@@ -39,7 +39,7 @@ RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {
 
 RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, const Provenance& provenance,
                          std::ostream& out, const ProgressOptions& progress)
-    : settings_(settings), provenance_(provenance), dump_(settings.dump_problems),
+    : settings_(settings), dump_(settings.dump_problems),
       simulation_(std::move(loaded), [this](const std::string& line) { progress_.warning(line); }),
       probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
@@ -47,9 +47,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   else write_resolved(folder_, experiment_);
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
-  summary_.version = provenance.version;
-  summary_.commit = provenance.commit;
-  summary_.threads = provenance.threads;
+  summary_.provenance = provenance;
   summary_.dofs = world_.dofs.size();
   summary_.adhesion = world_.adhesion;
   if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_);
@@ -82,7 +80,7 @@ void RecordedRun::tell_beginning() {
   if (folder_.moved_aside())
     progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
-                                world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.threads));
+                                world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world_.start_notes) progress_.message(line);
   warn_of_weak_wells(world_, progress_);
   for (const std::string& line : resolution_warnings(experiment_, world_)) progress_.warning(line);
@@ -147,8 +145,8 @@ void RecordedRun::finish_dump() {
 
 StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) const {
   StateFile file = state_file_of(kind, experiment_);
-  file.program = provenance_.version;
-  file.commit = provenance_.commit;
+  file.program = summary_.provenance.build.version;
+  file.commit = summary_.provenance.build.revision();
   file.objects = state_objects(world_);
   if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(world_);
   file.state = state;

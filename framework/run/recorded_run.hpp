@@ -25,12 +25,6 @@ struct RunSettings {
   bool profile = false;                    // tell what the run cost
 };
 
-// What ran, for the files: they tell how to make them again.
-struct Provenance {
-  std::string version, commit;
-  int threads = 0;
-};
-
 class RecordedRun {
  public:
   // Throws InputError before anything is written. `out` gets what is told.
@@ -57,7 +51,6 @@ class RecordedRun {
   void finish(const Recorder& recorder);
 
   RunSettings settings_;
-  Provenance provenance_;
   ProblemDump dump_;
   Simulation simulation_;
   const Experiment& experiment_ = simulation_.experiment();

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
 
@@ -54,6 +55,11 @@ TEST_CASE("tack compare writes a row for every combination, also for those that 
   CHECK(contains(csv, "iteration limit reached"));
   const std::string report = place.text("results/two/compare.md");
   CHECK(contains(report, "2 repetitions"));
+  CHECK(contains(report, "tack compare compare.yaml"));
+  const nlohmann::json json = read_json(place.folder.path() / "results/two/compare.json");
+  CHECK(json["references"].size() == 2);
+  CHECK(json["references"][0]["problem"] == "tiny");
+  CHECK(contains(json["provenance"]["command"], "tack compare compare.yaml"));
   CHECK(contains(report, "| tiny | weak | 1e-05 |"));
   CHECK(contains(report, "## Fastest at each level of error"));
   CHECK(fs::is_regular_file(place.folder.path() / "results/two/plots/work_precision.gp"));

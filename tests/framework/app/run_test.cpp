@@ -55,6 +55,9 @@ TEST_CASE("a run whose expectations hold ends with 0 and leaves what is document
   CHECK(summary["max_unbalanced_force"].get<double>() > 0);
   CHECK(summary["expect"].size() == 1);
   CHECK(summary["expect"][0]["pass"] == true);
+  CHECK(contains(summary["provenance"]["command"], "tack run scene.yaml"));
+  CHECK(fs::equivalent(summary["provenance"]["directory"].get<std::string>(), place.folder.path()));
+  CHECK(summary["provenance"]["version"] == summary["version"]);
 }
 
 TEST_CASE("steps.csv has the documented columns and no step touches") {

@@ -17,11 +17,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 RunSummary filled() {
   RunSummary s;
   s.name = "tape \"x\"";
-  s.version = "1.2.3";
-  s.commit = "abc";
+  s.provenance.build.version = "1.2.3";
+  s.provenance.build.commit = "abc";
+  s.provenance.build.untracked_sources = 1;
+  s.provenance.threads = 2;
   s.status = RunStatus::expectation_failed;
   s.error = "why";
-  s.threads = 2;
   s.dofs = 300;
   s.wall_seconds = 0.1 + 0.2;
   s.phases[static_cast<int>(Phase::assembly)] = 3;
@@ -60,7 +61,8 @@ TEST_CASE("summary.json holds the run") {
   const nlohmann::json json = written(filled());
   CHECK(json["name"] == "tape \"x\"");
   CHECK(json["version"] == "1.2.3");
-  CHECK(json["commit"] == "abc");
+  CHECK(json["commit"] == "abc-dirty");
+  CHECK(json["provenance"]["commit"] == "abc");
   CHECK(json["status"] == "expectation failed");
   CHECK(json["error"] == "why");
   CHECK(json["threads"] == 2);
@@ -88,7 +90,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
                                          "expect", "failed_solves", "intersections",
                                          "inverted_tets", "linear_solver", "max_affine_strain",
                                          "max_contacts", "max_unbalanced_force", "min_distance", "name",
-                                         "phases", "status", "steps", "threads", "totals",
+                                         "phases", "provenance", "status", "steps", "threads", "totals",
                                          "unconverged_lags", "version", "wall_seconds"});
   CHECK(json["expect"] == nlohmann::json::array());
   CHECK(json["min_distance"].is_null());  // nothing was ever near

@@ -22,7 +22,9 @@ TEST_CASE("a run is recorded without the command line", "[run]") {
   settings.output = (folder.path() / "results").string();
   settings.steps = 2;
   std::ostringstream told;
-  RecordedRun run(tiny(), settings, {"1.2.3", "abc", 1}, told, {});
+  Provenance provenance;
+  provenance.build.version = "1.2.3";
+  RecordedRun run(tiny(), settings, provenance, told, {});
   const RunSummary& summary = run.execute();
   CHECK(summary.status == RunStatus::done);
   CHECK(summary.steps == 2);

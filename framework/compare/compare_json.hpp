@@ -1,0 +1,15 @@
+// compare.json: where the numbers of compare.csv come from.
+//
+// Keys: name, about, provenance {...} (output/provenance_json.hpp), repeat, wall_seconds [s], references [{problem, time_step [s],
+// unknowns, size [m], tolerance [m/s] (null: none was found), disagreement [m], different_solutions, status}].
+#pragma once
+
+#include "framework/compare/comparison.hpp"
+#include "framework/output/provenance.hpp"
+
+namespace tack {
+
+std::string compare_json(const CompareConfig& config, const Comparison& comparison, const Provenance& provenance,
+                         double wall_seconds);
+
+}  // namespace tack
