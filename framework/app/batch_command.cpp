@@ -6,12 +6,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <thread>
 
 #include "framework/app/commands.hpp"
-#include "framework/app/version.hpp"
 #include "framework/batch/batch_estimate.hpp"
 #include "framework/batch/batch_progress.hpp"
 #include "framework/batch/results_table.hpp"
@@ -171,7 +169,7 @@ int batch_command(const BatchOptions& options) {
   d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);
   d.limits.memory = config.memory;
   d.limits.time_limit = config.time_limit;
-  d.provenance = nlohmann::ordered_json{{"program", "tack"}, {"version", TACK_VERSION}, {"commit", TACK_COMMIT}}.dump();
+  d.provenance = provenance_text(provenance_of(options.command_line, d.limits.threads));
   const std::filesystem::path root = RunFolder::chosen_root(options.output, config.name);
   const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root);
   const std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);

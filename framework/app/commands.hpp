@@ -41,6 +41,7 @@ int compare_command(const CompareOptions& options);
 
 struct BatchOptions {
   SceneOptions file;
+  std::string command_line;   // as a shell would take it
   std::string output;         // empty: results/<name>
   int jobs = 0, threads = 0;  // 0: as the file says
   bool dry_run = false;       // show the plan and what it will take

@@ -58,7 +58,7 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
-    run_.command_line = profile_.command_line = compare_.command_line = shell_line({argv, argv + argc});
+    run_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = shell_line({argv, argv + argc});
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

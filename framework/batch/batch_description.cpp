@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "framework/output/provenance_json.hpp"
 #include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
 
@@ -50,6 +51,8 @@ Json json_of(const BatchFolder& folder, const BatchPlan& plan, const BatchCase& 
 }
 
 }  // namespace
+
+std::string provenance_text(const Provenance& provenance) { return to_json(provenance).dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 CaseState state_of(const BatchFolder& folder, const BatchCase& one) {
   const CaseState state = read_case_state(folder.state(one.name));

@@ -1,6 +1,6 @@
 // batch.json: what a batch is and was made with, and its cases, so that its table can be made again from its folder alone.
 //
-// Keys: name, about, file, provenance {program, ...}, threads, jobs, time_limit [s], memory [GB], keys [columns that vary],
+// Keys: name, about, file, provenance {...} (framework/output/provenance_json.hpp), threads, jobs, time_limit [s], memory [GB], keys [columns that vary],
 // statistics [{name, probe, statistic, along, where, over}], cases [{name, folder, scene, values {column: text}, digest, status,
 // error}].
 #pragma once
@@ -8,6 +8,7 @@
 #include "framework/batch/batch_folder.hpp"
 #include "framework/batch/batch_plan.hpp"
 #include "framework/batch/case_state.hpp"
+#include "framework/output/provenance.hpp"
 
 namespace tack {
 
@@ -22,8 +23,11 @@ struct BatchDescription {
   BatchPlan plan;  // its cases without their scenes, once read
   std::string file;
   BatchLimits limits;
-  std::string provenance;  // JSON, as it is written
+  std::string provenance;  // provenance_text()
 };
+
+// JSON, as it stands in batch.json.
+std::string provenance_text(const Provenance& provenance);
 
 // Waiting if what ran was another form of it.
 CaseState state_of(const BatchFolder& folder, const BatchCase& one);

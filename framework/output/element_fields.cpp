@@ -1,5 +1,7 @@
 #include "framework/output/element_fields.hpp"
 
+#include <Eigen/QR>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -55,13 +57,54 @@ void for_each_cell(const Term& term, const std::vector<Number>& numbers, const C
     if (const int cell = cells.find(batches[0].vertices + static_cast<size_t>(arity) * s, arity); cell >= 0) act(cell, numbers[s]);
 }
 
-VecX von_mises_stress(const World& world, const VecX& x, const Cells& cells, VecX values) {
+// Of all energies of an element together, by cell.
+std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const Cells& cells) {
   std::map<int, Mat3> sums;
   for (const auto& term : world.elastic_terms)
     for_each_cell(*term, term->cauchy_stress(x), cells, [&](int cell, const Mat3& stress) {
       sums.try_emplace(cell, Mat3::Zero()).first->second += stress;
     });
-  for (const auto& [cell, stress] : sums) values(cell) = von_mises(stress);
+  return sums;
+}
+
+VecX von_mises_stress(const std::map<int, Mat3>& stresses, VecX values) {
+  for (const auto& [cell, stress] : stresses) values(cell) = von_mises(stress);
+  return values;
+}
+
+VecX cauchy_stress(const std::map<int, Mat3>& stresses, VecX values) {
+  for (const auto& [cell, s] : stresses)
+    values.segment<6>(6 * cell) << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2);
+  return values;
+}
+
+// Singular values of the map from the rest shape of K edge vectors to the present one, largest first.
+template <int K>
+Eigen::Matrix<double, K, 1> stretches_of(const Eigen::Matrix<double, 3, K>& rest, const Eigen::Matrix<double, 3, K>& now) {
+  // With the rest shape = Q R, now R^-1 is the deformation gradient in Q's axes.
+  const Eigen::HouseholderQR<Eigen::Matrix<double, 3, K>> qr(rest);
+  const Eigen::Matrix<double, K, K> r = qr.matrixQR().template topRows<K>().template triangularView<Eigen::Upper>();
+  const Eigen::Matrix<double, 3, K> f = now * r.inverse();
+  return Eigen::JacobiSVD<Eigen::Matrix<double, 3, K>>(f).singularValues();
+}
+
+template <int K, class Element>
+void add_stretches(const std::vector<Element>& elements, const VecX& rest, const VecX& x, int& cell, VecX& values) {
+  for (const Element& e : elements) {
+    Eigen::Matrix<double, 3, K> before, now;
+    for (int k = 0; k < K; ++k) {
+      before.col(k) = vertex(rest, e[k + 1]) - vertex(rest, e[0]);
+      now.col(k) = vertex(x, e[k + 1]) - vertex(x, e[0]);
+    }
+    values.segment<K>(3 * cell++) = stretches_of<K>(before, now);
+  }
+}
+
+VecX stretches(const World& world, const VecX& x, const FrameGeometry& geometry, VecX values) {
+  int cell = 0;
+  add_stretches<3>(geometry.tets, world.rest, x, cell, values);
+  add_stretches<2>(geometry.triangles, world.rest, x, cell, values);
+  add_stretches<1>(geometry.edges, world.rest, x, cell, values);
   return values;
 }
 
@@ -76,14 +119,20 @@ VecX plastic_strain(const World& world, const Cells& cells, VecX values) {
 
 std::vector<CellField> element_fields(const std::vector<std::string>& names, const World& world, const VecX& x,
                                       const FrameGeometry& geometry) {
-  const VecX none = VecX::Constant(geometry.cells(), std::numeric_limits<double>::quiet_NaN());
+  const auto none = [&](int components) {
+    return VecX::Constant(components * geometry.cells(), std::numeric_limits<double>::quiet_NaN());
+  };
   std::vector<CellField> fields;
   std::optional<Cells> cells;
+  std::optional<std::map<int, Mat3>> stresses;
   for (const std::string& name : names) {
-    const bool stress = name == "von_mises_stress", strain = name == "plastic_strain";
-    if ((stress || strain) && !cells) cells.emplace(geometry);
-    if (stress) fields.push_back({name, von_mises_stress(world, x, *cells, none), "Pa"});
-    if (strain) fields.push_back({name, plastic_strain(world, *cells, none), ""});
+    const bool mises = name == "von_mises_stress", cauchy = name == "cauchy_stress", strain = name == "plastic_strain";
+    if ((mises || cauchy || strain) && !cells) cells.emplace(geometry);
+    if ((mises || cauchy) && !stresses) stresses = cauchy_stresses(world, x, *cells);
+    if (mises) fields.push_back({name, von_mises_stress(*stresses, none(1)), "Pa"});
+    if (cauchy) fields.push_back({name, cauchy_stress(*stresses, none(6)), "Pa", 6});
+    if (strain) fields.push_back({name, plastic_strain(world, *cells, none(1)), ""});
+    if (name == "stretches") fields.push_back({name, stretches(world, x, geometry, none(3)), "", 3});
   }
   return fields;
 }

@@ -7,9 +7,7 @@ namespace tack {
 
 struct World;
 
-// Those of `names` that are fields of elements, at x:
-//   von_mises_stress  of the Cauchy stress of all energies of the element together; of sheets, in their middle [Pa]
-//   plastic_strain    accumulated; the largest if several of its energies flow
+// Those of `names` that are fields of elements (frame_fields.hpp), at x.
 std::vector<CellField> element_fields(const std::vector<std::string>& names, const World& world, const VecX& x,
                                       const FrameGeometry& geometry);
 

@@ -1,8 +1,26 @@
 #include "framework/output/output_config.hpp"
 
-#include <set>
+#include <algorithm>
+
+#include "framework/config/nearest.hpp"
+#include "framework/output/frame_fields.hpp"
 
 namespace tack {
+namespace {
+
+// "velocity [m/s], displacement [m] (from where the scene puts it), ...".
+std::string described(bool of_elements) {
+  std::string text;
+  for (const FrameFieldInfo& info : frame_fields()) {
+    if (info.of_elements != of_elements) continue;
+    text += std::string(text.empty() ? "" : ", ") + info.name;
+    if (*info.unit) text += std::string(" [") + info.unit + "]";
+    if (*info.doc) text += std::string(" (") + info.doc + ")";
+  }
+  return text;
+}
+
+}  // namespace
 
 void OutputConfig::fields(Fields& f) {
   f.flag("frames", frames, "write frames/*.vtu and run.pvd");
@@ -10,17 +28,13 @@ void OutputConfig::fields(Fields& f) {
   f.optional_number("checkpoint_interval", checkpoint_interval, units::time,
                     "simulated time between checkpoints, which `tack run --resume` goes on from; none unless given")
       .positive();
-  f.texts("fields", frame_fields, "vertex fields of the frames: velocity, contact_force, adhesion_force, "
-                                  "friction_force (with tangential adhesion), displacement, mass; and of elements: von_mises_stress (of the Cauchy "
-                                  "stress of all energies of the element; of sheets, in their middle), plastic_strain (accumulated), not a number where an "
-                                  "object has none");
+  f.texts("fields", frame_fields, "what frames hold: " + described(false) + "; and of elements, not a number where an object has none: " + described(true));
   f.check("fields", [this]() -> std::string {
-    static const std::set<std::string> known = {"velocity", "contact_force", "adhesion_force", "friction_force",
-                                                "displacement", "mass", "von_mises_stress", "plastic_strain"};
-    for (const auto& field : frame_fields)
-      if (!known.count(field))
-        return "unknown field '" + field + "'; choose from velocity, contact_force, adhesion_force, friction_force, displacement, "
-               "mass, von_mises_stress, plastic_strain";
+    std::vector<std::string> names;
+    for (const FrameFieldInfo& info : tack::frame_fields()) names.push_back(info.name);
+    for (const std::string& field : frame_fields)
+      if (std::find(names.begin(), names.end(), field) == names.end())
+        return "unknown field '" + field + "'" + suggestion(field, names, "fields");
     return "";
   });
 }

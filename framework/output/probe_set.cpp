@@ -1,6 +1,8 @@
 #include "framework/output/probe_set.hpp"
 
 #include "framework/config/bind.hpp"
+#include "framework/core/state.hpp"
+#include "framework/output/derived_probe.hpp"
 #include "framework/scene/build_world.hpp"
 
 namespace tack {
@@ -10,6 +12,7 @@ ProbeSet::ProbeSet(const std::vector<std::unique_ptr<const Probe>>& specified, c
     Probe& probe = *probes_.emplace_back(instance_of(*specified[i]));
     try {
       probe.prepare(world);
+      if (auto* derived = dynamic_cast<DerivedProbe*>(&probe)) derived->find(columns_);
     } catch (const InputError& error) {
       throw InputError(place_of(root, "probes", i) + error.what());
     }
@@ -35,11 +38,13 @@ void ProbeSet::check(const std::vector<Expectation>& expectations, const Value& 
 }
 
 std::vector<double> ProbeSet::sample(const World& world, const State& state) {
-  std::vector<double> values;
+  std::vector<double> values{state.time};
   for (const auto& probe : probes_) {
-    const auto more = probe->sample(world, state);
+    const auto* derived = dynamic_cast<const DerivedProbe*>(probe.get());
+    const auto more = derived ? std::vector<double>{derived->of(values)} : probe->sample(world, state);
     values.insert(values.end(), more.begin(), more.end());
   }
+  values.erase(values.begin());
   return values;
 }
 

@@ -1,7 +1,7 @@
 #include "framework/output/recorder.hpp"
 
-#include "framework/contact/friction_term.hpp"
 #include "framework/output/element_fields.hpp"
+#include "framework/output/frame_fields.hpp"
 #include "framework/output/next_due.hpp"
 
 namespace tack {
@@ -63,29 +63,9 @@ void Recorder::step(const State& state, const StepReport& report) {
 
 void Recorder::sample(const State& state) { probes_.add(state.time, probe_set_.sample(world_, state)); }
 
-std::vector<PointField> Recorder::point_fields(const State& state) const {
-  std::vector<PointField> fields;
-  const auto add_force = [&](const std::string& name, VecX forces) {
-    world_.collect_on_meshes(forces);
-    fields.push_back({name, 3, std::move(forces), "N"});
-  };
-  for (const std::string& name : output_.frame_fields) {
-    if (name == "velocity") fields.push_back({name, 3, state.v, "m/s"});
-    if (name == "displacement") fields.push_back({name, 3, state.x - world_.rest, "m"});
-    if (name == "mass") fields.push_back({name, 1, world_.mass, "kg"});
-    if (!world_.contact_term) continue;
-    if (name == "contact_force") add_force(name, world_.contact_term->forces(state.x, LawPart::all));
-    if (name == "adhesion_force") add_force(name, world_.contact_term->forces(state.x, LawPart::adhesion));
-    if (name == "friction_force" && world_.friction) add_force(name, world_.friction->forces(state.x, TangentialPart::all));
-  }
-  // Vertices that are in no mesh are not shown.
-  for (PointField& field : fields) field.values.conservativeResize(field.components * geometry_.vertices);
-  return fields;
-}
-
 void Recorder::write_frame(const State& state) {
   const auto file = RunFolder::frame(pvd_.frames());
-  write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, point_fields(state),
+  write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, vertex_fields(output_.frame_fields, world_, state, geometry_),
             element_fields(output_.frame_fields, world_, state.x, geometry_));
   pvd_.add(state.time, file);
   schedule_frame(state.time);

@@ -28,7 +28,6 @@ class Recorder {
   void sample(const State& state);
   void write_frame(const State& state);
   void schedule_frame(double time);  // the next one after `time` [s]
-  std::vector<PointField> point_fields(const State& state) const;
 
   const OutputConfig& output_;
   const TimeConfig& time_;

@@ -93,8 +93,8 @@ vtkNew<vtkDoubleArray> to_array(const std::string& name, const VecX& values, int
 }
 
 void add_field(vtkUnstructuredGrid* grid, const FrameGeometry& geometry, const CellField& field) {
-  require_size("cell field", field.name, field.values.size(), geometry.cells());
-  grid->GetCellData()->AddArray(to_array(field.name, field.values, 1, field.unit));
+  require_size("cell field", field.name, field.values.size(), field.components * geometry.cells());
+  grid->GetCellData()->AddArray(to_array(field.name, field.values, field.components, field.unit));
 }
 
 void add_field(vtkUnstructuredGrid* grid, const FrameGeometry& geometry, const PointField& field) {

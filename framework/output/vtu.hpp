@@ -38,11 +38,12 @@ struct PointField {
   std::string unit;    // SI, such as "m/s"; kept in the file beside the array
 };
 
-// A number per cell.
+// Numbers per cell.
 struct CellField {
   std::string name;
-  VecX values;
+  VecX values;  // components * cells
   std::string unit;
+  int components = 1;  // 1, 3, or 6 of a symmetric tensor: xx, yy, zz, xy, yz, xz
 };
 
 // x: 3 * vertices coordinates [m].

@@ -16,7 +16,7 @@ class EnergyProbe : public Probe {
     Probe::fields(f);
     f.text("term", term_,
            "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix; or what was "
-           "dissipated so far: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping");
+           "dissipated so far: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping, and dissipated, their sum");
   }
   void prepare(const World& world) override {
     std::vector<std::string> names = {"total"};
@@ -37,9 +37,10 @@ class EnergyProbe : public Probe {
   }
 
  private:
-  static std::array<std::pair<const char*, double>, 3> dissipated(const State& s) {
-    return {{{"dissipated_friction", s.energy.friction}, {"dissipated_plastic", s.energy.plastic},
-             {"dissipated_damping", s.energy.damping}}};
+  static std::array<std::pair<const char*, double>, 4> dissipated(const State& s) {
+    const EnergyAccount& e = s.energy;
+    return {{{"dissipated", e.friction + e.plastic + e.damping}, {"dissipated_friction", e.friction},
+             {"dissipated_plastic", e.plastic}, {"dissipated_damping", e.damping}}};
   }
 
   std::string term_ = "total";

@@ -4,6 +4,7 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/stencil_distance.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
@@ -61,6 +62,50 @@ class SlidingSpeed : public Probe {
   std::vector<char> wanted_;  // per law
 };
 
+// The area over which two objects are within reach of each other's laws, by the weights of the points that stand for it. Guards
+// stand for none.
+class ContactArea : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    between_.fields(f);
+    f.choice("part", part_,
+             {{"all", LawPart::all, "within reach of barrier or adhesion"},
+              {"barrier", LawPart::barrier, "closer than the contact distance: what presses"},
+              {"adhesion", LawPart::adhesion, "within reach of adhesion"}},
+             "which laws");
+  }
+  void prepare(const World& world) override {
+    require_contact(world, name_);
+    std::tie(a_, b_) = between_.prepare(world, name_);
+    const PairTable& pairs = world.contact->pairs();
+    reach_.assign(pairs.laws().size(), 0);
+    for (const PairRole* role : {&pairs.point(a_, b_), &pairs.point(b_, a_), &pairs.thin(a_, b_)})
+      if (role->law >= 0 && (role->facing || pairs.plain_sums || role == &pairs.thin(a_, b_)))
+        reach_[role->law] = world.contact_term->laws(part_)[role->law].range();
+  }
+  Unit unit() const override { return units::area; }
+  std::vector<double> sample(const World& world, const State& state) override {
+    const auto& object = world.contact->surface().mesh.vertex_object;
+    double area = 0;
+    for_each_kind(world.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
+      for (const auto& s : stencils) {
+        if (reach_[s.law] == 0) continue;
+        const int a = object[s.vertices[0]], b = object[s.vertices[kind.first_vertices]];
+        if (std::minmax(a, b) != std::minmax(a_, b_)) continue;
+        if (stencil_distance<ValueKernels>(kind, state.x, s) < reach_[s.law] * reach_[s.law]) area += s.weight;
+      }
+    });
+    return {std::max(0.0, area)};
+  }
+
+ private:
+  ObjectNames between_;
+  LawPart part_ = LawPart::all;
+  int a_ = -1, b_ = -1;
+  std::vector<double> reach_;  // per law [m]; 0: it does not count
+};
+
 // How many other objects are within reach of an object's adhesion.
 class AttachedObjects : public Probe {
  public:
@@ -98,6 +143,7 @@ class AttachedObjects : public Probe {
 
 TACK_REGISTER(Probe, SlidingSpeed, "sliding_speed",
               "Mean speed of one surface along another where they touch or adhere, in the last step [m/s].", "");
+TACK_REGISTER(Probe, ContactArea, "contact_area", "The area over which two objects touch or adhere [m^2].", "");
 TACK_REGISTER(Probe, AttachedObjects, "attached_objects",
               "How many other objects an object holds within reach of its adhesion.", "");
 

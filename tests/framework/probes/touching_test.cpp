@@ -95,3 +95,19 @@ TEST_CASE("friction_force: mu N against the sliding, equal and opposite", "[fric
   CHECK(p.sample("{type: friction_force, name: f, on: right, part: adhesion, direction: [0, 0, 1]}")[0] == 0);
   CHECK_THROWS_AS(p.sample("{type: friction_force, name: f, on: nothing}"), InputError);
 }
+
+TEST_CASE("the area of contact is that which lies opposite, by the reach of each law") {
+  const auto area = [](Probed& p, const char* object, const char* part) {
+    return p.sample(fmt::format("{{type: contact_area, name: a, between: [{}, floor], part: {}}}", object, part))[0];
+  };
+  Probed close(0.5e-3), apart(1.5e-3), away(3e-3);
+  CHECK(area(close, "left", "all") == Approx(0.01));
+  CHECK(area(close, "left", "barrier") == Approx(0.01));
+  CHECK(area(close, "left", "adhesion") == Approx(0.01));
+  CHECK(area(close, "right", "all") == Approx(0.01));
+  CHECK(area(close, "right", "adhesion") == 0);
+  CHECK(area(apart, "left", "all") == Approx(0.01));
+  CHECK(area(apart, "left", "barrier") == 0);
+  CHECK(area(apart, "right", "all") == 0);
+  CHECK(area(away, "left", "all") == 0);
+}

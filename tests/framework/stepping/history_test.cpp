@@ -16,6 +16,7 @@
 #include "framework/compare/trial.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/experiment/stored_experiment.hpp"
+#include "framework/output/provenance.hpp"
 #include "framework/run/recorded_run.hpp"
 #include "framework/scene/derivative_check.hpp"
 #include "tests/support/program.hpp"
@@ -139,7 +140,7 @@ LoadedExperiment loaded(const std::string& yaml) { return parse_experiment("name
 
 RunSummary record(const std::string& yaml, const RunSettings& settings) {
   std::ostringstream told;
-  RecordedRun run(loaded(yaml), settings, {"1", "abc", 1}, told, {});
+  RecordedRun run(loaded(yaml), settings, provenance_of("", 1), told, {});
   const RunSummary summary = run.execute();
   INFO(told.str());
   REQUIRE(summary.status == RunStatus::done);
@@ -169,7 +170,7 @@ void run_and_kill(const std::string& yaml, const fs::path& folder) {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     try {
       std::ostringstream told;
-      RecordedRun(loaded(yaml), in(folder, 0), {"1", "abc", 1}, told, {}).execute();
+      RecordedRun(loaded(yaml), in(folder, 0), provenance_of("", 1), told, {}).execute();
     } catch (...) {
     }
     _exit(1);

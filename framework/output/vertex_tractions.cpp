@@ -1,0 +1,88 @@
+#include "framework/output/vertex_tractions.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/lagged_contacts.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double least_share = 0.02;  // of the area around a vertex; less is no contact of its own
+
+// Those that stand for an area: no guards.
+std::vector<char> pressing_laws(const PairTable& pairs) {
+  std::vector<char> pressing(pairs.laws().size(), 0);
+  for (const auto& [a, b] : pairs.classes().examples()) {
+    for (const PairRole* role : {&pairs.point(a, b), &pairs.point(b, a)})
+      if (role->law >= 0 && (role->facing || pairs.plain_sums)) pressing[role->law] = 1;
+    if (const int thin = pairs.thin(a, b).law; thin >= 0) pressing[thin] = 1;
+  }
+  return pressing;
+}
+
+// What each vertex has of the contacts [m^2].
+VecX contact_areas(const World& world, const VecX& x) {
+  VecX areas = VecX::Zero(x.size());  // in the first of three, as forces are collected
+  const LaggedContacts contacts =
+      lag_contacts({*world.contact, world.contact_term->laws(LawPart::barrier), pressing_laws(world.contact->pairs()), x});
+  const auto add = [&](const auto& list) {
+    for (const auto& c : list)
+      for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
+  };
+  add(contacts.twos);
+  add(contacts.threes);
+  add(contacts.fours);
+  add(contacts.fives);
+  add(contacts.sixes);
+  world.collect_on_meshes(areas);
+  return areas(Eigen::seq(0, Eigen::last, 3));
+}
+
+// What lies around each vertex.
+struct Surround {
+  VecX areas;    // m^2; zero inside of solids
+  VecX outward;  // 3n: a third of the area vectors of a solid's triangles, zero of what has no inside
+};
+
+Surround surround_of(const World& world, const VecX& x) {
+  Surround s{VecX::Zero(x.size() / 3), VecX::Zero(x.size())};
+  for (const Body& body : world.bodies) {
+    for (const Triangle& t : body.triangles) {
+      const Vec3 a = vertex(x, t[0]), area = (vertex(x, t[1]) - a).cross(vertex(x, t[2]) - a) / 6;
+      for (const int v : t) {
+        s.areas(v) += area.norm();
+        if (body.sheet.empty()) vertex(s.outward, v) += area;
+      }
+    }
+    const double width = body.section ? body.section->contact_width() : 0;
+    for (const Edge& e : body.edges)
+      for (const int v : e) s.areas(v) += width * (vertex(x, e[1]) - vertex(x, e[0])).norm() / 2;
+    for (const int v : body.points) s.areas(v) += std::numbers::pi * body.radius * body.radius;
+  }
+  return s;
+}
+
+VecX tractions(const World& world, const VecX& x, const VecX& forces, bool with_sign) {
+  const Surround around = surround_of(world, x);
+  const VecX areas = contact_areas(world, x);
+  VecX result = VecX::Constant(areas.size(), std::numeric_limits<double>::quiet_NaN());
+  for (int v = 0; v < result.size(); ++v) {
+    if (around.areas(v) <= 0) continue;
+    const double area = areas(v) > least_share * around.areas(v) ? areas(v) : around.areas(v);
+    const bool pulls = with_sign && vertex(forces, v).dot(vertex(around.outward, v)) > 0;
+    result(v) = (pulls ? -1 : 1) * vertex(forces, v).norm() / area;
+  }
+  return result;
+}
+
+}  // namespace
+
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces) { return tractions(world, x, forces, true); }
+
+VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces) { return tractions(world, x, forces, false); }
+
+}  // namespace tack

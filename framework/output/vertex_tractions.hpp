@@ -1,0 +1,20 @@
+// Forces of vertices as tractions: per area that the vertex has of the contact. That is the sum over the points of quadrature of w |c|, w a point's
+// weight and c the part of its force that the vertex takes, so that what presses evenly has one pressure whatever the meshes.
+// Forces where there is no such area, of guards, count per area around the vertex.
+#pragma once
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct World;
+
+// One per vertex [Pa], of forces along the surface's normal (3n [N], collected on meshes): positive where they press into what is solid,
+// negative where they pull. Sheets, rods and particles have no inside: of them the magnitude, of sheets of the sum over both sides. Zero
+// where there is no force, not a number inside of solids. Contact must be at x.
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces);
+
+// The magnitude of the force per the same area.
+VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces);
+
+}  // namespace tack

@@ -1,0 +1,68 @@
+// Sums, differences, products of probes and whatever else a formula can say.
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "framework/output/derived_probe.hpp"
+#include "framework/scene/formula.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+bool is_variable(const std::string& name) {
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name.front()))) return false;
+  return std::all_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x80 && (std::isalnum(c) || c == '_'); });
+}
+
+class FormulaProbe : public DerivedProbe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.text("of", text_, "a formula of columns of probes that stand before this one, and of t, the time [s]: `force / (0.1 * 0.1)`").required();
+    f.text("unit", unit_, "what the result is in, for expectations: `Pa`; a plain number unless given");
+    f.check("unit", [this] { return check_unit(); });
+  }
+  Unit unit() const override { return {unit_.empty() ? units::none.si : unit_.c_str(), "number"}; }
+
+  void find(const std::vector<std::string>& columns) override {
+    std::vector<std::string> variables{"t"};
+    places_ = {0};
+    for (size_t i = 0; i < columns.size(); ++i) {
+      if (!is_variable(columns[i]) || columns[i] == "t" || columns[i] == "pi") continue;
+      variables.push_back(columns[i]);
+      places_.push_back(i + 1);
+    }
+    values_.resize(variables.size());
+    try {
+      formula_ = Formula(text_, variables);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("probe '{}': of: {} (probes that stand before it, of letters, digits and _: {})", name_, error.what(),
+                                   fmt::join(variables, ", ")));
+    }
+  }
+  double of(std::span<const double> values) const override {
+    for (size_t i = 0; i < places_.size(); ++i) values_[i] = values[places_[i]];
+    return (*formula_)(values_);
+  }
+
+ private:
+  std::string check_unit() const {
+    try {
+      if (!unit_.empty()) to_si("1 " + unit_, units::any);
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+
+  std::string text_, unit_;
+  std::optional<Formula> formula_;
+  std::vector<size_t> places_;          // of the variables among the values
+  mutable std::vector<double> values_;  // of the variables
+};
+
+TACK_REGISTER(Probe, FormulaProbe, "formula", "A function of other probes: their sums, differences, products, ...", "");
+
+}  // namespace
+}  // namespace tack
