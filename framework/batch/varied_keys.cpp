@@ -90,7 +90,7 @@ Value VariedRange::at(double u) const {
   const double top = whole ? to + 1 : to;
   double x = log ? from * std::pow(top / from, u) : from + (top - from) * u;
   if (whole) x = std::min(std::floor(x), to);
-  Value v = Value::number(x);
+  Value v = Value::scalar(whole ? fmt::format("{:.0f}", x) : fmt::format("{:.6g}", x));
   if (!unit.empty()) v.text += " " + unit;
   v.mark = mark;
   return v;

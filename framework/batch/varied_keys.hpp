@@ -19,7 +19,7 @@ struct VariedRange {
   bool log = false, whole = false;
   SourceMark mark;
 
-  // For u in [0, 1).
+  // For u in [0, 1), to six digits.
   Value at(double u) const;
 };
 

@@ -72,6 +72,7 @@ TEST_CASE("a Latin hypercube has one sample in each part of each range", "[batch
   std::map<int, int> counts_of_c;
   for (const Variant& v : samples) {
     CHECK(v.set[0].value.text.ends_with(" kPa"));
+    CHECK(v.set[0].value.text.size() <= 11);
     parts_of_a.insert(static_cast<int>(std::floor((number_of(v, 0) - 10) / 1.0)));
     parts_of_b.insert(static_cast<int>(std::floor(std::log10(number_of(v, 1) / 1e-3) / 3 * 20)));
     ++counts_of_c[static_cast<int>(number_of(v, 2))];
