@@ -1,5 +1,5 @@
 // Names from a file are text to gnuplot, whatever they hold.
-#include "framework/compare/gnuplot.hpp"
+#include "framework/plot/gnuplot.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -20,11 +20,15 @@ const std::vector<std::string> hostile = {
 
 }  // namespace
 
-TEST_CASE("no name reaches gnuplot as a command or markup", "[compare]") {
+TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
   const TemporaryFolder folder;
   for (const std::string& name : hostile) {
     INFO(name);
-    Plot plot{name, name, name, true, true, false, {}};
+    Plot plot;
+    plot.title = plot.x_label = plot.y_label = name;
+    plot.log_x = plot.log_y = true;
+    plot.levels = {{2.5, name}};
+    plot.notes = {name};
     plot.curves.push_back({name, {{1, 2}, {2, 3}}});
     plot.curves.push_back({"b" + name, {{1, 3}, {2, 4}}});
     const std::string failure = draw(plot, folder.path(), "plot");
@@ -36,5 +40,8 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[compare]") {
     CHECK(failure == "");
     CHECK(contains(file_text(folder.path() / "plot.svg"), "</svg>"));
     fs::remove(folder.path() / "plot.svg");
+    CHECK(draw(StackedBars{name, name, {name, "b" + name}, {name, "p" + name}, {{1, 2}, {3, 4}}}, folder.path(), "bars") == "");
+    CHECK_FALSE(fs::exists(folder.path() / "owned"));
+    CHECK(contains(file_text(folder.path() / "bars.svg"), "</svg>"));
   }
 }

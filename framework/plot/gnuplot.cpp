@@ -1,0 +1,228 @@
+#include "framework/plot/gnuplot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <utility>
+
+#include "framework/output/replace_file.hpp"
+
+extern char** environ;
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(9,3,2,3)"};
+constexpr std::array<int, 6> marks = {7, 5, 9, 11, 13, 6};
+constexpr size_t most_labels = 12;       // at the ends of curves
+constexpr double label_distance = 0.05;  // of the picture's height
+constexpr double near_right = 0.85;      // where a curve that is named at its end has to end
+constexpr size_t longest_label = 34;     // characters
+
+// In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
+// as well: what follows would be run. Control characters have no place in a picture anyway.
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) {
+    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    out += c == '\'' ? std::string("''") : std::string(1, control ? ' ' : c);
+  }
+  return out + "'";
+}
+
+bool drawable(const Plot& plot, const std::pair<double, double>& point) {
+  const auto [x, y] = point;
+  return std::isfinite(x) && std::isfinite(y) && !(plot.log_x && x <= 0) && !(plot.log_y && y <= 0);
+}
+
+bool drawable(const Plot& plot, const Curve& curve) {
+  return std::any_of(curve.points.begin(), curve.points.end(), [&](const auto& p) { return drawable(plot, p); });
+}
+
+std::string data_block(const Plot& plot, const Curve& curve, size_t i) {
+  std::string out = fmt::format("$curve{} << END\n", i);
+  for (size_t k = 0; k < curve.points.size(); ++k) {
+    const auto& [x, y] = curve.points[k];
+    if (!drawable(plot, curve.points[k])) continue;
+    const auto [low, high] = k < curve.spread.size() ? curve.spread[k] : std::pair(y, y);
+    out += fmt::format("{} {} {} {}\n", x, y, plot.log_y && low <= 0 ? y : low, high);
+  }
+  return out + "END\n";
+}
+
+std::string style_of(size_t i) {
+  return fmt::format("lc rgb '{}' dt {} lw 2", colours[i % colours.size()], dashes[i % dashes.size()]);
+}
+
+// As wide as its names need, up to a limit.
+std::string terminals(const std::string& name, const std::string& command, bool wide) {
+  const int width = wide ? 900 : 720;
+  return fmt::format("set terminal svg size {2},480 font 'Helvetica,13' dynamic background rgb 'white'\nset output '{0}.svg'\n{1}\n"
+                     "set terminal pngcairo size {3},960 font 'Helvetica,26' linewidth 2\nset output '{0}.png'\n{1}\nunset output\n",
+                     name, command, width, 2 * width);
+}
+
+std::string axis(const char* name, const AxisRange& range) {
+  std::string out = fmt::format("set {}range [{}:{}]\n", name, range.low, range.high);
+  if (!range.log) return out;
+  std::vector<std::string> ticks;
+  const bool decades = range.high / range.low > 100;
+  for (const double t : log_ticks(range))
+    ticks.push_back(decades ? fmt::format("'10^{{{}}}' {}", static_cast<int>(std::lround(std::log10(t))), t) : fmt::format("'{:g}' {}", t, t));
+  return out + fmt::format("set logscale {0}\nset {0}tics ({1})\n", name, fmt::join(ticks, ", "));
+}
+
+std::string shortened(const std::string& text) {
+  return text.size() <= longest_label ? text : text.substr(0, longest_label - 3) + "...";
+}
+
+struct Scene {
+  std::vector<Curve> curves;
+  AxisRange x, y;
+};
+
+// Names at the right ends of the curves, or nothing.
+std::optional<std::vector<double>> label_heights(const Scene& s, const Plot& plot) {
+  if (s.curves.size() > most_labels) return std::nullopt;
+  std::vector<double> wanted;
+  for (const Curve& c : s.curves) {
+    std::pair<double, double> last{-std::numeric_limits<double>::infinity(), 0};
+    for (const auto& p : c.points)
+      if (drawable(plot, p) && p.first >= last.first) last = p;
+    if (s.x.place(last.first) < near_right) return std::nullopt;
+    wanted.push_back(s.y.place(last.second));
+  }
+  return spread_out(wanted, label_distance);
+}
+
+std::string script_of(const Plot& plot, const std::string& name) {
+  Scene s;
+  for (const Curve& c : merged_curves(plot.curves))
+    if (drawable(plot, c)) s.curves.push_back(c);  // gnuplot stops at a curve without points
+  std::vector<double> xs, ys;
+  for (const Curve& c : s.curves) {
+    for (const auto& p : c.points)
+      if (drawable(plot, p)) xs.push_back(p.first), ys.push_back(p.second);
+    for (const auto& [low, high] : c.spread) ys.push_back(low), ys.push_back(high);
+  }
+  for (const LevelLine& l : plot.levels) ys.push_back(l.y);
+  s.x = range_of(xs, plot.log_x).value();
+  s.y = range_of(ys, plot.log_y).value();
+  std::string out;
+  for (size_t i = 0; i < s.curves.size(); ++i) out += data_block(plot, s.curves[i], i);
+  out += fmt::format("set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
+                     "set border 3 lc rgb '#606060'\nset tics nomirror out\nset grid lc rgb '#e0e0e0' lw 1\n",
+                     quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
+  out += axis("x", s.x) + axis("y", s.y);
+  const auto labels = label_heights(s, plot);
+  size_t longest = 0;
+  for (const Curve& c : s.curves) longest = std::max(longest, shortened(c.title).size());
+  if (labels && s.curves.size() > 1) {
+    out += fmt::format("unset key\nset rmargin {}\n", longest + 3);
+    for (size_t i = 0; i < s.curves.size(); ++i)
+      out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", quoted(shortened(s.curves[i].title)),
+                         (*labels)[i], colours[i % colours.size()]);
+  } else {
+    out += s.curves.size() > 1 ? "set key outside right noenhanced samplen 3\n" : "unset key\n";
+  }
+  for (const LevelLine& l : plot.levels)
+    out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
+                       "set label {1} at graph 0.01, first {0} offset 0,0.5 noenhanced tc rgb '#606060'\n", l.y, quoted(l.title));
+  if (!plot.notes.empty()) {
+    out += fmt::format("set bmargin {}\n", 4 + plot.notes.size());
+    for (size_t i = 0; i < plot.notes.size(); ++i)
+      out += fmt::format("set label {} at screen 0.02, screen {:.3f} left noenhanced tc rgb '#606060'\n", quoted(plot.notes[i]),
+                         0.02 + 0.035 * static_cast<double>(plot.notes.size() - 1 - i));
+  }
+  std::vector<std::string> commands;
+  for (size_t i = 0; i < s.curves.size(); ++i) {
+    const char* with = plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
+    const std::string mark = plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
+    if (!s.curves[i].spread.empty())
+      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 ps 0", i, colours[i % colours.size()]));
+    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, quoted(s.curves[i].title)));
+  }
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), !labels || longest > 16);
+}
+
+std::string script_of(const StackedBars& bars, const std::string& name) {
+  std::string out = "$bars << END\n";
+  for (size_t i = 0; i < bars.names.size(); ++i) {
+    std::string label = quoted(bars.names[i]);
+    std::replace(label.begin(), label.end(), '"', ' ');
+    out += fmt::format("\"{}\"", label.substr(1, label.size() - 2));
+    for (const double h : bars.heights[i]) out += fmt::format(" {}", std::isfinite(h) ? h : 0);
+    out += "\n";
+  }
+  out += fmt::format("END\nset title {} noenhanced\nset ylabel {} noenhanced\nset style data histograms\nset style histogram rowstacked\n"
+                     "set style fill solid 1 border lc rgb 'white'\nset boxwidth 0.75\nset border 3 lc rgb '#606060'\n"
+                     "set tics nomirror out\nset xtics rotate by 35 right noenhanced\nset grid y lc rgb '#e0e0e0' lw 1\n"
+                     "set key outside right invert noenhanced\nset yrange [0:*]\n", quoted(bars.title), quoted(bars.y_label));
+  std::vector<std::string> commands;
+  for (size_t k = 0; k < bars.parts.size(); ++k) {
+    const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);
+    commands.push_back(fmt::format("{} using {}{} title {} {} lc rgb '{}'", "$bars", k + 2, k ? "" : ":xtic(1)",
+                                   quoted(bars.parts[k]), fill, colours[k % colours.size()]));
+  }
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), true);
+}
+
+// The exit code of `gnuplot SCRIPT` in a folder, its messages in a file beside it; -1: it could not be started.
+int run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& messages) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, 1, messages.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
+  posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  std::string program = "gnuplot", argument = script;
+  char* argv[] = {program.data(), argument.data(), nullptr};
+  pid_t pid = 0;
+  const int failed = ::posix_spawnp(&pid, "gnuplot", &actions, nullptr, argv, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed) return -1;
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+std::string draw_script(const fs::path& folder, const std::string& name) {
+  const std::string script = name + ".gp";
+  const fs::path messages = fs::absolute(folder / (name + ".gnuplot.txt"));
+  const int code = run_gnuplot(folder, script, messages);
+  if (code == 0) {
+    fs::remove(messages);
+    return "";
+  }
+  if (code < 0 || code == 127)
+    return fmt::format("{}: no pictures, gnuplot is not there; install it (Debian: gnuplot-nox) and run "
+                       "`gnuplot {}` in {}",
+                       name, script, folder.string());
+  return fmt::format("{}: gnuplot failed; see {}", name, messages.string());
+}
+
+std::string draw(const Plot& plot, const fs::path& folder, const std::string& name) {
+  const auto& curves = plot.curves;
+  if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return drawable(plot, c); }))
+    return fmt::format("{}: nothing to draw", name);
+  replace_file(folder / (name + ".gp"), script_of(plot, name));
+  return draw_script(folder, name);
+}
+
+std::string draw(const StackedBars& bars, const fs::path& folder, const std::string& name) {
+  if (bars.names.empty() || bars.parts.empty()) return fmt::format("{}: nothing to draw", name);
+  replace_file(folder / (name + ".gp"), script_of(bars, name));
+  return draw_script(folder, name);
+}
+
+}  // namespace tack

@@ -1,0 +1,99 @@
+#include "framework/plot/run_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A column over the time; nothing if there is none.
+std::optional<Curve> over_time(const CsvTable& table, const std::string& column, const std::string& title) {
+  const auto time = table.column("time"), at = table.column(column);
+  if (!time || !at) return std::nullopt;
+  Curve curve{title, {}, {}};
+  for (const auto& row : table.rows) curve.points.emplace_back(row[*time], row[*at]);
+  return curve;
+}
+
+std::string file_name(std::string text) {
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+  return text;
+}
+
+struct StepColumn {
+  const char* name;  // of the picture
+  const char* column;
+  const char* title;
+  const char* y_label;
+  bool log;
+};
+
+constexpr StepColumn step_columns[] = {{"iterations", "newton_iterations", "Newton iterations per step", "iterations", false},
+                                       {"step_seconds", "wall_seconds", "wall time per step", "time [s]", false},
+                                       {"smallest_gap", "min_distance", "smallest gap", "gap [m]", true},
+                                       {"contacts", "contacts", "contacts", "pairs of primitives", false}};
+
+}  // namespace
+
+PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
+  if (!fs::exists(folder / "steps.csv"))
+    throw InputError(fmt::format("{}: holds no results of a run (no steps.csv); give a folder that `tack run`, `tack batch` or "
+                                 "`tack compare` made", folder.string()));
+  PlottedRun run{name, read_csv(folder / "steps.csv"), {}};
+  if (fs::exists(folder / "probes.csv")) run.probes = read_csv(folder / "probes.csv");
+  return run;
+}
+
+std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
+  std::map<std::string, Plot> plots;
+  const auto add = [&](const std::string& name, const char* title, const std::string& y_label, bool log, std::optional<Curve> curve) {
+    if (!curve || curve->points.empty()) return;
+    Plot& plot = plots[name];
+    plot.title = title;
+    plot.x_label = "time [s]";
+    plot.y_label = y_label;
+    plot.log_y = log;
+    plot.style = Plot::Style::lines;
+    plot.curves.push_back(std::move(*curve));
+  };
+  for (const PlottedRun& run : runs) {
+    for (const std::string& column : run.probes.columns)
+      if (column != "time") add("probe_" + file_name(column), column.c_str(), column, false, over_time(run.probes, column, run.name));
+    for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.log, over_time(run.steps, s.column, run.name));
+    if (runs.size() > 1) continue;
+    for (const std::string& column : run.steps.columns)
+      if (column.starts_with("energy_")) add("energies", "energies", "energy [J]", false, over_time(run.steps, column, column.substr(7)));
+  }
+  return plots;
+}
+
+std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
+  StackedBars bars{"wall time per step, by phase", "time [s]", {}, {}, {}};
+  const auto is_phase = [](const std::string& c) { return c.starts_with("seconds_"); };
+  for (const PlottedRun& run : runs)
+    for (const std::string& column : run.steps.columns)
+      if (is_phase(column) && std::find(bars.parts.begin(), bars.parts.end(), column.substr(8)) == bars.parts.end())
+        bars.parts.push_back(column.substr(8));
+  for (const PlottedRun& run : runs) {
+    if (run.steps.rows.empty()) continue;
+    bars.names.push_back(run.name);
+    std::vector<double>& heights = bars.heights.emplace_back();
+    for (const std::string& part : bars.parts) {
+      double sum = 0;
+      if (const auto at = run.steps.column("seconds_" + part))
+        for (const auto& row : run.steps.rows) sum += row[*at];
+      heights.push_back(sum / static_cast<double>(run.steps.rows.size()));
+    }
+  }
+  if (bars.names.empty() || bars.parts.empty()) return std::nullopt;
+  return bars;
+}
+
+}  // namespace tack
