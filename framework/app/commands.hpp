@@ -36,6 +36,15 @@ struct CompareOptions {
 // Speed against error of several solvers on the same problems.
 int compare_command(const CompareOptions& options);
 
+struct ReportOptions {
+  std::vector<std::string> folders;
+  std::string output;              // the file; empty: report.html in the folder
+  int frames = 0;                  // 0: as many as a page should carry
+  std::vector<std::string> cases;  // of a batch
+};
+// One HTML file for a run, several runs, a comparison or a batch.
+int report_command(const ReportOptions& options);
+
 // Validates an experiment without running it: keys, meshes, pairs, the start, and the derivatives of the
 // whole incremental potential at the start.
 int check_command(const SceneOptions& options);

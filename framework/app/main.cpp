@@ -46,6 +46,7 @@ class CommandLine {
     add_run();
     add_profile();
     add_compare();
+    add_report();
     add_check();
     add_list();
     add_mesh();
@@ -95,6 +96,16 @@ class CommandLine {
     });
   }
 
+  void add_report() {
+    CLI::App* report = app_.add_subcommand("report", "Make one HTML file of a run, several runs, a comparison or a batch: charts, tables, 3D view");
+    report->add_option("folder", report_.folders, "results folders: of runs, or of one comparison or batch")->required();
+    report->add_option("-o,--output", report_.output, "the file to write (default: report.html in the folder; of several, here)");
+    report->add_option("--frames", report_.frames, "frames to keep (default: 200, fewer of large meshes)")->check(CLI::PositiveNumber);
+    report->add_option("--case", report_.cases, "of a batch: a case whose run is shown as well (repeatable)")
+        ->take_all()->allow_extra_args(false);
+    report->callback([this] { exit_code_ = report_command(report_); });
+  }
+
   void add_check() {
     CLI::App* check = app_.add_subcommand("check", "Validate an experiment without running it");
     add_scene_options(*check, check_);
@@ -142,6 +153,7 @@ class CommandLine {
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
   RunOptions run_, profile_;
   CompareOptions compare_;
+  ReportOptions report_;
   SceneOptions check_;
   ListOptions list_;
   MeshOptions mesh_;
