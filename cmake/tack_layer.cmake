@@ -34,7 +34,8 @@ target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::t
 # geometry/distance: of those that are not inlined the linker keeps one copy for all, and it may be theirs.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output
-    framework/experiment framework/probes framework/compare framework/batch framework/profile framework/run framework/app
+    framework/experiment framework/probes framework/compare framework/plot framework/batch framework/profile framework/run framework/report
+    framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 # Where CGAL takes so long to compile that one file alone is enough, what is hot all the same, and what changes with every commit.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
@@ -131,6 +132,25 @@ function(tack_build_info)
             -P ${CMAKE_SOURCE_DIR}/cmake/write_build_info.cmake)
   add_dependencies(tack_framework_cold tack_build_info)
   target_include_directories(tack_framework_cold PRIVATE ${CMAKE_BINARY_DIR}/generated)
+endfunction()
+
+# The page of `tack report`, beside the program: made of report/ and of libraries that npm fetches. Not a part of `all`: everything else
+# is built without npm and without a network. Both programs are looked for when it is made: `./tack` may have installed them after cmake ran.
+function(tack_report_page)
+  set(MODULES ${CMAKE_BINARY_DIR}/report)
+  set(PAGE ${CMAKE_BINARY_DIR}/share/report.html)
+  set(SOURCE ${CMAKE_SOURCE_DIR}/report)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${SOURCE}/src/*)
+  add_custom_command(OUTPUT ${MODULES}/fetched VERBATIM DEPENDS ${SOURCE}/package.json ${SOURCE}/package-lock.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${MODULES}
+    COMMAND ${CMAKE_COMMAND} -E copy ${SOURCE}/package.json ${SOURCE}/package-lock.json ${MODULES}
+    COMMAND npm --prefix ${MODULES} ci --ignore-scripts --no-audit --no-fund
+    COMMAND ${CMAKE_COMMAND} -E touch ${MODULES}/fetched
+    COMMENT "Fetching the libraries of the page of reports")
+  add_custom_command(OUTPUT ${PAGE} VERBATIM DEPENDS ${MODULES}/fetched ${SOURCE}/build.mjs ${SOURCES}
+    COMMAND node ${SOURCE}/build.mjs ${MODULES} ${PAGE}
+    COMMENT "Making the page of reports")
+  add_custom_target(tack_report DEPENDS ${PAGE})
 endfunction()
 
 function(tack_app)

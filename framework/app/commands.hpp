@@ -54,6 +54,25 @@ struct BatchOptions {
 // Many experiments and one table of them. Calling it again goes on where it was ended.
 int batch_command(const BatchOptions& options);
 
+struct ReportOptions {
+  std::vector<std::string> folders;
+  std::string output;              // the file; empty: report.html in the folder
+  int frames = 0;                  // 0: as many as a page should carry
+  std::vector<std::string> cases;  // of a batch
+};
+// One HTML file for a run, several runs, a comparison or a batch.
+int report_command(const ReportOptions& options);
+
+struct PlotOptions {
+  std::vector<std::string> folders;  // runs, or one batch, or one comparison
+  std::string output;                // folder of the pictures; empty: plots in the folder; of several, in the working directory
+  std::string x, y;                  // of a batch: a single picture of these columns of its table
+  std::vector<std::string> by;
+  bool log_x = false, log_y = false;
+};
+// Pictures for papers, as SVG and PNG.
+int plot_command(const PlotOptions& options);
+
 // Validates an experiment without running it: keys, meshes, pairs, the start, and the derivatives of the
 // whole incremental potential at the start.
 int check_command(const SceneOptions& options);

@@ -52,6 +52,8 @@ class CommandLine {
     add_profile();
     add_compare();
     add_batch();
+    add_plot();
+    add_report();
     add_check();
     add_list();
     add_mesh();
@@ -121,6 +123,30 @@ class CommandLine {
     });
   }
 
+  void add_plot() {
+    CLI::App* plot = app_.add_subcommand("plot", "Draw pictures (SVG, PNG) of runs, a batch or a comparison");
+    plot->add_option("folder", plot_.folders, "results folders: of runs, or of one batch or comparison")->required();
+    plot->add_option("-o,--output", plot_.output, "folder of the pictures (default: plots in the folder; of several, here)");
+    CLI::Option* x = plot->add_option("--x", plot_.x, "of a batch: the column of results.csv along the axis");
+    CLI::Option* y = plot->add_option("--y", plot_.y, "of a batch: the column that is shown")->needs(x);
+    x->needs(y);
+    plot->add_option("--by", plot_.by, "of a batch: a curve for each value of this column (repeatable; default: all else that varies)")
+        ->take_all()->allow_extra_args(false)->needs(x);
+    plot->add_flag("--log-x", plot_.log_x, "a logarithmic axis")->needs(x);
+    plot->add_flag("--log-y", plot_.log_y, "a logarithmic axis")->needs(x);
+    plot->callback([this] { exit_code_ = plot_command(plot_); });
+  }
+
+  void add_report() {
+    CLI::App* report = app_.add_subcommand("report", "Make one HTML file of a run, several runs, a comparison or a batch: charts, tables, 3D view");
+    report->add_option("folder", report_.folders, "results folders: of runs, or of one comparison or batch")->required();
+    report->add_option("-o,--output", report_.output, "the file to write (default: report.html in the folder; of several, here)");
+    report->add_option("--frames", report_.frames, "frames to keep (default: 200, fewer of large meshes)")->check(CLI::PositiveNumber);
+    report->add_option("--case", report_.cases, "of a batch: a case whose run is shown as well (repeatable)")
+        ->take_all()->allow_extra_args(false);
+    report->callback([this] { exit_code_ = report_command(report_); });
+  }
+
   void add_check() {
     CLI::App* check = app_.add_subcommand("check", "Validate an experiment without running it");
     add_scene_options(*check, check_);
@@ -170,6 +196,8 @@ class CommandLine {
   RunOptions run_, profile_;
   CompareOptions compare_;
   BatchOptions batch_;
+  PlotOptions plot_;
+  ReportOptions report_;
   SceneOptions check_;
   ListOptions list_;
   MeshOptions mesh_;

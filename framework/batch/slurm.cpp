@@ -26,7 +26,7 @@ std::string ranges(const std::vector<size_t>& numbers) {
 }
 
 // For a shell.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
@@ -75,7 +75,7 @@ std::string job_script(const std::string& program, const BatchFolder& folder, co
   option("--output=" + (folder.root / "output" / "slurm_%A_%a.txt").string());
   if (minutes > 2) option("--signal=B:TERM@60");
   for (const std::string& o : s.options) option(o);
-  script += fmt::format("exec {} batch --task \"$SLURM_ARRAY_TASK_ID\" -o {}\n", quoted(program), quoted(folder.root));
+  script += fmt::format("exec {} batch --task \"$SLURM_ARRAY_TASK_ID\" -o {}\n", in_quotes(program), in_quotes(folder.root));
   return script;
 }
 

@@ -19,8 +19,7 @@ std::vector<Profile> performance_profiles(const std::vector<CompareRow>& rows) {
   }
   std::vector<Profile> profiles;
   for (const CompareRow& r : rows) {
-    const auto best = fastest.find(task_of(r));
-    if (best == fastest.end()) continue;
+    const auto best = fastest.find(task_of(r));  // none if nobody solved it
     auto profile = std::find_if(profiles.begin(), profiles.end(), [&](const Profile& p) { return p.solver == r.solver; });
     if (profile == profiles.end()) profile = profiles.insert(profile, {r.solver, {}});
     profile->ratios.push_back(r.solved() ? r.wall_seconds / best->second : infinity);

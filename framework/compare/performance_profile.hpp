@@ -12,7 +12,7 @@ struct Profile {
   std::vector<double> ratios;  // to the fastest, ascending; infinity where it failed
 };
 
-// In the order in which the solvers first occur. Tasks that nobody solves are left out.
+// In the order in which the solvers first occur. Tasks that nobody solves count as failed by all.
 std::vector<Profile> performance_profiles(const std::vector<CompareRow>& rows);
 
 }  // namespace tack

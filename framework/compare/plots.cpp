@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "framework/compare/performance_profile.hpp"
+#include "framework/plot/gnuplot.hpp"
 
 namespace tack {
 namespace {
@@ -17,7 +19,18 @@ constexpr double smallest_error = 1e-17;
 Curve& curve_of(Plot& plot, const std::string& title) {
   for (Curve& c : plot.curves)
     if (c.title == title) return c;
-  return plot.curves.emplace_back(Curve{title, {}});
+  return plot.curves.emplace_back(Curve{title, {}, {}});
+}
+
+// Names behind a text, in as many lines as they take.
+void add_notes(Plot& plot, std::string line, const std::vector<std::string>& names) {
+  constexpr size_t longest = 90;
+  for (size_t i = 0; i < names.size(); ++i) {
+    const std::string more = " " + names[i] + (i + 1 < names.size() ? "," : "");
+    if (line.size() + more.size() > longest) plot.notes.push_back(std::exchange(line, "   "));
+    line += more;
+  }
+  if (!names.empty()) plot.notes.push_back(line);
 }
 
 std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
@@ -29,14 +42,17 @@ std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
 }  // namespace
 
 Plot work_precision(const std::vector<CompareRow>& rows) {
-  Plot plot{"time against error", "error / size of what moves (RMS over vertices, mean over problems)", "wall time [s]",
-            true, true, false, {}};
+  Plot plot;
+  plot.title = "time against error";
+  plot.x_label = "error / size of what moves (RMS over vertices, mean over problems)";
+  plot.y_label = "wall time [s]";
+  plot.log_x = plot.log_y = true;
   const size_t problems = problems_of(rows).size();
   std::set<double> steps;
   for (const CompareRow& r : rows) steps.insert(r.time_step);
   const bool by_step = problems == 1 && steps.size() > 1;
   struct Sum {
-    double seconds = 0, log_error = 0;
+    double seconds = 0, spread = 0, log_error = 0;  // spread: of the sum of times, if they vary together
     size_t count = 0;
   };
   std::vector<std::pair<std::string, std::vector<std::pair<double, Sum>>>> sums;  // title, tolerance
@@ -51,21 +67,33 @@ Plot work_precision(const std::vector<CompareRow>& rows) {
     const double relative = r.error_max > 0 ? r.error_rms * r.relative_error / r.error_max : 0.0;
     if (!r.solved() || !std::isfinite(r.error_rms)) incomplete.insert({title, r.tolerance});
     sum->second.seconds += r.wall_seconds;
+    sum->second.spread += r.wall_spread;
     sum->second.log_error += std::log(std::max(relative, smallest_error));
     ++sum->second.count;
   }
+  std::vector<std::string> unsolved;
   for (const auto& [title, list] : sums) {
     Curve& curve = curve_of(plot, title);
-    for (const auto& [tolerance, sum] : list)
-      if (!incomplete.count({title, tolerance}))
-        curve.points.emplace_back(std::exp(sum.log_error / static_cast<double>(sum.count)), sum.seconds);
+    for (const auto& [tolerance, sum] : list) {
+      if (incomplete.count({title, tolerance})) continue;
+      curve.points.emplace_back(std::exp(sum.log_error / static_cast<double>(sum.count)), sum.seconds);
+      curve.spread.emplace_back(std::max(sum.seconds - sum.spread / 2, sum.seconds / 10), sum.seconds + sum.spread / 2);
+    }
+    if (curve.points.empty()) unsolved.push_back(title);
   }
+  add_notes(plot, fmt::format("no tolerance at which {} solved:", problems > 1 ? "all problems were" : "it was"), unsolved);
   return plot;
 }
 
 Plot profile_plot(const std::vector<CompareRow>& rows) {
-  Plot plot{"performance profile", "time / time of the fastest", "part of the tasks done", true, false, true, {}};
+  Plot plot;
+  plot.title = "performance profile";
+  plot.x_label = "time / time of the fastest";
+  plot.y_label = "part of the tasks done";
+  plot.log_x = true;
+  plot.style = Plot::Style::steps;
   const std::vector<Profile> profiles = performance_profiles(rows);
+  std::vector<std::string> unsolved;
   double furthest = 1;
   for (const Profile& p : profiles)
     for (const double r : p.ratios)
@@ -78,17 +106,32 @@ Plot profile_plot(const std::vector<CompareRow>& rows) {
     for (const double r : p.ratios)
       if (std::isfinite(r)) curve.points.emplace_back(r, ++done / all);
     curve.points.emplace_back(1.1 * furthest, done / all);
+    if (done == 0) unsolved.push_back(p.solver);
   }
+  add_notes(plot, "solved nothing:", unsolved);
   return plot;
 }
 
 Plot convergence_plot(const Comparison& comparison) {
-  Plot plot{"convergence: the step of " + comparison.history_of + " with most iterations", "iteration",
-            "residual [m/s]", false, true, false, {}};
+  Plot plot;
+  plot.title = "convergence: the step of " + comparison.history_of + " with most iterations";
+  plot.x_label = "iteration";
+  plot.y_label = "residual [m/s]";
+  plot.log_y = true;
+  plot.style = Plot::Style::lines;
+  size_t longest = 1, shortest = std::numeric_limits<size_t>::max();
+  double tolerance = 0;
   for (const IterationHistory& h : comparison.histories) {
     Curve& curve = curve_of(plot, h.solver);
-    for (const Iteration& i : h.iterations) curve.points.emplace_back(i.number, i.residual * h.tolerance);
+    // Where a method did not ask, the residual is the last one that it knows: no point of its own.
+    for (const Iteration& i : h.iterations)
+      if (&i == &h.iterations.back() || curve.points.empty() || curve.points.back().second != i.residual * h.tolerance)
+        curve.points.emplace_back(i.number, i.residual * h.tolerance);
+    if (!h.iterations.empty()) longest = std::max(longest, h.iterations.size()), shortest = std::min(shortest, h.iterations.size());
+    tolerance = h.tolerance;
   }
+  plot.log_x = longest > 5 * shortest;
+  if (tolerance > 0) plot.levels.push_back({tolerance, fmt::format("tolerance {:g} m/s", tolerance)});
   return plot;
 }
 

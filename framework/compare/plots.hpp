@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "framework/compare/comparison.hpp"
-#include "framework/compare/gnuplot.hpp"
+#include "framework/plot/plot.hpp"
 
 namespace tack {
 

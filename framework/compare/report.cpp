@@ -49,11 +49,23 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
   return best;
 }
 
+// Whose times at this level cannot be told from the fastest one's: the ranges of their repetitions overlap.
+std::string as_fast(const Comparison& c, const CompareRow& best, double level) {
+  std::string names;
+  for (const CompareRow& r : c.rows) {
+    if (&r == &best || r.solver == best.solver || r.problem != best.problem || !r.solved() || r.error_rms > level) continue;
+    if (r.wall_seconds - r.wall_spread / 2 > best.wall_seconds + best.wall_spread / 2) continue;
+    if (names.find(cell(r.solver)) == names.npos) names += (names.empty() ? "" : ", ") + cell(r.solver);
+  }
+  return names;
+}
+
 std::string pareto(const Comparison& c) {
   std::string out = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; "
                     "of a single step, against the minimum that the solver came to, refined. A level that a looser one's winner "
                     "meets as well is left out.\n\n| problem | error at most [m] | solver | tolerance [m/s] | h [s] "
-                    "| time [s] | spread [s] | iterations | error [m] |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+                    "| time [s] | spread [s] | iterations | error [m] | as fast, within the spread |\n"
+                    "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
   std::string last_problem;
   for (const ReferenceRow& of : c.references) {
     if (of.problem == last_problem) continue;
@@ -66,9 +78,9 @@ std::string pareto(const Comparison& c) {
       if (!best) break;
       if (best == shown || best == next) continue;
       shown = best;
-      out += fmt::format("| {} | 1e{} | {} | {:.0e} | {:g} | {:.4g} | {:.2g} | {} | {:.1e} |\n", cell(of.problem), decade,
+      out += fmt::format("| {} | 1e{} | {} | {:.0e} | {:g} | {:.4g} | {:.2g} | {} | {:.1e} | {} |\n", cell(of.problem), decade,
                          cell(best->solver), best->tolerance, best->time_step, best->wall_seconds, best->wall_spread,
-                         best->iterations, best->error_rms);
+                         best->iterations, best->error_rms, as_fast(c, *best, level));
     }
   }
   return out;

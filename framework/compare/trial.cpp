@@ -125,7 +125,7 @@ const TrialResult& Trial::run(const VecX* guess) {
       if (number == 1) present_.clear();
       present_.push_back({number, residual, value, seconds});
       if (present_.size() > longest_.size()) longest_ = present_;
-    }, {}, {}});
+    }, {}, {}, true});
   simulation_.start_from(case_.problem ? case_.problem->state : simulation_.world().start);
   if (case_.single()) solve_step(guess);
   else solve_run();

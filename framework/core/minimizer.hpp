@@ -50,6 +50,9 @@ struct MinimizerProblem {
   // If given, p <- a step from q that agrees with it to first order and turns stiff bodies without straining them, where
   // straining one would cost more than `loss`, in units of the objective. False, and p as it was, if there is none.
   std::function<bool(const VecX& q, VecX& p, double loss)> bend = {};
+  // Whether the observer is to be told the stopping norm also where it costs a linear solve that the method itself does without: at the first
+  // twenty iterations, and then at every tenth part more of them. Not for what is timed.
+  bool true_residuals = false;
 };
 
 struct MinimizerResult {

@@ -51,20 +51,37 @@ std::vector<std::string> split(std::string_view line) {
   return cells;
 }
 
-std::vector<double> numbers(const std::vector<std::string>& cells, std::size_t count,
-                            const std::string& where) {
-  if (cells.size() != count) {
-    throw InputError(
-        fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
-                    "this line",
-                    where, cells.size(), count));
+// Calls act(cells, where) for the header and each row.
+template <class Act>
+void for_each_line(const fs::path& path, const Act& act) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || fs::is_directory(path)) {
+    throw InputError(fmt::format("{}: cannot read this file", path.string()));
   }
-  std::vector<double> row(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const char* end = cells[i].data() + cells[i].size();
-    if (!cells[i].empty() && std::from_chars(cells[i].data(), end, row[i]).ptr == end) continue;
-    throw InputError(
-        fmt::format("{}: '{}' is no number; mend or remove this line", where, cells[i]));
+  std::string line;
+  std::size_t columns = 0;
+  for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::string where = fmt::format("{}:{}", path.string(), number);
+    std::vector<std::string> cells = split(line);
+    if (number == 1) columns = cells.size();
+    if (cells.size() != columns) {
+      throw InputError(
+          fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
+                      "this line",
+                      where, cells.size(), columns));
+    }
+    act(std::move(cells), where);
+  }
+  if (columns == 0) throw InputError(fmt::format("{}: has no header line", path.string()));
+}
+
+std::vector<double> numbers(const std::vector<std::string>& cells, const std::string& where) {
+  std::vector<double> row;
+  for (const std::string& cell : cells) {
+    const auto number = csv_number(cell);
+    if (!number) throw InputError(fmt::format("{}: '{}' is no number; mend or remove this line", where, cell));
+    row.push_back(*number);
   }
   return row;
 }
@@ -84,24 +101,29 @@ std::optional<std::size_t> CsvTable::column(std::string_view name) const {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
+std::optional<double> csv_number(std::string_view text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  if (text.empty() || std::from_chars(text.data(), end, number).ptr != end) return std::nullopt;
+  return number;
+}
+
 CsvTable read_csv(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path)) {
-    throw InputError(fmt::format("{}: cannot read this file", path.string()));
-  }
   CsvTable table;
-  std::string line;
-  for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    const std::string where = fmt::format("{}:{}", path.string(), number);
-    if (number == 1) {
-      table.columns = split(line);
-    } else {
-      table.rows.push_back(numbers(split(line), table.columns.size(), where));
-    }
-  }
-  if (!table.columns.empty()) return table;
-  throw InputError(fmt::format("{}: has no header line", path.string()));
+  for_each_line(path, [&](std::vector<std::string> cells, const std::string& where) {
+    if (table.columns.empty()) table.columns = std::move(cells);
+    else table.rows.push_back(numbers(cells, where));
+  });
+  return table;
+}
+
+CsvTexts read_csv_texts(const fs::path& path) {
+  CsvTexts table;
+  for_each_line(path, [&](std::vector<std::string> cells, const std::string&) {
+    if (table.columns.empty()) table.columns = std::move(cells);
+    else table.rows.push_back(std::move(cells));
+  });
+  return table;
 }
 
 CsvTable rows_until(CsvTable table, double last_time, const std::string& name) {

@@ -20,12 +20,22 @@ struct CsvTable {
   std::optional<std::size_t> column(std::string_view name) const;
 };
 
+// The same with cells as they are written, without their quotes.
+struct CsvTexts {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
 // Text as a cell: quoted where it has to be.
 std::string csv_cell(const std::string& text);
 
 // Ignores a last line without its line end: what an interrupted run leaves. Throws InputError
 // naming file and line for anything that is no such table.
 CsvTable read_csv(const std::filesystem::path& path);
+CsvTexts read_csv_texts(const std::filesystem::path& path);
+
+// The number that is all of a text, in the form of the files; nothing for anything else.
+std::optional<double> csv_number(std::string_view text);
 
 // The rows whose column "time" is not above `last_time` [s]. Throws InputError without that
 // column; `name` is what messages call the table.

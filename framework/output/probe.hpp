@@ -22,7 +22,7 @@ class Probe : public Component {
   // Checks the probe against the world and finds its vertices; throws InputError.
   virtual void prepare(const World& world) = 0;
   virtual std::vector<std::string> columns() const { return {name_}; }
-  // Of every column: what numbers that are compared with it may be written in. Asked after prepare().
+  // Of every column: what numbers that are compared with it may be written in. It follows from the keys alone.
   virtual Unit unit() const = 0;
   // One value per column, at an accepted state.
   virtual std::vector<double> sample(const World& world, const State& state) = 0;

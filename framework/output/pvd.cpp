@@ -87,7 +87,7 @@ PvdFile PvdFile::continued(std::filesystem::path path, double last_time) {
 void PvdFile::add(double time, const std::filesystem::path& frame) {
   entries_.push_back({time, frame.generic_string()});
   std::string text(head);
-  for (const Entry& e : entries_) {
+  for (const Frame& e : entries_) {
     text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", e.time,
                         escaped(e.file));
   }

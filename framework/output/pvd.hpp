@@ -11,6 +11,11 @@ namespace tack {
 // when it cannot be written.
 class PvdFile {
  public:
+  struct Frame {
+    double time;       // s
+    std::string file;  // relative to the folder of the list
+  };
+
   // Starts an empty list; nothing is written before the first frame.
   explicit PvdFile(std::filesystem::path path) : path_(std::move(path)) {}
 
@@ -22,15 +27,11 @@ class PvdFile {
   void add(double time, const std::filesystem::path& frame);
 
   int frames() const { return static_cast<int>(entries_.size()); }
+  const std::vector<Frame>& list() const { return entries_; }
 
  private:
-  struct Entry {
-    double time;  // s
-    std::string file;
-  };
-
   std::filesystem::path path_;
-  std::vector<Entry> entries_;
+  std::vector<Frame> entries_;
 };
 
 }  // namespace tack

@@ -29,7 +29,7 @@ constexpr size_t longest_label = 34;     // characters
 
 // In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
 // as well: what follows would be run. Control characters have no place in a picture anyway.
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
     const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
@@ -120,7 +120,7 @@ std::string script_of(const Plot& plot, const std::string& name) {
   for (size_t i = 0; i < s.curves.size(); ++i) out += data_block(plot, s.curves[i], i);
   out += fmt::format("set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
                      "set border 3 lc rgb '#606060'\nset tics nomirror out\nset grid lc rgb '#e0e0e0' lw 1\n",
-                     quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label));
+                     in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label));
   out += axis("x", s.x) + axis("y", s.y);
   const auto labels = label_heights(s, plot);
   size_t longest = 0;
@@ -128,18 +128,18 @@ std::string script_of(const Plot& plot, const std::string& name) {
   if (labels && s.curves.size() > 1) {
     out += fmt::format("unset key\nset rmargin {}\n", longest + 3);
     for (size_t i = 0; i < s.curves.size(); ++i)
-      out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", quoted(shortened(s.curves[i].title)),
+      out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", in_quotes(shortened(s.curves[i].title)),
                          (*labels)[i], colours[i % colours.size()]);
   } else {
     out += s.curves.size() > 1 ? "set key outside right noenhanced samplen 3\n" : "unset key\n";
   }
   for (const LevelLine& l : plot.levels)
     out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
-                       "set label {1} at graph 0.01, first {0} offset 0,0.5 noenhanced tc rgb '#606060'\n", l.y, quoted(l.title));
+                       "set label {1} at graph 0.01, first {0} offset 0,0.5 noenhanced tc rgb '#606060'\n", l.y, in_quotes(l.title));
   if (!plot.notes.empty()) {
     out += fmt::format("set bmargin {}\n", 4 + plot.notes.size());
     for (size_t i = 0; i < plot.notes.size(); ++i)
-      out += fmt::format("set label {} at screen 0.02, screen {:.3f} left noenhanced tc rgb '#606060'\n", quoted(plot.notes[i]),
+      out += fmt::format("set label {} at screen 0.02, screen {:.3f} left noenhanced tc rgb '#606060'\n", in_quotes(plot.notes[i]),
                          0.02 + 0.035 * static_cast<double>(plot.notes.size() - 1 - i));
   }
   std::vector<std::string> commands;
@@ -148,16 +148,18 @@ std::string script_of(const Plot& plot, const std::string& name) {
     const std::string mark = plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
     if (!s.curves[i].spread.empty())
       commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 ps 0", i, colours[i % colours.size()]));
-    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, quoted(s.curves[i].title)));
+    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, in_quotes(s.curves[i].title)));
   }
   return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), !labels || longest > 16);
 }
 
 std::string script_of(const StackedBars& bars, const std::string& name) {
   std::string out = "$bars << END\n";
+  size_t longest = 0;
   for (size_t i = 0; i < bars.names.size(); ++i) {
-    std::string label = quoted(bars.names[i]);
+    std::string label = in_quotes(bars.names[i]);
     std::replace(label.begin(), label.end(), '"', ' ');
+    longest = std::max(longest, label.size());
     out += fmt::format("\"{}\"", label.substr(1, label.size() - 2));
     for (const double h : bars.heights[i]) out += fmt::format(" {}", std::isfinite(h) ? h : 0);
     out += "\n";
@@ -165,12 +167,13 @@ std::string script_of(const StackedBars& bars, const std::string& name) {
   out += fmt::format("END\nset title {} noenhanced\nset ylabel {} noenhanced\nset style data histograms\nset style histogram rowstacked\n"
                      "set style fill solid 1 border lc rgb 'white'\nset boxwidth 0.75\nset border 3 lc rgb '#606060'\n"
                      "set tics nomirror out\nset xtics rotate by 35 right noenhanced\nset grid y lc rgb '#e0e0e0' lw 1\n"
-                     "set key outside right invert noenhanced\nset yrange [0:*]\n", quoted(bars.title), quoted(bars.y_label));
+                     "set key outside right invert noenhanced\nset yrange [0:*]\nset lmargin {}\n",
+                     in_quotes(bars.title), in_quotes(bars.y_label), std::max<size_t>(11, longest * 7 / 10));
   std::vector<std::string> commands;
   for (size_t k = 0; k < bars.parts.size(); ++k) {
     const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);
     commands.push_back(fmt::format("{} using {}{} title {} {} lc rgb '{}'", "$bars", k + 2, k ? "" : ":xtic(1)",
-                                   quoted(bars.parts[k]), fill, colours[k % colours.size()]));
+                                   in_quotes(bars.parts[k]), fill, colours[k % colours.size()]));
   }
   return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), true);
 }

@@ -1,11 +1,18 @@
 #include "framework/plot/plot.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
 namespace tack {
+
+std::string picture_name(std::string text) {
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
+  return text;
+}
 
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves) {
   std::vector<Curve> merged;
@@ -41,6 +48,12 @@ std::optional<AxisRange> range_of(const std::vector<double>& numbers, bool log) 
 std::vector<double> log_ticks(const AxisRange& range) {
   std::vector<double> ticks;
   const double decades = std::log10(range.high / range.low);
+  if (decades < 0.7) {  // as on a linear axis
+    const double rough = (range.high - range.low) / 4, power = std::pow(10.0, std::floor(std::log10(rough)));
+    const double step = power * (rough / power < 1.5 ? 1 : rough / power < 3.5 ? 2 : rough / power < 7.5 ? 5 : 10);
+    for (double i = std::ceil(range.low / step); i * step <= range.high; ++i) ticks.push_back(i * step);
+    return ticks;
+  }
   const int every = std::max(1, static_cast<int>(decades / 8));
   for (int e = static_cast<int>(std::floor(std::log10(range.low))); e <= std::ceil(std::log10(range.high)); ++e) {
     if (decades > 2 && e % every != 0) continue;

@@ -38,6 +38,9 @@ struct StackedBars {
   std::vector<std::vector<double>> heights;            // heights[bar][part]
 };
 
+// A text as part of a file's name.
+std::string picture_name(std::string text);
+
 // Curves whose points are the same are one, with both titles: else the one would hide the other.
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves);
 
@@ -52,7 +55,7 @@ struct AxisRange {
 // left out; nothing if there are none.
 std::optional<AxisRange> range_of(const std::vector<double>& numbers, bool log);
 
-// Ticks with 1, 2 and 5 where a logarithmic axis has fewer than two decades, else the decades.
+// Of a logarithmic axis: the decades; with fewer than two of them 1, 2 and 5 of each; with much less than one as on a linear axis.
 std::vector<double> log_ticks(const AxisRange& range);
 
 // Heights from 0 to 1 for labels that want to stand at `wanted`, no nearer to each other than `apart`; nothing if there is no room.

@@ -21,12 +21,6 @@ std::optional<Curve> over_time(const CsvTable& table, const std::string& column,
   return curve;
 }
 
-std::string file_name(std::string text) {
-  for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
-  return text;
-}
-
 struct StepColumn {
   const char* name;  // of the picture
   const char* column;
@@ -65,7 +59,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
   };
   for (const PlottedRun& run : runs) {
     for (const std::string& column : run.probes.columns)
-      if (column != "time") add("probe_" + file_name(column), column.c_str(), column, false, over_time(run.probes, column, run.name));
+      if (column != "time") add("probe_" + picture_name(column), column.c_str(), column, false, over_time(run.probes, column, run.name));
     for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.log, over_time(run.steps, s.column, run.name));
     if (runs.size() > 1) continue;
     for (const std::string& column : run.steps.columns)
@@ -77,9 +71,13 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
 std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
   StackedBars bars{"wall time per step, by phase", "time [s]", {}, {}, {}};
   const auto is_phase = [](const std::string& c) { return c.starts_with("seconds_"); };
+  const auto takes_time = [](const CsvTable& steps, const std::string& column) {
+    const size_t at = *steps.column(column);
+    return std::any_of(steps.rows.begin(), steps.rows.end(), [&](const auto& row) { return row[at] > 0; });
+  };
   for (const PlottedRun& run : runs)
     for (const std::string& column : run.steps.columns)
-      if (is_phase(column) && std::find(bars.parts.begin(), bars.parts.end(), column.substr(8)) == bars.parts.end())
+      if (is_phase(column) && takes_time(run.steps, column) && std::find(bars.parts.begin(), bars.parts.end(), column.substr(8)) == bars.parts.end())
         bars.parts.push_back(column.substr(8));
   for (const PlottedRun& run : runs) {
     if (run.steps.rows.empty()) continue;

@@ -3,35 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <set>
 
 #include "framework/config/nearest.hpp"
-#include "framework/output/csv.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
-double number_of(const std::string& text) {
-  double number = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return status == std::errc() && end == text.data() + text.size() && !text.empty() ? number : std::nan("");
-}
+double number_of(const std::string& text) { return csv_number(text).value_or(std::nan("")); }
 
-std::string file_name(std::string text) {
-  for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '.') c = '_';
-  return text;
+// Throws InputError with the nearest name.
+size_t column_of(const CsvTexts& table, const std::string& name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  if (found == table.columns.end())
+    throw InputError(fmt::format("the table has no column '{}'{}", name, suggestion(name, table.columns, "columns")));
+  return static_cast<size_t>(found - table.columns.begin());
 }
 
 // The last part of a key: "young" of "objects.cube.energies.0.young".
 std::string short_name(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-std::set<double> numbers_in(const TextTable& table, const std::string& column) {
+std::set<double> numbers_in(const CsvTexts& table, const std::string& column) {
   std::set<double> numbers;
-  const size_t at = table.column(column);
+  const size_t at = column_of(table, column);
   for (const auto& row : table.rows)
     if (const double v = number_of(row[at]); std::isfinite(v)) numbers.insert(v);
   return numbers;
@@ -42,31 +38,16 @@ bool wide(const std::set<double>& numbers) { return !numbers.empty() && *numbers
 
 }  // namespace
 
-std::size_t TextTable::column(const std::string& name) const {
-  const auto found = std::find(columns.begin(), columns.end(), name);
-  if (found == columns.end())
-    throw InputError(fmt::format("the table has no column '{}'{}", name, suggestion(name, columns, "columns")));
-  return static_cast<std::size_t>(found - columns.begin());
-}
-
-TextTable read_text_table(const std::filesystem::path& path) {
-  const auto rows = read_csv_cells(path);
-  if (rows.empty()) throw InputError(fmt::format("{}: is empty", path.string()));
-  TextTable table{rows.front(), {rows.begin() + 1, rows.end()}};
-  for (auto& row : table.rows) row.resize(table.columns.size());
-  return table;
-}
-
-Plot table_plot(const TextTable& table, const TablePlot& what) {
+Plot table_plot(const CsvTexts& table, const TablePlot& what) {
   Plot plot;
   plot.title = what.y + " by " + short_name(what.x);
   plot.x_label = what.x;
   plot.y_label = what.y;
   plot.log_x = what.log_x;
   plot.log_y = what.log_y;
-  const size_t x = table.column(what.x), y = table.column(what.y);
+  const size_t x = column_of(table, what.x), y = column_of(table, what.y);
   std::vector<size_t> by;
-  for (const std::string& name : what.by) by.push_back(table.column(name));
+  for (const std::string& name : what.by) by.push_back(column_of(table, name));
   std::vector<std::pair<std::string, std::map<double, std::vector<double>>>> groups;
   std::vector<std::string> left_out;
   for (const auto& row : table.rows) {
@@ -101,7 +82,7 @@ Plot table_plot(const TextTable& table, const TablePlot& what) {
   return plot;
 }
 
-std::map<std::string, TablePlot> default_table_plots(const TextTable& table, const std::vector<std::string>& keys,
+std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table, const std::vector<std::string>& keys,
                                                      const std::vector<std::string>& statistics) {
   std::map<std::string, TablePlot> plots;
   for (const std::string& x : keys) {
@@ -111,7 +92,7 @@ std::map<std::string, TablePlot> default_table_plots(const TextTable& table, con
       TablePlot plot{x, y, {}, wide(numbers_in(table, x)), wide(numbers_in(table, y))};
       for (const std::string& other : keys)
         if (other != x && other != "repeat") plot.by.push_back(other);
-      plots[file_name(y) + "_by_" + file_name(short_name(x))] = plot;
+      plots[picture_name(y) + "_by_" + picture_name(short_name(x))] = plot;
     }
   }
   return plots;

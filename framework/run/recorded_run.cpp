@@ -7,6 +7,7 @@
 #include "framework/config/describe.hpp"
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
+#include "framework/output/laws_csv.hpp"
 #include "framework/output/next_due.hpp"
 #include "framework/scene/resolution.hpp"
 #include "geometry/errors.hpp"
@@ -44,7 +45,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
       probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
   if (checkpoint_) set_totals(summary_, checkpoint_->totals);
-  else write_resolved(folder_, experiment_);
+  else write_resolved(folder_, experiment_), write_laws(folder_.laws(), world_);
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
   summary_.provenance = provenance;

@@ -75,6 +75,7 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
                            [&](const VecX& from, const VecX& p) { return steps_.largest_tried(step.potential, from, p); },
                            {}, clock_};
   problem.observer = observers_.minimizer;
+  problem.true_residuals = observers_.true_residuals;
   convergence_.judge(problem);
   if (world_.affine)
     problem.bend = [&](const VecX& from, VecX& p, double loss) {

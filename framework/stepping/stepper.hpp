@@ -62,6 +62,7 @@ struct StepObservers {
   MinimizerProblem::Observer minimizer, walk;  // every iteration; `walk`: of those that walk scripted vertices
   // Every step from x to x + p (3n) that a minimiser wants to take, and the part of it that is feasible.
   std::function<void(const VecX& x, const VecX& p, double feasible)> steps;
+  bool true_residuals = false;  // MinimizerProblem::true_residuals
 };
 
 class Stepper : public Component {

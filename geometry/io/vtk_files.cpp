@@ -1,11 +1,16 @@
 // .stl, .vtk (legacy) and .vtu through VTK.
 #include <fmt/format.h>
+#include <vtkCellData.h>
 #include <vtkCellTypes.h>
+#include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkDataSetReader.h>
 #include <vtkIdList.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPointSet.h>
 #include <vtkSTLReader.h>
 #include <vtkStringOutputWindow.h>
@@ -15,6 +20,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
+#include "geometry/io/frame_file.hpp"
 #include "geometry/io/polygon.hpp"
 #include "geometry/io/precheck.hpp"
 #include "geometry/mesh/cleanup.hpp"
@@ -133,7 +139,54 @@ Mesh to_mesh(vtkDataSet& data, const std::string& name) {
   return mesh;
 }
 
+std::string unit_of(vtkDataArray& array) {
+  vtkInformation* about = array.HasInformation() ? array.GetInformation() : nullptr;
+  return about && about->Has(vtkDataArray::UNITS_LABEL()) ? about->Get(vtkDataArray::UNITS_LABEL()) : "";
+}
+
+std::vector<FrameArray> arrays_of(vtkFieldData& data) {
+  std::vector<FrameArray> arrays;
+  for (int i = 0; i < data.GetNumberOfArrays(); ++i) {
+    vtkDataArray* array = data.GetArray(i);  // null: of texts
+    if (!array || !array->GetName()) continue;
+    const int components = array->GetNumberOfComponents();
+    FrameArray& out = arrays.emplace_back(FrameArray{array->GetName(), unit_of(*array), components, {}});
+    out.values.resize(array->GetNumberOfValues());
+    for (vtkIdType t = 0; t < array->GetNumberOfTuples(); ++t)
+      for (int c = 0; c < components; ++c) out.values(components * t + c) = array->GetComponent(t, c);
+  }
+  return arrays;
+}
+
+// Tets, triangles, edges and points in this order, so that a cell's number follows from that of its element.
+void check_order(vtkDataSet& data, const FrameFile& frame, const std::string& name) {
+  const Mesh& mesh = frame.mesh;
+  const std::array<std::pair<int, std::size_t>, 4> expected = {{{VTK_TETRA, mesh.tets.size()}, {VTK_TRIANGLE, mesh.triangles.size()},
+                                                                {VTK_LINE, mesh.edges.size()}, {VTK_VERTEX, mesh.points.size()}}};
+  bool same = data.GetNumberOfCells() == frame.cells();
+  vtkIdType cell = 0;
+  for (const auto& [type, count] : expected)
+    for (std::size_t i = 0; same && i < count; ++i) same = data.GetCellType(cell++) == type;
+  if (!same) throw InputError(fmt::format("{}: is no frame of a run: its cells are not tets, triangles, edges and points in this order", name));
+}
+
 }  // namespace
+
+int FrameFile::cells() const {
+  return static_cast<int>(mesh.tets.size() + mesh.triangles.size() + mesh.edges.size() + mesh.points.size());
+}
+
+FrameFile read_frame(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  const auto data = read_data_set(reader.Get(), name);
+  FrameFile frame;
+  frame.mesh = to_mesh(*data, name);
+  check_order(*data, frame, name);
+  frame.of_vertices = arrays_of(*data->GetPointData());
+  frame.of_cells = arrays_of(*data->GetCellData());
+  return frame;
+}
 
 Mesh read_stl(const std::filesystem::path& path) {
   precheck_stl(path.string());

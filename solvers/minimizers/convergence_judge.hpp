@@ -26,6 +26,7 @@ class ConvergenceJudge {
   DirectionCheck check_;
   double next_gradient_ = 0;  // |gradient| below which it is worth another look
   bool begun_ = false;
+  int asked_ = 0, next_asked_ = 0;  // calls of a minimisation, and the one that is to be answered for an observer
 };
 
 }  // namespace tack

@@ -43,7 +43,7 @@ TEST_CASE("a run whose expectations hold ends with 0 and leaves what is document
   CHECK(contains(result.out, "pass  height: min"));
   CHECK(contains(result.out, "done: 5 steps"));
   CHECK(result.err == "");
-  for (const char* name : {"scene.yaml", "run.pvd", "steps.csv", "probes.csv", "summary.json", "log.txt",
+  for (const char* name : {"scene.yaml", "run.pvd", "steps.csv", "probes.csv", "summary.json", "laws.csv", "log.txt",
                            "frames/frame_000005.vtu"})
     CHECK(fs::is_regular_file(place.path("results/tiny") / name));
   const auto summary = place.summary();
@@ -58,6 +58,27 @@ TEST_CASE("a run whose expectations hold ends with 0 and leaves what is document
   CHECK(contains(summary["provenance"]["command"], "tack run scene.yaml"));
   CHECK(fs::equivalent(summary["provenance"]["directory"].get<std::string>(), place.folder.path()));
   CHECK(summary["provenance"]["version"] == summary["version"]);
+}
+
+TEST_CASE("laws.csv has the sum of barrier and adhesion as it acts") {
+  const Place place;
+  REQUIRE(place.run({"--steps", "1"}).exit_code == 0);
+  const CsvTexts laws = read_csv_texts(place.path("results/tiny/laws.csv"));
+  CHECK(laws.columns == std::vector<std::string>{"pair", "gap", "traction", "barrier", "adhesion"});
+  REQUIRE(laws.rows.size() > 100);
+  double peak = 0, at_peak = 0;
+  for (const auto& row : laws.rows) {
+    CHECK(row[0] == "'floor' - 'block'");
+    const double gap = *csv_number(row[1]), traction = *csv_number(row[2]), barrier = *csv_number(row[3]), adhesion = *csv_number(row[4]);
+    CHECK(traction == Approx(barrier + adhesion).margin(1e-9));
+    CHECK(barrier <= 0);
+    CHECK((gap > 1e-3 ? barrier == 0 : barrier < 0));
+    if (adhesion > peak) peak = adhesion, at_peak = gap;
+  }
+  // 1 MPa x 0.001, at the contact distance; nothing beyond twice that.
+  CHECK(peak == Approx(1000).epsilon(0.01));
+  CHECK(at_peak == Approx(1e-3).epsilon(0.01));
+  CHECK(*csv_number(laws.rows.back()[2]) == 0);
 }
 
 TEST_CASE("steps.csv has the documented columns and no step touches") {

@@ -78,3 +78,17 @@ TEST_CASE("a csv file names what is wrong") {
   CsvFile file(folder.path() / "t.csv", {{"a", "b"}, {}});
   CHECK_THROWS_AS(file.add(std::vector<double>{1}), std::logic_error);
 }
+
+TEST_CASE("a csv file of texts is read without its quotes") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.csv";
+  std::ofstream(path) << "case,\"a, b\"\n\"x \"\"y\"\"\",\n1,2.5\n";
+  const CsvTexts table = read_csv_texts(path);
+  CHECK(table.columns == std::vector<std::string>{"case", "a, b"});
+  CHECK(table.rows == std::vector<std::vector<std::string>>{{"x \"y\"", ""}, {"1", "2.5"}});
+  std::ofstream(path) << "case,b\nx\n";
+  CHECK_THROWS_AS(read_csv_texts(path), InputError);
+  CHECK(csv_number("2.5e-3") == 2.5e-3);
+  CHECK_FALSE(csv_number(""));
+  CHECK_FALSE(csv_number("2.5 m"));
+}

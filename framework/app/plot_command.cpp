@@ -1,0 +1,113 @@
+// tack plot: pictures of runs, of a batch or of a comparison, for papers.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "framework/app/commands.hpp"
+#include "framework/batch/batch_description.hpp"
+#include "framework/plot/gnuplot.hpp"
+#include "framework/plot/run_plots.hpp"
+#include "framework/plot/table_plots.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t most_runs = 28;  // that curves can be told apart of
+
+class Pictures {
+ public:
+  explicit Pictures(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code failed;
+    fs::create_directories(folder_, failed);
+    if (failed) throw InputError(fmt::format("{}: cannot be made ({}); choose another folder with -o", folder_.string(), failed.message()));
+  }
+
+  template <class Picture>
+  void draw(const Picture& picture, const std::string& name) {
+    tell(tack::draw(picture, folder_, name), name);
+  }
+  void tell(const std::string& failure, const std::string& name) {
+    if (failure.empty()) fmt::print("{}\n", (folder_ / (name + ".svg")).string());
+    else fmt::print("{}\n", failure);
+    failed_ = failed_ || !failure.empty();
+  }
+  void draw_runs(const std::vector<PlottedRun>& runs) {
+    if (runs.size() <= most_runs)
+      for (const auto& [name, plot] : run_curves(runs)) draw(plot, name);
+    if (const auto bars = phase_bars(runs)) draw(*bars, "phases");
+  }
+  int exit_code() const { return failed_ ? exit_expectation_failed : exit_done; }
+
+ private:
+  fs::path folder_;
+  bool failed_ = false;
+};
+
+// The columns that tell what came out: statistics and values of expectations.
+std::vector<std::string> results_in(const CsvTexts& table) {
+  std::vector<std::string> found;
+  bool behind = false;
+  for (const std::string& c : table.columns) {
+    if (c == "steps") break;
+    if (behind && !c.starts_with("expect:")) found.push_back(c);
+    behind = behind || c == "error";
+  }
+  for (const char* cost : {"newton_iterations", "wall_seconds"}) found.push_back(cost);
+  return found;
+}
+
+int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::path& output) {
+  const BatchDescription batch = read_description(folder);
+  const CsvTexts table = read_csv_texts(folder.table());
+  Pictures pictures(output);
+  if (!options.x.empty()) {
+    TablePlot what{options.x, options.y, options.by, options.log_x, options.log_y};
+    if (what.by.empty())
+      for (const std::string& key : batch.plan.columns)
+        if (key != what.x && key != "repeat") what.by.push_back(key);
+    pictures.draw(table_plot(table, what), picture_name(options.y) + "_by_" + picture_name(options.x));
+    return pictures.exit_code();
+  }
+  for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what), name);
+  std::vector<PlottedRun> runs;
+  for (const BatchCase& one : batch.plan.cases)
+    if (fs::exists(folder.run(one.name) / "steps.csv"))
+      runs.push_back(plotted_run(folder.run(one.name), batch.plan.columns.size() == 1 ? one.values.begin()->second : one.name));
+  pictures.draw_runs(runs);
+  return pictures.exit_code();
+}
+
+// The scripts that `tack compare` left there, drawn again.
+int plot_comparison(const fs::path& folder) {
+  Pictures pictures(folder / "plots");
+  for (const char* name : {"work_precision", "performance_profile", "convergence"})
+    if (fs::exists(folder / "plots" / (std::string(name) + ".gp"))) pictures.tell(draw_script(folder / "plots", name), name);
+  return pictures.exit_code();
+}
+
+}  // namespace
+
+int plot_command(const PlotOptions& options) {
+  const fs::path first = options.folders.front();
+  const bool batch = fs::exists(first / "batch.json"), comparison = fs::exists(first / "compare.csv");
+  if ((batch || comparison) && options.folders.size() > 1)
+    throw InputError(fmt::format("{}: is a {}; draw it by itself", first.string(), batch ? "batch" : "comparison"));
+  if (!batch && !options.x.empty()) throw InputError(fmt::format("{}: --x, --y and --by are for the table of a batch", first.string()));
+  if (comparison && !batch) return plot_comparison(first);
+  fs::path output = options.output;
+  if (output.empty()) output = options.folders.size() == 1 ? first / "plots" : fs::path("plots");
+  if (batch) return plot_batch(options, BatchFolder::found(first), output);
+  std::vector<PlottedRun> runs;
+  for (const std::string& folder : options.folders) {
+    const fs::path path = fs::weakly_canonical(folder);
+    runs.push_back(plotted_run(folder, path.has_filename() ? path.filename() : path.parent_path().filename()));
+  }
+  Pictures pictures(output);
+  pictures.draw_runs(runs);
+  return pictures.exit_code();
+}
+
+}  // namespace tack

@@ -1,0 +1,169 @@
+#include "framework/report/frame_series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "framework/output/pvd.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/io/frame_file.hpp"
+#include "geometry/mesh/surface.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int usual_frames = 200;
+constexpr double most_numbers = 16e6;  // of a page: some 15 MB
+
+using Face = std::array<int, 3>;
+
+// The cell that a face is of: the first of the tets, else the triangle itself.
+class FaceOwners {
+ public:
+  explicit FaceOwners(const Mesh& mesh) {
+    int cell = 0;
+    for (const Tet& t : mesh.tets) {
+      for (int left_out = 0; left_out < 4; ++left_out) add(t[(left_out + 1) % 4], t[(left_out + 2) % 4], t[(left_out + 3) % 4], cell);
+      ++cell;
+    }
+    for (const Triangle& t : mesh.triangles) add(t[0], t[1], t[2], cell++);
+    std::sort(owners_.begin(), owners_.end());
+  }
+  int of(const Triangle& t) const {
+    return std::lower_bound(owners_.begin(), owners_.end(), std::pair(sorted(t[0], t[1], t[2]), 0))->second;
+  }
+
+ private:
+  static Face sorted(int a, int b, int c) {
+    Face face{a, b, c};
+    std::sort(face.begin(), face.end());
+    return face;
+  }
+  void add(int a, int b, int c, int cell) { owners_.emplace_back(sorted(a, b, c), cell); }
+
+  std::vector<std::pair<Face, int>> owners_;
+};
+
+class SeriesReader {
+ public:
+  explicit SeriesReader(fs::path run) : run_(std::move(run)) {}
+
+  FrameSeries read(int frames) {
+    const auto list = PvdFile::continued(run_ / "run.pvd", std::numeric_limits<double>::infinity()).list();
+    series_.written = static_cast<int>(list.size());
+    if (list.empty()) return std::move(series_);
+    FrameFile first = frame(list[0].file);
+    begin(first);
+    const int wanted = frames > 0 ? frames : affordable(first);
+    for (const int i : chosen(static_cast<int>(list.size()), wanted)) {
+      try {
+        add(list[i].time, i == 0 ? std::move(first) : frame(list[i].file));
+      } catch (const InputError& error) {
+        series_.notes.push_back(fmt::format("The frames end at {:g} s: {}", list[i].time, error.what()));
+        break;
+      }
+    }
+    return std::move(series_);
+  }
+
+ private:
+  FrameFile frame(const std::string& file) const { return read_frame(run_ / file); }
+
+  // Evenly spread, both ends included.
+  static std::vector<int> chosen(int count, int wanted) {
+    std::vector<int> numbers;
+    const int kept = std::min(count, std::max(1, wanted));
+    for (int i = 0; i < kept; ++i)
+      numbers.push_back(kept == 1 ? count - 1 : static_cast<int>((static_cast<long>(i) * (count - 1) + (kept - 1) / 2) / (kept - 1)));
+    return numbers;
+  }
+
+  void begin(const FrameFile& first) {
+    mesh_ = first.mesh;
+    const Surface surface = extract_surface(mesh_);
+    const FaceOwners owners(mesh_);
+    std::vector<int> number(mesh_.vertices.size(), -1);
+    const auto keep = [&](int v, std::vector<int>& elements) {
+      if (number[v] < 0) {
+        number[v] = static_cast<int>(kept_.size());
+        kept_.push_back(v);
+      }
+      elements.push_back(number[v]);
+    };
+    for (const Triangle& t : surface.triangles) {
+      for (const int v : t) keep(v, series_.triangles);
+      cells_.push_back(owners.of(t));
+    }
+    int cell = static_cast<int>(mesh_.tets.size() + mesh_.triangles.size());
+    for (const Edge& e : mesh_.edges) {
+      for (const int v : e) keep(v, series_.edges);
+      cells_.push_back(cell++);
+    }
+    for (const int v : mesh_.points) {
+      keep(v, series_.points);
+      cells_.push_back(cell++);
+    }
+    const auto object = std::find_if(first.of_cells.begin(), first.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
+    for (const int c : cells_) series_.object.push_back(object == first.of_cells.end() ? 0 : static_cast<int>(object->values(c)));
+    series_.origin = bounding_box(mesh_).center();
+    for (const FrameArray& a : first.of_vertices) series_.fields.push_back({a.name, a.unit, a.components > 1, true, {}});
+    for (const FrameArray& a : first.of_cells)
+      if (a.name != "object") series_.fields.push_back({a.name, a.unit, a.components > 1, false, {}});
+  }
+
+  int affordable(const FrameFile& first) {
+    double numbers = 3.0 * static_cast<double>(kept_.size());
+    for (const auto& field : series_.fields) numbers += static_cast<double>(field.of_vertices ? kept_.size() : cells_.size());
+    const int most = std::max(2, static_cast<int>(std::min(1e9, most_numbers / numbers)));
+    if (most < std::min(usual_frames, series_.written))
+      series_.notes.push_back(fmt::format("{} of {} frames are kept: with {} vertices, more would make the page too large. `--frames N` "
+                                          "keeps as many as it says.", most, series_.written, first.mesh.vertices.size()));
+    return std::min(usual_frames, most);
+  }
+
+  void add(double time, const FrameFile& now) {
+    if (now.mesh.vertices.size() != mesh_.vertices.size() || now.mesh.tets != mesh_.tets || now.mesh.triangles != mesh_.triangles ||
+        now.mesh.edges != mesh_.edges || now.mesh.points != mesh_.points)
+      throw InputError("its mesh is another one than that of the first frame");
+    const size_t n = kept_.size();
+    std::vector<float> x(3 * n);
+    for (size_t i = 0; i < n; ++i) {
+      const Vec3 place = mesh_place(now, kept_[i]);
+      for (int c = 0; c < 3; ++c) x[c * n + i] = static_cast<float>(place(c));
+    }
+    std::vector<std::vector<float>> values;
+    for (const auto& field : series_.fields) values.push_back(values_of(field, field.of_vertices ? now.of_vertices : now.of_cells));
+    series_.times.push_back(time);
+    series_.positions.push_back(std::move(x));
+    for (size_t f = 0; f < values.size(); ++f) series_.fields[f].frames.push_back(std::move(values[f]));
+  }
+
+  Vec3 mesh_place(const FrameFile& now, int v) const { return now.mesh.vertices[v] - series_.origin; }
+
+  std::vector<float> values_of(const FrameSeries::Field& field, const std::vector<FrameArray>& arrays) const {
+    const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const FrameArray& a) { return a.name == field.name; });
+    if (array == arrays.end()) throw InputError(fmt::format("it has no field '{}', as the first frame has", field.name));
+    std::vector<float> values;
+    for (const int i : field.of_vertices ? kept_ : cells_) {
+      const auto entry = array->values.segment(static_cast<Eigen::Index>(array->components) * i, array->components);
+      values.push_back(static_cast<float>(array->components > 1 ? entry.norm() : entry(0)));
+    }
+    return values;
+  }
+
+  fs::path run_;
+  FrameSeries series_;
+  Mesh mesh_;
+  std::vector<int> kept_;   // vertices, in the order of the series
+  std::vector<int> cells_;  // of elements
+};
+
+}  // namespace
+
+FrameSeries read_frames(const fs::path& run, int frames) { return SeriesReader(run).read(frames); }
+
+}  // namespace tack

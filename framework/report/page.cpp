@@ -1,0 +1,59 @@
+#include "framework/report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "framework/report/packing.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view place = "<!--data of the report-->";
+
+// In JSON, < stands in strings only.
+std::string within_script(const std::string& json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') out += "\\u003c";
+    else out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+int PageData::add(const std::string& bytes) {
+  blocks_.push_back(base64(deflated(bytes)));
+  return static_cast<int>(blocks_.size()) - 1;
+}
+
+fs::path page_path() {
+  std::error_code none;
+  return fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "share" / "report.html";
+}
+
+std::string page_with(const fs::path& path, const PageData& data) {
+  std::ifstream in(path, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string page = text.str();
+  const size_t at = page.find(place);
+  if (!in || at == page.npos)
+    throw InputError(fmt::format("{}: the page of reports is not built; run `./tack report`, which builds it, or `cmake --build --preset "
+                                 "release --target tack_report` (needs npm: apt-get install nodejs npm)", path.string()));
+  // A name or a path need not be UTF-8.
+  constexpr auto lenient = nlohmann::ordered_json::error_handler_t::replace;
+  std::string out = page.substr(0, at) + "<script type=\"application/json\" id=\"data\">" +
+                    within_script(data.document.dump(-1, ' ', false, lenient)) + "</script>\n";
+  for (size_t i = 0; i < data.blocks().size(); ++i)
+    out += fmt::format("<script type=\"text/plain\" id=\"block-{}\">{}</script>\n", i, data.blocks()[i]);
+  return out + page.substr(at + place.size());
+}
+
+}  // namespace tack

@@ -1,0 +1,113 @@
+#include "framework/report/run_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "framework/config/read_file.hpp"
+#include "framework/report/frame_series.hpp"
+#include "framework/report/packing.hpp"
+#include "framework/report/scene_data.hpp"
+#include "framework/report/table_data.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int place_levels = 65535, field_levels = 1023;
+
+std::string bytes_of(const std::vector<int>& numbers) {
+  return planes(std::span<const float>(std::vector<float>(numbers.begin(), numbers.end())));
+}
+
+// Of what is finite; {0, 0} of nothing.
+Quantizer range_of(const std::vector<std::vector<float>>& frames, int levels) {
+  Quantizer q{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), levels};
+  for (const auto& frame : frames)
+    for (const float number : frame)
+      if (std::isfinite(number)) q.lowest = std::min(q.lowest, double(number)), q.highest = std::max(q.highest, double(number));
+  if (!(q.lowest <= q.highest)) q.lowest = q.highest = 0;
+  return q;
+}
+
+std::vector<std::vector<std::uint16_t>> codes_of(const std::vector<std::vector<float>>& frames, const Quantizer& q) {
+  std::vector<std::vector<std::uint16_t>> codes;
+  for (const auto& frame : frames) {
+    auto& now = codes.emplace_back();
+    for (const float number : frame) now.push_back(q.code(number));
+  }
+  return codes;
+}
+
+Json field_data(const FrameSeries::Field& field, PageData& page) {
+  const Quantizer q = range_of(field.frames, field_levels);
+  return {{"name", field.name},     {"unit", field.unit},     {"magnitude", field.magnitude}, {"of", field.of_vertices ? "vertices" : "elements"},
+          {"lowest", q.lowest},     {"highest", q.highest},   {"levels", q.levels},
+          {"block", page.add(delta_planes(codes_of(field.frames, q)))}};
+}
+
+Json frame_data(const FrameSeries& series, PageData& page) {
+  // One range for all directions, so that a step is as long in each.
+  const Quantizer q = range_of(series.positions, place_levels);
+  Json fields = Json::array();
+  for (const auto& field : series.fields) fields.push_back(field_data(field, page));
+  return {{"times", series.times},
+          {"written", series.written},
+          {"origin", {series.origin.x(), series.origin.y(), series.origin.z()}},
+          {"lowest", q.lowest},
+          {"highest", q.highest},
+          {"levels", q.levels},
+          {"vertices", series.vertices()},
+          {"triangles", page.add(bytes_of(series.triangles))},
+          {"edges", page.add(bytes_of(series.edges))},
+          {"points", page.add(bytes_of(series.points))},
+          {"object", page.add(bytes_of(series.object))},
+          {"positions", page.add(delta_planes(codes_of(series.positions, q)))},
+          {"fields", std::move(fields)}};
+}
+
+}  // namespace
+
+Json run_data(const fs::path& folder, const std::string& label, int frames, PageData& page) {
+  Json notes = Json::array();
+  // Null if the file is not there; with a note if it cannot be read.
+  const auto part = [&](const char* file, const auto& read) -> Json {
+    const fs::path path = folder / file;
+    if (!fs::exists(path)) return Json();
+    try {
+      return read(path);
+    } catch (const InputError& error) {
+      notes.push_back(error.what());
+    } catch (const Json::exception& error) {
+      notes.push_back(fmt::format("{}: {}", path.string(), error.what()));
+    }
+    return Json();
+  };
+  Json summary = part("summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
+  Json scene = part("scene.yaml", scene_data);
+  const auto numbers = [&](const fs::path& path) { return number_table(read_csv(path), page); };
+  Json steps = part("steps.csv", numbers), probes = part("probes.csv", numbers);
+  Json laws = part("laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
+  Json shown = part("run.pvd", [&](const fs::path&) {
+    const FrameSeries series = read_frames(folder, frames);
+    for (const std::string& note : series.notes) notes.push_back(note);
+    return series.times.empty() ? Json() : frame_data(series, page);
+  });
+  const std::string status = summary.is_object() ? summary.value("status", "") : "";
+  return {{"label", label},
+          {"status", status.empty() ? "unfinished" : status},
+          {"notes", std::move(notes)},
+          {"summary", std::move(summary)},
+          {"scene", std::move(scene)},
+          {"steps", std::move(steps)},
+          {"probes", std::move(probes)},
+          {"laws", std::move(laws)},
+          {"frames", std::move(shown)}};
+}
+
+}  // namespace tack

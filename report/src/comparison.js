@@ -1,0 +1,76 @@
+// A comparison of solvers: time against error, how often each is fast, and the whole table.
+import { chart } from "./chart.js";
+import { h, labelled, lazyDetails, section, select } from "./dom.js";
+import { sortedTable } from "./table.js";
+
+const rowsWith = ({ columns, rows }) => rows.map((row) => Object.fromEntries(columns.map((name, c) => [name, row[c]])));
+
+export function comparisonSections({ table, text }) {
+  const rows = rowsWith(table);
+  return [h("div", { id: "plots" }, precisionSection(rows), profileSection(rows)),
+    section("table", "All combinations", sortedTable(table, {
+      caption: "All combinations",
+      mark: (row, c) => (table.columns[c] === "status" && row[c] !== "converged" ? h("span", { class: "mark bad" }, row[c] ?? "") : null),
+    })),
+    text && section("text", "In words", h("p", { class: "note" }, "What was measured on what, the fastest solver at each level of error, and what failed: compare.md."),
+      lazyDetails("compare.md", () => h("pre", { tabindex: 0 }, text)))];
+}
+
+const unique = (values) => [...new Set(values)];
+const solved = (row) => row.status === "converged" && row.branch !== "another" && row.wall_seconds > 0;
+
+const costs = [["wall_seconds", "wall time", "s"], ["cpu_seconds", "processor time", "s"], ["iterations", "iterations"], ["evaluations", "evaluations"], ["linear_solves", "linear solves"]];
+
+// A curve per solver, a point per tolerance; smaller steps in a curve of their own.
+function precisionSection(rows) {
+  const problems = unique(rows.map((row) => row.problem));
+  const steps = unique(rows.map((row) => row.time_step));
+  const solvers = unique(rows.map((row) => row.solver));
+  let [problem, cost] = [problems[0], costs[0]];
+  const place = h("div", { class: "charts wide" });
+  const draw = () => {
+    const series = solvers.flatMap((solver, index) => steps.flatMap((step) => {
+      const some = rows.filter((row) => row.problem === problem && row.solver === solver && row.time_step === step && solved(row) && row.error_rms > 0)
+        .sort((a, b) => b.tolerance - a.tolerance);
+      if (some.length === 0) return [];
+      const several = unique(rows.filter((row) => row.problem === problem).map((row) => row.time_step)).length > 1;
+      return [{ label: several ? `${solver}, h = ${step} s` : solver, index, points: true, x: some.map((row) => row.error_rms), y: some.map((row) => row[cost[0]]) }];
+    }));
+    place.replaceChildren(chart({
+      title: `${cost[1][0].toUpperCase()}${cost[1].slice(1)} against error: ${problem}`, note: "A curve per solver, a point per tolerance. Lower is faster, further left more accurate.",
+      x: { name: "RMS error", unit: "m", log: true }, y: { name: cost[1], unit: cost[2], log: true }, height: 340, series,
+    }));
+  };
+  draw();
+  return section("precision", "Speed against error", h("div", { class: "bar" },
+    labelled("Problem", select(problems.map((p) => [p, p]), problem, (value) => { problem = value; draw(); })),
+    labelled("Cost", select(costs.map(([key, name]) => [key, name]), cost[0], (value) => { cost = costs.find(([key]) => key === value); draw(); }))), place);
+}
+
+// Dolan and Moré 2002: the share of tasks that a solver does within a multiple of the fastest one's time.
+function profileSection(rows) {
+  const solvers = unique(rows.map((row) => row.solver));
+  const tasks = new Map();
+  for (const row of rows) {
+    const key = JSON.stringify([row.problem, row.tolerance, row.time_step]);
+    if (!tasks.has(key)) tasks.set(key, new Map());
+    if (solved(row)) tasks.get(key).set(row.solver, row.wall_seconds);
+  }
+  const best = [...tasks.values()].map((times) => Math.min(...times.values()));
+  const ratios = solvers.map((solver) => [...tasks.values()].map((times, t) => (times.has(solver) ? times.get(solver) / best[t] : Infinity)).filter(Number.isFinite).sort((a, b) => a - b));
+  const most = Math.max(2, ...ratios.flat());
+  const series = solvers.map((solver, i) => {
+    const [x, y] = [[1], [0]];
+    ratios[i].forEach((ratio, k) => {
+      x.push(ratio, ratio);
+      y.push(k / tasks.size, (k + 1) / tasks.size);
+    });
+    x.push(1.05 * most);
+    y.push(ratios[i].length / tasks.size);
+    return { label: solver, x, y };
+  });
+  return section("profile", "How often each is fast", h("div", { class: "charts wide" }, chart({
+    title: "Performance profile", note: "The share of all tasks (problem, tolerance, time step) that a solver does within a multiple of the fastest one's time.",
+    x: { name: "multiple of the fastest time", log: true }, y: { name: "share of tasks" }, height: 300, series,
+  })));
+}

@@ -1,0 +1,63 @@
+// A report from its data: a run, several runs, a comparison or a batch.
+import "uplot/dist/uPlot.min.css";
+import "./style.css";
+import { expectations, facts, head, notesOf, provenance, statusBadge } from "./about.js";
+import { batchSections } from "./batch.js";
+import { comparisonSections } from "./comparison.js";
+import { contactSection, costSection, energySection, lawSection, probeSection } from "./curves.js";
+import { h } from "./dom.js";
+import { numberTable } from "./unpack.js";
+import { viewSection } from "./view.js";
+
+const understood = 1;
+
+async function loaded(run) {
+  const [steps, probes] = await Promise.all([run.steps, run.probes].map((table) => table && numberTable(table)));
+  return { ...run, steps: steps?.rows > 0 ? steps : null, probes: probes?.rows > 0 ? probes : null };
+}
+
+const runSections = (runs) => [expectations(runs), viewSection(runs), probeSection(runs), lawSection(runs), energySection(runs), contactSection(runs),
+  costSection(runs), provenance(runs)];
+
+const nameOf = (run) => run.summary?.name ?? run.scene?.name ?? run.label;
+
+async function contentOf(data, runs) {
+  if (data.kind === "comparison") return { title: data.comparison.name || data.title, parts: comparisonSections(data.comparison) };
+  if (data.kind === "batch") {
+    const { batch, notes } = data.batch;
+    const done = batch.cases.length;
+    return {
+      title: batch.name ?? data.title, about: batch.about, notes, badges: [h("span", { class: "badge open" }, `${done} case${done === 1 ? "" : "s"}`)],
+      parts: [...(await batchSections(data.batch)), ...(runs.length > 0 ? [h("h2", { class: "divider" }, `Runs of ${runs.map((run) => run.label).join(", ")}`), ...runSections(runs)] : [])],
+    };
+  }
+  if (runs.length === 1) {
+    const [run] = runs;
+    return { title: nameOf(run), about: run.scene?.about, badges: [statusBadge(run.status)], parts: [facts(runs), ...runSections(runs)] };
+  }
+  return { title: runs.map((run) => run.label).join(", "), about: `${runs.length} runs over each other`, parts: [facts(runs), ...runSections(runs)] };
+}
+
+function contents(parts) {
+  const links = parts.flatMap((part) => [...(part.matches("section") ? [part] : part.querySelectorAll("section"))])
+    .map((one) => h("a", { href: `#${one.id}` }, one.querySelector("h2").textContent));
+  return h("nav", { "aria-label": "Contents" }, links);
+}
+
+async function main() {
+  const place = document.getElementById("content");
+  const data = JSON.parse(document.getElementById("data")?.textContent ?? "{}");
+  if (data.format !== understood) {
+    place.append(h("p", { class: "notice bad" }, "This page holds no data that it understands: make the report again with `tack report`."));
+    return;
+  }
+  const runs = await Promise.all(data.runs.map(loaded));
+  const { title, about, notes = [], badges = [], parts } = await contentOf(data, runs);
+  document.title = `${title} – tack report`;
+  const shown = parts.filter(Boolean);
+  place.append(...[head(title, about, badges), contents(shown), notesOf([...notes, ...runs.flatMap((run) => run.notes)]), ...shown].filter(Boolean));
+  document.getElementById("made").textContent = `Made by tack ${data.made.version}${data.made.commit ? ` (${data.made.commit})` : ""}.`;
+  document.documentElement.dataset.ready = "true";
+}
+
+main();

@@ -1,0 +1,175 @@
+// Folders in, one file out: kinds of folders, what goes together, errors, and texts that must not end a script.
+// The page itself is tested in a browser: tests/report/.
+#include "framework/report/report.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/errors.hpp"
+#include "tests/support/json.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/tiny_scene.hpp"
+
+using namespace tack;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Place {
+  Place() { write_file(page, "<html><!--data of the report--></html>"); }
+
+  fs::path run(const std::string& name, const std::string& scene = "") const {
+    fs::create_directories(folder.path() / name);
+    write_file(folder.path() / name / "steps.csv", "step,time,min_distance\n1,0.1,0.5\n2,0.2,inf\n");
+    if (!scene.empty()) write_file(folder.path() / name / "scene.yaml", scene);
+    return folder.path() / name;
+  }
+  WrittenReport report(const std::vector<fs::path>& folders, const std::vector<std::string>& cases = {}) const {
+    ReportSettings settings;
+    settings.folders = folders;
+    settings.output = folder.path() / "out.html";
+    settings.page = page;
+    settings.cases = cases;
+    return write_report(settings);
+  }
+  std::string html() const { return file_text(folder.path() / "out.html"); }
+  nlohmann::json data() const {
+    const std::string text = html(), start = "id=\"data\">";
+    const size_t from = text.find(start) + start.size();
+    return parse_json(text.substr(from, text.find("</script>", from) - from));
+  }
+  fs::path batch() const {
+    const fs::path root = folder.path() / "batch";
+    fs::create_directories(root / "cases/a");
+    write_file(root / "cases/a/probes.csv", "time,gap\n0,1\n1,2\n");
+    write_file(root / "cases/a/steps.csv", "step,time\n1,0.1\n");
+    write_file(root / "batch.json", R"({"name": "b", "keys": ["k"], "cases": [{"name": "a", "folder": "cases/a", "values": {"k": 1}, "status": "done"},
+      {"name": "lost", "folder": "cases/lost", "values": {"k": 2}, "status": "failed"}]})");
+    write_file(root / "results.csv", "case,k,status,expect:e,gap.max\na,1,done,1,2\n\"lost\",2,failed,,\n");
+    return root;
+  }
+
+  TemporaryFolder folder;
+  fs::path page = folder.path() / "page.html";
+};
+
+}  // namespace
+
+TEST_CASE("a folder is that of a run, a comparison or a batch by its files") {
+  const Place place;
+  CHECK(kind_of(place.run("run")) == FolderKind::run);
+  CHECK(kind_of(place.batch()) == FolderKind::batch);
+  fs::create_directory(place.folder.path() / "compared");
+  write_file(place.folder.path() / "compared/compare.csv", "problem\n");
+  CHECK(kind_of(place.folder.path() / "compared") == FolderKind::comparison);
+  fs::create_directory(place.folder.path() / "empty");
+  CHECK_THROWS_WITH(kind_of(place.folder.path() / "empty"), Catch::Contains("neither a run nor a comparison nor a batch"));
+  CHECK_THROWS_WITH(kind_of(place.folder.path() / "none"), Catch::Contains("no such folder"));
+}
+
+TEST_CASE("an unfinished run has a report of what there is") {
+  const Place place;
+  const WrittenReport written = place.report({place.run("run", tiny_scene)});
+  CHECK(written.notes.empty());
+  const auto run = place.data()["runs"][0];
+  CHECK(place.data()["kind"] == "run");
+  CHECK(run["label"] == "run");
+  CHECK(run["status"] == "unfinished");
+  CHECK(run["summary"].is_null());
+  CHECK(run["frames"].is_null());
+  CHECK(run["probes"].is_null());
+  CHECK(run["steps"]["rows"] == 2);
+  CHECK(run["scene"]["name"] == "tiny");
+  CHECK(run["scene"]["up"] == std::vector<double>{0, 1, 0});
+  CHECK(run["scene"]["objects"][1]["name"] == "block");
+  CHECK(run["scene"]["probes"][1]["column"] == "stickiness_x");
+  CHECK(run["scene"]["probes"][1]["unit"] == "N");
+  CHECK(run["scene"]["probes"][1]["on"] == "block");
+  CHECK(run["scene"]["expect"].size() == 1);
+  CHECK(contains(place.html(), "<script type=\"text/plain\" id=\"block-0\">"));
+}
+
+TEST_CASE("what cannot be read is told, and the rest is shown") {
+  const Place place;
+  const fs::path run = place.run("run", "name: [");
+  write_file(run / "summary.json", "{\"status\": ");
+  write_file(run / "probes.csv", "time,gap\n0,wide\n");
+  const WrittenReport written = place.report({run});
+  CHECK(written.notes.size() == 3);
+  CHECK(place.data()["runs"][0]["notes"].size() == 3);
+  CHECK(place.data()["runs"][0]["steps"]["rows"] == 2);
+}
+
+TEST_CASE("texts of a scene do not end the data of a report") {
+  const Place place;
+  const std::string evil = "</script><b>\\\"&<!--";
+  place.report({place.run("run", tiny_scene_with("name: tiny", "name: '" + evil + "'\nabout: '" + evil + "'"))});
+  CHECK(place.data()["runs"][0]["scene"]["name"] == evil);
+  const std::string html = place.html();
+  size_t ends = 0, begins = 0;
+  for (size_t at = 0; (at = html.find("</script", at)) != html.npos; ++at) ++ends;
+  for (size_t at = 0; (at = html.find("<script", at)) != html.npos; ++at) ++begins;
+  CHECK(ends == begins);
+  CHECK_FALSE(contains(html, "<b>"));
+  CHECK_FALSE(contains(html, "<!--"));
+}
+
+TEST_CASE("runs of one name are told apart by their folders") {
+  const Place place;
+  place.report({place.run("one/x"), place.run("two/x/")});
+  const auto data = place.data();
+  CHECK(data["kind"] == "runs");
+  CHECK(data["runs"][0]["label"] == "one/x");
+  CHECK(data["runs"][1]["label"] == "two/x");
+}
+
+TEST_CASE("a batch has its table, the probes of its cases, and the runs that are asked for") {
+  const Place place;
+  const WrittenReport written = place.report({place.batch()}, {"a"});
+  CHECK(written.notes.empty());
+  const auto data = place.data();
+  CHECK(data["kind"] == "batch");
+  const auto& batch = data["batch"];
+  CHECK(batch["batch"]["keys"][0] == "k");
+  CHECK(batch["table"]["columns"][3] == "expect:e");
+  CHECK(batch["table"]["rows"][0] == nlohmann::json::array({"a", 1.0, "done", 1.0, 2.0}));
+  CHECK(batch["table"]["rows"][1] == nlohmann::json::array({"lost", 2.0, "failed", nullptr, nullptr}));
+  CHECK(batch["curves"][0]["rows"] == 2);
+  CHECK(batch["curves"][1].is_null());
+  CHECK(data["runs"][0]["label"] == "a");
+  CHECK_THROWS_WITH(place.report({place.batch()}, {"z"}), Catch::Contains("has no case 'z'"));
+}
+
+TEST_CASE("long tables keep every so manieth row and the last") {
+  const Place place;
+  const fs::path run = place.run("run");
+  std::string text = "step,time\n";
+  for (int i = 0; i < 50001; ++i) text += std::to_string(i) + ",0.5\n";
+  write_file(run / "steps.csv", text);
+  place.report({run});
+  const auto steps = place.data()["runs"][0]["steps"];
+  CHECK(steps["of"] == 50001);
+  CHECK(steps["rows"] == 16668);
+}
+
+TEST_CASE("folders that do not go together, pages and files that are not there are refused") {
+  const Place place;
+  CHECK_THROWS_WITH(place.report({place.batch(), place.run("run")}), Catch::Contains("one of them at a time"));
+  CHECK_THROWS_WITH(place.report({place.run("run")}, {"a"}), Catch::Contains("--case is for a batch"));
+  ReportSettings settings;
+  settings.folders = {place.run("run")};
+  settings.page = place.page;
+  settings.output = place.folder.path() / "none/out.html";
+  CHECK_THROWS_WITH(write_report(settings), Catch::Contains("cannot be written"));
+  settings.page = place.folder.path() / "none.html";
+  CHECK_THROWS_WITH(write_report(settings), Catch::Contains("is not built"));
+  write_file(place.folder.path() / "batch/batch.json", "[]");
+  CHECK_THROWS_WITH(place.report({place.folder.path() / "batch"}), Catch::Contains("has no list of cases"));
+}
+
+TEST_CASE("tack report on the command line") {
+  const Place place;
+  CHECK(run_tack(place.folder.path(), {"report"}).exit_code == 2);
+  const ProgramResult none = run_tack(place.folder.path(), {"report", "nowhere"});
+  CHECK(none.exit_code == 2);
+  CHECK(contains(none.err, "nowhere: there is no such folder"));
+}
