@@ -2,6 +2,9 @@
 # static archive would drop. Sources are globbed, so a new file in the right folder is enough.
 add_library(tack_options INTERFACE)
 target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
+# Eigen's arrays are aligned for the widest instruction set, whichever is compiled for: see geometry/types.hpp.
+set(TACK_ALIGNMENT EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
+target_compile_definitions(tack_options INTERFACE ${TACK_ALIGNMENT})
 set(TACK_CODE_OPTIONS -fno-math-errno)  # those that change what is computed; written into results
 if(TACK_NATIVE)
   list(PREPEND TACK_CODE_OPTIONS -march=native)
@@ -33,7 +36,7 @@ target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::t
 # a folder are compiled together, as what they instantiate is mostly the same. They had better not call inline functions of
 # geometry/distance: of those that are not inlined the linker keeps one copy for all, and it may be theirs.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
-set(TACK_COLD_FOLDERS framework/config framework/shapes framework/level_set framework/meshing framework/scene framework/output
+set(TACK_COLD_FOLDERS framework/config framework/plugin framework/shapes framework/level_set framework/meshing framework/scene framework/output
     framework/experiment framework/probes framework/compare framework/plot framework/batch framework/profile framework/run framework/report
     framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
@@ -83,6 +86,8 @@ endfunction()
 
 # Everything an executable needs: the layers' objects and the libraries they use.
 function(tack_link_all TARGET)
+  set_target_properties(${TARGET} PROPERTIES LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
+  target_link_options(${TARGET} PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exports.map)
   get_property(LAYERS GLOBAL PROPERTY TACK_LAYERS)
   get_property(LINKS GLOBAL PROPERTY TACK_LINKS)
   foreach(LAYER ${LAYERS})
@@ -103,7 +108,8 @@ function(tack_meshing_library)
   tack_cool(tack_meshing)
   set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
                               COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
-  set_target_properties(tack_meshing PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  # Hidden, as the program has functions of the same names.
+  set_target_properties(tack_meshing PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
   target_link_libraries(tack_meshing PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt CGAL::CGAL ${OPENVDB_LIBRARY})
   target_link_options(tack_meshing PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
   # The program refuses a library that was built from other headers, or in another way.
@@ -125,13 +131,14 @@ function(tack_build_info)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" TYPE)
   set(FLAGS "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${TYPE}} ${TACK_CODE_OPTIONS}")
   string(REGEX REPLACE "[ ;]+" " " FLAGS "${FLAGS}")
-  set(HEADER ${CMAKE_BINARY_DIR}/generated/framework/output/build_info.hpp)
-  add_custom_target(tack_build_info BYPRODUCTS ${HEADER} VERBATIM
-    COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DOUTPUT=${HEADER} -DPROJECT_VERSION=${PROJECT_VERSION}
+  set(FOLDER ${CMAKE_BINARY_DIR}/generated)
+  add_custom_target(tack_build_info VERBATIM
+    BYPRODUCTS ${FOLDER}/framework/output/build_info.hpp ${FOLDER}/framework/plugin/headers_digest.hpp
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DFOLDER=${FOLDER} -DPROJECT_VERSION=${PROJECT_VERSION}
             "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DFLAGS=${FLAGS}"
             -P ${CMAKE_SOURCE_DIR}/cmake/write_build_info.cmake)
   add_dependencies(tack_framework_cold tack_build_info)
-  target_include_directories(tack_framework_cold PRIVATE ${CMAKE_BINARY_DIR}/generated)
+  target_include_directories(tack_framework_cold PRIVATE ${FOLDER})
 endfunction()
 
 # The page of `tack report`, beside the program: made of report/ and of libraries that npm fetches. Not a part of `all`: everything else
@@ -158,7 +165,7 @@ function(tack_app)
   add_executable(tack_cli ${SOURCES})
   tack_cool(tack_cli)
   target_precompile_headers(tack_cli REUSE_FROM tack_precompiled)
-  set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack RUNTIME_OUTPUT_DIRECTORY
+  set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack ENABLE_EXPORTS ON RUNTIME_OUTPUT_DIRECTORY
                         ${CMAKE_BINARY_DIR}/bin)
   tack_link_all(tack_cli)
 endfunction()

@@ -1,6 +1,7 @@
-# Writes build_info.hpp, untouched if it is the same: the commit of the checkout ("" outside of git), whether tracked sources
+# Writes two headers, untouched if they are the same. FOLDER/framework/output/build_info.hpp: the commit of the checkout ("" outside of git), whether tracked sources
 # differ from it, and how many source files it does not have (which are compiled all the same, also those that git ignores).
-#   cmake -DSOURCE=DIR -DOUTPUT=FILE -DPROJECT_VERSION=... -DCOMPILER=... -DFLAGS=... -P write_build_info.cmake
+# FOLDER/framework/plugin/headers_digest.hpp: which headers plugins have to be built against.
+#   cmake -DSOURCE=DIR -DFOLDER=DIR -DPROJECT_VERSION=... -DCOMPILER=... -DFLAGS=... -P write_build_info.cmake
 set(COMMIT "")
 set(CHANGED 0)
 set(UNTRACKED 0)
@@ -19,4 +20,17 @@ if(STATUS EQUAL 0 AND ANSWER MATCHES "^\n([0-9a-f]+)\n$")
   string(REGEX MATCHALL "\\.(cpp|hpp|cmake|in)\"?\n" FILES "${FILES}")
   list(LENGTH FILES UNTRACKED)
 endif()
-configure_file(${CMAKE_CURRENT_LIST_DIR}/build_info.hpp.in ${OUTPUT} @ONLY)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/build_info.hpp.in ${FOLDER}/framework/output/build_info.hpp @ONLY)
+
+# Those that are installed.
+file(GLOB_RECURSE HEADERS RELATIVE ${SOURCE} ${SOURCE}/geometry/*.hpp ${SOURCE}/framework/*.hpp ${SOURCE}/energies/*.hpp
+     ${SOURCE}/solvers/*.hpp)
+list(FILTER HEADERS EXCLUDE REGEX "^framework/app/")
+set(ALL "")
+foreach(HEADER ${HEADERS})
+  file(SHA256 ${SOURCE}/${HEADER} DIGEST)
+  string(APPEND ALL "${HEADER} ${DIGEST}\n")
+endforeach()
+string(SHA256 DIGEST "${ALL}")
+string(SUBSTRING ${DIGEST} 0 16 DIGEST)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/headers_digest.hpp.in ${FOLDER}/framework/plugin/headers_digest.hpp @ONLY)

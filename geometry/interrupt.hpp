@@ -6,7 +6,7 @@
 
 namespace tack {
 
-inline std::atomic<bool> interrupt_requested{false};
+extern std::atomic<bool> interrupt_requested;
 
 // No std::exception, so that nobody takes it for an error.
 struct Interrupted {};

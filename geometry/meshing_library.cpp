@@ -17,10 +17,12 @@ namespace fs = std::filesystem;
 
 std::atomic<bool> failed{false};
 
-// Tests are in a folder beside that of the program.
+// Tests are in a folder beside that of the program; where tack is installed, libraries have a folder of their own.
 fs::path library_path() {
   std::error_code none;
-  return fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "bin" / "libtack_meshing.so";
+  const fs::path root = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
+  const fs::path built = root / "bin" / "libtack_meshing.so", installed = root / "lib" / "tack" / "libtack_meshing.so";
+  return fs::exists(installed, none) ? installed : built;
 }
 
 [[noreturn]] void refuse(const std::string& why) {

@@ -12,11 +12,15 @@
 
 namespace tack {
 
+// Part of the types' names, so that what was compiled for another width is not taken for the same.
 #if defined(__AVX512F__)
+inline namespace packs_of_8 {
 inline constexpr int pack_width = 8;
 #elif defined(__AVX__)
+inline namespace packs_of_4 {
 inline constexpr int pack_width = 4;
 #else
+inline namespace packs_of_2 {
 inline constexpr int pack_width = 2;
 #endif
 
@@ -93,6 +97,8 @@ class Pack {
 
   Vector v_;
 };
+
+}  // inline namespace
 
 namespace detail {
 // One step of a transposition by halves: lane l of row i and lane l ^ h of row i ^ h change places.

@@ -5,6 +5,10 @@
 #include <Eigen/Core>
 #include <array>
 
+// The same whatever the instruction set, so that plugins which were compiled for another one share arrays with the program:
+// what is built outside of the tree gets it from the target tack::plugin.
+static_assert(EIGEN_MAX_ALIGN_BYTES == 64 && EIGEN_MAX_STATIC_ALIGN_BYTES == 64);
+
 namespace tack {
 
 using Vec2 = Eigen::Vector2d;

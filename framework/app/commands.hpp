@@ -80,6 +80,7 @@ int check_command(const SceneOptions& options);
 struct ListOptions {
   std::string kind, name;                         // empty: all
   std::string reference, schema, compare_schema, batch_schema;  // files to write instead
+  std::vector<std::string> plugins;                             // whose components are listed too
 };
 // What can be named in a scene file; also writes the reference page and the JSON schemas.
 int list_command(const ListOptions& options);

@@ -18,7 +18,7 @@ namespace tack {
 int compare_command(const CompareOptions& options) {
   const auto started = std::chrono::steady_clock::now();
   const ThreadLimit threads(options.threads);
-  const Provenance provenance = provenance_of(options.command_line, threads.count());
+  Provenance provenance = provenance_of(options.command_line, threads.count());
   const CompareConfig config = load_comparison(options.file.file, options.file.overrides);
   const std::vector<CompareCase> cases = cases_of(config);
   const RunFolder folder =
@@ -29,6 +29,7 @@ int compare_command(const CompareOptions& options) {
     std::fflush(stdout);
   });
   write_compare_csv(folder.root() / "compare.csv", result.rows);
+  provenance.plugins = loaded_plugins();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - started;
   replace_file(folder.root() / "compare.md", compare_report(config, result, provenance, wall.count()));
   replace_file(folder.root() / "compare.json", compare_json(config, result, provenance, wall.count()));

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include "framework/app/commands.hpp"
@@ -9,6 +10,7 @@
 #include "framework/compare/compare_config.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/experiment/experiment.hpp"
+#include "framework/plugin/plugins.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -24,6 +26,7 @@ void write_text(const std::string& path, const std::string& text) {
 }  // namespace
 
 int list_command(const ListOptions& o) {
+  for (const std::string& plugin : o.plugins) load_plugin(std::filesystem::absolute(plugin).string());
   const std::string title = "Scene file reference";
   if (!o.reference.empty())
     write_text(o.reference, reference_page(prototype<Experiment>(), title) +

@@ -164,6 +164,8 @@ class CommandLine {
     list->add_option("--schema", list_.schema, "write the JSON schema for editors to a file");
     list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`");
     list->add_option("--batch-schema", list_.batch_schema, "the same for the files of `tack batch`");
+    list->add_option("--plugin", list_.plugins, "list (and describe) what a plugin adds as well (repeatable)")
+        ->take_all()->allow_extra_args(false);
     list->callback([this] { exit_code_ = list_command(list_); });
   }
 

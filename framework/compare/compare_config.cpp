@@ -6,6 +6,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/plugin/plugins.hpp"
 
 namespace tack {
 
@@ -17,9 +18,10 @@ void SolverEntry::fields(Fields& f) {
 void CompareConfig::fields(Fields& f) {
   f.text("name", name, "what the results folder is called").required();
   f.text("about", about, "what the comparison is to show");
+  f.paths("plugins", plugins, plugins_doc);
   f.path("base", base, "an experiment, solved from its start");
   f.texts("set", set, "overrides of the base, as `time.step=1 ms`");
-  f.texts("problems", problems, "files of `tack run --dump-problem`, a step each; relative to this file");
+  f.paths("problems", problems, "files of `tack run --dump-problem`, a step each");
   f.list("solvers", solvers, "what is compared").required().nonempty();
   f.numbers("tolerances", tolerances, units::velocity, "each solver's `tolerance`, one after the other")
       .required().nonempty().positive();
@@ -49,11 +51,9 @@ void CompareConfig::fields(Fields& f) {
 CompareConfig load_comparison(const std::string& path, const std::vector<std::string>& overrides) {
   Value root = parse_file(path);
   for (const std::string& assignment : overrides) apply_override(root, assignment);
+  load_plugins(root);
   CompareConfig config;
   bind(root, config, "the comparison");
-  if (const Value* problems = root.find("problems"))
-    for (size_t i = 0; i < problems->items.size(); ++i)
-      config.problems[i] = resolve_path(problems->items[i].mark, config.problems[i]);
   return config;
 }
 

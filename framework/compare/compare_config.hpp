@@ -18,9 +18,10 @@ struct SolverEntry {
 struct CompareConfig {
   std::string name;
   std::string about;
+  std::vector<std::string> plugins;   // absolute paths; loaded
   std::string base;                   // absolute path of an experiment; empty: none
   std::vector<std::string> set;       // "a.b=c", for the base
-  std::vector<std::string> problems;  // absolute paths once loaded
+  std::vector<std::string> problems;  // absolute paths
   std::vector<SolverEntry> solvers;
   std::vector<double> tolerances;     // m/s
   std::vector<double> time_steps;     // s; empty: that of the scene

@@ -85,6 +85,7 @@ std::string list_component(const std::string& kind_name, const std::string& name
   std::string out = fmt::format("{} '{}': {}\n", kind.name(), entry.name, entry.doc);
   if (!entry.source.empty()) out += fmt::format("source: {}\n", entry.source);
   out += fmt::format("file: {}\n", entry.file);
+  if (!entry.plugin.empty()) out += fmt::format("plugin: {}\n", entry.plugin);
   const Fields fields = kind.prototype(name);
   if (!fields.all().empty()) out += "parameters:\n";
   describe_fields(fields, "", out);

@@ -95,6 +95,7 @@ class Fields {
 
   // Made absolute, relative to the folder of the file it stands in; need not exist. Default: empty.
   Field& path(std::string key, std::string& target, std::string doc);
+  Field& paths(std::string key, std::vector<std::string>& target, std::string doc);
 
   // Kept as written, for later; a path inside it stays unresolved.
   Field& raw(std::string key, Value& target, std::string doc);

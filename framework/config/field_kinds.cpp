@@ -58,6 +58,12 @@ Value write_schedule(const Schedule& schedule) {
   return pairs;
 }
 
+Value write_texts(const std::vector<std::string>& texts) {
+  Value list = Value::sequence();
+  for (const std::string& text : texts) list.items.push_back(Value::scalar(text));
+  return list;
+}
+
 void read_doubles(const Value& v, const Field& field, Reader& reader, double* target) {
   if (!reader.list(v, field)) return;
   for (const Value& item : v.items) reader.number(item, field, *target++);
@@ -156,12 +162,17 @@ Field& Fields::texts(std::string key, std::vector<std::string>& target, std::str
     target.assign(v.items.size(), "");
     for (std::size_t i = 0; i < v.items.size(); ++i) reader.text(v.items[i], field, target[i]);
   };
-  const auto write = [&target] {
-    Value list = Value::sequence();
-    for (const std::string& text : target) list.items.push_back(Value::scalar(text));
-    return list;
+  return add(std::move(key), std::move(doc), list_shape(simple_shape(Form::text)), read, [&target] { return write_texts(target); });
+}
+
+Field& Fields::paths(std::string key, std::vector<std::string>& target, std::string doc) {
+  const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
+    if (!reader.list(v, field)) return;
+    target.assign(v.items.size(), "");
+    for (std::size_t i = 0; i < v.items.size(); ++i)
+      if (reader.text(v.items[i], field, target[i])) target[i] = resolve_path(v.items[i].mark, target[i]);
   };
-  return add(std::move(key), std::move(doc), list_shape(simple_shape(Form::text)), read, write);
+  return add(std::move(key), std::move(doc), list_shape(simple_shape(Form::path)), read, [&target] { return write_texts(target); });
 }
 
 Field& Fields::numbers(std::string key, std::vector<double>& target, Unit unit, std::string doc) {

@@ -12,11 +12,18 @@
 namespace tack {
 namespace {
 
+struct NamedKind {
+  std::unique_ptr<Kind> kind;
+  std::type_index base;
+};
+
 // Function-local, so that they exist before the first registration, whichever that is.
-std::map<std::string, const Kind*>& kinds_by_name() {
-  static std::map<std::string, const Kind*> kinds;
+std::map<std::string, NamedKind>& kinds_by_name() {
+  static std::map<std::string, NamedKind> kinds;
   return kinds;
 }
+
+PluginRegistrations* loading = nullptr;
 
 std::map<std::type_index, std::string>& names_by_class() {
   static std::map<std::type_index, std::string> names;
@@ -39,10 +46,12 @@ std::string_view Component::type() const {
   return found == names_by_class().end() ? std::string_view() : found->second;
 }
 
-Kind::Kind(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {
-  if (!kinds_by_name().emplace(name_, this).second) {
-    throw std::logic_error(fmt::format("two kinds of component are called '{}'", name_));
-  }
+Kind& Kind::named(const char* name, const char* doc, std::type_index base) {
+  auto found = kinds_by_name().find(name);
+  if (found == kinds_by_name().end())
+    found = kinds_by_name().emplace(name, NamedKind{std::make_unique<Kind>(name, doc), base}).first;
+  if (found->second.base != base) throw std::logic_error(fmt::format("two kinds of component are called '{}'", name));
+  return *found->second.kind;
 }
 
 std::vector<std::string> Kind::names() const {
@@ -67,23 +76,41 @@ Fields Kind::prototype(std::string_view name) const {
 }
 
 void Kind::add(Entry entry, std::type_index type) {
+  const auto refuse = [](const std::string& why) {
+    if (!loading) throw std::logic_error(why);
+    loading->errors_.push_back(why);
+  };
   entry.file = relative_to_tree(std::move(entry.file));
   const auto present = entries_.find(entry.name);
   if (present != entries_.end()) {
-    throw std::logic_error(fmt::format("{} '{}' is registered in {} and again in {}", name_,
-                                       entry.name, present->second.file, entry.file));
+    return refuse(fmt::format("{} '{}' is registered in {} and again in {}", name_, entry.name, present->second.file,
+                              entry.file));
   }
   const auto [known, is_new] = names_by_class().emplace(type, entry.name);
   if (!is_new) {
-    throw std::logic_error(fmt::format("the class of {} '{}' ({}) is already registered as '{}'",
-                                       name_, entry.name, entry.file, known->second));
+    return refuse(fmt::format("the class of {} '{}' ({}) is already registered as '{}'", name_, entry.name, entry.file,
+                              known->second));
+  }
+  if (loading) {
+    entry.plugin = loading->plugin_;
+    loading->added_.push_back({this, entry.name, type});
   }
   entries_.emplace(entry.name, std::move(entry));
 }
 
+PluginRegistrations::PluginRegistrations(std::string plugin) : plugin_(std::move(plugin)) { loading = this; }
+
+PluginRegistrations::~PluginRegistrations() {
+  loading = nullptr;
+  for (const Added& a : added_) {
+    a.kind->entries_.erase(a.name);
+    names_by_class().erase(a.type);
+  }
+}
+
 std::vector<const Kind*> registered_kinds() {
   std::vector<const Kind*> kinds;
-  for (const auto& [name, kind] : kinds_by_name()) kinds.push_back(kind);
+  for (const auto& [name, entry] : kinds_by_name()) kinds.push_back(entry.kind.get());
   return kinds;
 }
 

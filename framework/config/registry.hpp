@@ -5,9 +5,9 @@
 //   static constexpr const char* kind_doc = "Potential of the gap between two surfaces.";
 // A component is a class of that kind which registers itself in its own .cpp, at namespace scope:
 //   TACK_REGISTER(NormalLaw, FangAdhesion, "fang", "One sentence.", "Fang et al., eq. 10-12");
-// Registration runs before main, so the object file has to be linked whole (OBJECT libraries). A
-// name or a class registered twice is an error that ends the program at its start. Entries are
-// sorted by name, whatever the link order.
+// Registration runs before main, so the object file has to be linked whole (OBJECT libraries); that of
+// a plugin when it is loaded (framework/plugin). A name or a class registered twice is an error that ends
+// the program at its start. Entries are sorted by name, whatever the link order.
 #pragma once
 
 #include <concepts>
@@ -42,9 +42,14 @@ class Kind {
     std::string source;  // citation
     std::string file;    // relative to the source tree
     std::function<std::unique_ptr<Component>()> factory;
+    std::string plugin = {};  // the library that it came with; "" for the program's own
   };
 
-  Kind(std::string name, std::string doc);
+  // The kind of that name, made when it is first asked for. There is one in the program, whichever library asks. Throws
+  // std::logic_error if it has components of another base class.
+  static Kind& named(const char* name, const char* doc, std::type_index base);
+
+  Kind(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {}
   Kind(const Kind&) = delete;
   Kind& operator=(const Kind&) = delete;
 
@@ -60,10 +65,12 @@ class Kind {
   // The fields of a fresh instance, which the result keeps alive: its defaults.
   Fields prototype(std::string_view name) const;
 
-  // Throws std::logic_error if the name or the class is registered already.
+  // Throws std::logic_error if the name or the class is registered already; while a plugin is loaded, keeps that for
+  // its PluginRegistrations.
   void add(Entry entry, std::type_index type);
 
  private:
+  friend class PluginRegistrations;
   std::string name_;
   std::string doc_;
   std::map<std::string, Entry, std::less<>> entries_;
@@ -72,12 +79,38 @@ class Kind {
 // All kinds that are used or have components, sorted by name.
 std::vector<const Kind*> registered_kinds();
 
+// What registers itself while this lives is a plugin's, and is taken back unless it is kept: initialisers of a library must
+// not throw. One at a time.
+class PluginRegistrations {
+ public:
+  explicit PluginRegistrations(std::string plugin);
+  ~PluginRegistrations();
+  PluginRegistrations(const PluginRegistrations&) = delete;
+  PluginRegistrations& operator=(const PluginRegistrations&) = delete;
+
+  bool empty() const { return added_.empty(); }
+  const std::vector<std::string>& errors() const { return errors_; }
+  void keep() { added_.clear(); }
+
+ private:
+  friend class Kind;
+  struct Added {
+    Kind* kind;
+    std::string name;
+    std::type_index type;
+  };
+
+  std::string plugin_;
+  std::vector<Added> added_;
+  std::vector<std::string> errors_;
+};
+
 template <class Base>
 requires std::derived_from<Base, Component>
 class Registry {
  public:
   static Kind& kind() {
-    static Kind kind(Base::kind_name, Base::kind_doc);
+    static Kind& kind = Kind::named(Base::kind_name, Base::kind_doc, typeid(Base));
     return kind;
   }
 

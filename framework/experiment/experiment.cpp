@@ -1,10 +1,13 @@
 #include "framework/experiment/experiment.hpp"
 
+#include "framework/plugin/plugins.hpp"
+
 namespace tack {
 
 void Experiment::fields(Fields& f) {
   f.text("name", name, "what the results folder is called").required();
   f.text("about", about, "what the experiment must show");
+  f.paths("plugins", plugins, plugins_doc);
   f.object("time", time, "time stepping");
   SceneConfig::fields(f);
   f.component("solver", solver, "minimiser of each step");

@@ -18,6 +18,7 @@ namespace tack {
 struct Experiment : SceneConfig {
   std::string name;
   std::string about;
+  std::vector<std::string> plugins;  // absolute paths; loaded
   TimeConfig time;
   std::unique_ptr<const Minimizer> solver = Registry<Minimizer>::make("projected_newton");
   std::vector<std::unique_ptr<const Probe>> probes;

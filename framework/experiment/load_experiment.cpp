@@ -2,10 +2,12 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/plugin/plugins.hpp"
 
 namespace tack {
 
 LoadedExperiment bound_experiment(Value root) {
+  load_plugins(root);
   LoadedExperiment loaded{std::move(root), {}, {}};
   bind(loaded.root, loaded.experiment, "the scene");
   const auto fills = [](const ObjectConfig& object) { return object.fill.has_value(); };

@@ -109,11 +109,14 @@ std::string shell_line(const std::vector<std::string>& words) {
 
 Provenance provenance_of(const std::string& command_line, int threads) {
   std::error_code ignored;
-  return {this_build(), this_machine(), threads, utc_now(), command_line, std::filesystem::current_path(ignored).string()};
+  return {this_build(), this_machine(), threads, utc_now(), command_line, std::filesystem::current_path(ignored).string(), {}};
 }
 
 nlohmann::ordered_json to_json(const Provenance& p) {
   using Json = nlohmann::ordered_json;
+  Json plugins = Json::array();
+  for (const Plugin& plugin : p.plugins)
+    plugins.push_back({{"path", plugin.path}, {"checksum", fmt::format("{:08x}", plugin.checksum)}});
   const bool known = !p.build.commit.empty();
   return {{"version", p.build.version},
           {"commit", p.build.commit},
@@ -130,7 +133,8 @@ nlohmann::ordered_json to_json(const Provenance& p) {
           {"hardware_threads", p.machine.hardware_threads},
           {"threads", p.threads},
           {"command", p.command_line},
-          {"directory", p.directory}};
+          {"directory", p.directory},
+          {"plugins", plugins}};
 }
 
 }  // namespace tack

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/plugin/plugins.hpp"
+
 namespace tack {
 
 struct Build {
@@ -36,6 +38,7 @@ struct Provenance {
   std::string date;          // when it began, "2026-01-31T23:59:59Z"
   std::string command_line;  // as a shell would take it; "" for a program that is not tack's
   std::string directory;     // where it was started
+  std::vector<Plugin> plugins = {};  // that took part
 };
 // Of what begins now.
 Provenance provenance_of(const std::string& command_line, int threads);

@@ -49,6 +49,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
   summary_.provenance = provenance;
+  summary_.provenance.plugins = loaded_plugins();
   summary_.dofs = world_.dofs.size();
   summary_.adhesion = world_.adhesion;
   if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_);

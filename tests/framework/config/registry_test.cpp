@@ -72,6 +72,27 @@ TEST_CASE("registering twice is an error") {
   CHECK(kind.names().size() == 4);
 }
 
+TEST_CASE("what a plugin registers is kept, or taken back with what was refused") {
+  Kind& kind = Registry<toy::Energy>::kind();
+  const auto add = [&](const char* name, std::type_index type) {
+    kind.add({name, "doc", "", "plugin.cpp", [] { return std::make_unique<Unregistered>(); }}, type);
+  };
+  for (int once = 0; once < 2; ++once) {  // nothing is left of the first time
+    PluginRegistrations plugin("/a/libmine.so");
+    CHECK(plugin.empty());
+    add("toy_mine", typeid(Unregistered));
+    add("toy_spring", typeid(Impostor));
+    CHECK_FALSE(plugin.empty());
+    CHECK(plugin.errors() == std::vector<std::string>{"toy_energy 'toy_spring' is registered in "
+                                                      "tests/framework/config/registry_test.cpp and again in plugin.cpp"});
+    CHECK(kind.entry("toy_mine").plugin == "/a/libmine.so");
+    CHECK(Unregistered().type() == "toy_mine");
+  }
+  CHECK(kind.names().size() == 4);
+  CHECK(Unregistered().type() == "");
+  CHECK_THROWS_AS(add("toy_spring", typeid(Impostor)), std::logic_error);  // the program's own again
+}
+
 TEST_CASE("registered kinds are sorted") {
   const auto kinds = registered_kinds();
   const auto by_name = [](const Kind* a, const Kind* b) { return a->name() < b->name(); };

@@ -54,10 +54,13 @@ TEST_CASE("provenance as JSON has exactly the documented keys, and null for what
   for (const auto& [key, value] : unknown.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"version", "commit", "sources", "changed_sources", "untracked_sources", "compiler",
                                          "flags", "instruction_set", "date", "host", "cpu", "cores", "hardware_threads",
-                                         "threads", "command", "directory"});
+                                         "threads", "command", "directory", "plugins"});
   CHECK(unknown["changed_sources"].is_null());
   CHECK(unknown["commit"] == "");
   CHECK(unknown["sources"] == "no git checkout");
+  CHECK(unknown["plugins"].empty());
+  p.plugins = {{"/a/libmine.so", 0x1f}};
+  CHECK(to_json(p)["plugins"][0] == nlohmann::ordered_json({{"path", "/a/libmine.so"}, {"checksum", "0000001f"}}));
   p.build = built(true, 2);
   CHECK(to_json(p)["changed_sources"] == true);
   CHECK(to_json(p)["untracked_sources"] == 2);

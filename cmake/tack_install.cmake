@@ -1,0 +1,17 @@
+# bin/tack, lib/tack (what it opens itself), include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
+include(CMakePackageConfigHelpers)
+install(TARGETS tack_cli RUNTIME DESTINATION bin)
+install(TARGETS tack_meshing LIBRARY DESTINATION lib/tack)
+install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"
+        PATTERN framework/app EXCLUDE)
+install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp DESTINATION include/tack/framework/plugin)
+install(DIRECTORY experiments docs DESTINATION share/tack PATTERN results EXCLUDE)
+install(FILES README.md LICENSE DESTINATION share/tack)
+
+set(BINARIES bin)
+set(HEADERS include/tack)
+configure_package_config_file(cmake/tackConfig.cmake.in ${CMAKE_BINARY_DIR}/tackConfig.cmake
+                              INSTALL_DESTINATION lib/cmake/tack PATH_VARS BINARIES HEADERS)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/tackConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/tackConfig.cmake ${CMAKE_BINARY_DIR}/tackConfigVersion.cmake cmake/plugin_note.cpp
+        DESTINATION lib/cmake/tack)

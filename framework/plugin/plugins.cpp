@@ -1,0 +1,134 @@
+#include "framework/plugin/plugins.hpp"
+
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+
+#include "framework/config/parse.hpp"
+#include "framework/config/reader.hpp"
+#include "framework/config/registry.hpp"
+#include "framework/plugin/interface.hpp"
+#include "framework/plugin/shared_library.hpp"
+#include "geometry/checksum.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Plugin>& plugins() {
+  static std::vector<Plugin> loaded;
+  return loaded;
+}
+
+// The first line that differs; "" if none does.
+std::string difference(const std::string& theirs, const std::string& ours) {
+  std::istringstream plugin(theirs), program(ours);
+  std::string a, b;
+  while (std::getline(program, b)) {
+    if (!std::getline(plugin, a)) a = "nothing";
+    if (a != b) return fmt::format("it was built for {}, this program is {}", a, b);
+  }
+  return "";
+}
+
+void check_interface(const std::string& path) {
+  std::optional<std::string> note = library_section(path, TACK_PLUGIN_SECTION);
+  if (!note)
+    throw InputError(fmt::format("'{}' is no plugin of tack; link it with the CMake target tack::plugin (docs/plugins.md)", path));
+  note->resize(std::min(note->find('\0'), note->size()));
+  if (const std::string what = difference(*note, TACK_PLUGIN_INTERFACE); !what.empty())
+    throw InputError(fmt::format("'{}' is a plugin for another tack: {}; build it anew against this one, with the compiler "
+                                 "that built it", path, what));
+}
+
+// "undefined symbol: tack::Fields::all() const" rather than its mangled name.
+std::string readable(std::string message) {
+  const size_t begin = message.find("_Z");
+  if (begin == std::string::npos) return message;
+  const size_t end = std::min(message.find_first_of(" ,)", begin), message.size());
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(
+      abi::__cxa_demangle(message.substr(begin, end - begin).c_str(), nullptr, nullptr, &status), std::free);
+  return name ? message.replace(begin, end - begin, name.get()) : message;
+}
+
+// Closes the library unless it is kept.
+class Library {
+ public:
+  explicit Library(const std::string& path) {
+    handle_ = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (handle_) return;
+    const std::string why = readable(::dlerror());
+    const char* remedy = "it must be linked with what it calls, and may call of tack what its headers declare";
+    if (why.find("::packs_of_") != std::string::npos)
+      remedy = "materials of solids need the instruction set of the program: link tack::native as well (docs/plugins.md)";
+    throw InputError(fmt::format("cannot load the plugin: {}; {}", why, remedy));
+  }
+  ~Library() {
+    if (handle_) ::dlclose(handle_);
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  void keep() { handle_ = nullptr; }
+
+ private:
+  void* handle_ = nullptr;
+};
+
+std::uint32_t checksum_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  return crc32_of(bytes.data(), bytes.size());
+}
+
+}  // namespace
+
+const std::vector<Plugin>& loaded_plugins() { return plugins(); }
+
+void load_plugin(const std::string& given) {
+  std::error_code missing;
+  const std::string path = fs::canonical(given, missing).string();
+  if (missing || !fs::is_regular_file(path))
+    throw InputError(fmt::format("there is no library '{}'; build the plugin, or correct the path", given));
+  const auto same = [&](const Plugin& p) { return p.path == path; };
+  if (std::any_of(plugins().begin(), plugins().end(), same)) return;
+
+  check_interface(path);
+  std::unique_ptr<Library> library;  // goes after what it registered
+  PluginRegistrations registrations(path);
+  library = std::make_unique<Library>(path);
+  if (!registrations.errors().empty())
+    throw InputError(fmt::format("plugin '{}': {}; choose another name", path, registrations.errors().front()));
+  if (registrations.empty())
+    throw InputError(fmt::format("plugin '{}' registers no component; write TACK_REGISTER in its sources", path));
+  registrations.keep();
+  library->keep();
+  plugins().push_back({path, checksum_of(path)});
+}
+
+void load_plugins(const Value& root) {
+  const Value* list = root.find("plugins");
+  if (!list || !list->is_sequence()) return;
+  Reader reader;
+  for (const Value& item : list->items) {
+    if (!item.is_scalar()) continue;
+    try {
+      load_plugin(resolve_path(item.mark, item.text));
+    } catch (const InputError& error) {
+      reader.error(item.mark, fmt::format("plugins: {}", error.what()));
+    }
+  }
+  reader.finish();
+}
+
+}  // namespace tack

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# Installs tack into a scratch folder, follows docs/plugins.md there to the letter, and tries plugins that must be refused:
+#   test.sh SOURCE BUILD SCRATCH
+set -euo pipefail
+source=$1 build=$2 scratch=$3
+guide=$source/docs/plugins.md
+
+rm -rf "$scratch"
+mkdir -p "$scratch/home" "$scratch/guide/mine"
+export HOME=$scratch/home PATH=$scratch/home/tack-0.1/bin:$PATH
+cd "$scratch/guide"
+
+fail() {
+  echo "FAIL: $*" >&2
+  exit 1
+}
+
+# block TEXT: the first fenced block behind the line of the guide that begins with, or names, TEXT.
+block() {
+  awk -v text="$1" 'index($0, text) { found = 1 } found && /^```/ { if (inside) exit; inside = 1; next } inside' "$guide"
+}
+
+# What the program lets others call is its own alone: not Eigen's templates, which gmsh was built with as well.
+if nm -DC --defined-only "$build/bin/tack" | grep -E '^[0-9a-f]+ . ((vtable|typeinfo|typeinfo name) for )?Eigen::'; then fail "exported"; fi
+
+# The guide, with the build that is there.
+install=$(block '## Install tack' | grep '^cmake --install')
+bash -euc "${install/build\/release/\"$build\"}" >/dev/null
+for file in CMakeLists.txt parabolic.cpp barzilai_borwein.cpp extreme.cpp pull.yaml solvers.yaml; do
+  block "\`mine/$file\`" >"mine/$file"
+  [[ -s mine/$file ]] || fail "docs/plugins.md does not have mine/$file"
+done
+bash -euc "$(block '## Build it, check it, run it')" >out.txt 2>&1 || { cat out.txt; fail "the commands of docs/plugins.md"; }
+for line in 'strength: pressure (Pa), positive' 'pull.yaml is fit to run' 'pass  as low as the gap' 'Barzilai-Borwein at'; do
+  grep -qF "$line" out.txt || { cat out.txt; fail "no '$line'"; }
+done
+! grep -E 'FAIL|WRONG' out.txt || fail "what tack says of the plugin"
+cd mine
+curve=$(block 'The curve is in' | grep '^gnuplot')
+if command -v gnuplot >/dev/null; then bash -euc "$curve" && [[ -s pull.png ]] || fail "no curve"; fi
+paste -d , <(cut -d , -f 2 results/pull/probes.csv) <(cut -d , -f 2 results/barzilai_borwein/probes.csv) |
+  awk -F , 'NR > 1 && ($1 - $2)^2 > 1e-4 { exit 1 }' || fail "the minimisers do not agree"
+grep -q '"path": ".*/mine/build/libmine.so"' results/pull/summary.json || fail "no plugin under provenance"
+
+# What runs write goes on working, wherever it is.
+mkdir "$scratch/elsewhere"
+cd "$scratch/elsewhere"
+tack run "$scratch/guide/mine/results/pull/scene.yaml" -q -o again --steps 3 --dump-problem step=2
+printf 'name: stored\nproblems: [again/problems/pull.step2.problem]\nrepeat: 1\ntolerances: [0.1 mm/s]\nsolvers: [{name: a, solver: projected_newton}]\n' >stored.yaml
+tack compare stored.yaml -q
+tack list --plugin "$scratch/guide/mine/build/libmine.so" --schema schema.json
+grep -q '"adhesion.parabolic"' schema.json || fail "the schema does not know the plugin"
+! tack list adhesion | grep parabolic || fail "a plugin that nobody named"
+
+# What must be refused, with its place: refused LIBRARY PATTERN
+cd "$scratch/elsewhere"
+cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
+cmake --build build >/dev/null
+scene=$scratch/elsewhere/scene.yaml
+refused() {
+  sed "s|\[build/libmine.so\]|[$1]|" "$scratch/guide/mine/pull.yaml" >"$scene"
+  local code=0 message
+  message=$(tack run "$scene" -q 2>&1) || code=$?
+  ((code == 2)) || fail "$1: exit code $code: $message"
+  [[ $message == "error: $scene:4:11: plugins: "* ]] || fail "$1: no place: $message"
+  grep -qE "$2" <<<"$message" || fail "$1: $message"
+  [[ ! -e results/pull ]] || fail "$1: results of what was refused"
+}
+cp "$scratch/guide/mine/build/libmine.so" other_headers.so
+sed -i -E 's/headers [0-9a-f]{16}/headers 0000000000000000/' other_headers.so
+cp other_headers.so other_version.so
+sed -i -E 's/tack 0\.1\.0/tack 9.1.0/' other_version.so
+head -c 2000 other_version.so >cut.so
+echo "no library" >text.so
+refused missing.so "there is no library '$scratch/elsewhere/missing.so'; build the plugin, or correct the path"
+refused text.so "is no shared library, or a damaged one"
+refused cut.so "is no shared library, or a damaged one"
+refused "$HOME/tack-0.1/lib/tack/libtack_meshing.so" "is no plugin of tack; link it with .* tack::plugin"
+refused other_headers.so "another tack: it was built for headers 0000000000000000, this program is headers [0-9a-f]{16}; build it anew"
+refused other_version.so "another tack: it was built for tack 9\.1\.0, this program is tack 0\.1\.0; build it anew"
+refused build/libchecked.so "another tack: it was built for _GLIBCXX_DEBUG 1, this program is _GLIBCXX_DEBUG 0"
+refused build/libnothing.so "registers no component; write TACK_REGISTER"
+refused build/libtaken.so "probe 'gap' is registered in framework/probes/positions.cpp and again in .*taken.cpp; choose another name"
+refused build/libunresolved.so "cannot load the plugin: .*undefined symbol: tack::no_such_function\(int\); it must be linked with what it calls"
+refused build/liblanes.so "undefined symbol: tack::no_such_function\(tack::packs_of_3::Pack\*\); .* link tack::native as well"
+refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.so"
+
+# Without optimisation, with assertions; and named twice.
+sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"
+tack run "$scene" -q || fail "a plugin without optimisation"
+rm -rf "$scratch"
