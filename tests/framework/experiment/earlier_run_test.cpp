@@ -42,7 +42,7 @@ RunSummary record(const std::string& yaml, const fs::path& folder, std::vector<s
   RunSettings settings;
   settings.output = folder.string();
   settings.dump_problems = std::move(dump);
-  RecordedRun run(parse_experiment("name: settled\n" + yaml, "settled.yaml"), settings, {"1", "abc", 1}, told, {});
+  RecordedRun run(parse_experiment("name: settled\n" + yaml, "settled.yaml"), settings, {}, told, {});
   const RunSummary summary = run.execute();
   INFO(told.str());
   REQUIRE(summary.status == RunStatus::done);
