@@ -6,6 +6,7 @@ install(DIRECTORY geometry framework energies solvers DESTINATION include/tack F
         PATTERN framework/app EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp DESTINATION include/tack/framework/plugin)
 install(DIRECTORY experiments docs DESTINATION share/tack PATTERN results EXCLUDE)
+install(FILES ${CMAKE_BINARY_DIR}/share/report.html DESTINATION share/tack OPTIONAL)
 install(FILES README.md LICENSE DESTINATION share/tack)
 
 set(BINARIES bin)

@@ -15,12 +15,20 @@ void SolverEntry::fields(Fields& f) {
   f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it").required();
 }
 
+void BaseEntry::fields(Fields& f) {
+  f.text("name", name, "what tables call it; the experiment's own name unless given");
+  f.path("file", file, "the experiment").required();
+  f.texts("set", set, "overrides, as `time.step=1 ms`");
+  f.integer("steps", steps, "in its own time step; 0: to its end").at_least(0);
+}
+
 void CompareConfig::fields(Fields& f) {
   f.text("name", name, "what the results folder is called").required();
   f.text("about", about, "what the comparison is to show");
   f.paths("plugins", plugins, plugins_doc);
   f.path("base", base, "an experiment, solved from its start");
   f.texts("set", set, "overrides of the base, as `time.step=1 ms`");
+  f.list("bases", bases, "several experiments, each with overrides and steps of its own");
   f.paths("problems", problems, "files of `tack run --dump-problem`, a step each");
   f.list("solvers", solvers, "what is compared").required().nonempty();
   f.numbers("tolerances", tolerances, units::velocity, "each solver's `tolerance`, one after the other")
@@ -35,7 +43,7 @@ void CompareConfig::fields(Fields& f) {
                     "of the reference, so that errors hold those of time stepping; unless given, each time "
                     "step has a reference of its own and errors are the solver's alone").positive();
   f.check("base", [this]() -> std::string {
-    return base.empty() && problems.empty() ? "give an experiment (base) or stored steps (problems)" : "";
+    return base.empty() && bases.empty() && problems.empty() ? "give an experiment (base, bases) or stored steps (problems)" : "";
   });
   f.check("solvers", [this]() -> std::string {
     std::set<std::string> names;

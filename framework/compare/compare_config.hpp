@@ -15,12 +15,22 @@ struct SolverEntry {
   void fields(Fields& f);
 };
 
+// An experiment, solved from its start.
+struct BaseEntry {
+  std::string name;              // empty: that of the experiment
+  std::string file;              // absolute path
+  std::vector<std::string> set;  // "a.b=c"
+  int steps = 0;                 // in its own time step; 0: to its end
+  void fields(Fields& f);
+};
+
 struct CompareConfig {
   std::string name;
   std::string about;
   std::vector<std::string> plugins;   // absolute paths; loaded
   std::string base;                   // absolute path of an experiment; empty: none
   std::vector<std::string> set;       // "a.b=c", for the base
+  std::vector<BaseEntry> bases;
   std::vector<std::string> problems;  // absolute paths
   std::vector<SolverEntry> solvers;
   std::vector<double> tolerances;     // m/s

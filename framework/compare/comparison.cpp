@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "geometry/errors.hpp"
 
@@ -94,7 +95,7 @@ ReferenceRow row_of(const CompareCase& what, const Reference& reference, double 
 std::string line_of(const CompareRow& r) {
   return fmt::format("{} h {:.3g} s: {} at {:.0e} m/s: {} iterations, {:.4g} s, error {:.2e} m{}{}", r.problem,
                      r.time_step, r.solver, r.tolerance, r.iterations, r.wall_seconds, r.error_rms,
-                     r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : "");
+                     r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", not accurate" : "");
 }
 
 // How each solver with its smallest tolerance converges where most iterations are needed.
@@ -115,10 +116,34 @@ void record_histories(const CompareConfig& config, std::vector<Entry>& entries, 
 
 }  // namespace
 
+void tell_branches_apart(std::vector<CompareRow>& rows) {
+  constexpr double closer = 0.5;
+  const std::vector<CompareRow> before = rows;
+  for (CompareRow& row : rows) {
+    if (row.single_step || row.branch != "another") continue;
+    for (const CompareRow& other : before) {
+      if (other.problem != row.problem || other.solver != row.solver || other.time_step != row.time_step || !other.converged)
+        continue;
+      const bool tighter = other.tolerance < row.tolerance, looser = other.tolerance > row.tolerance;
+      if ((tighter && (other.branch == "same" || other.error_max < closer * row.error_max)) ||
+          (looser && row.error_max < closer * other.error_max))
+        row.branch = "inaccurate";
+    }
+  }
+}
+
 std::vector<CompareCase> cases_of(const CompareConfig& config) {
   std::vector<CompareCase> cases;
   if (!config.base.empty()) cases.push_back(experiment_case(config.base, config.set, config.steps));
+  for (const BaseEntry& base : config.bases) {
+    cases.push_back(experiment_case(base.file, base.set, base.steps));
+    if (!base.name.empty()) cases.back().name = base.name;
+  }
   for (const std::string& path : config.problems) cases.push_back(problem_case(path));
+  std::set<std::string> names;
+  for (const CompareCase& c : cases)
+    if (!names.insert(c.name).second)
+      throw InputError(fmt::format("{}: two of what is compared are called '{}'; give those of `bases` a `name`", c.path, c.name));
   for (const CompareCase& c : cases) {  // with every solver and time step, to know now what does not fit
     if (config.reference_time_step && !c.single()) c.steps_of(*config.reference_time_step);
     for (const double h : time_steps(config, c)) {
@@ -164,12 +189,15 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
   for (Entry& e : entries) {
     const auto [least, most] = std::minmax_element(e.wall.begin(), e.wall.end());
     e.row.wall_seconds = median(e.wall);
+    e.row.wall_least = *least;
+    e.row.wall_most = *most;
     e.row.wall_spread = *most - *least;
     e.row.cpu_seconds = median(e.cpu);
-    tell(line_of(e.row));
   }
   record_histories(config, entries, result);
   for (Entry& e : entries) result.rows.push_back(std::move(e.row));
+  tell_branches_apart(result.rows);
+  for (const CompareRow& row : result.rows) tell(line_of(row));
   return result;
 }
 

@@ -14,10 +14,13 @@ struct CompareRow {
   std::string problem, solver;
   double tolerance = 0, time_step = 0;                           // m/s, s
   double wall_seconds = 0, wall_spread = 0, cpu_seconds = 0;     // median; largest - smallest; median
+  double wall_least = 0, wall_most = 0;                          // of the repetitions
   long iterations = 0, evaluations = 0, linear_solves = 0;
   std::string status;
   bool converged = false;
-  std::string branch;  // "same" solution as the reference's, "equal" in potential, "another"; "": not known
+  // "same" solution as the reference's, "equal" in potential, "another"; of a run that ended elsewhere but comes closer with
+  // smaller tolerances "inaccurate"; "": not known.
+  std::string branch;
   // Of a run, from the reference's end; of a single step, from the minimum that the solver came to, refined
   // as far as the reference. Like this, solvers that come to another minimum are judged fairly.
   double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: none
@@ -27,6 +30,17 @@ struct CompareRow {
   bool single_step = false;
   bool solved() const { return converged && (single_step || branch != "another"); }
 };
+
+// Runs that ended away from the reference are on another branch, or merely not accurate: those whose solver comes to the
+// reference with a smaller tolerance, or to half the distance.
+void tell_branches_apart(std::vector<CompareRow>& rows);
+
+// A task is a problem with a tolerance and a time step.
+inline bool same_task(const CompareRow& a, const CompareRow& b) {
+  return a.problem == b.problem && a.tolerance == b.tolerance && a.time_step == b.time_step;
+}
+// Whether a is as fast as b, or slower by no more than repetitions differ.
+inline bool as_fast(const CompareRow& a, const CompareRow& b) { return a.wall_least <= b.wall_most; }
 
 struct ReferenceRow {
   std::string problem;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "framework/compare/performance_profile.hpp"
@@ -41,8 +43,15 @@ std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
 
 }  // namespace
 
-Plot work_precision(const std::vector<CompareRow>& rows) {
+Plot work_precision(const std::vector<CompareRow>& all) {
+  // What nobody solves would leave nobody a point.
+  std::set<std::string> nobodys = problems_of(all);
+  for (const CompareRow& r : all)
+    if (r.solved()) nobodys.erase(r.problem);
+  std::vector<CompareRow> rows;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(rows), [&](const CompareRow& r) { return !nobodys.count(r.problem); });
   Plot plot;
+  add_notes(plot, "without what nobody solves:", {nobodys.begin(), nobodys.end()});
   plot.title = "time against error";
   plot.x_label = "error / size of what moves (RMS over vertices, mean over problems)";
   plot.y_label = "wall time [s]";
@@ -52,11 +61,12 @@ Plot work_precision(const std::vector<CompareRow>& rows) {
   for (const CompareRow& r : rows) steps.insert(r.time_step);
   const bool by_step = problems == 1 && steps.size() > 1;
   struct Sum {
-    double seconds = 0, spread = 0, log_error = 0;  // spread: of the sum of times, if they vary together
+    double seconds = 0, least = 0, most = 0, log_error = 0;  // least, most: of the sum of times, if they vary together
     size_t count = 0;
   };
   std::vector<std::pair<std::string, std::vector<std::pair<double, Sum>>>> sums;  // title, tolerance
   std::set<std::pair<std::string, double>> incomplete;
+  std::map<std::string, std::set<std::string>> failed;  // by title: problems
   for (const CompareRow& r : rows) {
     const std::string title = by_step ? fmt::format("{}, h = {:g} s", r.solver, r.time_step) : r.solver;
     auto of_title = std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == title; });
@@ -65,23 +75,32 @@ Plot work_precision(const std::vector<CompareRow>& rows) {
     auto sum = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.first == r.tolerance; });
     if (sum == list.end()) sum = list.insert(list.end(), {r.tolerance, {}});
     const double relative = r.error_max > 0 ? r.error_rms * r.relative_error / r.error_max : 0.0;
-    if (!r.solved() || !std::isfinite(r.error_rms)) incomplete.insert({title, r.tolerance});
+    if (!r.solved() || !std::isfinite(r.error_rms)) {
+      incomplete.insert({title, r.tolerance});
+      failed[title].insert(r.problem);
+    }
     sum->second.seconds += r.wall_seconds;
-    sum->second.spread += r.wall_spread;
+    sum->second.least += r.wall_least;
+    sum->second.most += r.wall_most;
     sum->second.log_error += std::log(std::max(relative, smallest_error));
     ++sum->second.count;
   }
-  std::vector<std::string> unsolved;
+  std::vector<std::string> unsolved, partly;
   for (const auto& [title, list] : sums) {
     Curve& curve = curve_of(plot, title);
     for (const auto& [tolerance, sum] : list) {
       if (incomplete.count({title, tolerance})) continue;
       curve.points.emplace_back(std::exp(sum.log_error / static_cast<double>(sum.count)), sum.seconds);
-      curve.spread.emplace_back(std::max(sum.seconds - sum.spread / 2, sum.seconds / 10), sum.seconds + sum.spread / 2);
+      curve.spread.emplace_back(sum.least, sum.most);
     }
-    if (curve.points.empty()) unsolved.push_back(title);
+    if (curve.points.size() == list.size()) continue;
+    const size_t where = failed[title].size();
+    const std::string problem = problems == 1 ? "" : where == 1 ? *failed[title].begin() : fmt::format("{} of {} problems", where, problems);
+    const std::string what = problem.empty() ? title : fmt::format("{} ({})", title, problem);
+    (curve.points.empty() ? unsolved : partly).push_back(what);
   }
   add_notes(plot, fmt::format("no tolerance at which {} solved:", problems > 1 ? "all problems were" : "it was"), unsolved);
+  add_notes(plot, "not at all tolerances:", partly);
   return plot;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tack {
@@ -20,10 +21,11 @@ std::string cell(const std::string& text) {
 
 std::string header(const CompareConfig& config, const Provenance& p, double wall_seconds) {
   return fmt::format("# {}\n\n{}\n\nMeasured with tack {} ({}; {}, {}) on {} ({}), {} threads, from {}, by `{}`; {} repetitions, "
-                     "interleaved, medians; every solve in a world of its own, loading not timed. {:.0f} s in all. Times depend "
+                     "interleaved, medians; every solve in a world of its own, loading not timed. {:.0f} s in all.{} Times depend "
                      "on the machine and on what else it does: compare them within this table.\n",
                      cell(config.name), config.about, p.build.version, p.build.sources(), p.build.compiler, p.build.flags,
-                     p.machine.host, p.machine.description(), p.threads, p.date, p.command_line, config.repeat, wall_seconds);
+                     p.machine.host, p.machine.description(), p.threads, p.date, p.command_line, config.repeat, wall_seconds,
+                     config.repeat < 2 ? " One repetition does not tell how much times differ." : "");
 }
 
 std::string references(const Comparison& c) {
@@ -49,15 +51,64 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
   return best;
 }
 
-// Whose times at this level cannot be told from the fastest one's: the ranges of their repetitions overlap.
-std::string as_fast(const Comparison& c, const CompareRow& best, double level) {
-  std::string names;
+// The other solvers of a problem that reach `level` as fast as the fastest, as far as repetitions tell.
+std::string no_slower(const Comparison& c, const CompareRow& best, double level) {
+  std::vector<std::string> names;
+  for (const CompareRow& r : c.rows)
+    if (r.problem == best.problem && r.solver != best.solver && r.solved() && r.error_rms <= level && as_fast(r, best) &&
+        std::find(names.begin(), names.end(), r.solver) == names.end())
+      names.push_back(r.solver);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// What solvers do in all tasks (problem, tolerance, time step) together.
+std::string joint_table(const Comparison& c) {
+  struct Sum {
+    std::string solver;
+    int tasks = 0, solved = 0, fastest = 0, elsewhere = 0, inaccurate = 0, with_error = 0;
+    long iterations = 0;
+    double log_ratio = 0, log_error = 0;
+  };
+  std::vector<Sum> sums;
+  int tasks = 0, nobody = 0;
   for (const CompareRow& r : c.rows) {
-    if (&r == &best || r.solver == best.solver || r.problem != best.problem || !r.solved() || r.error_rms > level) continue;
-    if (r.wall_seconds - r.wall_spread / 2 > best.wall_seconds + best.wall_spread / 2) continue;
-    if (names.find(cell(r.solver)) == names.npos) names += (names.empty() ? "" : ", ") + cell(r.solver);
+    auto at = std::find_if(sums.begin(), sums.end(), [&](const Sum& s) { return s.solver == r.solver; });
+    if (at == sums.end()) at = sums.insert(sums.end(), {r.solver, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    const CompareRow* best = nullptr;
+    for (const CompareRow& other : c.rows)
+      if (same_task(other, r) && other.solved() && (!best || other.wall_seconds < best->wall_seconds)) best = &other;
+    if (at == sums.begin()) {
+      ++tasks;
+      nobody += best ? 0 : 1;
+    }
+    ++at->tasks;
+    at->elsewhere += r.branch == "another" ? 1 : 0;
+    at->inaccurate += r.branch == "inaccurate" ? 1 : 0;
+    if (!r.solved()) continue;
+    ++at->solved;
+    at->iterations += r.iterations;
+    at->fastest += as_fast(r, *best) ? 1 : 0;
+    at->log_ratio += std::log(r.wall_seconds / best->wall_seconds);
+    if (!(r.relative_error >= 0)) continue;
+    ++at->with_error;
+    at->log_error += std::log(std::max(r.relative_error, 1e-17));
   }
-  return names;
+  std::string out = fmt::format("\n## All {} tasks together\n\nA task is a problem with a tolerance and a time step. *Fastest*: or no "
+                                "slower than what repetitions differ by. The time over the fastest one's and the error (largest, "
+                                "relative to the size of what moves) are geometric means, iterations a sum, over the tasks that the "
+                                "solver did.", tasks);
+  if (nobody > 0) out += fmt::format(" {} were done by nobody.", nobody);
+  out += "\n\n| solver | done | fastest | times the fastest | iterations | error | another branch | not accurate |\n"
+         "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::stable_sort(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) {
+    const auto slowness = [](const Sum& s) { return s.log_ratio / std::max(s.solved, 1); };
+    return a.solved != b.solved ? a.solved > b.solved : slowness(a) < slowness(b);
+  });
+  for (const Sum& s : sums)
+    out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", cell(s.solver), s.solved, s.fastest,
+                       s.solved ? fmt::format("{:.2f}", std::exp(s.log_ratio / s.solved)) : "", s.iterations,
+                       s.with_error ? fmt::format("{:.0e}", std::exp(s.log_error / s.with_error)) : "", s.elsewhere, s.inaccurate);
+  return out;
 }
 
 std::string pareto(const Comparison& c) {
@@ -80,7 +131,7 @@ std::string pareto(const Comparison& c) {
       shown = best;
       out += fmt::format("| {} | 1e{} | {} | {:.0e} | {:g} | {:.4g} | {:.2g} | {} | {:.1e} | {} |\n", cell(of.problem), decade,
                          cell(best->solver), best->tolerance, best->time_step, best->wall_seconds, best->wall_spread,
-                         best->iterations, best->error_rms, as_fast(c, *best, level));
+                         best->iterations, best->error_rms, cell(no_slower(c, *best, level)));
     }
   }
   return out;
@@ -89,12 +140,15 @@ std::string pareto(const Comparison& c) {
 std::string failures(const Comparison& c) {
   std::string rows;
   for (const CompareRow& r : c.rows) {
-    if (r.converged && r.branch != "another" && r.intersections == 0) continue;
+    const bool elsewhere = r.branch == "another" || r.branch == "inaccurate";
+    if (r.converged && !elsewhere && r.intersections == 0) continue;
     std::string what = r.converged ? "" : r.status;
     if (r.branch == "another")
       what = r.single_step ? fmt::format("another minimum, {:.3g} J {} the reference's", std::abs(r.energy_gap),
                                          r.energy_gap < 0 ? "below" : "above")
-                           : fmt::format("ended {:.1e} m from the reference", r.error_max);
+                           : fmt::format("another branch: ended {:.1e} m from the reference", r.error_max);
+    if (r.branch == "inaccurate")
+      what = fmt::format("not accurate: ended {:.1e} m from the reference, closer with smaller tolerances", r.error_max);
     if (r.intersections > 0) what += fmt::format(" {} intersections", r.intersections);
     rows += fmt::format("| {} | {} | {:.0e} | {:g} | {} |\n", cell(r.problem), cell(r.solver), r.tolerance, r.time_step,
                         cell(what));
@@ -107,7 +161,7 @@ std::string failures(const Comparison& c) {
 }  // namespace
 
 std::string compare_report(const CompareConfig& config, const Comparison& c, const Provenance& provenance, double wall_seconds) {
-  return header(config, provenance, wall_seconds) + references(c) + pareto(c) + failures(c) +
+  return header(config, provenance, wall_seconds) + references(c) + joint_table(c) + pareto(c) + failures(c) +
          "\nAll numbers: compare.csv, and compare.json for where they come from. Pictures: plots/.\n";
 }
 

@@ -1,4 +1,4 @@
-// compare.md: what was measured on what, the fastest solver at each level of error, and what failed.
+// compare.md: what was measured on what, what solvers do in all tasks together, the fastest at each level of error, and what failed.
 #pragma once
 
 #include "framework/compare/comparison.hpp"

@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 7> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<const char*, 14> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000",
+                                                "#882255", "#999933", "#332288", "#117733", "#AA4499", "#661100", "#888888"};
 constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(9,3,2,3)"};
 constexpr std::array<int, 6> marks = {7, 5, 9, 11, 13, 6};
 constexpr size_t most_labels = 12;       // at the ends of curves

@@ -35,7 +35,9 @@ int PageData::add(const std::string& bytes) {
 
 fs::path page_path() {
   std::error_code none;
-  return fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "share" / "report.html";
+  const fs::path share = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "share";
+  const fs::path installed = share / "tack" / "report.html";
+  return fs::exists(installed, none) ? installed : share / "report.html";
 }
 
 std::string page_with(const fs::path& path, const PageData& data) {

@@ -22,7 +22,7 @@ class PageData {
   std::vector<std::string> blocks_;  // in base64
 };
 
-// Where it is beside the program: share/report.html of its build folder.
+// Where it is beside the program: share/report.html of its build folder, share/tack/report.html where tack is installed.
 std::filesystem::path page_path();
 
 // The page with data; nothing in a text of theirs ends or begins a tag. Throws InputError with the remedy if the page is not

@@ -84,6 +84,26 @@ TEST_CASE("tack compare solves stored steps, and the errors of one solver fall w
   CHECK(contains(place.text("results/two/compare.md"), "| tiny.step2 | 1e-"));
 }
 
+TEST_CASE("tack compare solves several experiments, and tells of all of them together") {
+  const Place place;
+  const ProgramResult result = place.compare(
+      {"--set", "base=\"\"", "time_steps=[]", "repeat=1", "tolerances=[1e-3]",
+       "bases=[{file: scene.yaml, steps: 1}, {name: light, file: scene.yaml, set: [\"gravity=[0, -1, 0]\"], steps: 2}]"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const std::string csv = place.text("results/two/compare.csv");
+  CHECK(lines(csv) == 1 + 2 * 2);
+  CHECK(contains(csv, "tiny,clamp,0.001,"));
+  CHECK(contains(csv, "light,clamp,0.001,"));
+  const std::string report = place.text("results/two/compare.md");
+  CHECK(contains(report, "## All 2 tasks together"));
+  CHECK(contains(report, "| clamp | 2 | "));
+  CHECK(contains(report, "One repetition does not tell"));
+  const ProgramResult twice = place.compare({"--set", "bases=[{file: scene.yaml}]"});
+  CHECK(twice.exit_code == 2);
+  CHECK(contains(twice.err, "two of what is compared are called 'tiny'; give those of `bases` a `name`"));
+}
+
 TEST_CASE("without gnuplot, tables are written and the message says what is missing") {
   const Place place;
   const std::string path = std::getenv("PATH");

@@ -13,7 +13,7 @@ TEST_CASE("every shipped comparison fits together", "[compare]") {
     INFO(entry.path());
     const CompareConfig config = load_comparison(entry.path().string(), {});
     const std::vector<CompareCase> cases = cases_of(config);
-    CHECK(cases.size() == config.problems.size() + (config.base.empty() ? 0 : 1));
+    CHECK(cases.size() == config.problems.size() + config.bases.size() + (config.base.empty() ? 0 : 1));
     for (const CompareCase& c : cases) CHECK(c.size > 0);
     ++files;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "framework/compare/plots.hpp"
+#include "framework/compare/report.hpp"
 
 using namespace tack;
 
@@ -15,7 +16,7 @@ CompareRow row(const char* problem, const char* solver, double seconds, bool con
   r.solver = solver;
   r.tolerance = 1e-3;
   r.time_step = 0.01;
-  r.wall_seconds = seconds;
+  r.wall_seconds = r.wall_least = r.wall_most = seconds;
   r.converged = converged;
   r.error_rms = r.error_max = 1e-6;
   r.relative_error = 1e-5;
@@ -40,6 +41,36 @@ TEST_CASE("a performance profile is the ratios to the fastest of each task", "[c
   CHECK(std::isinf(profiles[1].ratios[1]));
 }
 
+TEST_CASE("a solver that repetitions cannot tell from the fastest is as fast", "[compare]") {
+  std::vector<CompareRow> close = {row("one", "a", 1), row("one", "b", 1.1), row("one", "c", 1.3)};
+  close[0].wall_most = 1.12;
+  close[1].wall_least = 1.05;
+  close[2].wall_least = 1.13;
+  const CompareConfig config;
+  const std::string report = compare_report(config, {{{"one", 0.01, 1e-10, 0, 1, false, false, 1, ""}}, close, "", {}}, {}, 0);
+  CHECK(report.find("| one | 1e-6 | a | 1e-03 | 0.01 | 1 | 0 | 0 | 1.0e-06 | b |") != std::string::npos);
+  CHECK(report.find("| a | 1 | 1 | 1.00 | 0 | 1e-05 | 0 | 0 |\n| b | 1 | 1 | 1.10 |") != std::string::npos);
+  CHECK(report.find("| c | 1 | 0 | 1.30 |") != std::string::npos);
+}
+
+TEST_CASE("runs that come closer with smaller tolerances were not accurate, others are on another branch", "[compare]") {
+  const auto run = [](const char* solver, double tolerance, double error, const char* branch) {
+    CompareRow r = row("one", solver, 1);
+    r.tolerance = tolerance;
+    r.error_max = error;
+    r.branch = branch;
+    return r;
+  };
+  std::vector<CompareRow> some = {run("a", 1e-1, 4e-3, "another"), run("a", 1e-3, 1e-5, "same"),
+                                  run("b", 1e-1, 9e-3, "another"), run("b", 1e-3, 3e-3, "another"),
+                                  run("c", 1e-1, 4e-3, "another"), run("c", 1e-3, 4.1e-3, "another"),
+                                  run("d", 1e-1, 4e-3, "another")};
+  some.back().single_step = true;
+  tell_branches_apart(some);
+  const std::vector<std::string> expected = {"inaccurate", "same", "inaccurate", "inaccurate", "another", "another", "another"};
+  for (size_t i = 0; i < some.size(); ++i) CHECK(some[i].branch == expected[i]);
+}
+
 TEST_CASE("profiles are drawn as the part of the tasks done", "[compare]") {
   const Plot plot = profile_plot(rows);
   REQUIRE(plot.curves.size() == 2);
@@ -62,14 +93,22 @@ TEST_CASE("work and precision add up over problems, and need all of them", "[com
   CHECK(plot.curves[0].points[0].first == Approx(1e-4));  // the mean of 1e-5 and 1e-3
   CHECK(plot.curves[0].points[0].second == 5);
   CHECK(plot.curves[1].points.empty());
-  CHECK(plot.notes == std::vector<std::string>{"no tolerance at which all problems were solved: b"});
+  CHECK(plot.notes == std::vector<std::string>{"no tolerance at which all problems were solved: b (two)"});
+  some.push_back(row("three", "a", 1, false));
+  some.push_back(row("three", "b", 1, false));
+  CHECK(work_precision(some).notes.front() == "without what nobody solves: three");
+  CHECK(work_precision(some).curves[0].points == plot.curves[0].points);
+  some.push_back(row("two", "a", 1, false));
+  some.back().tolerance = 1e-4;
+  CHECK(work_precision(some).notes.back() == "not at all tolerances: a (two)");
 }
 
 TEST_CASE("work and precision show the spread of repetitions", "[compare]") {
   std::vector<CompareRow> some = {row("one", "a", 2)};
-  some[0].wall_spread = 0.5;
+  some[0].wall_least = 1.9;
+  some[0].wall_most = 2.4;
   const Plot plot = work_precision(some);
   REQUIRE(plot.curves[0].spread.size() == 1);
-  CHECK(plot.curves[0].spread[0].first == Approx(1.75));
-  CHECK(plot.curves[0].spread[0].second == Approx(2.25));
+  CHECK(plot.curves[0].spread[0].first == Approx(1.9));
+  CHECK(plot.curves[0].spread[0].second == Approx(2.4));
 }
