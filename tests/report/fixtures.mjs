@@ -61,11 +61,11 @@ export function makeFixtures(tack, folder) {
 
   mkdirSync(join(folder, "batch", "cases"), { recursive: true });
   const cases = [];
-  const results = ["case,young,mu,status,expect:it stays,expect:it stays:value,height.min,push.max,steps,wall_seconds"];
+  const results = ["case,young,mu,status,expect:it stays,value:it stays,height.min,push.max,steps,wall_seconds"];
   [["a", 1e5, 0, "soft"], ["b", 1e6, 0, "stiff"], ["c", 1e5, 0.5, "soft"], ["d", 1e6, 0.5, "stiff"], ["e", 1e7, 0.5, null]].forEach(([name, young, mu, from], i) => {
     if (from) cpSync(join(folder, from), join(folder, "batch", "cases", name), { recursive: true });
-    cases.push({ name, folder: `cases/${name}`, values: { young, mu }, status: from ? "done" : "bad input" });
-    results.push(from ? `${name},${young},${mu},done,${i % 2},0.09,${0.1 - 0.01 * i},${20 + 3 * i},30,${0.1 * (5 - i)}` : `${name},${young},${mu},bad input,,,,,,`);
+    cases.push({ name, folder: `cases/${name}`, values: { young, mu }, status: from ? "done" : "refused" });
+    results.push(from ? `${name},${young},${mu},done,${i % 2},0.09,${0.1 - 0.01 * i},${20 + 3 * i},30,${0.1 * (5 - i)}` : `${name},${young},${mu},refused,,,,,,`);
   });
   writeFileSync(join(folder, "batch", "batch.json"), JSON.stringify({
     name: "falls", about: evil, provenance: { host: "somewhere", compiler: { name: "g++", version: "12.2" } }, keys: ["young", "mu"], cases,
