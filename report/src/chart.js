@@ -45,7 +45,7 @@ export function chart(options) {
   const positive = (log) => (value) => !log || value > 0;
   const okX = positive(x.log);
   const okY = positive(y.log);
-  const wholeX = x.span ?? extent(series.map((s) => ({ values: s.x, keep: (i) => finite(s.y[i]) })), okX);
+  const wholeX = x.span ?? extent(series.map((s) => ({ values: s.x, keep: x.loose && ((i) => finite(s.y[i])) })), okX);
   const wholeY = y.span ?? extent(series.map((s) => ({ values: s.y })), okY);
   const figure = h("figure", { class: "chart" }, h("figcaption", {}, h("h3", {}, title), options.note && h("p", { class: "note" }, options.note)));
   if (!wholeX || !wholeY) {
