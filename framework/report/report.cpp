@@ -60,7 +60,7 @@ FolderKind kind_of(const fs::path& folder) {
   for (const char* file : {"scene.yaml", "summary.json", "steps.csv", "run.pvd"})
     if (fs::exists(folder / file)) return FolderKind::run;
   throw InputError(fmt::format("{}: is the folder of neither a run nor a comparison nor a batch; give one that was made by `tack run`, "
-                               "`tack compare` or a batch", folder.string()));
+                               "`tack compare` or `tack batch`", folder.string()));
 }
 
 WrittenReport write_report(const ReportSettings& s) {

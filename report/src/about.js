@@ -2,10 +2,10 @@
 import { h, lazyDetails, plainTable, section } from "./dom.js";
 import { duration, format, words } from "./format.js";
 
-const good = { done: "done" };
+const open = new Set(["unfinished", "interrupted", "waiting", "running"]);
 
 export function statusBadge(status) {
-  return h("span", { class: `badge ${good[status] ? "good" : status === "unfinished" || status === "interrupted" ? "open" : "bad"}` }, status);
+  return h("span", { class: `badge ${status === "done" ? "good" : open.has(status) ? "open" : "bad"}` }, status);
 }
 
 export function head(title, about, badges) {
@@ -75,8 +75,10 @@ export function rowsOf(object, before = "") {
 
 const leadingKeys = ["version", "commit", "threads", "linear_solver"];
 
+// What provenance says as well is left to it.
 export function provenanceOf(summary) {
-  const leading = Object.fromEntries(leadingKeys.filter((key) => summary?.[key] !== undefined && summary[key] !== "").map((key) => [key, summary[key]]));
+  const leading = Object.fromEntries(leadingKeys.filter((key) => summary?.[key] !== undefined && summary[key] !== "" && summary.provenance?.[key] === undefined)
+    .map((key) => [key, summary[key]]));
   return [...rowsOf(leading), ...rowsOf(summary?.provenance ?? {})];
 }
 

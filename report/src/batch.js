@@ -24,16 +24,16 @@ export async function batchSections(data) {
   const mark = (row, c) => {
     const name = table.columns[c];
     if (name === "status" && row[c] !== null) return statusBadge(row[c]);
-    if (!/^expect:[^:]+$/.test(name) || row[c] === null) return null;
+    if (!name.startsWith("expect:") || row[c] === null) return null;
     return h("span", { class: `mark ${row[c] ? "good" : "bad"}` }, row[c] ? "✓ pass" : "✗ fail");
   };
   const sections = [
-    section("plots", "A number against a key", plotAgainst(table, keys, column, state)),
+    section("plots", "A number against a key", plotAgainst(table, keys, column, state, (batch.statistics ?? []).map((one) => one.name))),
     section("multiples", "Curves of all cases", smallMultiples(cases, curves, data.units, keys, state)),
   ];
   const cases_ = section("table", "Cases", h("p", { class: "note" }, "The filter holds for the plots below as well."), sortedTable(table, { caption: "Cases", changed, mark }));
   return [cases_, ...sections, section("origin", "Where the batch comes from",
-    plainTable(null, [...provenanceOf(batch), ...rowsOf(Object.fromEntries(Object.entries(batch).filter(([key]) => !["name", "about", "cases", "provenance", "version", "commit", "threads"].includes(key))))],
+    plainTable(null, [...provenanceOf(batch), ...rowsOf(Object.fromEntries(Object.entries(batch).filter(([key]) => !["name", "about", "cases", "provenance", "version", "commit", "statistics"].includes(key))))],
       "Provenance of the batch", { class: "pairs" }))];
 }
 
@@ -42,12 +42,12 @@ function fromCases(cases, keys) {
   return { columns: ["case", ...keys, "status"], rows: cases.map((one) => [one.name, ...keys.map((key) => one.values?.[key] ?? null), one.status ?? null]) };
 }
 
-function plotAgainst(table, keys, column, state) {
+function plotAgainst(table, keys, column, state, statistics) {
   const numeric = table.columns.filter((name, c) => c > 0 && table.rows.some((row) => isNumber(row[c])));
   const results = numeric.filter((name) => !keys.includes(name));
   if (keys.length === 0 || results.length === 0) return h("p", { class: "note" }, "There is no key that was varied, or no number to plot.");
   // What the runs measured comes before what they cost.
-  const first = results.find((name) => name.includes(".")) ?? results[0];
+  const first = results.find((name) => statistics.includes(name)) ?? results.find((name) => name.includes(".")) ?? results[0];
   const chosen = { x: keys[0], y: first, by: keys[1] ?? "", logX: false, logY: false };
   const place = h("div", { class: "charts wide" });
   const draw = () => {

@@ -24,8 +24,9 @@ function extent(arrays, accept) {
 
 function padded([low, high], log) {
   if (log) {
-    const a = Math.floor(Math.log10(low) + 1e-9);
-    const b = Math.ceil(Math.log10(high) - 1e-9);
+    // Whole decades, and room for a dot that stands at an end.
+    const a = Math.floor(Math.log10(low) - 0.02);
+    const b = Math.ceil(Math.log10(high) + 0.02);
     return [10 ** a, 10 ** (b > a ? b : a + 1)];
   }
   const room = high > low ? 0.06 * (high - low) : Math.abs(high) * 0.1 || 1;
@@ -44,7 +45,7 @@ export function chart(options) {
   const positive = (log) => (value) => !log || value > 0;
   const okX = positive(x.log);
   const okY = positive(y.log);
-  const wholeX = x.span ?? extent(series.map((s) => ({ values: s.x, keep: (i) => finite(s.y[i]) })), okX);
+  const wholeX = x.span ?? extent(series.map((s) => ({ values: s.x, keep: x.loose && ((i) => finite(s.y[i])) })), okX);
   const wholeY = y.span ?? extent(series.map((s) => ({ values: s.y })), okY);
   const figure = h("figure", { class: "chart" }, h("figcaption", {}, h("h3", {}, title), options.note && h("p", { class: "note" }, options.note)));
   if (!wholeX || !wholeY) {
@@ -71,6 +72,7 @@ export function chart(options) {
   const path = (u, s) => {
     const [xs, ys] = data[s];
     const stroke = new Path2D();
+    const dots = new Path2D();
     const one = lines[s - 1];
     if (one.points) {
       const size = 3.5 * devicePixelRatio;
@@ -78,10 +80,10 @@ export function chart(options) {
         if (!finite(ys[i]) || !finite(xs[i]) || !okX(xs[i]) || !okY(ys[i])) continue;
         const px = u.valToPos(xs[i], "x", true);
         const py = u.valToPos(ys[i], "y", true);
-        stroke.moveTo(px + size, py);
-        stroke.arc(px, py, size, 0, 2 * Math.PI);
+        dots.moveTo(px + size, py);
+        dots.arc(px, py, size, 0, 2 * Math.PI);
       }
-      if (one.line === false) return { stroke, fill: stroke };
+      if (one.line === false) return { stroke: null, fill: dots };
     }
     let open = false;
     let [lastX, lastY] = [NaN, NaN];
@@ -98,7 +100,7 @@ export function chart(options) {
       [open, lastX, lastY] = [true, px, py];
     }
     const lower = lowers[s - 1];
-    if (!lower) return { stroke, fill: one.points ? stroke : null };
+    if (!lower) return { stroke, fill: one.points ? dots : null };
     const fill = new Path2D();
     for (let i = 0; i < xs.length; ++i) fill.lineTo(u.valToPos(xs[i], "x", true), u.valToPos(ys[i], "y", true));
     for (let i = xs.length - 1; i >= 0; --i) fill.lineTo(u.valToPos(xs[i], "x", true), u.valToPos(lower[i], "y", true));

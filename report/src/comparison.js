@@ -17,7 +17,8 @@ export function comparisonSections({ table, text }) {
 }
 
 const unique = (values) => [...new Set(values)];
-const solved = (row) => row.status === "converged" && row.branch !== "another" && row.wall_seconds > 0;
+// Another minimum of a single step, which has an energy, is a solution; a run that ended elsewhere is none.
+const solved = (row) => row.status === "converged" && (row.branch !== "another" || row.energy_gap !== null) && row.wall_seconds > 0;
 
 const costs = [["wall_seconds", "wall time", "s"], ["cpu_seconds", "processor time", "s"], ["iterations", "iterations"], ["evaluations", "evaluations"], ["linear_solves", "linear solves"]];
 

@@ -40,7 +40,7 @@ export function sortedTable({ columns, rows }, { caption, changed = () => {}, ma
   let direction = 1;
   const filter = h("input", { type: "search", placeholder: `a word, or ${columns.find((c, i) => rows.some((row) => isNumber(row[i]))) ?? columns[0]} > 1`, oninput: () => draw() });
   const count = h("output", { class: "count", for: (filter.id = freshId("filter")), "aria-live": "polite" });
-  const heads = columns.map((name, c) => h("th", { scope: "col", "aria-sort": "none" }, button(words(name), () => {
+  const heads = columns.map((name, c) => h("th", { scope: "col", class: c > 0 && !rows.some((row) => isNumber(row[c])) ? "text" : null, "aria-sort": "none" }, button(words(name), () => {
     direction = sorted === c ? -direction : 1;
     sorted = c;
     heads.forEach((head, i) => head.setAttribute("aria-sort", i !== c ? "none" : direction > 0 ? "ascending" : "descending"));

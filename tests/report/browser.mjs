@@ -1,0 +1,126 @@
+// A browser without a window, and what tests look at in it. Every page is loaded from a file; any word on the console and any
+// request but that for the page itself counts.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { pathToFileURL } from "node:url";
+
+export function findBrowser() {
+  for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
+    const found = spawnSync("sh", ["-c", `command -v ${name}`], { encoding: "utf8" });
+    if (found.status === 0) return found.stdout.trim();
+  }
+  return null;
+}
+
+export async function launch(playwright, executablePath) {
+  return playwright.chromium.launch({
+    executablePath,
+    args: ["--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+      "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"],
+  });
+}
+
+export class Page {
+  static async open(browser, file, { width = 1280, colorScheme = "light" } = {}) {
+    const one = new Page();
+    one.context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, offline: true, acceptDownloads: true });
+    one.page = await one.context.newPage();
+    one.said = [];
+    one.requests = [];
+    // Of pictures that are taken of the page, not of the page.
+    const ours = /GPU stall due to ReadPixels/;
+    one.page.on("console", (message) => ours.test(message.text()) || one.said.push(`${message.type()}: ${message.text()}`));
+    one.page.on("pageerror", (error) => one.said.push(`error: ${error.stack}`));
+    one.page.on("dialog", (dialog) => one.said.push(`dialog: ${dialog.message()}`));
+    one.page.on("request", (request) => one.requests.push(request.url()));
+    one.url = pathToFileURL(file).href;
+    await one.page.goto(one.url);
+    await one.page.waitForSelector("html[data-ready]", { timeout: 60000 });
+    // Another page, without our own's rules, to take pictures apart.
+    one.bench = await one.context.newPage();
+    return one;
+  }
+
+  // With the view ready, if there is one.
+  async ready() {
+    if (await this.page.locator(".view").count()) await this.page.waitForSelector(".view[data-ready]", { timeout: 60000 });
+    await this.settle();
+  }
+
+  async settle() {
+    await this.page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 50)))));
+  }
+
+  // {colours, ink: the share of pixels that are not of the commonest colour, bytes} of an element as it is seen.
+  async picture(selector) {
+    await this.settle();
+    const png = await this.page.locator(selector).first().screenshot();
+    return this.analyse(png);
+  }
+
+  async analyse(png) {
+    const result = await this.bench.evaluate(async (base64) => {
+      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+      const bitmap = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const ctx = canvas.getContext("2d");
+      ctx.drawImage(bitmap, 0, 0);
+      const { data } = ctx.getImageData(0, 0, bitmap.width, bitmap.height);
+      const counts = new Map();
+      let [red, green, blue] = [0, 0, 0];
+      for (let i = 0; i < data.length; i += 4) {
+        const key = (data[i] << 16) | (data[i + 1] << 8) | data[i + 2];
+        counts.set(key, (counts.get(key) ?? 0) + 1);
+        red += data[i];
+        green += data[i + 1];
+        blue += data[i + 2];
+      }
+      const pixels = data.length / 4;
+      return { colours: counts.size, ink: 1 - Math.max(...counts.values()) / pixels, mean: [red, green, blue].map((v) => v / pixels), width: bitmap.width, height: bitmap.height };
+    }, png.toString("base64"));
+    return { ...result, png };
+  }
+
+  // Every chart canvas has lines of data: pixels that are coloured, not grey as axes and letters are.
+  async checkCharts(least) {
+    await this.page.waitForFunction(() => [...document.querySelectorAll(".plot")].every((plot) => plot.querySelector("canvas")));
+    await this.settle();
+    const charts = await this.page.evaluate(() => [...document.querySelectorAll(".plot")].map((plot) => ({
+      title: plot.closest("figure").querySelector("h3").textContent,
+      label: plot.getAttribute("aria-label"),
+      picture: plot.querySelector("canvas").toDataURL(),
+    })));
+    for (const chart of charts) {
+      chart.coloured = await this.bench.evaluate(async (url) => {
+        const bitmap = await createImageBitmap(await (await fetch(url)).blob());
+        const ctx = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+        ctx.drawImage(bitmap, 0, 0);
+        const { data } = ctx.getImageData(0, 0, bitmap.width, bitmap.height);
+        let coloured = 0;
+        for (let i = 0; i < data.length; i += 4)
+          if (data[i + 3] > 100 && Math.max(data[i], data[i + 1], data[i + 2]) - Math.min(data[i], data[i + 1], data[i + 2]) > 40) ++coloured;
+        return coloured;
+      }, chart.picture);
+    }
+    assert.ok(charts.length >= least, `${charts.length} charts, expected ${least}: ${charts.map((c) => c.title)}`);
+    for (const { title, coloured, label } of charts) {
+      assert.ok(coloured > 30, `chart '${title}' has ${coloured} coloured pixels`);
+      assert.match(label, /from .* to /, `chart '${title}' says what it shows`);
+    }
+    return charts;
+  }
+
+  text(selector) { return this.page.locator(selector).allInnerTexts(); }
+
+  async close() {
+    assert.deepEqual(this.said, [], "the console stays silent");
+    assert.deepEqual(this.requests.filter((url) => url !== this.url && !url.startsWith("blob:")), [], "nothing is fetched");
+    // No control without a name.
+    const nameless = await this.page.evaluate(() => [...document.querySelectorAll("button, input, select, [role=application], [role=img]")]
+      .filter((e) => e.offsetParent && !(e.getAttribute("aria-label") || e.labels?.[0]?.textContent.trim() || e.textContent.trim())).map((e) => e.outerHTML.slice(0, 120)));
+    assert.deepEqual(nameless, [], "every control has a name");
+    const wide = await this.page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+    assert.ok(wide <= 0, `the page is ${wide} pixels wider than the window`);
+    await this.context.close();
+  }
+}

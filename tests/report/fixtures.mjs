@@ -1,0 +1,79 @@
+// The folders that reports are made of: small runs by the program itself, and what stands for a comparison and a batch.
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+const evil = "</script><b>bold</b>";
+
+const scene = (name, { about = "a block falls on a floor", expect = "", young = "1 MPa" } = {}) => `name: ${JSON.stringify(name)}
+about: ${JSON.stringify(about)}
+time: {step: 0.01 s, duration: 0.3 s}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, -0.05, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}
+    place: {translate: [0, 0.2, 0]}
+    energies: [{type: neo_hookean, young: ${young}, poisson: 0.3, density: 1000}]
+  - {name: string, shape: {type: segment, length: 0.3, edges: 6}, place: {translate: [0.3, 0.3, 0.3]}, rod: {radius: 5 mm},
+     energies: [{type: string, young: 1 MPa, density: 1000}]}
+  - {name: dust, shape: {type: points, size: [0.2, 0, 0.2], counts: [3, 1, 3]}, place: {translate: [-0.4, 0.2, 0.3]}, particle: {radius: 10 mm},
+     energies: [particle]}
+contact:
+  distance: 2 mm
+  pairs:
+    - {between: [block, floor], adhesion: {type: fang, peak_traction: 2 kPa}}
+probes:
+  - {name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}
+  - {name: push, type: contact_force, on: block, from: floor, direction: [0, 1, 0]}
+  - {name: gap, type: gap, between: [block, floor]}
+output: {fields: [velocity, contact_force, von_mises_stress]}
+expect:
+  - {name: it stays above the floor, probe: height, statistic: min, at_least: 0.05}
+${expect}`;
+
+const failing = "  - {name: it flies, probe: height, statistic: max, at_least: 10}\n";
+
+export function makeFixtures(tack, folder) {
+  const run = (name, text, options = []) => {
+    writeFileSync(join(folder, `${name}.yaml`), text);
+    try {
+      execFileSync(tack, ["run", `${name}.yaml`, "-q", "-o", name, "--threads", "1", ...options], { cwd: folder, stdio: "pipe" });
+    } catch (error) {
+      if (error.status !== 1) throw new Error(`tack run ${name}: ${error.stdout}${error.stderr}`); // 1: an expectation failed
+    }
+  };
+  run("soft", scene("soft", { about: `${evil} falls`, expect: failing, young: "0.1 MPa" }));
+  run("stiff", scene("stiff"));
+  run("evil", scene(evil), ["--steps", "3"]);
+  cpSync(join(folder, "stiff"), join(folder, "unfinished"), { recursive: true });
+  for (const gone of ["summary.json", "laws.csv"]) rmSync(join(folder, "unfinished", gone));
+  writeFileSync(join(folder, "unfinished", "frames", "frame_000020.vtu"), "cut off");
+
+  mkdirSync(join(folder, "compared"));
+  const compared = ["problem,solver,tolerance,time_step,wall_seconds,wall_spread,cpu_seconds,iterations,evaluations,linear_solves,status,branch,error_rms,error_max,relative_error,energy_gap,intersections"];
+  for (const problem of ["fall", evil])
+    ["newton", "lbfgs", "ceres"].forEach((solver, s) => [1e-2, 1e-3, 1e-4].forEach((tolerance, t) => compared.push(
+      solver === "ceres" && t === 2 ? `${problem},${solver},${tolerance},0.01,9,0,9,1000,1000,0,"stopped, too slow",,,,,,0`
+        : `${problem},${solver},${tolerance},0.01,${0.1 * (s + 1) * (t + 1)},0.01,${0.2 * (s + 1) * (t + 1)},${10 * (s * s + 1) * (t + 1)},20,10,converged,same,${1e-4 * tolerance * (s + 1)},${1e-3 * tolerance},1e-5,0,0`)));
+  writeFileSync(join(folder, "compared", "compare.csv"), `${compared.join("\n")}\n`);
+  writeFileSync(join(folder, "compared", "compare.md"), "# fall compared\n\nMeasured somewhere.\n");
+
+  mkdirSync(join(folder, "batch", "cases"), { recursive: true });
+  const cases = [];
+  const results = ["case,young,mu,status,expect:it stays,value:it stays,height.min,push.max,steps,wall_seconds"];
+  [["a", 1e5, 0, "soft"], ["b", 1e6, 0, "stiff"], ["c", 1e5, 0.5, "soft"], ["d", 1e6, 0.5, "stiff"], ["e", 1e7, 0.5, null]].forEach(([name, young, mu, from], i) => {
+    if (from) cpSync(join(folder, from), join(folder, "batch", "cases", name), { recursive: true });
+    cases.push({ name, folder: `cases/${name}`, values: { young, mu }, status: from ? "done" : "refused" });
+    results.push(from ? `${name},${young},${mu},done,${i % 2},0.09,${0.1 - 0.01 * i},${20 + 3 * i},30,${0.1 * (5 - i)}` : `${name},${young},${mu},refused,,,,,,`);
+  });
+  writeFileSync(join(folder, "batch", "batch.json"), JSON.stringify({
+    name: "falls", about: evil, provenance: { host: "somewhere", compiler: { name: "g++", version: "12.2" } }, keys: ["young", "mu"], cases,
+  }));
+  writeFileSync(join(folder, "batch", "results.csv"), `${results.join("\n")}\n`);
+}
+
+export function makeReport(tack, folder, folders, output, options = []) {
+  execFileSync(tack, ["report", ...folders, "-o", output, ...options], { cwd: folder, stdio: "pipe" });
+  return join(folder, output);
+}

@@ -1,0 +1,278 @@
+// The reports of a run, several runs, an unfinished run, a comparison and a batch, in a browser from the file system.
+//   node report_test.mjs TACK MODULES PAGE     MODULES: where playwright-core is; ends with 77, and says why, without what it takes
+import assert from "node:assert/strict";
+import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { Page, findBrowser, launch } from "./browser.mjs";
+import { makeFixtures, makeReport } from "./fixtures.mjs";
+
+const [tack, modules, pageFile] = process.argv.slice(2);
+const skip = (why) => {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+};
+if (!existsSync(pageFile)) skip("the page of reports is not built: cmake --build --preset release --target tack_report (needs npm: apt-get install nodejs npm)");
+const executable = findBrowser();
+if (!executable) skip("there is no browser: apt-get install chromium");
+const playwright = createRequire(join(modules, "package.json"))("playwright-core");
+
+const folder = mkdtempSync(join(tmpdir(), "tack_report_"));
+const changed = (a, b) => Buffer.compare(a.png, b.png) !== 0;
+const setSlider = (page, selector, value) => page.locator(selector).evaluate((slider, v) => {
+  slider.value = v;
+  slider.dispatchEvent(new Event("input"));
+}, value);
+
+const tests = {
+  async "a run: facts, failed expectations, texts of the scene"(browser) {
+    const one = await Page.open(browser, makeReport(tack, folder, ["soft"], "run.html"));
+    await one.ready();
+    assert.equal(await one.page.title(), "soft – tack report");
+    assert.deepEqual(await one.text("h1 .badge"), ["expectation failed"]);
+    assert.deepEqual(await one.text(".about"), ["</script><b>bold</b> falls"], "a text of the scene is a text");
+    const rows = await one.text(".expectations tbody tr");
+    assert.equal(rows.length, 2);
+    assert.match(rows[0], /stays above.*✓ pass/s);
+    assert.match(rows[1], /it flies.*✗ fail.*expected at least 10/s);
+    assert.match((await one.text("#expectations .notice"))[0], /One expectation failed/);
+    assert.match((await one.text("#provenance"))[0], /commit/);
+    assert.deepEqual(await one.text("nav a"), ["What it must show", "Motion", "Probes", "Laws of adhesion", "Energies", "Contact", "What the steps cost", "Where it comes from"]);
+    assert.equal(await one.page.locator("main b").count(), 0);
+    assert.match(await one.page.locator("#licences").textContent(), /three .*MIT.*uplot .*MIT/s);
+    await one.checkCharts(8);
+    assert.deepEqual(await one.text("#cost .legend li span:nth-child(2)").then((all) => all.includes("assembly")), true);
+    await one.page.locator("#probes details summary").first().click();
+    await one.page.waitForSelector("#probes details table");
+    assert.ok((await one.page.locator("#probes details table tbody tr").count()) > 20, "the numbers of a chart are there as a table");
+    await one.close();
+  },
+
+  async "the 3D view: frames, fields, objects, cuts, keys, pictures"(browser) {
+    const one = await Page.open(browser, join(folder, "run.html"));
+    await one.ready();
+    const { page } = one;
+    const stage = ".screen";
+    const first = await one.picture(stage);
+    assert.ok(first.colours > 20 && first.ink > 0.05, `the picture is not blank: ${first.colours} colours, ${first.ink}`);
+
+    await setSlider(page, ".frames", 15);
+    const later = await one.picture(stage);
+    assert.ok(changed(first, later), "another frame moves the mesh");
+    assert.deepEqual(await one.text(".time"), ["t = 0.15 s"]);
+
+    assert.deepEqual(await one.text(".controls select >> nth=0").then(([all]) => all.split("\n")), ["object", "speed", "contact force (magnitude)", "von mises stress"]);
+    assert.equal(await page.locator(".scale").isVisible(), false);
+    await page.getByLabel("Colour", { exact: true }).selectOption({ label: "speed" });
+    const speed = await one.picture(stage);
+    assert.ok(changed(later, speed), "another field changes the colours");
+    assert.deepEqual(await one.text(".scale-title"), ["speed [m/s]"]);
+    await page.getByLabel("Colour", { exact: true }).selectOption({ label: "von mises stress" });
+    const stress = await one.picture(stage);
+    assert.ok(changed(speed, stress));
+    assert.match((await one.text(".scale-title"))[0], /^von mises stress \[k?Pa\]$/);
+    await page.locator(".view").getByLabel("Scale").selectOption("frame");
+    await page.getByLabel("logarithmic").check();
+    await page.getByLabel("Colour", { exact: true }).selectOption({ label: "object" });
+
+    const whole = await one.picture(stage);
+    assert.ok(!changed(later, whole), "the same settings make the same picture");
+    await page.locator(".objects").getByLabel("floor").uncheck();
+    assert.ok(changed(whole, await one.picture(stage)), "an object is hidden");
+    await page.locator(".objects").getByLabel("floor").check();
+    await page.getByLabel("Cut", { exact: true }).selectOption("0");
+    assert.ok(changed(whole, await one.picture(stage)), "a plane cuts");
+    await page.getByLabel("Cut", { exact: true }).selectOption("");
+    await page.getByLabel("mesh lines").check();
+    assert.ok(changed(whole, await one.picture(stage)), "mesh lines are drawn");
+    await page.getByLabel("mesh lines").uncheck();
+    assert.ok(!changed(whole, await one.picture(stage)));
+
+    await page.locator(".screen canvas").first().focus();
+    await page.keyboard.press("ArrowRight");
+    const turned = await one.picture(stage);
+    assert.ok(changed(whole, turned), "keys turn the view");
+    await page.keyboard.press("PageDown");
+    assert.deepEqual(await one.text(".time"), ["t = 0.16 s"]);
+    await page.keyboard.press("0");
+    await page.keyboard.press("PageUp");
+    // The canvas has the focus now, and its outline with it.
+    await page.locator("h1").evaluate((h1) => { document.activeElement.blur(); });
+    assert.ok(!changed(whole, await one.picture(stage)), "0 resets the view");
+    const box = await page.locator(stage).boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width / 2 + 80, box.y + box.height / 2 + 20);
+    await page.mouse.up();
+    assert.ok(changed(whole, await one.picture(stage)), "the mouse turns the view");
+
+    const before = Number(await page.locator(".frames").inputValue());
+    await page.getByRole("button", { name: "Play" }).click();
+    await page.waitForFunction((b) => Number(document.querySelector(".frames").value) > b, before, { timeout: 20000 });
+    await page.getByRole("button", { name: "Pause" }).click();
+
+    const download = page.waitForEvent("download");
+    await page.getByRole("button", { name: "Save picture" }).click();
+    const saved = await download;
+    assert.match(saved.suggestedFilename(), /^soft_\d{4}\.png$/);
+    const picture = await one.analyse(readFileSync(await saved.path()));
+    assert.ok(picture.colours > 20 && picture.ink > 0.05, "the saved picture is not blank");
+    await one.close();
+  },
+
+  async "charts: zoom together, keys tell numbers"(browser) {
+    const one = await Page.open(browser, join(folder, "run.html"));
+    await one.ready();
+    const { page } = one;
+    const plots = page.locator("#probes .plot");
+    await plots.first().scrollIntoViewIfNeeded();
+    const before = [await one.picture("#probes .plot >> nth=0"), await one.picture("#probes .plot >> nth=1")];
+    await plots.first().focus();
+    for (let i = 0; i < 10; ++i) await page.keyboard.press("ArrowRight");
+    assert.match((await one.text("#probes .where"))[0], /^time 0\.06 s/);
+    const told = await page.locator("#probes .where").first().getAttribute("aria-label");
+    assert.match(told, /height 0\.\d+ m|height/);
+    await page.keyboard.press("+");
+    await page.locator("h1").evaluate(() => document.activeElement.blur());
+    assert.ok(changed(before[1], await one.picture("#probes .plot >> nth=1")), "charts over time zoom together");
+    const shown = page.getByRole("button", { name: "Show all" });
+    assert.ok((await shown.count()) > 1);
+    await shown.first().click();
+    await page.mouse.move(0, 0);
+    await page.locator("h1").evaluate(() => document.activeElement.blur());
+    assert.ok(!changed(before[1], await one.picture("#probes .plot >> nth=1")), "and back");
+    const area = page.getByLabel(/^Area in contact/);
+    const without = await one.text("#laws figure h3");
+    await area.fill("0.04");
+    assert.match((await one.text("#laws .legend")).join(" "), /law × area/);
+    assert.equal((await one.text("#laws figure h3")).length, without.length);
+    await page.locator("#against").getByLabel("Vertical").selectOption("push");
+    assert.match((await one.text("#against figure h3"))[0], /^push over/);
+    await one.close();
+  },
+
+  async "dark mode, a narrow window and paper"(browser) {
+    for (const [width, colorScheme] of [[420, "dark"], [420, "light"], [1280, "dark"]]) {
+      const one = await Page.open(browser, join(folder, "run.html"), { width, colorScheme });
+      await one.ready();
+      const { mean } = await one.picture("main");
+      const bright = (mean[0] + mean[1] + mean[2]) / 3;
+      assert.ok(colorScheme === "dark" ? bright < 70 : bright > 200, `${colorScheme}: mean brightness ${bright}`);
+      await one.checkCharts(8);
+      if (width === 1280) {
+        const pdf = await one.page.pdf({ format: "A4", printBackground: false });
+        assert.ok(pdf.length > 50000, "it prints");
+      }
+      await one.close();
+    }
+  },
+
+  async "an unfinished run, whose last frames are damaged"(browser) {
+    const one = await Page.open(browser, makeReport(tack, folder, ["unfinished"], "unfinished.html"));
+    await one.ready();
+    assert.deepEqual(await one.text("h1 .badge"), ["unfinished"]);
+    assert.match((await one.text(".notice")).join(" "), /frame_000020\.vtu/);
+    assert.match((await one.text(".expectations tbody tr"))[0], /stays above.*not known/s);
+    assert.equal(await one.page.locator(".frames").getAttribute("max"), "19");
+    assert.ok((await one.picture(".screen")).colours > 20);
+    await one.checkCharts(7);
+    await one.close();
+  },
+
+  async "several runs over each other"(browser) {
+    const one = await Page.open(browser, makeReport(tack, folder, ["soft", "stiff"], "runs.html"));
+    await one.ready();
+    const legend = (await one.text("#probes .legend")).join(" ");
+    assert.match(legend, /soft.*stiff/s);
+    await one.checkCharts(8);
+    const soft = await one.picture(".screen");
+    await setSlider(one.page, ".frames", 30);
+    await one.page.getByLabel("Run", { exact: true }).selectOption({ label: "stiff" });
+    await one.page.waitForFunction(() => document.querySelector(".screen canvas").getAttribute("aria-label").includes("stiff"));
+    assert.ok(changed(soft, await one.picture(".screen")));
+    assert.equal((await one.text(".expectations tbody tr")).length, 3);
+    await one.close();
+  },
+
+  async "a scene whose name is a tag"(browser) {
+    const one = await Page.open(browser, makeReport(tack, folder, ["evil"], "evil.html"));
+    await one.ready();
+    assert.match((await one.text("h1"))[0], /^<\/script><b>bold<\/b> done/);
+    assert.equal(await one.page.locator("main b").count(), 0);
+    await one.close();
+  },
+
+  async "a comparison: curves, profile, table that sorts and filters"(browser) {
+    const one = await Page.open(browser, makeReport(tack, folder, ["compared"], "comparison.html"));
+    await one.ready();
+    const { page } = one;
+    assert.match((await one.text("h1"))[0], /^fall compared/);
+    await one.checkCharts(2);
+    assert.deepEqual(await one.text("#precision .legend li span:nth-child(2)"), ["newton", "lbfgs", "ceres"]);
+    await page.getByLabel("Problem").selectOption("</script><b>bold</b>");
+    await page.getByLabel("Cost").selectOption("iterations");
+    assert.match((await one.text("#precision h3"))[0], /^Iterations against error: <\/script>/);
+    const rows = page.locator("#table tbody tr");
+    assert.equal(await rows.count(), 18);
+    await page.getByRole("button", { name: "wall seconds" }).focus();
+    await page.keyboard.press("Enter");
+    assert.match(await rows.first().innerText(), /newton/);
+    await page.keyboard.press("Enter");
+    assert.match(await rows.first().innerText(), /ceres.*stopped, too slow/s);
+    assert.equal(await page.locator("#table th[aria-sort=descending]").count(), 1);
+    await page.getByLabel("Filter").fill("lbfgs iterations > 40");
+    assert.equal(await rows.count(), 2);
+    assert.match((await one.text("#table .count"))[0], /^2 of 18 rows/);
+    await page.getByLabel("Filter").fill("stopped");
+    assert.equal(await rows.count(), 2);
+    await one.close();
+  },
+
+  async "a batch: table, plots against keys, curves of all cases, a case in 3D"(browser) {
+    const file = makeReport(tack, folder, ["batch"], "batch.html", ["--case", "b"]);
+    const one = await Page.open(browser, file);
+    await one.ready();
+    const { page } = one;
+    assert.match((await one.text("h1"))[0], /^falls 5 cases/);
+    await one.checkCharts(5);
+    assert.match((await one.text("#origin"))[0], /compiler, version\s+12\.2/);
+    const rows = page.locator("#table tbody tr");
+    assert.equal(await rows.count(), 5);
+    assert.match(await rows.nth(4).innerText(), /refused/);
+    assert.match((await one.text("#table .mark.good")).join(), /pass/);
+    assert.equal(await page.locator("#multiples .chart").count(), 4);
+    const all = await one.picture("#plots .plot");
+    await page.locator("#table").getByLabel("Filter").fill("young >= 1e6");
+    assert.equal(await rows.count(), 3);
+    assert.equal(await page.locator("#multiples .chart").count(), 2);
+    assert.ok(changed(all, await one.picture("#plots .plot")), "the filter holds for the plot");
+    await page.locator("#table").getByLabel("Filter").fill("");
+    await page.locator("#plots").getByLabel("Vertical").selectOption("wall_seconds");
+    await page.locator("#plots").getByLabel("Grouped by").selectOption("mu");
+    assert.deepEqual(await one.text("#plots .legend li span:nth-child(2)"), ["mu = 0", "mu = 0.5"]);
+    assert.match((await one.text("#plots h3"))[0], /^wall seconds against young/);
+    await page.locator("#multiples").getByLabel("Shown").selectOption("over");
+    assert.equal(await page.locator("#multiples .chart").count(), 1);
+    await one.checkCharts(5);
+    assert.ok((await one.picture(".screen")).colours > 20);
+    await one.close();
+    assert.ok(statSync(file).size < 2e6, "a small batch is a small file");
+  },
+};
+
+let failures = 0;
+makeFixtures(tack, folder);
+const browser = await launch(playwright, executable);
+for (const [name, test] of Object.entries(tests)) {
+  try {
+    await test(browser);
+    console.log(`pass  ${name}`);
+  } catch (error) {
+    ++failures;
+    console.log(`FAIL  ${name}\n${error.stack}`);
+  }
+}
+await browser.close();
+rmSync(folder, { recursive: true, force: true });
+process.exit(failures > 0 ? 1 : 0);
