@@ -4,6 +4,8 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { pathToFileURL } from "node:url";
 
+const noticeable = 2e-4; // of the pixels: a browser may round an edge in another way
+
 export function findBrowser() {
   for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
     const found = spawnSync("sh", ["-c", `command -v ${name}`], { encoding: "utf8" });
@@ -56,6 +58,37 @@ export class Page {
     await this.settle();
     const png = await this.page.locator(selector).first().screenshot();
     return this.analyse(png);
+  }
+
+  // The picture once it is another one than `from`, or the same: what is drawn follows what was pressed, sooner or later.
+  async other(selector, from, why) { return this.once(selector, from, (part) => part > noticeable, why ?? "the picture changes"); }
+  async same(selector, from, why) { return this.once(selector, from, (part) => part <= noticeable, why ?? "the picture is the same"); }
+
+  async once(selector, from, accepted, why) {
+    const end = Date.now() + 15000;
+    for (;;) {
+      const now = await this.picture(selector);
+      const part = await this.difference(from.png, now.png);
+      if (accepted(part)) return now;
+      assert.ok(Date.now() < end, `${why}: ${part} of its pixels differ`);
+    }
+  }
+
+  // The share of pixels that differ visibly; all of them if the sizes do.
+  async difference(a, b) {
+    return this.bench.evaluate(async (pictures) => {
+      const [one, two] = await Promise.all(pictures.map(async (base64) => {
+        const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], { type: "image/png" }));
+        const ctx = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+        ctx.drawImage(bitmap, 0, 0);
+        return ctx.getImageData(0, 0, bitmap.width, bitmap.height);
+      }));
+      if (one.width !== two.width || one.height !== two.height) return 1;
+      let count = 0;
+      for (let i = 0; i < one.data.length; i += 4)
+        if ([0, 1, 2].some((c) => Math.abs(one.data[i + c] - two.data[i + c]) > 16)) ++count;
+      return count / (one.width * one.height);
+    }, [a.toString("base64"), b.toString("base64")]);
   }
 
   async analyse(png) {
