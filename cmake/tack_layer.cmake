@@ -5,6 +5,9 @@ target_include_directories(tack_options INTERFACE ${CMAKE_SOURCE_DIR})
 # Eigen's arrays are aligned for the widest instruction set, whichever is compiled for: see geometry/types.hpp.
 set(TACK_ALIGNMENT EIGEN_MAX_ALIGN_BYTES=64 EIGEN_MAX_STATIC_ALIGN_BYTES=64)
 target_compile_definitions(tack_options INTERFACE ${TACK_ALIGNMENT})
+if(NOT TACK_CHECK_FORMATS)
+  target_compile_definitions(tack_options INTERFACE FMT_CONSTEVAL=)
+endif()
 set(TACK_CODE_OPTIONS -fno-math-errno)  # those that change what is computed; written into results
 if(TACK_NATIVE)
   list(PREPEND TACK_CODE_OPTIONS -march=native)

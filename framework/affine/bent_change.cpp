@@ -1,15 +1,22 @@
 #include "framework/affine/bent_change.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 namespace tack {
 namespace {
 
-// Of a matrix with a positive determinant.
+// Of a matrix with a positive determinant: its polar factor, by Newton's iteration with Higham's scaling (Higham 1986, Computing the
+// Polar Decomposition, with Applications).
 Mat3 rotation_of(const Mat3& m) {
-  const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return svd.matrixU() * svd.matrixV().transpose();
+  constexpr int most = 30;
+  Mat3 r = m;
+  for (int i = 0; i < most; ++i) {
+    const Mat3 inverse = r.inverse(), before = r;
+    const double scale = std::sqrt(inverse.norm() / r.norm());
+    r = scale / 2 * r + 1 / (2 * scale) * inverse.transpose();
+    if ((r - before).norm() < 1e-9 * r.norm()) break;  // what is left is the square of this
+  }
+  return r;
 }
 
 Mat3 skew(const Vec3& w) {

@@ -1,12 +1,12 @@
 #include "framework/affine/orthogonality_term.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "framework/affine/bent_change.hpp"
 #include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
+#include "framework/assembly/symmetric_eigen.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -40,8 +40,7 @@ double OrthogonalityTerm::largest_strain(const VecX& x) const {
   double largest = 0;
   for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
     const Mat3 strain = strain_of(map_of(b, x));
-    largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Mat3>(strain, Eigen::EigenvaluesOnly)
-                                    .eigenvalues().lpNorm<Eigen::Infinity>());
+    largest = std::max(largest, SymmetricEigen<3>(strain).values().lpNorm<Eigen::Infinity>());
   }
   return largest;
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -10,16 +9,17 @@
 #include <thread>
 
 #include "framework/app/commands.hpp"
+#include "framework/app/interrupt_signals.hpp"
 #include "framework/batch/batch_estimate.hpp"
 #include "framework/batch/batch_progress.hpp"
 #include "framework/batch/results_table.hpp"
 #include "framework/batch/slurm.hpp"
 #include "framework/config/read_file.hpp"
+#include "framework/config/words.hpp"
 #include "framework/output/progress.hpp"
 #include "framework/output/replace_file.hpp"
 #include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
-#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {
@@ -27,11 +27,7 @@ namespace {
 constexpr double trial_seconds = 3;
 constexpr size_t most_cases_shown = 40;
 
-extern "C" void request_end(int) { interrupt_requested = true; }
-
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
-
-std::string counted(size_t count, const std::string& noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
 
 // Builds every open case once; all that is wrong is told at once.
 void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open) {
@@ -82,11 +78,11 @@ void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::
   }
   if (d.plan.cases.size() > most_cases_shown) fmt::print("  and {} more\n", d.plan.cases.size() - most_cases_shown);
   fmt::print("{}: {}, {} to run; {} side by side with {} each\n", d.plan.name, counted(d.plan.cases.size(), "case"), open.size(),
-             d.limits.jobs, counted(static_cast<size_t>(d.limits.threads), "thread"));
+             d.limits.jobs, counted(d.limits.threads, "thread"));
   if (open.empty()) return;
   const BatchEstimate estimate = estimate_of(this_program(), folder, d.plan, d.limits, open, trial_seconds);
-  for (const auto& [base, seconds] : estimate.of_case) fmt::print("a case of {} takes about {}\n", base, duration_text(seconds));
-  fmt::print("about {} in all; nothing was run yet\n", duration_text(estimate.seconds));
+  for (const auto& [base, seconds] : estimate.of_case) fmt::print("a case of {} takes about {}\n", base, short_duration(seconds));
+  fmt::print("about {} in all; nothing was run yet\n", short_duration(estimate.seconds));
 }
 
 // The states that are written by the array's tasks, until all of them have ended.
@@ -154,8 +150,7 @@ int run_task(const BatchOptions& options) {
 }  // namespace
 
 int batch_command(const BatchOptions& options) {
-  std::signal(SIGINT, request_end);
-  std::signal(SIGTERM, request_end);
+  let_signals_interrupt();
   if (options.task) return run_task(options);
   if (!options.collect.empty()) {
     const BatchFolder folder = BatchFolder::found(options.collect);

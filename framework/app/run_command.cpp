@@ -1,17 +1,14 @@
 // tack run, tack profile: an experiment from file to results.
 #include <unistd.h>
 
-#include <csignal>
 #include <iostream>
 
 #include "framework/app/commands.hpp"
+#include "framework/app/interrupt_signals.hpp"
 #include "framework/app/thread_limit.hpp"
-#include "geometry/interrupt.hpp"
 
 namespace tack {
 namespace {
-
-extern "C" void request_interrupt(int) { interrupt_requested = true; }
 
 ProgressOptions progress_options(const RunOptions& options) {
   ProgressOptions p;
@@ -41,8 +38,7 @@ int exit_code(RunStatus status) {
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  std::signal(SIGINT, request_interrupt);
-  std::signal(SIGTERM, request_interrupt);
+  let_signals_interrupt();
   const ThreadLimit threads(options.threads);
   RecordedRun run(load_experiment(options.scene.file, overrides_of(options)), options,
                   provenance_of(options.command_line, threads.count()), std::cout, progress_options(options));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/config/words.hpp"
+
 namespace tack {
 namespace {
 
@@ -18,11 +20,8 @@ std::string bar(double fraction) {
 
 }  // namespace
 
-std::string duration_text(double seconds) {
-  const long s = std::lround(seconds);
-  if (s >= 3600) return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
-  if (s >= 60) return fmt::format("{}m{:02}s", s / 60, s % 60);
-  return fmt::format("{:.3g}s", seconds < 10 ? std::round(seconds * 10) / 10 : std::round(seconds));
+std::string short_duration(double seconds) {
+  return seconds < 10 ? fmt::format("{:.3g}s", std::round(seconds * 10) / 10) : duration_text(seconds);
 }
 
 BatchProgress::BatchProgress(std::ostream& out, size_t cases, size_t open, int jobs, int live_width, bool quiet)
@@ -50,7 +49,7 @@ void BatchProgress::ended(const BatchCase& one, const CaseState& state) {
   erase();
   const size_t done = cases_ - open_ + ended_;
   out_ << fmt::format("[{}/{}] {}  {}  {}{}\n", done, cases_, one.name, bad ? fmt::format("FAILED: {}", to_string(state.status)) : to_string(state.status),
-                      duration_text(state.wall_seconds), state.error.empty() ? "" : "  " + state.error)
+                      short_duration(state.wall_seconds), state.error.empty() ? "" : "  " + state.error)
        << std::flush;
 }
 
@@ -62,11 +61,11 @@ void BatchProgress::tick(const std::vector<BatchObserver::Running>& running, siz
   for (const auto& [one, run] : running) {
     const double fraction = run->fraction();
     work += fraction;
-    lines.push_back(fmt::format("  [{}] {:3.0f}%  {}  {}", bar(fraction), 100 * fraction, duration_text(run->seconds()), one->name));
+    lines.push_back(fmt::format("  [{}] {:3.0f}%  {}  {}", bar(fraction), 100 * fraction, short_duration(run->seconds()), one->name));
   }
   const double left = work > 0 ? now * (static_cast<double>(open_) - work) / work : 0;
   lines[0] = fmt::format("{} of {} done, {} running, {} waiting, {} failed{}", cases_ - open_ + ended_, cases_, running.size(), waiting, failed_,
-                         work > 0 ? ", " + duration_text(left) + " left" : "");
+                         work > 0 ? ", " + short_duration(left) + " left" : "");
   erase();
   const size_t width = static_cast<size_t>(std::max(1, live_width_ - 1));
   for (const std::string& line : lines) out_ << line.substr(0, width) << '\n';

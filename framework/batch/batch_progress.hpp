@@ -32,7 +32,7 @@ class BatchProgress {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-// "2m05s".
-std::string duration_text(double seconds);
+// "0.2s", "12s", "2m05s": with tenths below ten seconds.
+std::string short_duration(double seconds);
 
 }  // namespace tack

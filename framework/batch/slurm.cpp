@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "framework/output/provenance.hpp"
 #include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
 
@@ -23,13 +24,6 @@ std::string ranges(const std::vector<size_t>& numbers) {
     i = k + 1;
   }
   return text;
-}
-
-// For a shell.
-std::string in_quotes(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 std::string first_line(const std::filesystem::path& path) {
@@ -75,7 +69,7 @@ std::string job_script(const std::string& program, const BatchFolder& folder, co
   option("--output=" + (folder.root / "output" / "slurm_%A_%a.txt").string());
   if (minutes > 2) option("--signal=B:TERM@60");
   for (const std::string& o : s.options) option(o);
-  script += fmt::format("exec {} batch --task \"$SLURM_ARRAY_TASK_ID\" -o {}\n", in_quotes(program), in_quotes(folder.root));
+  script += fmt::format("exec {} --task \"$SLURM_ARRAY_TASK_ID\"\n", shell_line({program, "batch", "-o", folder.root}));
   return script;
 }
 

@@ -1,6 +1,9 @@
 #include "framework/config/words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace tack {
 namespace {
@@ -26,6 +29,15 @@ std::string plural(std::string_view noun) {
   const bool hissing =
       noun.ends_with('s') || noun.ends_with('x') || noun.ends_with("sh") || noun.ends_with("ch");
   return std::string(noun) + (hissing ? "es" : "s");
+}
+
+std::string counted(long count, std::string_view noun) { return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s"); }
+
+std::string duration_text(double seconds) {
+  const long s = std::lround(seconds);
+  if (s >= 3600) return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
+  if (s >= 60) return fmt::format("{}m{:02}s", s / 60, s % 60);
+  return fmt::format("{}s", s);
 }
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// English for messages and documentation.
+// English for messages, documentation and what is told while something runs.
 #pragma once
 
 #include <string>
@@ -8,5 +8,8 @@ namespace tack {
 
 std::string with_article(std::string_view noun);  // "a pressure (Pa)", "an angle (rad)"
 std::string plural(std::string_view noun);        // "lengths", "energies", "works of adhesion"
+
+std::string counted(long count, std::string_view noun);  // "1 case", "24 cases"
+std::string duration_text(double seconds);               // "12s", "2m05s", "1h02m"
 
 }  // namespace tack

@@ -1,14 +1,14 @@
 #include "framework/output/element_fields.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
 
+#include "framework/assembly/symmetric_eigen.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
@@ -80,23 +80,38 @@ VecX cauchy_stress(const std::map<int, Mat3>& stresses, VecX values) {
 
 // Singular values of the map from the rest shape of K edge vectors to the present one, largest first.
 template <int K>
-Eigen::Matrix<double, K, 1> stretches_of(const Eigen::Matrix<double, 3, K>& rest, const Eigen::Matrix<double, 3, K>& now) {
-  // With the rest shape = Q R, now R^-1 is the deformation gradient in Q's axes.
-  const Eigen::HouseholderQR<Eigen::Matrix<double, 3, K>> qr(rest);
-  const Eigen::Matrix<double, K, K> r = qr.matrixQR().template topRows<K>().template triangularView<Eigen::Upper>();
-  const Eigen::Matrix<double, 3, K> f = now * r.inverse();
-  return Eigen::JacobiSVD<Eigen::Matrix<double, 3, K>>(f).singularValues();
+std::array<double, K> stretches_of(const std::array<Vec3, K>& rest, const std::array<Vec3, K>& now) {
+  // Gram-Schmidt: with the rest shape = Q R, now R^-1 is the deformation gradient in Q's axes.
+  std::array<Vec3, K> q = rest;
+  Mat3 f = Mat3::Zero();
+  for (int k = 0; k < K; ++k) {
+    f.col(k) = now[k];
+    for (int j = 0; j < k; ++j) {
+      const double r = q[j].dot(q[k]);
+      q[k] -= r * q[j];
+      f.col(k) -= r * f.col(j);
+    }
+    const double length = q[k].norm();
+    q[k] /= length;
+    f.col(k) /= length;
+  }
+  Vec3 squares = SymmetricEigen<3>(f.transpose() * f).values();
+  std::sort(squares.data(), squares.data() + 3, std::greater<>());
+  std::array<double, K> stretches;
+  for (int k = 0; k < K; ++k) stretches[k] = std::sqrt(std::fmax(0, squares(k)));
+  return stretches;
 }
 
 template <int K, class Element>
 void add_stretches(const std::vector<Element>& elements, const VecX& rest, const VecX& x, int& cell, VecX& values) {
   for (const Element& e : elements) {
-    Eigen::Matrix<double, 3, K> before, now;
+    std::array<Vec3, K> before, now;
     for (int k = 0; k < K; ++k) {
-      before.col(k) = vertex(rest, e[k + 1]) - vertex(rest, e[0]);
-      now.col(k) = vertex(x, e[k + 1]) - vertex(x, e[0]);
+      before[k] = vertex(rest, e[k + 1]) - vertex(rest, e[0]);
+      now[k] = vertex(x, e[k + 1]) - vertex(x, e[0]);
     }
-    values.segment<K>(3 * cell++) = stretches_of<K>(before, now);
+    const std::array<double, K> found = stretches_of<K>(before, now);
+    std::copy(found.begin(), found.end(), values.data() + 3 * cell++);
   }
 }
 

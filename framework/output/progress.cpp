@@ -8,6 +8,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "framework/config/words.hpp"
+
 namespace tack {
 namespace {
 
@@ -18,17 +20,6 @@ constexpr double silence = 5;          // s, before an iteration is told
 double steady_seconds() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration<double>(now).count();
-}
-
-std::string duration(double seconds) {
-  const long s = std::lround(seconds);
-  if (s >= 3600) return fmt::format("{}h{:02}m", s / 3600, s / 60 % 60);
-  if (s >= 60) return fmt::format("{}m{:02}s", s / 60, s % 60);
-  return fmt::format("{}s", s);
-}
-
-std::string counted(int count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -63,7 +54,7 @@ double Progress::fraction(double time) const {
 
 std::string Progress::time_left(const StepReport& report, double now) const {
   const double done = fraction(report.time);
-  return done > 0 ? duration((now - begun_) * (1 - done) / done) + " left" : "";
+  return done > 0 ? duration_text((now - begun_) * (1 - done) / done) + " left" : "";
 }
 
 std::string Progress::line_of(const StepReport& r, double now) const {

@@ -17,6 +17,19 @@ namespace {
 
 Vec3 span(const Edge& e, const VecX& x) { return vertex(x, e[1]) - vertex(x, e[0]); }
 
+// What the smallest rotation that takes one direction to another makes of a vector. (Eigen's FromTwoVectors has a singular value
+// decomposition for opposite ones, which takes the compiler ten seconds.)
+Vec3 carried_along(const Vec3& from, const Vec3& to, const Vec3& vector) {
+  const Vec3 a = from.normalized(), b = to.normalized(), axis = a.cross(b);
+  const double squared = 2 * (1 + a.dot(b));  // of twice the cosine of half the angle
+  if (squared < 1e-12) {
+    const Vec3 across = a.unitOrthogonal();  // half a turn, about any axis
+    return 2 * across.dot(vector) * across - vector;
+  }
+  const double s = std::sqrt(squared);
+  return Quaternion(s / 2, axis.x() / s, axis.y() / s, axis.z() / s) * vector;
+}
+
 // Of a circular section: one that is carried along from edge to edge by the smallest rotations, so that the frames of an
 // open rod do not twist.
 std::vector<Vec3> carried_directors(const std::vector<Edge>& edges, const VecX& rest) {
@@ -35,7 +48,7 @@ std::vector<Vec3> carried_directors(const std::vector<Edge>& edges, const VecX& 
           if (!directors[next].isZero()) continue;
           // Along the path through v, whatever way its edges are stored.
           const double same = edges[e][1] == v ? 1 : -1, onwards = edges[next][0] == v ? 1 : -1;
-          directors[next] = Eigen::Quaterniond::FromTwoVectors(same * span(edges[e], rest), onwards * span(edges[next], rest)) * directors[e];
+          directors[next] = carried_along(same * span(edges[e], rest), onwards * span(edges[next], rest), directors[e]);
           open.push_back(next);
         }
     }
@@ -91,7 +104,7 @@ class DrivenTwist : public Motion {
     for (int i = 1; i <= parts; ++i) {
       const Mat3 moved = linear_part(e, rest, anchor, t0 + (t - t0) * i / parts) * back;
       const Vec3 t_now = (moved * tangent).normalized(), d_now = moved * director;
-      const Vec3 carried = Eigen::Quaterniond::FromTwoVectors(t_before, t_now) * d_before;
+      const Vec3 carried = carried_along(t_before, t_now, d_before);
       turned += std::atan2(t_now.dot(carried.cross(d_now)), carried.dot(d_now));
       t_before = t_now;
       d_before = (d_now - d_now.dot(t_now) * t_now).normalized();
