@@ -66,7 +66,7 @@ int report_command(const ReportOptions& options);
 struct PlotOptions {
   std::vector<std::string> folders;  // runs, or one batch, or one comparison
   std::string output;                // folder of the pictures; empty: plots in the folder; of several, in the working directory
-  std::string x, y;                  // of a batch: a single picture of these columns of its table
+  std::string x, y;                  // a single picture of these probes, or of these columns of a batch's table
   std::vector<std::string> by;
   bool log_x = false, log_y = false;
 };

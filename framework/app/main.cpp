@@ -127,8 +127,8 @@ class CommandLine {
     CLI::App* plot = app_.add_subcommand("plot", "Draw pictures (SVG, PNG) of runs, a batch or a comparison");
     plot->add_option("folder", plot_.folders, "results folders: of runs, or of one batch or comparison")->required();
     plot->add_option("-o,--output", plot_.output, "folder of the pictures (default: plots in the folder; of several, here)");
-    CLI::Option* x = plot->add_option("--x", plot_.x, "of a batch: the column of results.csv along the axis");
-    CLI::Option* y = plot->add_option("--y", plot_.y, "of a batch: the column that is shown")->needs(x);
+    CLI::Option* x = plot->add_option("--x", plot_.x, "along the axis: of runs a probe or time, of a batch a column of results.csv");
+    CLI::Option* y = plot->add_option("--y", plot_.y, "what is shown over it")->needs(x);
     x->needs(y);
     plot->add_option("--by", plot_.by, "of a batch: a curve for each value of this column (repeatable; default: all else that varies)")
         ->take_all()->allow_extra_args(false)->needs(x);

@@ -37,7 +37,10 @@ class Pictures {
   void draw_runs(const std::vector<PlottedRun>& runs) {
     if (runs.size() <= most_runs)
       for (const auto& [name, plot] : run_curves(runs)) draw(plot, name);
-    if (const auto bars = phase_bars(runs)) draw(*bars, "phases");
+    if (const auto bars = phase_bars(runs)) {
+      draw(*bars, "phases");
+      draw(shares_of(*bars), "phase_shares");
+    }
   }
   int exit_code() const { return failed_ ? exit_expectation_failed : exit_done; }
 
@@ -95,7 +98,8 @@ int plot_command(const PlotOptions& options) {
   const bool batch = fs::exists(first / "batch.json"), comparison = fs::exists(first / "compare.csv");
   if ((batch || comparison) && options.folders.size() > 1)
     throw InputError(fmt::format("{}: is a {}; draw it by itself", first.string(), batch ? "batch" : "comparison"));
-  if (!batch && !options.x.empty()) throw InputError(fmt::format("{}: --x, --y and --by are for the table of a batch", first.string()));
+  if (comparison && !batch && !options.x.empty()) throw InputError(fmt::format("{}: --x and --y are for runs and batches", first.string()));
+  if (!batch && !options.by.empty()) throw InputError(fmt::format("{}: --by is for the table of a batch", first.string()));
   if (comparison && !batch) return plot_comparison(first);
   fs::path output = options.output;
   if (output.empty()) output = options.folders.size() == 1 ? first / "plots" : fs::path("plots");
@@ -106,7 +110,13 @@ int plot_command(const PlotOptions& options) {
     runs.push_back(plotted_run(folder, path.has_filename() ? path.filename() : path.parent_path().filename()));
   }
   Pictures pictures(output);
-  pictures.draw_runs(runs);
+  if (options.x.empty()) pictures.draw_runs(runs);
+  else {
+    Plot plot = probe_curves(runs, options.x, options.y);
+    plot.log_x = options.log_x;
+    plot.log_y = options.log_y;
+    pictures.draw(plot, picture_name(options.y) + "_over_" + picture_name(options.x));
+  }
   return pictures.exit_code();
 }
 

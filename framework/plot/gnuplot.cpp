@@ -168,8 +168,8 @@ std::string script_of(const StackedBars& bars, const std::string& name) {
   out += fmt::format("END\nset title {} noenhanced\nset ylabel {} noenhanced\nset style data histograms\nset style histogram rowstacked\n"
                      "set style fill solid 1 border lc rgb 'white'\nset boxwidth 0.75\nset border 3 lc rgb '#606060'\n"
                      "set tics nomirror out\nset xtics rotate by 35 right noenhanced\nset grid y lc rgb '#e0e0e0' lw 1\n"
-                     "set key outside right invert noenhanced\nset yrange [0:*]\nset lmargin {}\n",
-                     in_quotes(bars.title), in_quotes(bars.y_label), std::max<size_t>(11, longest * 7 / 10));
+                     "set key outside right invert noenhanced\nset yrange [0:{}]\nset lmargin {}\n",
+                     in_quotes(bars.title), in_quotes(bars.y_label), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10));
   std::vector<std::string> commands;
   for (size_t k = 0; k < bars.parts.size(); ++k) {
     const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);

@@ -36,6 +36,7 @@ struct StackedBars {
   std::vector<std::string> names;                      // of the bars
   std::vector<std::string> parts;                      // from the foot up
   std::vector<std::vector<double>> heights;            // heights[bar][part]
+  std::optional<double> top;                           // of the axis, if it has to end there
 };
 
 // A text as part of a file's name.

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "framework/config/nearest.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -12,13 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A column over the time; nothing if there is none.
-std::optional<Curve> over_time(const CsvTable& table, const std::string& column, const std::string& title) {
-  const auto time = table.column("time"), at = table.column(column);
-  if (!time || !at) return std::nullopt;
+// A column over another; nothing if there is none.
+std::optional<Curve> over(const CsvTable& table, const std::string& x, const std::string& y, const std::string& title) {
+  const auto along = table.column(x), at = table.column(y);
+  if (!along || !at) return std::nullopt;
   Curve curve{title, {}, {}};
-  for (const auto& row : table.rows) curve.points.emplace_back(row[*time], row[*at]);
+  for (const auto& row : table.rows) curve.points.emplace_back(row[*along], row[*at]);
   return curve;
+}
+
+std::optional<Curve> over_time(const CsvTable& table, const std::string& column, const std::string& title) {
+  return over(table, "time", column, title);
 }
 
 struct StepColumn {
@@ -34,14 +40,39 @@ constexpr StepColumn step_columns[] = {{"iterations", "newton_iterations", "Newt
                                        {"smallest_gap", "min_distance", "smallest gap", "gap [m]", true},
                                        {"contacts", "contacts", "contacts", "pairs of primitives", false}};
 
+// Traction over gap of each pair.
+std::optional<Plot> law_curves(const CsvTexts& laws) {
+  Plot plot{.title = "laws of adhesion", .x_label = "gap [m]", .y_label = "traction [Pa]", .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
+  const auto at = [&](const char* name) {
+    return static_cast<size_t>(std::find(laws.columns.begin(), laws.columns.end(), name) - laws.columns.begin());
+  };
+  const size_t pair = at("pair"), gap = at("gap"), traction = at("traction");
+  if (std::max({pair, gap, traction}) >= laws.columns.size()) return std::nullopt;
+  for (const auto& row : laws.rows) {
+    const auto x = csv_number(row[gap]), y = csv_number(row[traction]);
+    if (!x || !y) continue;
+    if (plot.curves.empty() || plot.curves.back().title != row[pair]) plot.curves.push_back({row[pair], {}, {}});
+    plot.curves.back().points.emplace_back(*x, *y);
+  }
+  // Where the barrier pushes, tractions have no bound: what adhesion pulls with is what is to be seen.
+  double peak = 0;
+  for (const Curve& c : plot.curves)
+    for (const auto& [x, y] : c.points) peak = std::max(peak, y);
+  for (Curve& c : plot.curves) std::erase_if(c.points, [&](const auto& point) { return point.second < -peak; });
+  std::erase_if(plot.curves, [](const Curve& c) { return c.points.empty(); });
+  if (plot.curves.empty()) return std::nullopt;
+  return plot;
+}
+
 }  // namespace
 
 PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "steps.csv"))
     throw InputError(fmt::format("{}: holds no results of a run (no steps.csv); give a folder that `tack run`, `tack batch` or "
                                  "`tack compare` made", folder.string()));
-  PlottedRun run{name, read_csv(folder / "steps.csv"), {}};
+  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}};
   if (fs::exists(folder / "probes.csv")) run.probes = read_csv(folder / "probes.csv");
+  if (fs::exists(folder / "laws.csv")) run.laws = read_csv_texts(folder / "laws.csv");
   return run;
 }
 
@@ -64,12 +95,30 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
     if (runs.size() > 1) continue;
     for (const std::string& column : run.steps.columns)
       if (column.starts_with("energy_")) add("energies", "energies", "energy [J]", false, over_time(run.steps, column, column.substr(7)));
+    if (auto laws = law_curves(run.laws)) plots.emplace("laws", std::move(*laws));
   }
   return plots;
 }
 
+Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, const std::string& y) {
+  Plot plot{.title = y + " over " + x, .x_label = x == "time" ? "time [s]" : x, .y_label = y, .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
+  std::vector<std::string> without;
+  for (const PlottedRun& run : runs) {
+    auto curve = over(run.probes, x, y, run.name);
+    if (curve && !curve->points.empty()) plot.curves.push_back(std::move(*curve));
+    else without.push_back(run.name);
+  }
+  if (plot.curves.empty()) {
+    const std::vector<std::string>& columns = runs.front().probes.columns;
+    const std::string& missing = runs.front().probes.column(x) ? y : x;
+    throw InputError(fmt::format("no run has a probe '{}' with numbers{}", missing, suggestion(missing, columns, "probes")));
+  }
+  if (!without.empty()) plot.notes.push_back(fmt::format("without these probes: {}", fmt::join(without, "; ")));
+  return plot;
+}
+
 std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
-  StackedBars bars{"wall time per step, by phase", "time [s]", {}, {}, {}};
+  StackedBars bars{"wall time per step, by phase", "time [s]", {}, {}, {}, {}};
   const auto is_phase = [](const std::string& c) { return c.starts_with("seconds_"); };
   const auto takes_time = [](const CsvTable& steps, const std::string& column) {
     const size_t at = *steps.column(column);
@@ -91,6 +140,17 @@ std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
     }
   }
   if (bars.names.empty() || bars.parts.empty()) return std::nullopt;
+  return bars;
+}
+
+StackedBars shares_of(StackedBars bars) {
+  bars.title = "where the time goes";
+  bars.y_label = "share of the wall time [%]";
+  bars.top = 100;
+  for (std::vector<double>& parts : bars.heights) {
+    const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
+    for (double& p : parts) p *= sum > 0 ? 100 / sum : 0;
+  }
   return bars;
 }
 

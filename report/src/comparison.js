@@ -1,6 +1,7 @@
 // A comparison of solvers: time against error, how often each is fast, and the whole table.
 import { chart } from "./chart.js";
-import { h, labelled, lazyDetails, section, select } from "./dom.js";
+import { h, labelled, section, select } from "./dom.js";
+import { markdown } from "./markdown.js";
 import { sortedTable } from "./table.js";
 
 const rowsWith = ({ columns, rows }) => rows.map((row) => Object.fromEntries(columns.map((name, c) => [name, row[c]])));
@@ -12,8 +13,7 @@ export function comparisonSections({ table, text }) {
       caption: "All combinations",
       mark: (row, c) => (table.columns[c] === "status" && row[c] !== "converged" ? h("span", { class: "mark bad" }, row[c] ?? "") : null),
     })),
-    text && section("text", "In words", h("p", { class: "note" }, "What was measured on what, the fastest solver at each level of error, and what failed: compare.md."),
-      lazyDetails("compare.md", () => h("pre", { tabindex: 0 }, text)))];
+    text && section("text", "In words", markdown(text.replace(/^# .*\n/, "")))];
 }
 
 const unique = (values) => [...new Set(values)];

@@ -57,7 +57,8 @@ export function makeFixtures(tack, folder) {
       solver === "ceres" && t === 2 ? `${problem},${solver},${tolerance},0.01,9,0,9,1000,1000,0,"stopped, too slow",,,,,,0`
         : `${problem},${solver},${tolerance},0.01,${0.1 * (s + 1) * (t + 1)},0.01,${0.2 * (s + 1) * (t + 1)},${10 * (s * s + 1) * (t + 1)},20,10,converged,same,${1e-4 * tolerance * (s + 1)},${1e-3 * tolerance},1e-5,0,0`)));
   writeFileSync(join(folder, "compared", "compare.csv"), `${compared.join("\n")}\n`);
-  writeFileSync(join(folder, "compared", "compare.md"), "# fall compared\n\nMeasured somewhere.\n");
+  writeFileSync(join(folder, "compared", "compare.md"), "# fall compared\n\nMeasured somewhere.\n\n## All 3 tasks together\n\n*Fastest*: or no slower.\n\n"
+    + "| solver | done | |\n| --- | --- | --- |\n| newton | 3 | **best** |\n| a\\|b \\<i> | 2 | |\n");
 
   mkdirSync(join(folder, "batch", "cases"), { recursive: true });
   const cases = [];

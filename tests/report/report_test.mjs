@@ -204,6 +204,9 @@ const tests = {
     assert.match((await one.text("h1"))[0], /^fall compared/);
     await one.checkCharts(2);
     assert.deepEqual(await one.text("#precision .legend li span:nth-child(2)"), ["newton", "lbfgs", "ceres"]);
+    assert.deepEqual(await one.text("#text h3"), ["All 3 tasks together"]);
+    assert.deepEqual(await one.text("#text tbody tr:last-child > *"), ["a|b <i>", "2", ""]);
+    assert.deepEqual(await one.text("#text strong, #text em"), ["Fastest", "best"]);
     await page.getByLabel("Problem").selectOption("</script><b>bold</b>");
     await page.getByLabel("Cost").selectOption("iterations");
     assert.match((await one.text("#precision h3"))[0], /^Iterations against error: <\/script>/);

@@ -40,7 +40,7 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
     CHECK(failure == "");
     CHECK(contains(file_text(folder.path() / "plot.svg"), "</svg>"));
     fs::remove(folder.path() / "plot.svg");
-    CHECK(draw(StackedBars{name, name, {name, "b" + name}, {name, "p" + name}, {{1, 2}, {3, 4}}}, folder.path(), "bars") == "");
+    CHECK(draw(StackedBars{name, name, {name, "b" + name}, {name, "p" + name}, {{1, 2}, {3, 4}}, {}}, folder.path(), "bars") == "");
     CHECK_FALSE(fs::exists(folder.path() / "owned"));
     CHECK(contains(file_text(folder.path() / "bars.svg"), "</svg>"));
   }
