@@ -24,13 +24,33 @@ function extent(arrays, accept) {
 
 function padded([low, high], log) {
   if (log) {
-    // Whole decades, and room for a dot that stands at an end.
-    const a = Math.floor(Math.log10(low) - 0.02);
-    const b = Math.ceil(Math.log10(high) + 0.02);
-    return [10 ** a, 10 ** (b > a ? b : a + 1)];
+    const room = (high / low) ** 0.05 * 1.05;
+    return [low / room, high * room];
   }
   const room = high > low ? 0.06 * (high - low) : Math.abs(high) * 0.1 || 1;
   return [low === 0 ? 0 : low - room, high === 0 && low < 0 ? 0 : high + room];
+}
+
+// Of a logarithmic axis: decades; with fewer than two of them 1, 2 and 5 of each; with fewer than two of those, as on a linear one.
+function logTicks(low, high) {
+  const some = (mantissas) => {
+    const ticks = [];
+    for (let e = Math.floor(Math.log10(low)); e <= Math.ceil(Math.log10(high)); ++e)
+      for (const m of mantissas) {
+        const tick = Number(`${m}e${e}`);
+        if (tick >= low && tick <= high) ticks.push(tick);
+      }
+    return ticks;
+  };
+  const decades = some([1]);
+  if (decades.length > 9) return decades.filter((_, i) => i % Math.ceil(decades.length / 9) === 0);
+  if (decades.length > 1) return decades;
+  const parts = some([1, 2, 5]);
+  if (parts.length > 1) return parts;
+  const step = 10 ** Math.floor(Math.log10(high - low));
+  const ticks = [];
+  for (let k = Math.ceil(low / step); k * step <= high; ++k) ticks.push(k * step);
+  return ticks;
 }
 
 // Charts of one group zoom together.
@@ -107,7 +127,7 @@ export function chart(options) {
     return { stroke, fill };
   };
 
-  const tick = (log) => (u, splits) => splits.map((v) => (v === null ? "" : log ? powerOfTen(v) : format(v, 6)));
+  const tick = (log) => (u, splits) => splits.map((v) => (v === null ? "" : (log && powerOfTen(v)) || format(v, log ? 3 : 6)));
   const axis = (which, log, label) => ({
     scale: which,
     label,
@@ -119,6 +139,7 @@ export function chart(options) {
     ticks: { show: false },
     border: { show: true, stroke: () => style("--axis"), width: 1 },
     values: tick(log),
+    ...(log && { splits: (u, at, low, high) => logTicks(low, high), filter: (u, splits) => splits }),
     size: which === "x" ? 28 : (u, values) => 14 + 6.2 * Math.max(2, ...(values ?? []).map((v) => v.length)),
     gap: 4,
   });
