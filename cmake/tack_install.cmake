@@ -1,7 +1,7 @@
 # bin/tack, lib/tack (what it opens itself), include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
 include(CMakePackageConfigHelpers)
 install(TARGETS tack_cli RUNTIME DESTINATION bin)
-install(TARGETS tack_meshing LIBRARY DESTINATION lib/tack)
+install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)
 install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"
         PATTERN framework/app EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp DESTINATION include/tack/framework/plugin)

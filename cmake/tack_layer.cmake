@@ -100,33 +100,48 @@ function(tack_link_all TARGET)
                         CLI11::CLI11 Threads::Threads ${LINKS})
 endfunction()
 
-# The library of geometry/meshing, which the program opens when it needs it, beside the program. It has copies of its own of what it
-# uses of geometry/mesh.
+# tack_own_library(NAME SOURCES... ): libtack_NAME.so, which the program opens when it needs it, beside the program. geometry/NAME/functions.hpp
+# has the table of what is in it, geometry/NAME_library.cpp calls it; the program refuses a library that was built from other HEADERS,
+# or in another way.
+function(tack_own_library NAME)
+  cmake_parse_arguments(L "" "" "SOURCES;HEADERS;LINKS" ${ARGN})
+  add_library(tack_${NAME} MODULE ${L_SOURCES})
+  tack_cool(tack_${NAME})
+  # Hidden, as the program has functions of the same names.
+  set_target_properties(tack_${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
+  target_link_libraries(tack_${NAME} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt ${L_LINKS})
+  target_link_options(tack_${NAME} PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${L_HEADERS})
+  set(ALL "${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${TACK_NATIVE} ${TACK_SANITIZE}")
+  foreach(HEADER ${L_HEADERS})
+    file(SHA256 ${HEADER} DIGEST)
+    string(APPEND ALL ${DIGEST})
+  endforeach()
+  string(SHA256 DIGEST "${ALL}")
+  string(TOUPPER ${NAME} UPPER)
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/${NAME}/functions.cpp ${CMAKE_SOURCE_DIR}/geometry/${NAME}_library.cpp
+                              PROPERTIES COMPILE_DEFINITIONS TACK_${UPPER}_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# CGAL's operations and OpenVDB's grids, with copies of its own of what they use of geometry/mesh.
 function(tack_meshing_library)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.cpp)
   foreach(FILE cleanup mesh mesh_quality quality surface triangle_surface)
     list(APPEND SOURCES ${CMAKE_SOURCE_DIR}/geometry/mesh/${FILE}.cpp)
   endforeach()
-  add_library(tack_meshing MODULE ${SOURCES})
-  tack_cool(tack_meshing)
-  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
-                              COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
-  # Hidden, as the program has functions of the same names.
-  set_target_properties(tack_meshing PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
-  target_link_libraries(tack_meshing PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt CGAL::CGAL ${OPENVDB_LIBRARY})
-  target_link_options(tack_meshing PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
-  # The program refuses a library that was built from other headers, or in another way.
   file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.hpp ${CMAKE_SOURCE_DIR}/geometry/*.hpp
        ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/level_set/distance_grid.hpp)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${HEADERS})
-  set(ALL "${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${TACK_NATIVE} ${TACK_SANITIZE}")
-  foreach(HEADER ${HEADERS})
-    file(SHA256 ${HEADER} DIGEST)
-    string(APPEND ALL ${DIGEST})
-  endforeach()
-  string(SHA256 DIGEST "${ALL}")
-  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/functions.cpp ${CMAKE_SOURCE_DIR}/geometry/meshing_library.cpp
-                              PROPERTIES COMPILE_DEFINITIONS TACK_MESHING_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
+  tack_own_library(meshing SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS CGAL::CGAL ${OPENVDB_LIBRARY})
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
+                              COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+endfunction()
+
+# Mesh files by Gmsh, which takes the loader longer than all else together.
+function(tack_msh_library)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.cpp)
+  file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.hpp ${CMAKE_SOURCE_DIR}/geometry/types.hpp
+       ${CMAKE_SOURCE_DIR}/geometry/errors.hpp ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp)
+  tack_own_library(msh SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS ${TACK_GMSH})
 endfunction()
 
 # What it was built from goes into every summary.json; it is read again at each build.
@@ -171,4 +186,5 @@ function(tack_app)
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack ENABLE_EXPORTS ON RUNTIME_OUTPUT_DIRECTORY
                         ${CMAKE_BINARY_DIR}/bin)
   tack_link_all(tack_cli)
+  add_dependencies(tack_cli tack_msh)
 endfunction()

@@ -1,43 +1,30 @@
 #include "geometry/meshing_library.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <atomic>
-#include <cstring>
 #include <filesystem>
 
 #include "geometry/errors.hpp"
 #include "geometry/meshing/functions.hpp"
+#include "geometry/own_library.hpp"
 
 namespace tack {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* file_name = "libtack_meshing.so";
 std::atomic<bool> failed{false};
 
-// Tests are in a folder beside that of the program; where tack is installed, libraries have a folder of their own.
-fs::path library_path() {
-  std::error_code none;
-  const fs::path root = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
-  const fs::path built = root / "bin" / "libtack_meshing.so", installed = root / "lib" / "tack" / "libtack_meshing.so";
-  return fs::exists(installed, none) ? installed : built;
-}
-
-[[noreturn]] void refuse(const std::string& why) {
-  failed = true;
-  throw InputError(fmt::format("meshes cannot be made: {}; run `./tack`, which builds it, or `cmake --build --preset release --target "
-                               "tack_meshing`", why));
-}
-
 const MeshingFunctions& opened() {
-  const std::string path = library_path().string();
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) refuse(fmt::format("the library for it is not built or broken ({})", ::dlerror()));
-  const auto* functions = static_cast<const MeshingFunctions*>(::dlsym(library, "tack_meshing_functions"));
-  if (!functions || std::strcmp(functions->interface, TACK_MESHING_INTERFACE) != 0) refuse(path + " is of another build");
-  return *functions;
+  try {
+    return *static_cast<const MeshingFunctions*>(own_library(file_name, "tack_meshing_functions", TACK_MESHING_INTERFACE));
+  } catch (const InputError& error) {
+    failed = true;
+    throw InputError(fmt::format("meshes cannot be made: {}; run `./tack`, which builds it, or `cmake --build --preset release --target "
+                                 "tack_meshing`", error.what()));
+  }
 }
 
 const MeshingFunctions& library() {
@@ -53,7 +40,7 @@ bool meshing_library_failed() { return failed; }
 
 std::string meshing_library_stamp() {
   std::error_code none;
-  const fs::path path = library_path();
+  const fs::path path = own_library_path(file_name);
   if (!fs::exists(path, none)) return "";
   return fmt::format("{} {}", fs::file_size(path, none), fs::last_write_time(path, none).time_since_epoch().count());
 }

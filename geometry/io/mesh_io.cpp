@@ -11,6 +11,7 @@
 #include "geometry/io/formats.hpp"
 #include "geometry/io/isolated.hpp"
 #include "geometry/mesh/validate.hpp"
+#include "geometry/msh_library.hpp"
 
 namespace tack {
 namespace {
@@ -46,7 +47,10 @@ Mesh read_by_extension(const std::filesystem::path& path) {
   if (extension == ".stl") return read_isolated(path, read_stl);
   if (extension == ".vtk") return read_isolated(path, read_vtk);
   if (extension == ".vtu") return read_isolated(path, read_vtu);
-  if (extension == ".msh") return read_isolated(path, read_msh);
+  if (extension == ".msh") {
+    open_msh_library();
+    return read_isolated(path, read_msh);
+  }
   throw InputError(fmt::format("{}: unknown mesh format \"{}\": convert it to one of {}",
                                path.string(), extension, supported));
 }

@@ -1,7 +1,6 @@
 #include "geometry/io/write_mesh.hpp"
 
 #include <fmt/format.h>
-#include <gmsh.h>
 #include <vtkCellTypes.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -10,10 +9,9 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <fstream>
-#include <numeric>
 
 #include "geometry/errors.hpp"
-#include "geometry/io/gmsh_types.hpp"
+#include "geometry/msh_library.hpp"
 
 namespace tack {
 namespace {
@@ -77,40 +75,6 @@ void write_grid(const std::filesystem::path& path, const Mesh& mesh) {
   writer->SetFileName(path.c_str());
   writer->SetInputData(grid);
   writer->Write();
-}
-
-template <std::size_t N>
-void add_elements(int type, const std::vector<std::array<int, N>>& elements, std::size_t& next) {
-  std::vector<std::size_t> tags, nodes;
-  for (const auto& element : elements) {
-    tags.push_back(next++);
-    for (const int v : element) nodes.push_back(static_cast<std::size_t>(v) + 1);
-  }
-  if (!tags.empty()) gmsh::model::mesh::addElementsByType(1, type, tags, nodes);
-}
-
-void write_msh(const std::filesystem::path& path, const Mesh& mesh) {
-  gmsh::initialize(0, nullptr, false);
-  gmsh::option::setNumber("General.Terminal", 0);
-  gmsh::model::add("mesh");
-  for (int dimension = 0; dimension <= 3; ++dimension) gmsh::model::addDiscreteEntity(dimension, 1);
-  std::vector<std::size_t> tags(mesh.vertices.size());
-  std::iota(tags.begin(), tags.end(), 1);
-  std::vector<double> coordinates;
-  for (const Vec3& x : mesh.vertices) coordinates.insert(coordinates.end(), x.begin(), x.end());
-  gmsh::model::mesh::addNodes(3, 1, tags, coordinates);
-  std::vector<std::array<int, 1>> points;
-  for (const int v : mesh.points) points.push_back({v});
-  std::size_t next = 1;
-  add_elements(gmsh_types::tet, mesh.tets, next);
-  add_elements(gmsh_types::triangle, mesh.triangles, next);
-  add_elements(gmsh_types::line, mesh.edges, next);
-  add_elements(gmsh_types::point, points, next);
-  gmsh::option::setNumber("Mesh.MshFileVersion", 4.1);
-  gmsh::option::setNumber("Mesh.Binary", 1);
-  gmsh::option::setNumber("Mesh.SaveAll", 1);
-  gmsh::write(path.string());
-  gmsh::finalize();
 }
 
 // What cannot be written is told before anything is.

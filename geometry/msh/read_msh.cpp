@@ -1,43 +1,19 @@
-// .msh through the Gmsh library.
 #include <fmt/format.h>
 #include <gmsh.h>
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <unordered_map>
 
 #include "geometry/errors.hpp"
-#include "geometry/io/formats.hpp"
-#include "geometry/io/gmsh_types.hpp"
-#include "geometry/io/precheck.hpp"
-#include "geometry/mesh/cleanup.hpp"
+#include "geometry/msh/functions.hpp"
+#include "geometry/msh/gmsh_session.hpp"
+#include "geometry/msh/gmsh_types.hpp"
 
 namespace tack {
 namespace {
 
 using NodeNumbers = std::unordered_map<std::size_t, int>;
-
-// Gmsh holds one global state: one session at a time, started silent and without the user's
-// options.
-class GmshSession {
- public:
-  GmshSession() : lock_(mutex()) {
-    gmsh::initialize(0, nullptr, false);
-    gmsh::option::setNumber("General.Terminal", 0);
-  }
-  ~GmshSession() { gmsh::finalize(); }
-  GmshSession(const GmshSession&) = delete;
-  GmshSession& operator=(const GmshSession&) = delete;
-
- private:
-  static std::mutex& mutex() {
-    static std::mutex instance;
-    return instance;
-  }
-
-  std::lock_guard<std::mutex> lock_;
-};
 
 NodeNumbers read_nodes(Mesh& mesh) {
   std::vector<std::size_t> tags;
@@ -117,7 +93,6 @@ Mesh read_model(const std::string& name) {
   read_elements(gmsh_types::point, numbers, points);
   for (const auto& [v] : points) mesh.points.push_back(v);
   read_groups(mesh, numbers);
-  drop_redundant_elements(mesh);
   return mesh;
 }
 
@@ -142,11 +117,8 @@ auto translate_errors(const std::string& name, const char* remedy, const Work& w
 
 }  // namespace
 
-Mesh read_msh(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  precheck_msh(name);
-  return translate_errors(name, "the .msh file is damaged, export it again",
-                          [&] { return read_model(name); });
+Mesh read_msh_by_gmsh(const std::string& path) {
+  return translate_errors(path, "the .msh file is damaged, export it again", [&] { return read_model(path); });
 }
 
 }  // namespace tack

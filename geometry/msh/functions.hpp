@@ -1,0 +1,21 @@
+// What the shared library libtack_msh.so holds: .msh files by Gmsh, which takes longer to load than all else together. The program
+// opens it when it meets the first of them (msh_library.hpp).
+#pragma once
+
+#include <string>
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+// Elements as they are in the file. Throws InputError naming the file.
+Mesh read_msh_by_gmsh(const std::string& path);
+void write_msh_by_gmsh(const std::string& path, const Mesh& mesh);
+
+struct MshFunctions {
+  const char* interface;  // TACK_MSH_INTERFACE: a digest of these headers and of how they were compiled
+  decltype(&read_msh_by_gmsh) read;
+  decltype(&write_msh_by_gmsh) write;
+};
+
+}  // namespace tack

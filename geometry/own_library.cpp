@@ -1,0 +1,32 @@
+#include "geometry/own_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+namespace fs = std::filesystem;
+
+// Tests are in a folder beside that of the program.
+fs::path own_library_path(const std::string& name) {
+  std::error_code none;
+  const fs::path root = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
+  const fs::path installed = root / "lib" / "tack" / name;
+  return fs::exists(installed, none) ? installed : root / "bin" / name;
+}
+
+const void* own_library(const std::string& name, const char* table, const char* interface) {
+  const std::string path = own_library_path(name).string();
+  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!library) throw InputError(fmt::format("the library for it is not built or broken ({})", ::dlerror()));
+  const void* functions = ::dlsym(library, table);
+  if (!functions || std::strcmp(*static_cast<const char* const*>(functions), interface) != 0)
+    throw InputError(path + " is of another build");
+  return functions;
+}
+
+}  // namespace tack
