@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "framework/plugin/plugins.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -33,7 +34,22 @@ void check_meshes(const fs::path& path, const StateFile& file, const World& worl
   }
 }
 
+void check_plugins(const fs::path& path, const StateFile& file) {
+  for (const auto& [plugin, checksum] : plugin_checksums()) {
+    const auto there = file.plugins.find(plugin);
+    if (there == file.plugins.end() || there->second == checksum) continue;
+    throw InputError(fmt::format("{}: plugin '{}' was built anew since then; resume with the library of that run, or start anew without "
+                                 "--resume", path.string(), plugin));
+  }
+}
+
 }  // namespace
+
+std::map<std::string, std::uint32_t> plugin_checksums() {
+  std::map<std::string, std::uint32_t> checksums;
+  for (const Plugin& plugin : loaded_plugins()) checksums[plugin.path] = plugin.checksum;
+  return checksums;
+}
 
 std::map<std::string, MeshDigest> file_meshes_of(const World& world) {
   std::map<std::string, MeshDigest> digests;
@@ -65,6 +81,7 @@ StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, c
                                  "anew without --resume", newest.string(), first_difference(file.scene, scene),
                                  folder.scene().string()));
   check_meshes(newest, file, world);
+  check_plugins(newest, file);
   return file;
 }
 

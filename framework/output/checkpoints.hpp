@@ -14,11 +14,15 @@ std::filesystem::path checkpoint_path(const RunFolder& folder, int step);
 // The digests of the mesh files that a world was built from, by object.
 std::map<std::string, MeshDigest> file_meshes_of(const World& world);
 
+// Of the files of all plugins that are loaded, by path.
+std::map<std::string, std::uint32_t> plugin_checksums();
+
 // Of a folder checkpoints/; empty: there is none.
 std::filesystem::path newest_checkpoint_in(const std::filesystem::path& checkpoints);
 
 // Throws InputError, with the remedy, if there is none, or it is of another scene than `scene` (resolved,
-// as YAML) or of other meshes than the world's; what differs is named.
+// as YAML) or of other meshes or plugins than those that are loaded; what
+// differs is named.
 StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world);
 
 }  // namespace tack

@@ -6,7 +6,7 @@
 // follows), then a map: kind ("problem", "checkpoint"), program, commit, scene (resolved,
 // as YAML), meshes {object: {vertices, tets, triangles, edges, points, tags}} of the objects whose meshes
 // were read from files (not in checkpoints), file_meshes {object: digest of such a mesh (geometry/mesh/digest.hpp):
-// [vertex count, element count, checksums of vertices, elements and groups]} of a checkpoint, objects {object: {vertices: those of the
+// [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path: CRC-32 of the file} of a checkpoint, objects {object: {vertices: those of the
 // state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, h_next, held, x, v,
 // a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} of a checkpoint's run
 // so far. All in SI. A field that a later program adds is absent from older files, and is then what a State
@@ -14,6 +14,7 @@
 #pragma once
 
 #include <filesystem>
+#include <cstdint>
 #include <map>
 #include <string>
 
@@ -31,6 +32,7 @@ struct StateFile {
   std::string scene;                   // YAML
   std::map<std::string, Mesh> meshes;  // by object
   std::map<std::string, MeshDigest> file_meshes;  // by object
+  std::map<std::string, std::uint32_t> plugins;   // checksums of their files, by path
   std::map<std::string, StateObject> objects;     // by name; empty in older files
   State state;
   double step_size = 0;  // of a problem [s]

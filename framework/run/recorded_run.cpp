@@ -150,7 +150,10 @@ StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) cons
   file.program = summary_.provenance.build.version;
   file.commit = summary_.provenance.build.revision();
   file.objects = state_objects(world_);
-  if (kind == StateFile::Kind::checkpoint) file.file_meshes = file_meshes_of(world_);
+  if (kind == StateFile::Kind::checkpoint) {
+    file.file_meshes = file_meshes_of(world_);
+    file.plugins = plugin_checksums();
+  }
   file.state = state;
   return file;
 }

@@ -88,4 +88,15 @@ refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.
 # Without optimisation, with assertions; and named twice.
 sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"
 tack run "$scene" -q || fail "a plugin without optimisation"
+
+# A run goes on with the plugin that it began with, and with no other.
+run=(tack run "$scene" -q -o resumed --set output.checkpoint_interval=0.01)
+cp build/libunoptimised.so changing.so
+sed -i "s|\[build/libunoptimised.so, [^]]*\]|[changing.so]|" "$scene"
+"${run[@]}" --steps 12 || fail "a run with checkpoints"
+"${run[@]}" --steps 20 --resume || fail "a run goes on with its plugin"
+echo >>changing.so
+code=0
+message=$("${run[@]}" --resume 2>&1) || code=$?
+((code == 2)) && grep -q "plugin '$scratch/elsewhere/changing.so' was built anew since then" <<<"$message" || fail "a plugin that was built anew: $code: $message"
 rm -rf "$scratch"
