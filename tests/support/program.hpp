@@ -30,7 +30,7 @@ class Program {
   void terminate();      // as `kill` does
   bool has_child() const;  // whether it has forked a process that runs
   void kill();           // as `kill -9` does
-  ProgramResult wait();  // kills it after a minute, with sanitizers after twenty
+  ProgramResult wait();  // kills it after two minutes, with sanitizers after forty
 
  private:
   TemporaryFolder printed_;
