@@ -25,7 +25,7 @@ draw() {
 
 for batch in phases distances strengths; do "$tack" batch "experiments/batches/$batch.yaml" -o "results/$batch"; done
 draw results/phases -- phase_shares=phases
-draw results/phases/cases/base=plates --x gap --y adhesion -- adhesion_over_gap=pull_force_gap
+draw results/phases/cases/base=plates --x gap --y adhesion --x-range 0 2.5e-3 -- adhesion_over_gap=pull_force_gap
 draw results/distances -- iterations=distances_iterations probe_taken=distances_taken
 draw results/strengths -- step_seconds=strengths_step_seconds iterations=strengths_iterations probe_taken=strengths_taken
 

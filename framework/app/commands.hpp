@@ -69,6 +69,7 @@ struct PlotOptions {
   std::string x, y;                  // a single picture of these probes, or of these columns of a batch's table
   std::vector<std::string> by;
   bool log_x = false, log_y = false;
+  std::vector<double> x_range;  // the part of x that is shown; empty: all
 };
 // Pictures for papers, as SVG and PNG.
 int plot_command(const PlotOptions& options);

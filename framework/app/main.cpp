@@ -133,6 +133,7 @@ class CommandLine {
     plot->add_option("--by", plot_.by, "of a batch: a curve for each value of this column (repeatable; default: all else that varies)")
         ->take_all()->allow_extra_args(false)->needs(x);
     plot->add_flag("--log-x", plot_.log_x, "a logarithmic axis")->needs(x);
+    plot->add_option("--x-range", plot_.x_range, "from and to what is shown, in SI")->expected(2)->needs(x);
     plot->add_flag("--log-y", plot_.log_y, "a logarithmic axis")->needs(x);
     plot->callback([this] { exit_code_ = plot_command(plot_); });
   }

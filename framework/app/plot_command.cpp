@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "framework/app/commands.hpp"
 #include "framework/batch/batch_description.hpp"
 #include "framework/plot/gnuplot.hpp"
 #include "framework/plot/run_plots.hpp"
 #include "framework/plot/table_plots.hpp"
+#include "framework/report/scene_data.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -16,6 +18,22 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t most_runs = 28;  // that curves can be told apart of
+
+// With the units of its probes, if its scene tells them.
+PlottedRun run_of(const fs::path& folder, const std::string& name) {
+  PlottedRun run = plotted_run(folder, name);
+  try {
+    run.units = probe_units(folder / "scene.yaml").get<std::map<std::string, std::string>>();
+  } catch (const InputError&) {
+  }
+  return run;
+}
+
+Plot chosen(Plot plot, const PlotOptions& options) {
+  plot.log_x = options.log_x;
+  plot.log_y = options.log_y;
+  return options.x_range.empty() ? plot : within(std::move(plot), options.x_range[0], options.x_range[1]);
+}
 
 class Pictures {
  public:
@@ -71,14 +89,14 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
     if (what.by.empty())
       for (const std::string& key : batch.plan.columns)
         if (key != what.x && key != "repeat") what.by.push_back(key);
-    pictures.draw(table_plot(table, what), picture_name(options.y) + "_by_" + picture_name(options.x));
+    pictures.draw(chosen(table_plot(table, what), options), picture_name(options.y) + "_by_" + picture_name(options.x));
     return pictures.exit_code();
   }
   for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what), name);
   std::vector<PlottedRun> runs;
   for (const BatchCase& one : batch.plan.cases)
     if (fs::exists(folder.run(one.name) / "steps.csv"))
-      runs.push_back(plotted_run(folder.run(one.name), batch.plan.columns.size() == 1 ? one.values.begin()->second : one.name));
+      runs.push_back(run_of(folder.run(one.name), batch.plan.columns.size() == 1 ? one.values.begin()->second : one.name));
   pictures.draw_runs(runs);
   return pictures.exit_code();
 }
@@ -107,16 +125,11 @@ int plot_command(const PlotOptions& options) {
   std::vector<PlottedRun> runs;
   for (const std::string& folder : options.folders) {
     const fs::path path = fs::weakly_canonical(folder);
-    runs.push_back(plotted_run(folder, path.has_filename() ? path.filename() : path.parent_path().filename()));
+    runs.push_back(run_of(folder, path.has_filename() ? path.filename() : path.parent_path().filename()));
   }
   Pictures pictures(output);
   if (options.x.empty()) pictures.draw_runs(runs);
-  else {
-    Plot plot = probe_curves(runs, options.x, options.y);
-    plot.log_x = options.log_x;
-    plot.log_y = options.log_y;
-    pictures.draw(plot, picture_name(options.y) + "_over_" + picture_name(options.x));
-  }
+  else pictures.draw(chosen(probe_curves(runs, options.x, options.y), options), picture_name(options.y) + "_over_" + picture_name(options.x));
   return pictures.exit_code();
 }
 

@@ -14,6 +14,19 @@ std::string picture_name(std::string text) {
   return text;
 }
 
+Plot within(Plot plot, double low, double high) {
+  for (Curve& c : plot.curves) {
+    Curve kept{c.title, {}, {}};
+    for (size_t i = 0; i < c.points.size(); ++i) {
+      if (!(c.points[i].first >= low && c.points[i].first <= high)) continue;
+      kept.points.push_back(c.points[i]);
+      if (!c.spread.empty()) kept.spread.push_back(c.spread[i]);
+    }
+    c = std::move(kept);
+  }
+  return plot;
+}
+
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves) {
   std::vector<Curve> merged;
   for (const Curve& c : curves) {

@@ -42,6 +42,9 @@ struct StackedBars {
 // A text as part of a file's name.
 std::string picture_name(std::string text);
 
+// What lies from `low` to `high` along x.
+Plot within(Plot plot, double low, double high);
+
 // Curves whose points are the same are one, with both titles: else the one would hide the other.
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves);
 

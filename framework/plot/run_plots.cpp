@@ -40,6 +40,13 @@ constexpr StepColumn step_columns[] = {{"iterations", "newton_iterations", "Newt
                                        {"smallest_gap", "min_distance", "smallest gap", "gap [m]", true},
                                        {"contacts", "contacts", "contacts", "pairs of primitives", false}};
 
+// "gap [m]"
+std::string with_unit(const PlottedRun& run, const std::string& column) {
+  if (column == "time") return "time [s]";
+  const auto unit = run.units.find(column);
+  return unit == run.units.end() || unit->second.empty() || unit->second == "1" ? column : fmt::format("{} [{}]", column, unit->second);
+}
+
 // Traction over gap of each pair.
 std::optional<Plot> law_curves(const CsvTexts& laws) {
   Plot plot{.title = "laws of adhesion", .x_label = "gap [m]", .y_label = "traction [Pa]", .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
@@ -70,7 +77,7 @@ PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "steps.csv"))
     throw InputError(fmt::format("{}: holds no results of a run (no steps.csv); give a folder that `tack run`, `tack batch` or "
                                  "`tack compare` made", folder.string()));
-  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}};
+  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}, {}};
   if (fs::exists(folder / "probes.csv")) run.probes = read_csv(folder / "probes.csv");
   if (fs::exists(folder / "laws.csv")) run.laws = read_csv_texts(folder / "laws.csv");
   return run;
@@ -90,7 +97,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
   };
   for (const PlottedRun& run : runs) {
     for (const std::string& column : run.probes.columns)
-      if (column != "time") add("probe_" + picture_name(column), column.c_str(), column, false, over_time(run.probes, column, run.name));
+      if (column != "time") add("probe_" + picture_name(column), column.c_str(), with_unit(run, column), false, over_time(run.probes, column, run.name));
     for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.log, over_time(run.steps, s.column, run.name));
     if (runs.size() > 1) continue;
     for (const std::string& column : run.steps.columns)
@@ -101,7 +108,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
 }
 
 Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, const std::string& y) {
-  Plot plot{.title = y + " over " + x, .x_label = x == "time" ? "time [s]" : x, .y_label = y, .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
+  Plot plot{.title = y + " over " + x, .x_label = with_unit(runs.front(), x), .y_label = with_unit(runs.front(), y), .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
   std::vector<std::string> without;
   for (const PlottedRun& run : runs) {
     auto curve = over(run.probes, x, y, run.name);

@@ -25,6 +25,7 @@ struct PlottedRun {
   std::string name;
   CsvTable steps, probes;
   CsvTexts laws;
+  std::map<std::string, std::string> units;  // of probes, by column; where they are known
 };
 
 // What a folder holds of a run. Throws InputError if it is none.

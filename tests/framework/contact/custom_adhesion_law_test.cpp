@@ -1,4 +1,4 @@
-// An adhesion law is one file: README's, which the build takes from there and calls `readme` (readme_law.cmake),
+// An adhesion law is one file: that of docs/extending.md, which the build takes from there and calls `documented` (documented_law.cmake),
 // is all that makes it known to scenes, listings, the schema and the reference page.
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace tack;
 namespace {
 
 const std::string fang = "{type: fang, critical_strain: 0.001}";
-constexpr const char* readme = "{type: readme, strength: 2 kPa, range: 4 mm}";
+constexpr const char* documented = "{type: documented, strength: 2 kPa, range: 4 mm}";
 
 LoadedExperiment scene_with(const std::string& adhesion) {
   const TemporaryFolder folder;
@@ -24,36 +24,36 @@ LoadedExperiment scene_with(const std::string& adhesion) {
 }
 
 std::unique_ptr<NormalLaw> prepared_law() {
-  auto law = scene_with(readme).experiment.contact->pairs[0].adhesion->clone();
+  auto law = scene_with(documented).experiment.contact->pairs[0].adhesion->clone();
   law->prepare({.contact_distance = 1e-3});
   return law;
 }
 
 }  // namespace
 
-TEST_CASE("the README's law fits on a page and may be copied beside the one that is tested") {
-  const std::string readme_text = file_text(TACK_SOURCE_DIR "/README.md");
-  const size_t begin = readme_text.find("```cpp\n"), end = readme_text.find("```\n", begin + 7);
+TEST_CASE("the law of the guide fits on a page and may be copied beside the one that is tested") {
+  const std::string guide = file_text(TACK_SOURCE_DIR "/docs/extending.md");
+  const size_t begin = guide.find("```cpp\n"), end = guide.find("```\n", begin + 7);
   REQUIRE(end != std::string::npos);
-  CHECK(std::count(readme_text.begin() + begin, readme_text.begin() + end, '\n') <= 41);
+  CHECK(std::count(guide.begin() + begin, guide.begin() + end, '\n') <= 41);
   // Here it has another name: a second registration would end this program at its start.
-  const auto at = readme_text.find("TACK_REGISTER(AdhesionLaw, SmoothAdhesion, \"smooth\"", begin);
+  const auto at = guide.find("TACK_REGISTER(AdhesionLaw, SmoothAdhesion, \"smooth\"", begin);
   CHECK(at < end);
   const auto names = Registry<AdhesionLaw>::kind().names();
-  CHECK(std::count(names.begin(), names.end(), "readme") == 1);
+  CHECK(std::count(names.begin(), names.end(), "documented") == 1);
 }
 
 TEST_CASE("a law is listed, documented and in the schema because it exists") {
-  CHECK(contains(list_kind("adhesion"), "readme"));
-  CHECK(contains(list_component("adhesion", "readme"), "readme_law.cpp"));
+  CHECK(contains(list_kind("adhesion"), "documented"));
+  CHECK(contains(list_component("adhesion", "documented"), "documented_law.cpp"));
   const std::string page = reference_page(prototype<Experiment>(), "Scene");
-  CHECK(contains(page, "### adhesion `readme`"));
+  CHECK(contains(page, "### adhesion `documented`"));
   CHECK(contains(page, "| `strength` |"));
-  CHECK(contains(json_schema(prototype<Experiment>(), "scene"), "\"readme\""));
+  CHECK(contains(json_schema(prototype<Experiment>(), "scene"), "\"documented\""));
 }
 
 TEST_CASE("a scene that names the law gets it") {
-  const BuiltExperiment built(scene_with(readme));
+  const BuiltExperiment built(scene_with(documented));
   const World* const world = &built.world();
   REQUIRE(world->adhesion.size() == 1);
   CHECK(world->adhesion[0].peak_traction == 2000);
@@ -93,6 +93,6 @@ TEST_CASE("the law's peak and work are those of its curve") {
 }
 
 TEST_CASE("the law refuses a range that peaks under the barrier, at its place in the scene") {
-  CHECK_THROWS_WITH(BuiltExperiment(scene_with("{type: readme, range: 2 mm}")), Catch::Contains("scene.yaml:16:7: adhesion smooth:") &&
+  CHECK_THROWS_WITH(BuiltExperiment(scene_with("{type: documented, range: 2 mm}")), Catch::Contains("scene.yaml:16:7: adhesion smooth:") &&
                                          Catch::Contains("raise range"));
 }
