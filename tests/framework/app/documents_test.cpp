@@ -1,4 +1,4 @@
-// What the documents show is true: the scene in them is a file that runs, and what they link to exists.
+// What the README and docs/ show is true: their scenes are files that run, and the files they name exist.
 #include <catch2/catch.hpp>
 #include <regex>
 
@@ -12,15 +12,35 @@ namespace {
 const fs::path source = TACK_SOURCE_DIR;
 
 std::vector<fs::path> documents() {
-  std::vector<fs::path> found = {source / "README.md"};
+  std::vector<fs::path> all = {source / "README.md"};
   for (const auto& entry : fs::directory_iterator(source / "docs"))
-    if (entry.path().extension() == ".md") found.push_back(entry.path());
+    if (entry.path().extension() == ".md") all.push_back(entry.path());
+  return all;
+}
+
+// What the first group of the pattern is, wherever the text has the pattern.
+std::vector<std::string> all_matches(const std::string& text, const std::regex& pattern) {
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) found.push_back((*it)[1].str());
+  return found;
+}
+
+// The fenced blocks of a language.
+std::vector<std::string> blocks(const std::string& text, const std::string& language) {
+  const std::string fence = "```" + language + "\n";
+  std::vector<std::string> found;
+  for (size_t at = text.find(fence); at != std::string::npos; at = text.find(fence, at)) {
+    at += fence.size();
+    const size_t end = text.find("```\n", at);
+    found.push_back(text.substr(at, end - at));
+    at = end;
+  }
   return found;
 }
 
 }  // namespace
 
-TEST_CASE("the scene in the documents is the one in experiments, and its run shows what it must") {
+TEST_CASE("the scene in docs/scenes.md is the one in experiments, and its run shows what it must") {
   const fs::path scene = source / "experiments/first/hang.yaml";
   CHECK(contains(file_text(source / "docs/scenes.md"), "```yaml\n" + file_text(scene) + "```\n"));
   const TemporaryFolder folder;
@@ -29,35 +49,61 @@ TEST_CASE("the scene in the documents is the one in experiments, and its run sho
   CHECK(result.exit_code == 0);
 }
 
-TEST_CASE("every link and picture of the documents exists, and every file that docs/design.md names") {
-  int links = 0;
-  const auto check_all = [&](const fs::path& document, const fs::path& folder, const std::regex& name) {
-    const std::string text = file_text(document);
-    for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it, ++links) {
-      INFO(document << ": " << (*it)[1]);
-      CHECK(fs::exists(folder / (*it)[1].str()));
-    }
-  };
-  // Of a page itself: neither of the web nor of a place within.
-  const std::regex link(R"(\]\((?!https?:|#|file:)([^)#\s]+)(#[^)\s]*)?\))");
-  for (const fs::path& document : documents())
-    if (document.filename() != "reference.md") check_all(document, document.parent_path(), link);
-  CHECK(links > 100);
-  check_all(source / "docs/design.md", source, std::regex(R"(`((?:framework|solvers|geometry|tests)/[^`]*)`)"));
+TEST_CASE("what the README shows of files is what they hold") {
+  const std::string readme = file_text(source / "README.md");
+  std::string experiments;
+  for (const auto& entry : fs::recursive_directory_iterator(source / "experiments"))
+    if (entry.path().extension() == ".yaml") experiments += file_text(entry.path());
+  const std::vector<std::string> yaml = blocks(readme, "yaml"), law = blocks(readme, "cpp");
+  CHECK(yaml.size() == 2);
+  CHECK(law.size() == 1);
+  for (const std::string& block : yaml) {
+    INFO(block);
+    CHECK(contains(experiments, block));
+  }
+  for (const std::string& block : law) {
+    INFO(block);
+    CHECK(contains(file_text(source / "docs/extending.md"), block));
+  }
 }
 
-TEST_CASE("the index of the documents names each of them") {
-  const std::string index = file_text(source / "docs/README.md");
+TEST_CASE("every link of the README and docs and file of docs/design.md exists") {
+  const std::regex link_to(R"(\]\(([^)\s]+)\))"), code(R"(`((?:framework|solvers|geometry|tests)/[^`]*)`)");
+  int links = 0, files = 0;
   for (const fs::path& document : documents())
-    if (document.filename() != "README.md") {
-      INFO(document);
-      CHECK(contains(index, "(" + document.filename().string() + ")"));
+    for (const std::string& link : all_matches(file_text(document), link_to)) {
+      if (link.starts_with("http:") || link.starts_with("https:") || link.starts_with("#")) continue;
+      INFO(document.string() << " links to " << link);
+      CHECK(fs::exists(document.parent_path() / link.substr(0, link.find('#'))));
+      ++links;
     }
+  for (const std::string& file : all_matches(file_text(source / "docs/design.md"), code)) {
+    INFO(file);
+    CHECK(fs::exists(source / file));
+    ++files;
+  }
+  CHECK(links > 100);
+  CHECK(files > 20);
+}
+
+TEST_CASE("the index of docs names every page and schema") {
+  const std::string index = file_text(source / "docs/README.md");
+  int named = 0;
+  for (const auto& entry : fs::directory_iterator(source / "docs")) {
+    const fs::path extension = entry.path().extension();
+    const std::string name = entry.path().filename().string();
+    if ((extension != ".md" && extension != ".json") || name == "README.md") continue;
+    INFO(name);
+    CHECK(contains(index, "](" + name + ")"));
+    ++named;
+  }
+  CHECK(named > 15);
 }
 
 TEST_CASE("the documents tell every exit code and command") {
-  for (const char* code : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 130 |"}) CHECK(contains(file_text(source / "docs/results.md"), code));
-  for (const char* command : {"tack run", "tack check", "tack compare", "tack batch", "tack list", "tack mesh info", "tack plot", "tack report",
-                              "tack profile", "tack test"})
-    CHECK(contains(file_text(source / "README.md"), command));
+  const std::string results = file_text(source / "docs/results.md"), readme = file_text(source / "README.md");
+  for (const char* code : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 130 |"}) CHECK(contains(results, code));
+  for (const char* command : {"tack run", "tack check", "tack profile", "tack compare", "tack batch", "tack plot", "tack report", "tack list",
+                              "tack mesh info", "tack test", "tack bench"})
+    CHECK(contains(readme, command));
 }

@@ -1,5 +1,5 @@
-// An adhesion law is one file: that of docs/extending.md, which the build takes from there and calls `documented` (documented_law.cmake),
-// is all that makes it known to scenes, listings, the schema and the reference page.
+// An adhesion law is one file: that of docs/extending.md, which the build takes from there and calls `documented`
+// (documented_law.cmake), is all that makes it known to scenes, listings, the schema and the reference page.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -31,13 +31,13 @@ std::unique_ptr<NormalLaw> prepared_law() {
 
 }  // namespace
 
-TEST_CASE("the law of the guide fits on a page and may be copied beside the one that is tested") {
-  const std::string guide = file_text(TACK_SOURCE_DIR "/docs/extending.md");
-  const size_t begin = guide.find("```cpp\n"), end = guide.find("```\n", begin + 7);
+TEST_CASE("the documented law fits on a page and may be copied beside the one that is tested") {
+  const std::string page = file_text(TACK_SOURCE_DIR "/docs/extending.md");
+  const size_t begin = page.find("```cpp\n"), end = page.find("```\n", begin + 7);
   REQUIRE(end != std::string::npos);
-  CHECK(std::count(guide.begin() + begin, guide.begin() + end, '\n') <= 41);
+  CHECK(std::count(page.begin() + begin, page.begin() + end, '\n') <= 41);
   // Here it has another name: a second registration would end this program at its start.
-  const auto at = guide.find("TACK_REGISTER(AdhesionLaw, SmoothAdhesion, \"smooth\"", begin);
+  const auto at = page.find("TACK_REGISTER(AdhesionLaw, SmoothAdhesion, \"smooth\"", begin);
   CHECK(at < end);
   const auto names = Registry<AdhesionLaw>::kind().names();
   CHECK(std::count(names.begin(), names.end(), "documented") == 1);
