@@ -3,11 +3,29 @@
 #include <cmath>
 
 #include "framework/contact/rest_neighbours.hpp"
+#include "geometry/distance/closest_parameters.hpp"
 
 namespace tack {
 namespace {
 
 constexpr size_t most = 5;
+constexpr double rounding = 1e-12;  // of the extent of two primitives: that far apart they touch
+
+template <size_t N>
+double extent(const std::array<Vec3, N>& x) {
+  double longest = 0;
+  for (const Vec3& corner : x) longest = std::max(longest, (corner - x[0]).norm());
+  return longest;
+}
+
+// On the first, where it is closest to the second.
+template <size_t B>
+Vec3 place(const std::array<Vec3, 1>& a, const std::array<Vec3, B>&) {
+  return a[0];
+}
+Vec3 place(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
+  return a[0] + edge_edge_parameters(a[0], a[1], b[0], b[1])[0] * (a[1] - a[0]);
+}
 
 class Search {
  public:
@@ -19,10 +37,14 @@ class Search {
     const ContactSurface& surface = contact_.surface();
     const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
     const double offset = contact_.pairs().offset(object_a, object_b);
-    if (offset == 0 || clearance > offset) return;
-    const double distance = std::sqrt(squared_distance(corners(x_, a), corners(x_, b)));
-    if (distance > offset || rest_neighbours(surface, a, b, contact_.pairs().edge(object_a, object_b).range)) return;
-    found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset});
+    if (clearance > offset) return;
+    const auto ca = corners(x_, a);
+    const auto cb = corners(x_, b);
+    const double distance = std::sqrt(squared_distance(ca, cb));
+    const bool touching = distance <= rounding * std::max(extent(ca), extent(cb));
+    const bool overlapping = offset > 0 && distance <= offset;
+    if (!touching && (!overlapping || rest_neighbours(surface, a, b, contact_.pairs().edge(object_a, object_b).range))) return;
+    found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset, touching, place(ca, cb)});
   }
   std::vector<TooClose> take() { return std::move(found_); }
 

@@ -1,4 +1,4 @@
-// Pairs of primitives that are closer than the offset of their objects: whose contact surfaces intersect.
+// Pairs of primitives that touch, or are closer than the offset of their objects: whose contact surfaces intersect.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,11 @@ namespace tack {
 struct TooClose {
   std::vector<int> first, second;  // global vertices of both
   double distance, offset;         // m
+  bool touching;                   // at `at`, as far as numbers tell
+  Vec3 at;                         // m, on the first
 };
 
-// The first few among the candidates, which must cover x; parts of one object that are close at rest are none.
+// The first few among the candidates, which must cover x; parts of one object that are close at rest are none, unless they touch.
 std::vector<TooClose> find_too_close(const ContactSystem& contact, const VecX& x);
 
 }  // namespace tack

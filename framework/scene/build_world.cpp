@@ -181,56 +181,74 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
     at_place(entry(root.find("objects"), i), [&] { action(i); });
 }
 
-void check_start(const Value& root, const World& world) {
+// What to do about objects that are where others are.
+std::string apart(const SceneConfig& scene, bool several) {
+  const char* pushed = several && !scene.contact->push_out ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
+  return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
+}
+
+void check_start(const SceneConfig& scene, const Value& root, const World& world) {
   if (!world.contact) return;
   const ContactSurface& surface = world.contact->surface();
   const auto hits = find_intersections(surface.mesh, world.start.x, world.contact->colliding(), 5);
   if (hits.empty()) return;
   std::string list;
   int a = 0, b = 0;
+  bool several = false;
   for (const auto& hit : hits) {
     const Edge& e = surface.mesh.edges[hit.edge];
     const Triangle& t = surface.mesh.triangles[hit.triangle];
     a = surface.mesh.vertex_object[e[0]];
     b = surface.mesh.vertex_object[t[0]];
+    several = several || a != b;
     const auto n = [&](int v) { return world.number_in_body(v); };
     list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", n(e[0]), n(e[1]),
                         world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
   }
-  throw InputError(fmt::format("{}the start intersects; move the objects apart (place.translate) or "
-                               "turn their contact off (contact.pairs, contact: false):{}",
-                               place_of(root, "objects", static_cast<size_t>(std::max(a, b))), list));
+  throw InputError(fmt::format("{}the start intersects; {}:{}", place_of(root, "objects", static_cast<size_t>(std::max(a, b))),
+                               apart(scene, several), list));
 }
 
-// Contact surfaces lie in front of what is meshed, if objects have an offset.
-void check_offsets(const Value& root, World& world) {
-  if (!world.contact || world.contact->pairs().largest_offset() == 0) return;
+// What no intersection of edges and triangles tells: edges, points and parts of one plane that touch, such as those of a sheet that is folded
+// flat or a rod that turns back on itself; and contact surfaces, which lie in front of what is meshed if objects have an offset.
+void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
+  if (!world.contact) return;
   world.contact->cover(world.start.x, VecX());
   const auto found = find_too_close(*world.contact, world.start.x);
   world.contact->forget();
   if (found.empty()) return;
   std::string list;
   int later = 0;
+  bool touches = false, several = false;
   for (const TooClose& pair : found) {
-    later = std::max({later, world.body_of(pair.first[0]), world.body_of(pair.second[0])});
-    list += fmt::format("\n  {} and {} are {:.4g} m apart, and need {:.4g} m", describe_primitive(world, pair.first),
-                        describe_primitive(world, pair.second), pair.distance, pair.offset);
+    const int a = world.body_of(pair.first[0]), b = world.body_of(pair.second[0]);
+    later = std::max({later, a, b});
+    touches = touches || pair.touching;
+    several = several || a != b;
+    const std::string what = describe_primitive(world, pair.first) + " and " + describe_primitive(world, pair.second);
+    list += pair.touching ? fmt::format("\n  {} touch at ({:.6g}, {:.6g}, {:.6g}) m", what, pair.at.x(), pair.at.y(), pair.at.z())
+                          : fmt::format("\n  {} are {:.4g} m apart, and need {:.4g} m", what, pair.distance, pair.offset);
   }
-  throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate) or lower their "
-                               "contact_offset:{}", place_of(root, "objects", static_cast<size_t>(later)), list));
+  const std::string where = place_of(root, "objects", static_cast<size_t>(later));
+  if (touches)
+    throw InputError(fmt::format("{}the start touches{}:{}", where, several ? "; " + apart(scene, true)
+                                 : " itself; take one of the parts out of the mesh, part them, or turn the object's contact with itself off "
+                                   "(contact.pairs, contact: false)", list));
+  throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate){} or lower their "
+                               "contact_offset:{}", where, several && !scene.contact->push_out ? ", have them pushed apart (contact.push_out: 1 mm)" : "",
+                               list));
 }
 
-void check_containment(const Value& root, const World& world) {
+void check_containment(const SceneConfig& scene, const Value& root, const World& world) {
   const auto found = find_containment(world);
   if (!found) return;
   const Body& inner = world.bodies[found->body];
   const Body& outer = world.bodies[found->around];
   const Vec3 x = vertex(world.start.x, found->vertex);
   throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
-                               "in tet {}); move the objects apart (place.translate) or turn their contact off "
-                               "(contact.pairs, contact: false)",
+                               "in tet {}); {}",
                                place_of(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
-                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet));
+                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene, true)));
 }
 
 // Every load finds what it acts on, or this is told before anything is written.
@@ -316,9 +334,9 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (earlier)
     at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   build_contact(scene, root, clock, *world);
-  check_start(root, *world);
-  check_offsets(root, *world);
-  check_containment(root, *world);
+  check_start(scene, root, *world);
+  check_gaps(scene, root, *world);
+  check_containment(scene, root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
   for (const auto& term : world->damping_terms) world->terms.push_back(term.get());

@@ -121,20 +121,35 @@ std::vector<Triangle> sorted_faces_of_tets(const Mesh& mesh) {
   return faces;
 }
 
-// Of sheets: triangles on the faces of tets are no part of the surface, and may be there any number of times.
-void check_doubled_triangles(const Mesh& mesh, const std::string& name) {
-  std::vector<std::pair<Triangle, int>> found;  // by their vertices
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) found.emplace_back(sorted(mesh.triangles[t]), t);
+std::vector<Edge> sorted_edges_of_triangles_and_tets(const Mesh& mesh) {
+  std::vector<Edge> edges;
+  const auto add = [&](const auto& elements) {
+    for (const auto& element : elements)
+      for (size_t i = 0; i < element.size(); ++i)
+        for (size_t j = 0; j < i; ++j) edges.push_back(sorted(Edge{element[i], element[j]}));
+  };
+  add(mesh.triangles);
+  add(mesh.tets);
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+// Of elements that stand for themselves: those on larger ones are no part of what touches, and may be there any number of times.
+// `on_larger` gives what those are, sorted, each with its vertices sorted.
+template <class Element, class OnLarger>
+void check_doubled(const Mesh& mesh, const std::vector<Element>& elements, const char* kind, const OnLarger& on_larger, const std::string& name) {
+  std::vector<std::pair<Element, int>> found;  // by their vertices
+  for (int e = 0; e < static_cast<int>(elements.size()); ++e) found.emplace_back(sorted(elements[e]), e);
   std::sort(found.begin(), found.end());
-  std::optional<std::vector<Triangle>> faces;
+  std::optional<std::vector<Element>> larger;
   for (size_t i = 1; i < found.size(); ++i) {
     if (found[i].first != found[i - 1].first) continue;
-    if (!faces) faces = sorted_faces_of_tets(mesh);
-    if (std::binary_search(faces->begin(), faces->end(), found[i].first)) continue;
+    if (!larger) larger = on_larger(mesh);
+    if (std::binary_search(larger->begin(), larger->end(), found[i].first)) continue;
     const int first = found[i - 1].second, second = found[i].second;
-    throw InputError(fmt::format("{} and triangle {} (vertices {}) are the same: remove one of them",
-                                 describe(name, "triangle", first, mesh.triangles[first].data(), 3), second,
-                                 fmt::join(mesh.triangles[second], " ")));
+    throw InputError(fmt::format("{} and {} {} (vertices {}) are the same: remove one of them",
+                                 describe(name, kind, first, elements[first].data(), static_cast<int>(elements[first].size())), kind, second,
+                                 fmt::join(elements[second], " ")));
   }
 }
 
@@ -179,7 +194,8 @@ void validate_mesh(const Mesh& mesh, const std::string& name) {
   check_triangles_and_edges(mesh, name);
   check_unused(mesh, name);
   check_overlaps(mesh, name);
-  check_doubled_triangles(mesh, name);
+  check_doubled(mesh, mesh.triangles, "triangle", sorted_faces_of_tets, name);
+  check_doubled(mesh, mesh.edges, "edge", sorted_edges_of_triangles_and_tets, name);
 }
 
 }  // namespace tack

@@ -3,7 +3,7 @@
 //   at least one element; indices within the vertices; finite coordinates; no vertex twice in an
 //   element; no tet with volume <= 1e-14 L^3, no triangle with area <= 1e-14 L^2, no edge of
 //   length zero (L: the element's longest edge); no vertex that no element uses; no tets that overlap
-//   (overlaps.hpp); no triangle of a sheet twice.
+//   (overlaps.hpp); no triangle of a sheet and no edge of a rod twice.
 #pragma once
 
 #include <string>

@@ -60,11 +60,13 @@ TEST_CASE("each flaw of a mesh is named with the element and the remedy", "[mesh
                 "vertex 9 belongs to no element (1 such vertices): remove");
   check_refused([](Mesh& m) { m.triangles.push_back({6, 5, 4}); },
                 "triangle 0 (vertices 4 5 6) and triangle 1 (vertices 6 5 4) are the same: remove one of them");
+  check_refused([](Mesh& m) { m.edges.push_back({8, 7}); }, "edge 0 (vertices 7 8) and edge 1 (vertices 8 7) are the same: remove one of them");
 }
 
-TEST_CASE("triangles on the faces of tets may be there twice", "[mesh]") {
+TEST_CASE("triangles on the faces of tets may be there twice, and edges on both", "[mesh]") {
   Mesh mesh = valid();
   mesh.triangles.insert(mesh.triangles.end(), {{2, 0, 1}, {0, 1, 2}, {3, 1, 2}});
+  mesh.edges.insert(mesh.edges.end(), {{0, 3}, {3, 0}, {4, 5}, {5, 4}});
   CHECK_NOTHROW(validate_mesh(mesh, "part.msh"));
 }
 
