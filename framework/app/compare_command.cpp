@@ -10,8 +10,8 @@
 #include "framework/compare/compare_json.hpp"
 #include "framework/compare/plots.hpp"
 #include "framework/compare/report.hpp"
-#include "framework/output/replace_file.hpp"
 #include "framework/output/run_folder.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 

@@ -3,7 +3,6 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include "framework/app/commands.hpp"
 #include "framework/batch/batch_config.hpp"
@@ -11,35 +10,25 @@
 #include "framework/config/describe.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/plugin/plugins.hpp"
-#include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
-namespace {
-
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream out(path);
-  out << text;
-  out.close();
-  if (!out) throw InputError(fmt::format("cannot write '{}'; choose a folder that exists", path));
-}
-
-}  // namespace
 
 int list_command(const ListOptions& o) {
   for (const std::string& plugin : o.plugins) load_plugin(std::filesystem::absolute(plugin).string());
   const std::string title = "Scene file reference";
   if (!o.reference.empty())
-    write_text(o.reference, reference_page(prototype<Experiment>(), title) +
+    replace_file(o.reference, reference_page(prototype<Experiment>(), title) +
                                 "\n## Comparison files\n\nWhat `tack compare` reads; see [comparing.md](comparing.md).\n\n" +
                                 parameter_table(prototype<CompareConfig>()) +
                                 "\n## Batch files\n\nWhat `tack batch` reads; see [batches.md](batches.md). What varies: [variation](#variation).\n\n" +
                                 parameter_table(prototype<BatchConfig>()));
   if (!o.schema.empty())
-    write_text(o.schema, json_schema(prototype<Experiment>(), "tack scene") + "\n");
+    replace_file(o.schema, json_schema(prototype<Experiment>(), "tack scene") + "\n");
   if (!o.compare_schema.empty())
-    write_text(o.compare_schema, json_schema(prototype<CompareConfig>(), "tack comparison") + "\n");
+    replace_file(o.compare_schema, json_schema(prototype<CompareConfig>(), "tack comparison") + "\n");
   if (!o.batch_schema.empty())
-    write_text(o.batch_schema, json_schema(prototype<BatchConfig>(), "tack batch") + "\n");
+    replace_file(o.batch_schema, json_schema(prototype<BatchConfig>(), "tack batch") + "\n");
   if (!o.reference.empty() || !o.schema.empty() || !o.compare_schema.empty() || !o.batch_schema.empty()) return exit_done;
   if (o.kind.empty()) {
     fmt::print("{}", list_kinds());

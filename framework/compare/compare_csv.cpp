@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "framework/output/replace_file.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

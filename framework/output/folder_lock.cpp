@@ -10,8 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

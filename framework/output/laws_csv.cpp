@@ -4,8 +4,8 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/output/csv.hpp"
-#include "framework/output/replace_file.hpp"
 #include "framework/scene/world.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

@@ -10,9 +10,9 @@
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/read_file.hpp"
-#include "framework/output/replace_file.hpp"
 #include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "framework/output/provenance_json.hpp"
-#include "framework/output/replace_file.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "framework/output/replace_file.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

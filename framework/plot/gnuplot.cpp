@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include "framework/output/replace_file.hpp"
+#include "geometry/io/replace_file.hpp"
 
 extern char** environ;
 

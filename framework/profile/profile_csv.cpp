@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "framework/output/csv.hpp"
-#include "framework/output/replace_file.hpp"
 #include "framework/profile/profile.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "framework/output/replace_file.hpp"
 #include "framework/report/run_data.hpp"
 #include "framework/report/table_data.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

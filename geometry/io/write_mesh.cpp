@@ -8,53 +8,61 @@
 #include <vtkUnstructuredGridWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <cerrno>
 #include <fstream>
 
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 #include "geometry/msh_library.hpp"
 
 namespace tack {
 namespace {
 
-void write_off(const std::filesystem::path& path, const Mesh& mesh) {
-  std::ofstream file(path);
-  file << fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
-  for (const Vec3& x : mesh.vertices) file << fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
-  for (const auto& [a, b, c] : mesh.triangles) file << fmt::format("3 {} {} {}\n", a, b, c);
+template <class... Parts>
+void add(std::string& text, fmt::format_string<Parts...> format, Parts&&... parts) {
+  fmt::format_to(std::back_inserter(text), format, std::forward<Parts>(parts)...);
 }
 
-void write_ply(const std::filesystem::path& path, const Mesh& mesh) {
-  std::ofstream file(path);
-  file << fmt::format("ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-                      "element face {}\nproperty list uchar int vertex_indices\nend_header\n", mesh.vertices.size(),
-                      mesh.triangles.size());
-  for (const Vec3& x : mesh.vertices) file << fmt::format("{} {} {}\n", x.x(), x.y(), x.z());
-  for (const auto& [a, b, c] : mesh.triangles) file << fmt::format("3 {} {} {}\n", a, b, c);
+std::string off_text(const Mesh& mesh) {
+  std::string text;
+  add(text, "OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
+  for (const Vec3& x : mesh.vertices) add(text, "{} {} {}\n", x.x(), x.y(), x.z());
+  for (const auto& [a, b, c] : mesh.triangles) add(text, "3 {} {} {}\n", a, b, c);
+  return text;
+}
+
+std::string ply_text(const Mesh& mesh) {
+  std::string text;
+  add(text, "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+            "element face {}\nproperty list uchar int vertex_indices\nend_header\n", mesh.vertices.size(), mesh.triangles.size());
+  for (const Vec3& x : mesh.vertices) add(text, "{} {} {}\n", x.x(), x.y(), x.z());
+  for (const auto& [a, b, c] : mesh.triangles) add(text, "3 {} {} {}\n", a, b, c);
+  return text;
 }
 
 // ASCII: the binary form has single precision only.
-void write_stl(const std::filesystem::path& path, const Mesh& mesh) {
-  std::ofstream file(path);
-  file << "solid mesh\n";
+std::string stl_text(const Mesh& mesh) {
+  std::string text = "solid mesh\n";
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3 &x = mesh.vertices[a], &y = mesh.vertices[b], &z = mesh.vertices[c], n = (y - x).cross(z - x).normalized();
-    file << fmt::format("facet normal {} {} {}\nouter loop\n", n.x(), n.y(), n.z());
-    for (const Vec3* corner : {&x, &y, &z}) file << fmt::format("vertex {} {} {}\n", corner->x(), corner->y(), corner->z());
-    file << "endloop\nendfacet\n";
+    add(text, "facet normal {} {} {}\nouter loop\n", n.x(), n.y(), n.z());
+    for (const Vec3* corner : {&x, &y, &z}) add(text, "vertex {} {} {}\n", corner->x(), corner->y(), corner->z());
+    text += "endloop\nendfacet\n";
   }
-  file << "endsolid mesh\n";
+  return text + "endsolid mesh\n";
 }
 
-void write_obj(const std::filesystem::path& path, const Mesh& mesh) {
-  std::ofstream file(path);
-  for (const Vec3& x : mesh.vertices) file << fmt::format("v {} {} {}\n", x.x(), x.y(), x.z());
-  for (const auto& [a, b, c] : mesh.triangles) file << fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
-  for (const auto& [a, b] : mesh.edges) file << fmt::format("l {} {}\n", a + 1, b + 1);
-  for (const int v : mesh.points) file << fmt::format("p {}\n", v + 1);
+std::string obj_text(const Mesh& mesh) {
+  std::string text;
+  for (const Vec3& x : mesh.vertices) add(text, "v {} {} {}\n", x.x(), x.y(), x.z());
+  for (const auto& [a, b, c] : mesh.triangles) add(text, "f {} {} {}\n", a + 1, b + 1, c + 1);
+  for (const auto& [a, b] : mesh.edges) add(text, "l {} {}\n", a + 1, b + 1);
+  for (const int v : mesh.points) add(text, "p {}\n", v + 1);
+  return text;
 }
 
 template <class Writer>
-void write_grid(const std::filesystem::path& path, const Mesh& mesh) {
+std::string grid_text(const Mesh& mesh) {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Vec3& x : mesh.vertices) points->InsertNextPoint(x.data());
@@ -72,9 +80,23 @@ void write_grid(const std::filesystem::path& path, const Mesh& mesh) {
   insert(VTK_LINE, mesh.edges);
   for (const int v : mesh.points) insert(VTK_VERTEX, std::array<std::array<int, 1>, 1>{{{v}}});
   vtkNew<Writer> writer;
-  writer->SetFileName(path.c_str());
   writer->SetInputData(grid);
+  writer->WriteToOutputStringOn();
   writer->Write();
+  if constexpr (std::is_same_v<Writer, vtkUnstructuredGridWriter>) return writer->GetOutputStdString();
+  else return writer->GetOutputString();
+}
+
+// Gmsh does not tell what it could not write: such a file has no end.
+bool write_whole_msh(const std::filesystem::path& path, const Mesh& mesh) {
+  write_msh(path, mesh);
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  constexpr std::string_view end = "$EndElements\n";
+  std::string last(end.size(), '\0');
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  file.read(last.data(), static_cast<std::streamsize>(last.size()));
+  errno = 0;  // not of what was written
+  return file && last == end;
 }
 
 // What cannot be written is told before anything is.
@@ -87,7 +109,6 @@ void require_place_for(const Mesh& mesh, const std::filesystem::path& path) {
   if (!all && !mesh.tets.empty()) throw InputError(path.string() + ": such a file cannot hold tets; write .vtu, .vtk or .msh");
   if (!lines && (!mesh.edges.empty() || !mesh.points.empty()))
     throw InputError(path.string() + ": such a file can hold triangles only; write .vtu, .vtk, .msh or .obj");
-  if (!std::ofstream(path)) throw InputError(path.string() + ": cannot be written; choose a folder that exists");
 }
 
 }  // namespace
@@ -95,13 +116,13 @@ void require_place_for(const Mesh& mesh, const std::filesystem::path& path) {
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   require_place_for(mesh, path);
   const std::string extension = path.extension().string();
-  if (extension == ".obj") write_obj(path, mesh);
-  if (extension == ".off") write_off(path, mesh);
-  if (extension == ".ply") write_ply(path, mesh);
-  if (extension == ".stl") write_stl(path, mesh);
-  if (extension == ".vtk") write_grid<vtkUnstructuredGridWriter>(path, mesh);
-  if (extension == ".vtu") write_grid<vtkXMLUnstructuredGridWriter>(path, mesh);
-  if (extension == ".msh") write_msh(path, mesh);
+  if (extension == ".obj") replace_file(path, obj_text(mesh));
+  if (extension == ".off") replace_file(path, off_text(mesh));
+  if (extension == ".ply") replace_file(path, ply_text(mesh));
+  if (extension == ".stl") replace_file(path, stl_text(mesh));
+  if (extension == ".vtk") replace_file(path, grid_text<vtkUnstructuredGridWriter>(mesh));
+  if (extension == ".vtu") replace_file(path, grid_text<vtkXMLUnstructuredGridWriter>(mesh));
+  if (extension == ".msh") replace_file_by(path, [&](const std::filesystem::path& part) { return write_whole_msh(part, mesh); });
 }
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-#include "framework/output/replace_file.hpp"
+#include "geometry/io/replace_file.hpp"
 
 #include <catch2/catch.hpp>
 

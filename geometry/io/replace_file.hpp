@@ -1,7 +1,8 @@
-// Whole files, written so that an interrupted run leaves either the old content or the new.
+// Whole files, written so that an interrupted run or a full disk leaves either the old content or the new.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,10 @@ namespace tack {
 // Writes "<path>.part" beside the file and renames it. Throws InputError naming the path and the
 // system's reason.
 void replace_file(const std::filesystem::path& path, std::string_view content);
+
+// The same with a file that `write` makes by itself: at the path that it gets, which ends as the real one does. Returns whether all of it
+// was written.
+void replace_file_by(const std::filesystem::path& path, const std::function<bool(const std::filesystem::path&)>& write);
 
 // "<path>: cannot be written (<reason>): <remedy>", with the reason of the last failed system call.
 std::string write_failure(const std::filesystem::path& path);

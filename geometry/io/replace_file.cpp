@@ -1,0 +1,60 @@
+#include "geometry/io/replace_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+namespace fs = std::filesystem;
+
+std::string write_failure(const fs::path& path) {
+  const std::string reason = errno ? fmt::format(" ({})", std::strerror(errno)) : "";
+  return fmt::format(
+      "{}: cannot be written{}: check the folder, its permissions and the space on "
+      "the disk, or choose another place",
+      path.string(), reason);
+}
+
+namespace {
+
+void put_in_place(const fs::path& part, const fs::path& path, bool written) {
+  std::error_code failed;
+  if (written) fs::rename(part, path, failed);
+  if (written && !failed) return;
+  if (failed) errno = failed.value();
+  const std::string message = write_failure(path);
+  fs::remove(part, failed);
+  throw InputError(message);
+}
+
+}  // namespace
+
+void replace_file(const fs::path& path, std::string_view content) {
+  const fs::path part = path.string() + ".part";
+  errno = 0;
+  std::ofstream out(part, std::ios::binary | std::ios::trunc);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();
+  put_in_place(part, path, !out.fail());
+}
+
+void replace_file_by(const fs::path& path, const std::function<bool(const fs::path&)>& write) {
+  const fs::path part = path.parent_path() / (path.stem().string() + ".part" + path.extension().string());
+  errno = 0;
+  bool written = false;
+  try {
+    written = write(part);
+  } catch (...) {
+    std::error_code none;
+    fs::remove(part, none);
+    throw;
+  }
+  put_in_place(part, path, written);
+}
+
+}  // namespace tack
