@@ -1,5 +1,6 @@
 // tack batch: many experiments, side by side on this machine or as a job array of Slurm, and one table of them.
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -17,9 +18,9 @@
 #include "framework/config/read_file.hpp"
 #include "framework/config/words.hpp"
 #include "framework/output/progress.hpp"
-#include "framework/output/replace_file.hpp"
 #include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -29,20 +30,59 @@ constexpr size_t most_cases_shown = 40;
 
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-// Builds every open case once; all that is wrong is told at once.
-void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open) {
+// Tells how far what comes before the first case is, if that takes a while: on a terminal in one line.
+class Preparation {
+ public:
+  Preparation(std::string what, int live_width, bool quiet) : what_(std::move(what)), live_(live_width > 0), quiet_(quiet) {}
+  ~Preparation() {
+    if (shown_ && live_) fmt::print("\r\x1b[K");
+    std::fflush(stdout);
+  }
+  void tell(size_t done, size_t all) {
+    if (interrupt_requested) throw Interrupted{};
+    const auto now = std::chrono::steady_clock::now();
+    if (quiet_ || now - told_ < (live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(5))) return;
+    told_ = now;
+    shown_ = true;
+    fmt::print("{}{} {} of {}{}", live_ ? "\r" : "", what_, done, counted(all, "case"), live_ ? "\x1b[K" : "\n");
+    std::fflush(stdout);
+  }
+
+ private:
+  std::string what_;
+  bool live_, quiet_, shown_ = false;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
+
+// What is wrong with a case; "" if nothing is.
+std::string wrong_with(const BatchPlan& plan, const BatchCase& one) {
+  try {
+    check_case(plan, one);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+// Builds every open case once, of those that are alike one; all that is wrong is told at once.
+void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open, Preparation& preparation) {
+  std::vector<const BatchCase*> different;
+  std::set<std::string> digests;
+  for (const BatchCase* one : open)
+    if (digests.insert(one->digest).second) different.push_back(one);
+  std::vector<std::string> wrong(different.size());
+  const auto check = [&](size_t i) { wrong[i] = wrong_with(plan, *different[i]); };
+  if (!different.empty()) check(0);  // what is set up once is set up before there are several threads
+  constexpr size_t at_once = 64;
+  for (size_t first = 1; first < different.size(); first += at_once) {
+    preparation.tell(first, different.size());
+    tbb::parallel_for(first, std::min(first + at_once, different.size()), check);
+  }
   std::vector<std::string> errors;
   std::set<std::string> told;  // the same error of many cases is told once
-  for (const BatchCase* one : open) {
-    if (interrupt_requested) throw Interrupted{};
-    try {
-      check_case(plan, *one);
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      if (errors.size() < 10 && told.insert(what).second)
-        errors.push_back(what.find(one->name) == what.npos ? fmt::format("{} (case '{}')", what, one->name) : what);
-    }
-  }
+  for (size_t i = 0; i < different.size() && errors.size() < 10; ++i)
+    if (const std::string& what = wrong[i]; !what.empty() && told.insert(what).second)
+      errors.push_back(what.find(different[i]->name) == what.npos ? fmt::format("{} (case '{}')", what, different[i]->name) : what);
   if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
 }
 
@@ -158,7 +198,10 @@ int batch_command(const BatchOptions& options) {
   }
   const BatchConfig config = load_batch(options.file.file, options.file.overrides);
   BatchDescription d;
-  d.plan = plan_of(config, program_digest());
+  {
+    Preparation preparation("planned", terminal_width(STDOUT_FILENO), options.quiet);
+    d.plan = plan_of(config, program_digest(), [&](size_t done, size_t all) { preparation.tell(done, all); });
+  }
   d.file = std::filesystem::absolute(options.file.file).lexically_normal().string();
   d.limits.threads = options.threads > 0 ? options.threads : config.threads;
   d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);
@@ -166,9 +209,14 @@ int batch_command(const BatchOptions& options) {
   d.limits.time_limit = config.time_limit;
   d.provenance = provenance_text(provenance_of(options.command_line, d.limits.threads));
   const std::filesystem::path root = RunFolder::chosen_root(options.output, config.name);
-  const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root);
+  const bool other = is_other_batch(BatchFolder{std::filesystem::weakly_canonical(root), nullptr}, d);
+  const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root, other);
+  if (folder.moved_aside && !options.quiet) fmt::print("another batch that was there is moved to {}\n", folder.moved_aside->string());
   const std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);
-  check_cases(d.plan, open);
+  {
+    Preparation preparation("checked", terminal_width(STDOUT_FILENO), options.quiet);
+    check_cases(d.plan, open, preparation);
+  }
   if (options.dry_run) {
     show_plan(folder, d, open);
     return exit_done;

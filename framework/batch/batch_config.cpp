@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <set>
 
+#include "framework/batch/results_table.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/experiment/file_kind.hpp"
 
 namespace tack {
 namespace {
@@ -22,28 +24,28 @@ std::string twice(const std::vector<T>& list, const char* what, const Name& name
 }  // namespace
 
 void BatchBase::fields(Fields& f) {
-  f.text("name", name, "what tables call it; the file's name unless given");
+  f.text("name", name, "what tables call it; the file's name unless given").line();
   f.path("file", file, "an experiment").required();
   f.texts("set", set, "overrides of this one, as `time.step=1 ms`");
 }
 
 void BatchStatistic::fields(Fields& f) {
-  f.text("name", name, "the column of results.csv; made from the rest if empty");
+  f.text("name", name, "the column of results.csv; made from the rest if empty").line();
   SpecifiedStatistic::fields(f);
 }
 
 std::string BatchStatistic::column() const { return name.empty() ? description(resolved()) : name; }
 
 void SlurmConfig::fields(Fields& f) {
-  f.text("partition", partition, "where to run; the cluster's own unless given");
-  f.text("account", account, "who pays");
+  f.text("partition", partition, "where to run; the cluster's own unless given").line();
+  f.text("account", account, "who pays").line();
   f.number("time", time, units::time, "limit of a case; it is sent SIGTERM a minute before").positive();
   f.integer("at_once", at_once, "cases at the same time; 0: as many as there is room for").at_least(0);
-  f.texts("options", options, "further ones of sbatch, as `--constraint=fast`");
+  f.texts("options", options, "further ones of sbatch, as `--constraint=fast`").line();
 }
 
 void BatchConfig::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required();
+  f.text("name", name, "what the results folder is called").required().line();
   f.text("about", about, "what the batch is to show");
   f.path("base", base, "the experiment that is varied");
   f.list("bases", bases, "or several, each of which is varied");
@@ -63,7 +65,11 @@ void BatchConfig::fields(Fields& f) {
     return "";
   });
   f.check("bases", [this] { return twice(all_bases(), "bases", [](const BatchBase& b) { return b.name; }); });
-  f.check("statistics", [this] { return twice(statistics, "statistics", [](const BatchStatistic& s) { return s.column(); }); });
+  f.check("statistics", [this]() -> std::string {
+    for (const BatchStatistic& s : statistics)
+      if (taken_column(s.column())) return fmt::format("results.csv has a column '{}' already; give this statistic another name", s.column());
+    return twice(statistics, "statistics", [](const BatchStatistic& s) { return s.column(); });
+  });
 }
 
 std::vector<BatchBase> BatchConfig::all_bases() const {
@@ -77,6 +83,7 @@ std::vector<BatchBase> BatchConfig::all_bases() const {
 BatchConfig load_batch(const std::string& path, const std::vector<std::string>& overrides) {
   Value root = parse_file(path);
   for (const std::string& assignment : overrides) apply_override(root, assignment);
+  refuse_other_kind(root, FileKind::batch);
   BatchConfig config;
   bind(root, config, "the batch");
   return config;

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "framework/output/provenance_json.hpp"
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -67,6 +69,20 @@ void write_description(const BatchFolder& folder, const BatchDescription& d) {
   for (const BatchStatistic& s : d.plan.statistics) json["statistics"].push_back(json_of(s));
   for (const BatchCase& one : d.plan.cases) json["cases"].push_back(json_of(folder, d.plan, one));
   replace_file(folder.description(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+bool is_other_batch(const BatchFolder& folder, const BatchDescription& d) {
+  BatchDescription there;
+  try {
+    there = read_description(folder);
+  } catch (const InputError&) {
+    return false;  // there is none, or a damaged one, which is written anew
+  }
+  if (there.plan.name != d.plan.name) return true;
+  if (there.file == d.file) return false;
+  std::set<std::string> names;
+  for (const BatchCase& one : there.plan.cases) names.insert(one.name);
+  return std::none_of(d.plan.cases.begin(), d.plan.cases.end(), [&](const BatchCase& one) { return names.contains(one.name); });
 }
 
 BatchDescription read_description(const BatchFolder& folder) {

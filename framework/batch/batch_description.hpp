@@ -35,6 +35,9 @@ CaseState state_of(const BatchFolder& folder, const BatchCase& one);
 // With the state of each case as it is now. Throws InputError if it cannot be written.
 void write_description(const BatchFolder& folder, const BatchDescription& description);
 
+// Whether the folder holds a batch that this one does not go on with: of another name, or of another file and without a case of the same name.
+bool is_other_batch(const BatchFolder& folder, const BatchDescription& description);
+
 // Throws InputError if there is none, or it is damaged.
 BatchDescription read_description(const BatchFolder& folder);
 

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "framework/output/csv.hpp"
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -27,9 +27,11 @@ struct Scratch {
 double trial_of(const std::string& program, const BatchCase& one, const BatchLimits& limits, double trial) {
   const Scratch scratch;
   replace_file(scratch.path / "scene.yaml", one.scene);
-  ChildProcess process({program, "run", scratch.path / "scene.yaml", "-o", scratch.path / "run", "--threads", fmt::format("{}", limits.threads),
-                        "--set", "output.frames=false", fmt::format("time.wall_limit={} s", trial)},
-                       scratch.path / "output.txt", limits.memory.value_or(0) * 1e9);
+  std::vector<std::string> arguments{program, "run", scratch.path / "scene.yaml", "-o", scratch.path / "run", "--threads",
+                                     fmt::format("{}", limits.threads)};
+  if (limits.memory) arguments.insert(arguments.end(), {"--memory", fmt::format("{}", *limits.memory)});
+  arguments.insert(arguments.end(), {"--set", "output.frames=false", fmt::format("time.wall_limit={} s", trial)});
+  ChildProcess process(arguments, scratch.path / "output.txt");
   while (!process.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   try {
     const CsvTable steps = read_csv(scratch.path / "run" / "steps.csv");

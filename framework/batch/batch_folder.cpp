@@ -15,9 +15,9 @@ BatchFolder BatchFolder::found(const fs::path& root) {
   throw InputError(fmt::format("{}: holds no batch (no batch.json); give the folder that `tack batch` made", folder.root.string()));
 }
 
-BatchFolder BatchFolder::opened(const fs::path& root) {
+BatchFolder BatchFolder::opened(const fs::path& root, bool other) {
   BatchFolder folder{fs::weakly_canonical(fs::absolute(root)), nullptr};
-  if (!fs::exists(folder.description())) RunFolder::create(folder.root, RunFolder::Content::anything);
+  if (other || !fs::exists(folder.description())) folder.moved_aside = RunFolder::create(folder.root, RunFolder::Content::anything).moved_aside();
   folder.lock = std::make_shared<FolderLock>(folder.root);
   std::error_code failed;
   for (const char* name : {"scenes", "cases", "state", "output"}) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "framework/output/folder_lock.hpp"
@@ -12,6 +13,7 @@ namespace tack {
 struct BatchFolder {
   std::filesystem::path root;  // absolute
   std::shared_ptr<FolderLock> lock;
+  std::optional<std::filesystem::path> moved_aside = {};  // where what was there went
 
   std::filesystem::path description() const { return root / "batch.json"; }
   std::filesystem::path table() const { return root / "results.csv"; }
@@ -24,9 +26,9 @@ struct BatchFolder {
   // Of a batch that is there, only to be read or for one of its cases. Throws InputError if it is none.
   static BatchFolder found(const std::filesystem::path& root);
 
-  // With its subfolders, for one writer at a time. Something that is no batch, results of a run with the same name, is moved aside; a folder with anything
-  // else is refused. Throws InputError.
-  static BatchFolder opened(const std::filesystem::path& root);
+  // With its subfolders, for one writer at a time. Something that is no batch, results of a run with the same name, is moved aside, and so is
+  // another batch, if it is one; a folder with anything else is refused. Throws InputError.
+  static BatchFolder opened(const std::filesystem::path& root, bool other = false);
 };
 
 }  // namespace tack

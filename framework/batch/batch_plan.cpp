@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
+#include "framework/batch/results_table.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/config/units.hpp"
+#include "framework/config/yaml_text.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "framework/output/run_folder.hpp"
@@ -23,22 +26,34 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 30;  // bytes
 constexpr size_t longest_name = 100;                                // of a case
 constexpr size_t most_errors = 10;
+constexpr double most_cases = 100000;
 
 std::string digest_of_text(const std::string& text) {
   return fmt::format("{}-{:08x}", text.size(), crc32_of(text.data(), text.size()));
 }
 
-// What a scene reads besides itself: of a file its bytes, of an earlier run its newest checkpoint.
-void add_files(const Value& value, std::string& digest) {
-  if (value.is_scalar() && value.text.starts_with('/')) {
-    std::error_code none;
-    fs::path path = value.text;
-    if (fs::is_directory(path, none)) path = newest_checkpoint_in(path / "checkpoints");
-    if (fs::is_regular_file(path, none)) digest += " " + digest_of_text(read_file(path, largest_file));
+// What scenes read besides themselves: of a file its bytes, of an earlier run its newest checkpoint. Each is read once.
+class FileDigests {
+ public:
+  void add(const Value& value, std::string& digest) {
+    if (value.is_scalar() && value.text.starts_with('/')) digest += of(value.text);
+    for (const Value& item : value.items) add(item, digest);
+    for (const Value::Entry& entry : value.entries) add(entry.value, digest);
   }
-  for (const Value& item : value.items) add_files(item, digest);
-  for (const Value::Entry& entry : value.entries) add_files(entry.value, digest);
-}
+
+ private:
+  const std::string& of(const std::string& name) {
+    const auto [known, anew] = known_.try_emplace(name);
+    if (!anew) return known->second;
+    std::error_code none;
+    fs::path path = name;
+    if (fs::is_directory(path, none)) path = newest_checkpoint_in(path / "checkpoints");
+    if (fs::is_regular_file(path, none)) known->second = " " + digest_of_text(read_file(path, largest_file));
+    return known->second;
+  }
+
+  std::map<std::string, std::string> known_;
+};
 
 // "1 MPa" as 1000000, so that tables can be plotted; what is no number stays as it is.
 std::string cell_text(const std::string& text) {
@@ -72,17 +87,27 @@ std::string name_of(const std::vector<std::pair<std::string, std::string>>& part
 }
 
 // Names that differ: the second "a" is "a.2".
-std::string free_name(const std::string& name, const std::vector<BatchCase>& cases) {
-  const auto taken = [&](const std::string& n) {
-    return std::any_of(cases.begin(), cases.end(), [&](const BatchCase& c) { return c.name == n; });
-  };
-  if (!taken(name)) return name;
-  int i = 2;
-  while (taken(fmt::format("{}.{}", name, i))) ++i;
-  return fmt::format("{}.{}", name, i);
-}
+class Names {
+ public:
+  std::string free(const std::string& name) {
+    int& number = numbers_[name];  // of the last one that was called so
+    for (;;) {
+      const std::string tried = ++number == 1 ? name : fmt::format("{}.{}", name, number);
+      if (taken_.insert(tried).second) return tried;
+    }
+  }
+
+ private:
+  std::set<std::string> taken_;
+  std::map<std::string, int> numbers_;
+};
 
 std::vector<Variant> all_variants(const BatchConfig& config) {
+  double count = static_cast<double>(config.all_bases().size());
+  for (const auto& variation : config.vary) count *= variation->count();
+  if (count > most_cases)
+    throw InputError(fmt::format("vary: that makes {:.6g} cases, and {:.6g} are the most; vary fewer keys or values, or make several batches",
+                                 count, most_cases));
   std::vector<Variant> all{{}};
   for (const auto& variation : config.vary) {
     std::vector<Variant> next;
@@ -102,11 +127,20 @@ void refuse_columns_twice(const Variant& variant) {
                                      variant.shown[i].column));
 }
 
+// Those that results.csv has anyway.
+void refuse_taken_columns(const std::vector<std::string>& columns) {
+  for (const std::string& column : columns)
+    if (taken_column(column))
+      throw InputError(fmt::format("vary: results.csv has a column '{}' already; name this one otherwise with `as`", column));
+}
+
 class Planner {
  public:
-  Planner(const BatchConfig& config, const std::string& program) : config_(config), program_(program), variants_(all_variants(config)) {
+  Planner(const BatchConfig& config, const std::string& program, const PlanProgress& progress)
+      : config_(config), program_(program), progress_(progress), variants_(all_variants(config)) {
     refuse_columns_twice(variants_.front());
     for (const Variant::Shown& s : variants_.front().shown) columns_.push_back(s.column);
+    refuse_taken_columns(columns_);
     plan_.name = config.name;
     plan_.about = config.about;
     for (const BatchStatistic& s : config.statistics) plan_.statistics.push_back(s);
@@ -135,6 +169,7 @@ class Planner {
     for (const Variant& variant : variants_) {
       if (errors_.size() >= most_errors) return;
       add_case(base, root, variant);
+      if (progress_) progress_(plan_.cases.size(), variants_.size() * config_.all_bases().size());
     }
   }
 
@@ -150,14 +185,15 @@ class Planner {
       parts.push_back({short_column(s.column, columns_), s.text});
     }
     one.base = base.name;
-    one.name = free_name(name_of(parts, static_cast<int>(plan_.cases.size()) + 1), plan_.cases);
+    one.name = names_.free(name_of(parts, static_cast<int>(plan_.cases.size()) + 1));
     try {
       for (const Variant::Setting& s : variant.set) set_at(root, s.key, s.value);
       const LoadedExperiment loaded = bound_experiment(std::move(root));
       one.duration = loaded.experiment.time.duration;
-      one.scene = to_yaml(fields_of(loaded.experiment));
+      const Value resolved = to_value(fields_of(loaded.experiment));
+      one.scene = yaml_text(resolved);
       one.digest = digest_of_text(one.scene);
-      add_files(to_value(fields_of(loaded.experiment)), one.digest);
+      files_.add(resolved, one.digest);
       one.digest += " " + program_;
     } catch (const InputError& error) {
       return note(error, one.name);
@@ -175,16 +211,21 @@ class Planner {
 
   const BatchConfig& config_;
   const std::string& program_;
+  const PlanProgress& progress_;
   std::vector<Variant> variants_;
   std::vector<std::string> columns_;
   bool several_ = false;
   BatchPlan plan_;
+  Names names_;
+  FileDigests files_;
   std::vector<std::string> errors_, told_;
 };
 
 }  // namespace
 
-BatchPlan plan_of(const BatchConfig& config, const std::string& program) { return Planner(config, program).plan(); }
+BatchPlan plan_of(const BatchConfig& config, const std::string& program, const PlanProgress& progress) {
+  return Planner(config, program, progress).plan();
+}
 
 void check_case(const BatchPlan& plan, const BatchCase& one) {
   BuiltExperiment built(parse_experiment(one.scene, fmt::format("case '{}'", one.name)));

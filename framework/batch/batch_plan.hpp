@@ -27,8 +27,11 @@ struct BatchPlan {
   std::vector<BatchCase> cases;
 };
 
+// Told after each case: how many are planned, of how many.
+using PlanProgress = std::function<void(size_t done, size_t all)>;
+
 // `program`: what identifies the program (program_digest()). Throws InputError with everything that is wrong with any case.
-BatchPlan plan_of(const BatchConfig& config, const std::string& program);
+BatchPlan plan_of(const BatchConfig& config, const std::string& program, const PlanProgress& progress = {});
 
 // Builds the world of a case, as a run does first: meshes, pairs, probes, the start. Throws InputError.
 void check_case(const BatchPlan& plan, const BatchCase& one);

@@ -14,8 +14,8 @@
 #include "framework/config/read_file.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "framework/output/folder_lock.hpp"
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -34,8 +34,9 @@ std::string tail(const fs::path& path, std::streamoff size) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+// To the bits of a run that was not cut short.
 bool resumable(const BatchFolder& folder, const BatchCase& one) {
-  return FolderLock::marked(folder.run(one.name)) && !newest_checkpoint_in(folder.run(one.name) / "checkpoints").empty();
+  return FolderLock::marked(folder.run(one.name)) && !newest_checkpoint_in(folder.run(one.name) / "checkpoints", true).empty();
 }
 
 // Once nobody writes there: the processes of a batch that was killed end a moment later.
@@ -77,8 +78,9 @@ CaseRun::CaseRun(const std::string& program, const BatchFolder& folder, const Ba
 ChildProcess CaseRun::start(bool resume) {
   std::vector<std::string> arguments{program_, "run", folder_.scene(case_.name), "-o", folder_.run(case_.name),
                                      "--threads", fmt::format("{}", limits_.threads)};
+  if (limits_.memory) arguments.insert(arguments.end(), {"--memory", fmt::format("{}", *limits_.memory)});
   if (resume) arguments.push_back("--resume");
-  return {arguments, folder_.output(case_.name), limits_.memory.value_or(0) * 1e9};
+  return {arguments, folder_.output(case_.name)};
 }
 
 bool CaseRun::ended() {
@@ -128,6 +130,14 @@ std::string CaseRun::last_words() const {
   return "";
 }
 
+// Whether a crash looks as if memory had run out: nobody tells.
+std::string CaseRun::want_of_memory() const {
+  if (limits_.memory && state_.memory_mb > 500 * *limits_.memory)
+    return fmt::format("; it had {:.2g} of the {:.2g} GB that it may have: raise memory, or use fewer cells", state_.memory_mb / 1e3, *limits_.memory);
+  if (process_.signal() == SIGKILL) return "; the machine may have run out of memory: give `memory`, so that fewer cases run side by side";
+  return "";
+}
+
 void CaseRun::settle() {
   state_.wall_seconds = process_.seconds();
   state_.cpu_seconds = process_.cpu_seconds();
@@ -153,6 +163,7 @@ void CaseRun::settle() {
   } else {
     state_.status = CaseStatus::crashed;
     state_.error = signal ? fmt::format("ended by signal {} ({})", signal, ::strsignal(signal)) : fmt::format("ended with code {}", code);
+    state_.error += want_of_memory();
   }
 }
 

@@ -24,6 +24,7 @@ class CaseRun {
   ChildProcess start(bool resume);
   void settle();
   std::string last_words() const;
+  std::string want_of_memory() const;
 
   std::string program_;
   BatchFolder folder_;

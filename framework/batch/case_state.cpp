@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "framework/output/replace_file.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {

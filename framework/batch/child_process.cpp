@@ -17,7 +17,7 @@ namespace tack {
 namespace {
 
 // Nothing here may allocate: another thread of this program may hold the lock of malloc for ever.
-[[noreturn]] void become(char* const* arguments, const char* output, double memory, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, const char* output, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(126);
   ::setpgid(0, 0);
@@ -26,10 +26,6 @@ namespace {
   ::dup2(nothing, 0);
   ::dup2(file, 1);
   ::dup2(file, 2);
-  if (memory > 0) {
-    const rlimit limit{static_cast<rlim_t>(memory), static_cast<rlim_t>(memory)};
-    ::setrlimit(RLIMIT_DATA, &limit);
-  }
   sigset_t none;
   sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
@@ -39,13 +35,13 @@ namespace {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& output, double memory) {
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& output) {
   std::vector<char*> argv;
   for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
   argv.push_back(nullptr);
   const pid_t self = ::getpid();
   pid_ = ::fork();
-  if (pid_ == 0) become(argv.data(), output.c_str(), memory, self);
+  if (pid_ == 0) become(argv.data(), output.c_str(), self);
   if (pid_ < 0) throw std::runtime_error(fmt::format("cannot start another process ({})", std::strerror(errno)));
 }
 

@@ -13,9 +13,9 @@ namespace tack {
 
 class ChildProcess {
  public:
-  // What it prints goes to the file `output`. `memory`: bytes of data that it may have, 0 for any. From the main thread, as
-  // the kernel ends it together with the thread that made it. Throws std::runtime_error if there is no process to be had.
-  ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& output, double memory);
+  // What it prints goes to the file `output`. From the main thread, as the kernel ends it together with the thread that made it. Throws
+  // std::runtime_error if there is no process to be had.
+  ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& output);
   ~ChildProcess();  // kills it
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;  // kills the one that was there

@@ -115,6 +115,14 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan) {
   return table;
 }
 
+bool taken_column(const std::string& name) {
+  static constexpr std::string_view fixed[] = {"case", "base", "status", "error", "steps", "dofs", "newton_iterations", "linear_solves",
+                                               "linear_iterations", "failed_solves", "max_contacts", "min_distance", "intersections", "inverted_tets",
+                                               "wall_seconds", "process_seconds", "cpu_seconds", "memory_mb"};
+  return std::find(std::begin(fixed), std::end(fixed), name) != std::end(fixed) || name.starts_with("expect:") || name.starts_with("value:") ||
+         name.starts_with("seconds_");
+}
+
 std::string csv_text(const ResultsTable& table) {
   std::string text;
   const auto add = [&](const std::vector<std::string>& row) {

@@ -24,4 +24,7 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan);
 
 std::string csv_text(const ResultsTable& table);
 
+// Whether a column of that name is there whatever a batch varies.
+bool taken_column(const std::string& name);
+
 }  // namespace tack

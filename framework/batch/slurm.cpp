@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "framework/output/provenance.hpp"
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -46,7 +46,7 @@ ChildProcess sbatch(const BatchFolder& folder, std::vector<std::string> options,
   std::vector<std::string> arguments{"/usr/bin/env", "sbatch", "--parsable"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   arguments.push_back(folder.job_script());
-  return {arguments, output, 0};
+  return {arguments, output};
 }
 
 std::string number_of(const std::string& line) { return line.substr(0, line.find(';')); }
@@ -58,7 +58,10 @@ std::string job_script(const std::string& program, const BatchFolder& folder, co
   const SlurmConfig& s = config.slurm;
   const long minutes = std::lround(std::ceil(s.time / 60));
   std::string script = "#!/bin/bash\n";
-  const auto option = [&](const std::string& text) { script += "#SBATCH " + text + "\n"; };
+  const auto option = [&](const std::string& text) {
+    if (text.find_first_of("\r\n") != text.npos) throw InputError(fmt::format("slurm: '{}' is no option: it has a line break", text));
+    script += "#SBATCH " + text + "\n";
+  };
   option(fmt::format("--job-name={}", folder.root.filename().string()));
   option(fmt::format("--array={}{}", ranges(tasks), s.at_once > 0 ? fmt::format("%{}", s.at_once) : ""));
   option(fmt::format("--time={}", minutes));

@@ -35,6 +35,8 @@ class Variation : public Component {
 
   // At least one. Throws InputError with its place in the file.
   virtual std::vector<Variant> variants() const = 0;
+  // How many these are, before they are made: where a number says so, they may be too many.
+  virtual double count() const { return static_cast<double>(variants().size()); }
 };
 
 }  // namespace tack

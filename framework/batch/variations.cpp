@@ -37,6 +37,11 @@ class GridVariation : public Variation {
     }
     return all;
   }
+  double count() const override {
+    double all = 1;
+    for (const VariedKey& key : keys_with_values(keys_)) all *= static_cast<double>(key.values.size());
+    return all;
+  }
 
  private:
   Value keys_;
@@ -67,7 +72,7 @@ struct NamedSettings {
   std::string name;
   Value set;
   void fields(Fields& f) {
-    f.text("name", name, "what tables call it").required();
+    f.text("name", name, "what tables call it").required().line();
     f.raw("set", set, "keys of the experiment with their values");
   }
 };
@@ -76,7 +81,7 @@ class CasesVariation : public Variation {
  public:
   void fields(Fields& f) override {
     f.list("cases", cases_, "one after the other").required().nonempty();
-    f.text("as", column_, "heading of their names in tables");
+    f.text("as", column_, "heading of their names in tables").line();
   }
   std::vector<Variant> variants() const override {
     std::vector<Variant> all;
@@ -111,6 +116,7 @@ class SampledVariation : public Variation {
         all[i] = joined(all[i], variant_of(keys[k], keys[k].range->at(points[i * keys.size() + k])));
     return all;
   }
+  double count() const final { return samples_; }
 
  protected:
   // samples x dimensions, row after row, in [0, 1).
@@ -164,14 +170,14 @@ class RepeatVariation : public Variation {
     f.integer("count", count_, "how often").required().at_least(1);
     f.texts("keys", keys_, "seeds of the experiment that take the numbers of the repeats; without any, all repeats are alike");
     f.integer("first", first_, "number of the first one");
-    f.text("as", column_, "heading of the numbers in tables");
+    f.text("as", column_, "heading of the numbers in tables").line();
   }
   std::vector<Variant> variants() const override {
     std::vector<Variant> all;
-    for (int i = first_; i < first_ + count_; ++i) {
+    for (long i = first_; i < static_cast<long>(first_) + count_; ++i) {
       Variant variant{{}, {{column_, fmt::format("{}", i)}}};
       for (const std::string& key : keys_) {
-        Value value = Value::number(i);
+        Value value = Value::scalar(fmt::format("{}", i));
         value.mark.file = std::make_shared<const std::string>(fmt::format("repeat {}", key));
         variant.set.push_back({key, std::move(value)});
       }
@@ -179,6 +185,7 @@ class RepeatVariation : public Variation {
     }
     return all;
   }
+  double count() const override { return count_; }
 
  private:
   int count_ = 1, first_ = 1;

@@ -31,7 +31,8 @@ const std::vector<Value::Entry>& entries_of(const Value& keys) {
 std::string column_of(const Value::Entry& e) {
   const Value* as = e.value.find("as");
   if (!as) return e.key;
-  if (!as->is_scalar() || as->text.empty()) refuse(as->mark, "as: expects a text, got " + as->description());
+  const bool one_line = std::none_of(as->text.begin(), as->text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; });
+  if (!as->is_scalar() || as->text.empty() || !one_line) refuse(as->mark, "as: expects a text in one line, got " + as->description());
   return as->text;
 }
 

@@ -48,8 +48,9 @@ bool stencil_residuals(const VecX& x, const StencilOf<Kind>& stencil, const Pair
 
 }  // namespace
 
-ContactResiduals::ContactResiduals(const ContactSystem& system) : system_(system) {
-  for (const PairLaw& law : system.pairs().laws()) roots_.emplace_back(law);
+void ContactResiduals::find_roots() const {
+  if (!roots_.empty()) return;
+  for (const PairLaw& law : system_.pairs().laws()) roots_.emplace_back(law);
 }
 
 std::vector<ResidualBatch> ContactResiduals::residual_batches() const {
@@ -65,6 +66,7 @@ std::vector<ResidualBatch> ContactResiduals::residual_batches() const {
 }
 
 bool ContactResiduals::residuals(const VecX& x, double* r, double* jacobian) const {
+  find_roots();
   std::atomic<bool> finite = true;
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);

@@ -18,13 +18,15 @@ namespace tack {
 
 class ContactResiduals : public ResidualView {
  public:
-  explicit ContactResiduals(const ContactSystem& system);
+  explicit ContactResiduals(const ContactSystem& system) : system_(system) {}
   std::vector<ResidualBatch> residual_batches() const override;
   bool residuals(const VecX& x, double* r, double* jacobian) const override;
 
  private:
+  void find_roots() const;
+
   const ContactSystem& system_;
-  std::vector<LawRoot> roots_;  // per law of the pair table
+  mutable std::vector<LawRoot> roots_;  // per law of the pair table; found when they are first needed, which few solvers do
   mutable std::array<std::vector<int>, stencil_kind_count> batch_vertices_;
 };
 

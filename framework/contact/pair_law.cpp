@@ -71,8 +71,9 @@ PairLaw::Well PairLaw::well() const {
   const auto gap = [&](double u) { return end * std::pow(smallest, 1 - u); };
   const auto phi = [&](double u) { return at(gap(u) + offset_).value; };
   int best = points;
+  double lowest = phi(1);
   for (int i = 0; i < points; ++i)
-    if (phi(i / double(points)) < phi(best / double(points))) best = i;
+    if (const double value = phi(i / double(points)); value < lowest) best = i, lowest = value;
   if (best == points) return {};
   double a = std::max(best - 1, 0) / double(points), b = (best + 1) / double(points);
   const double ratio = (std::sqrt(5.0) - 1) / 2;

@@ -7,8 +7,8 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "framework/output/replace_file.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
@@ -33,6 +33,12 @@ void refuse_duplicates(const fs::path& path, std::vector<std::string> columns) {
       fmt::format("{}: two columns are called '{}'; rename one of them", path.string(), *twice));
 }
 
+// Whether a program for spreadsheets would take it for a formula, with apostrophes before it or not.
+bool formula(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of('\'');
+  return begin != text.npos && std::string_view("=+-@\t").find(text[begin]) != std::string_view::npos;
+}
+
 std::vector<std::string> split(std::string_view line) {
   std::vector<std::string> cells(1);
   bool inside = false;
@@ -48,6 +54,8 @@ std::vector<std::string> split(std::string_view line) {
       cells.back() += line[i];
     }
   }
+  for (std::string& cell : cells)
+    if (cell.starts_with('\'') && formula(cell)) cell.erase(0, 1);
   return cells;
 }
 
@@ -61,10 +69,14 @@ void for_each_line(const fs::path& path, const Act& act) {
   std::string line;
   std::size_t columns = 0;
   for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
     const std::string where = fmt::format("{}:{}", path.string(), number);
+    for (std::string more; std::count(line.begin(), line.end(), '"') % 2 == 1; ++number) {  // a cell of several lines
+      if (!std::getline(in, more) || in.eof()) return;
+      line += "\n" + more;
+    }
+    if (!line.empty() && line.back() == '\r') line.pop_back();
     std::vector<std::string> cells = split(line);
-    if (number == 1) columns = cells.size();
+    if (columns == 0) columns = cells.size();
     if (cells.size() != columns) {
       throw InputError(
           fmt::format("{}: {} cells, but the header names {} columns; mend or remove "
@@ -88,7 +100,8 @@ std::vector<double> numbers(const std::vector<std::string>& cells, const std::st
 
 }  // namespace
 
-std::string csv_cell(const std::string& text) {
+std::string csv_cell(const std::string& given) {
+  const std::string text = (formula(given) && !csv_number(given) ? "'" : "") + given;
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);

@@ -1,6 +1,7 @@
 // Tables of numbers with a header line, as .csv files (RFC 4180: a name with a comma or a quote is
 // quoted). Numbers are written with the fewest digits that read back as the same bits; infinities
-// and not-a-numbers as inf, -inf, nan.
+// and not-a-numbers as inf, -inf, nan. A text that spreadsheets would take for a formula ("=...", "+...", "-...", "@...") has an apostrophe
+// before it in the file, and none once it is read.
 #pragma once
 
 #include <filesystem>

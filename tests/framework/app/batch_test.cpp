@@ -199,6 +199,53 @@ TEST_CASE("a case that wants more memory than it may have fails alone", "[batch]
 #endif
 }
 
+TEST_CASE("a case that may have too little memory ends at once and says so", "[batch]") {
+#ifndef __SANITIZE_ADDRESS__
+  const Files files("name: little\nbase: tiny.yaml\nset: [output.frames=false]\nmemory: 0.001\n");
+  const auto begun = std::chrono::steady_clock::now();
+  const ProgramResult none = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
+  CHECK(std::chrono::steady_clock::now() - begun < TACK_PATIENCE * 10s);
+  CHECK(none.exit_code == 3);
+  CHECK(contains(none.out, "memory: 0.001 GB is less than the program takes"));
+  CHECK(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--failed", "--set", "memory=0.1"}).exit_code == 0);
+#endif
+}
+
+TEST_CASE("another batch in the same folder leaves the first one's table", "[batch]") {
+  const Files files("name: first\nbase: tiny.yaml\nset: [output.frames=false]\nvary: [{type: grid, keys: {time.step: {values: [5 ms], as: step}}}]\n");
+  REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
+  const std::string table = file_text(files.path / "b" / "results.csv");
+  // More values: the same batch.
+  write_file(files.path / "batch.yaml", "name: first\nbase: tiny.yaml\nset: [output.frames=false]\n"
+                                        "vary: [{type: grid, keys: {time.step: {values: [5 ms, 4 ms], as: step}}}]\n");
+  CHECK(contains(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).out, "1 of 2 cases are done already"));
+  const std::string longer = file_text(files.path / "b" / "results.csv");
+  write_file(files.path / "other.yaml", "name: second\nbase: tiny.yaml\nset: [output.frames=false]\nvary: [{type: repeat, count: 1}]\n");
+  const ProgramResult other = run_tack(files.path, {"batch", "other.yaml", "-o", "b"});
+  INFO(other.out << other.err);
+  CHECK(other.exit_code == 0);
+  CHECK(contains(other.out, "another batch that was there is moved to"));
+  CHECK(file_text(files.path / "b.1" / "results.csv") == longer);
+  CHECK(contains(longer, table.substr(table.find('\n') + 1, 10)));
+  CHECK(rows_of(files.path / "b").size() == 2);
+}
+
+TEST_CASE("names that spreadsheets take for formulas are none in the table", "[batch]") {
+  const Files files("name: formulas\nbase: tiny.yaml\nset: [output.frames=false, probes.0.name='=1+1', 'expect=[]']\n"
+                    "vary: [{type: cases, cases: [{name: \"=cmd|'/C calc'!A0\"}, {name: '+b'}]}]\n");
+  const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const auto rows = rows_of(files.path / "b");
+  REQUIRE(rows.size() == 3);
+  CHECK(contains(rows[0], ",'=1+1.final,"));
+  CHECK(contains(rows[1], ",'=cmd|'/C calc'!A0,done"));
+  CHECK(contains(rows[2], ",'+b,done"));
+  const ProgramResult picture = run_tack(files.path, {"plot", "b", "--x", "steps", "--y", "=1+1.final"});
+  INFO(picture.out << picture.err);
+  CHECK(picture.exit_code != 2);  // it knows the column
+}
+
 TEST_CASE("the table is made again from the folder alone", "[batch]") {
   const Files files(steps_batch + "statistics: [{name: lowest, probe: height, statistic: min}, {probe: stickiness_y, statistic: final}]\n");
   REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "vary.0.keys={time.step: [0.01 s]}"}).exit_code == 0);

@@ -89,6 +89,42 @@ TEST_CASE("what is wrong with any case is told before anything runs", "[batch]")
   CHECK_THROWS_AS(check_case(deep, deep.cases[0]), InputError);  // the block stands in the floor
 }
 
+TEST_CASE("a batch has no more cases than can be planned, and no column twice", "[batch]") {
+  const Files files;
+  const auto refused = [&](const std::string& rest, const std::string& message) { CHECK_THROWS_WITH(files.plan(rest), Catch::Contains(message)); };
+  refused("vary: [{type: repeat, count: 20000000}]\n", "that makes 2e+07 cases, and 100000 are the most");
+  refused("vary: [{type: repeat, count: 1000000000}]\n", "that makes 1e+09 cases");
+  refused("vary: [{type: repeat, count: 1000}, {type: sobol, samples: 1000, keys: {time.step: {from: 1 ms, to: 2 ms}}}]\n", "that makes 1e+06 cases");
+  refused("vary: [{type: latin_hypercube, samples: 2000000000, keys: {time.step: {from: 1 ms, to: 2 ms}}}]\n", "that makes 2e+09 cases");
+  for (const char* taken : {"case", "status", "error", "steps", "wall_seconds", "seconds_solve", "'expect:x'"}) {
+    refused(std::string("vary: [{type: grid, keys: {time.step: {values: [5 ms], as: ") + taken + "}}}]\n", "results.csv has a column '");
+    refused(std::string("statistics: [{name: ") + taken + ", probe: height, statistic: min}]\n", "give this statistic another name");
+  }
+  refused("vary: [{type: grid, keys: {time.step: {values: [5 ms], as: \"a\\nb\"}}}]\n", "as: expects a text in one line");
+  refused("vary: [{type: cases, cases: [{name: \"a\\nb\"}]}]\n", "name: expects a text in one line");
+  refused("slurm: {options: [\"--x\\nrm\"]}\n", "options: expects a text in one line");
+  refused("slurm: {partition: \"a\\nrm\"}\n", "partition: expects a text in one line");
+  CHECK(names_of(files.plan("vary: [{type: repeat, first: 2147483646, count: 3}]\n")).back() == "repeat=2147483648");
+}
+
+TEST_CASE("thousands of cases get names that differ, and the plan tells how far it is", "[batch]") {
+  const Files files;
+  write_file(files.folder.path() / "batch.yaml", "name: b\nbase: tiny.yaml\nvary: [{type: grid, keys: {about: [a, b]}}, {type: repeat, count: 300, as: n}, "
+                                                 "{type: cases, as: m, cases: [{name: 1/2}, {name: 1_2}]}]\n");
+  size_t told = 0, last = 0;
+  const BatchPlan plan = plan_of(load_batch(files.folder.path() / "batch.yaml", {}), "program", [&](size_t done, size_t all) {
+    CHECK(done == last + 1);
+    CHECK(all == 1200);
+    last = done;
+    ++told;
+  });
+  CHECK(told == 1200);
+  std::vector<std::string> names = names_of(plan);
+  CHECK(names[1] == "about=a,n=1,m=1_2.2");
+  std::sort(names.begin(), names.end());
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
+
 TEST_CASE("a case is another one when a file that it reads has changed", "[batch]") {
   const Files files;
   write_file(files.folder.path() / "tet.obj", "v 0 1 0\nv 1 1 0\nv 0 1 1\nv 0 2 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n");

@@ -92,3 +92,29 @@ TEST_CASE("a csv file of texts is read without its quotes") {
   CHECK_FALSE(csv_number(""));
   CHECK_FALSE(csv_number("2.5 m"));
 }
+
+TEST_CASE("texts that spreadsheets take for formulas are marked in the file, and come back as they were") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.csv";
+  const std::vector<std::string> texts = {"=cmd|'/C calc'!A0", "+1 kg", "-x, or y", "@sum", "'=1", "''-2", "'plain", "-5", "-1e-3", "a=b", "", "'",
+                                          "two\nlines", "\"=quoted\""};
+  std::string text = "case\n";
+  for (const std::string& one : texts) text += csv_cell(one) + "\n";
+  std::ofstream(path) << text;
+  CHECK(csv_cell("=1") == "'=1");
+  CHECK(csv_cell("-5") == "-5");
+  const CsvTexts table = read_csv_texts(path);
+  REQUIRE(table.rows.size() == texts.size());
+  for (size_t i = 0; i < texts.size(); ++i) CHECK(table.rows[i] == std::vector<std::string>{texts[i]});
+  // No cell of the file is a formula.
+  for (const std::string& one : texts) CHECK((csv_number(one) || std::string("=+-@").find(csv_cell(one)[0]) == std::string::npos || one.empty()));
+}
+
+TEST_CASE("a cell of several lines that was cut off ends the table") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "t.csv";
+  std::ofstream(path) << "a,b\n1,\"x\ny\"\n2,\"cut\n";
+  CHECK(read_csv_texts(path).rows == std::vector<std::vector<std::string>>{{"1", "x\ny"}});
+  std::ofstream(path) << "a,b\n1,\"x\ny\"\n2\n";
+  CHECK_THROWS_WITH(read_csv_texts(path), Catch::Contains("t.csv:4: 1 cells"));
+}
