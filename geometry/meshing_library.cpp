@@ -80,6 +80,7 @@ DistanceGrid DistanceGrid::of(const DistanceFunction& function, const Eigen::Ali
   return library().grid_of_function(function, box, voxel);
 }
 DistanceGrid DistanceGrid::of(const Mesh& mesh, double voxel, double band) { return library().grid_of_mesh(mesh, voxel, band); }
+double DistanceGrid::lowest() const { return library().grid_lowest(*this); }
 void DistanceGrid::sample(std::span<const Vec3> points, std::span<double> distances) const {
   library().grid_sample(*this, points, distances);
 }

@@ -22,9 +22,11 @@ class Gridded : public DerivedLevelSet {
     if (!finite(box)) throw InputError(fmt::format("level set '{}' needs a bounded one", type()));
     const Mesh surface = zero_surface([this](auto points, auto values) { child().evaluate(points, values); }, box, voxel);
     grid_ = DistanceGrid::of(surface, voxel, reach() + 4 * voxel);
+    check(*grid_);
   }
 
  protected:
+  virtual void check(const DistanceGrid&) const {}  // throws InputError for what makes no sense of what is there
   virtual double reach() const = 0;
   std::optional<DistanceGrid> grid_;
 };
@@ -37,6 +39,12 @@ class OffsetLevelSet : public Gridded {
   }
 
  protected:
+  void check(const DistanceGrid& grid) const override {
+    const double depth = -grid.lowest();
+    if (distance_ < 0 && depth < -distance_)
+      throw InputError(fmt::format("level set 'offset': nothing is left of it, as it is {:.3g} m deep at most and distance is {:.3g} m; offset by less",
+                                   std::max(depth, 0.0), distance_));
+  }
   double reach() const override { return std::abs(distance_); }
   Box own_bounds() const override { return widened(child().bounds(), std::max(distance_, 0.0)); }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {

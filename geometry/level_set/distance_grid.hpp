@@ -1,5 +1,5 @@
 // Distances on the voxels near a surface (OpenVDB's narrow band), and surfaces from them. Lengths in metres; a voxel is a
-// cube. Numbers are kept in single precision in units of a voxel, so that scale and place of a body do not matter.
+// cube. Numbers are kept in single precision in units of a voxel and from a point of the body, so that its scale and place do not matter.
 // Same input, same bits, whatever the number of threads.
 #pragma once
 
@@ -23,6 +23,8 @@ class DistanceGrid {
   // Of the closed surface of a mesh, up to `band` [m] on both sides.
   static DistanceGrid of(const Mesh& mesh, double voxel, double band);
 
+  // How deep it is where it is deepest, below zero; no less than minus the band's width.
+  double lowest() const;
   // Interpolated between voxels; the band's width where a point is farther.
   void sample(std::span<const Vec3> points, std::span<double> distances) const;
 

@@ -64,6 +64,16 @@ std::vector<int> parts_of(const Mesh& surface) {
   return part;
 }
 
+namespace {
+
+// With the size of the mesh, which tells whether its units are what they are taken for.
+std::string remedy_of_size(const Mesh& mesh) {
+  return fmt::format("ask for longer edges; or, if the mesh, which is {:.4g} m large, was made in other units, such as millimetres, scale it first "
+                     "(place: {{scale: [0.001, 0.001, 0.001]}}; `tack mesh scale FILE factor=0.001 -o FILE`)", bounding_box(mesh).diagonal().norm());
+}
+
+}  // namespace
+
 void refuse_too_many_triangles(double expected, const std::string& name, const std::string& remedy) {
   if (!(expected <= 1e7))
     throw InputError(fmt::format("{}: that would make {:.2g} triangles, more than the 1e7 that are sensible; {}", name, expected,
@@ -72,7 +82,7 @@ void refuse_too_many_triangles(double expected, const std::string& name, const s
 
 void refuse_too_short_edges(const Mesh& surface, double edge_length, const std::string& name) {
   const double equilateral = std::sqrt(3.0) / 4 * edge_length * edge_length;
-  refuse_too_many_triangles(total_area(surface) / equilateral, name, "ask for longer edges");
+  refuse_too_many_triangles(total_area(surface) / equilateral, name, remedy_of_size(surface));
 }
 
 }  // namespace tack

@@ -18,6 +18,7 @@ extern "C" __attribute__((visibility("default"))) const tack::MeshingFunctions t
     tack::tetrahedralize,
     [](const tack::DistanceFunction& f, const Eigen::AlignedBox3d& box, double voxel) { return tack::DistanceGrid::of(f, box, voxel); },
     [](const tack::Mesh& mesh, double voxel, double band) { return tack::DistanceGrid::of(mesh, voxel, band); },
+    [](const tack::DistanceGrid& grid) { return grid.lowest(); },
     [](const tack::DistanceGrid& grid, std::span<const tack::Vec3> points, std::span<double> distances) { grid.sample(points, distances); },
     [](const tack::DistanceGrid& grid) { return grid.surface(); },
     [](const tack::DistanceGrid& grid, const tack::Vec3& point) { return grid.voxel_of(point); },

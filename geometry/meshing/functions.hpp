@@ -34,6 +34,7 @@ struct MeshingFunctions {
   decltype(&tack::tetrahedralize) tetrahedralize;
   DistanceGrid (*grid_of_function)(const DistanceFunction&, const Eigen::AlignedBox3d&, double voxel);
   DistanceGrid (*grid_of_mesh)(const Mesh&, double voxel, double band);
+  double (*grid_lowest)(const DistanceGrid&);
   void (*grid_sample)(const DistanceGrid&, std::span<const Vec3>, std::span<double>);
   Mesh (*grid_surface)(const DistanceGrid&);
   Eigen::AlignedBox3d (*grid_voxel_of)(const DistanceGrid&, const Vec3&);

@@ -17,6 +17,7 @@
 #include "geometry/meshing/booleans.hpp"
 #include "geometry/meshing/cgal_mesh.hpp"
 #include "geometry/meshing/defects.hpp"
+#include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
@@ -242,6 +243,19 @@ std::string places(const Mesh& mesh, const SurfaceDefects& d) {
   return text;
 }
 
+// A sheet whose border was filled encloses nothing: it lies on its own filling.
+void refuse_flat_parts(const Mesh& mesh, const std::string& name) {
+  constexpr double flat = 1e-8;  // volume by area and size
+  for (const Mesh& part : split(mesh)) {
+    const double size = bounding_box(part).diagonal().norm();
+    if (std::abs(enclosed_volume_of(part)) > flat * total_area(part) * size) continue;
+    const Vec3& x = part.vertices[part.triangles[0][0]];
+    throw InputError(fmt::format("{}: the part at ({:.4g}, {:.4g}, {:.4g}) is an open sheet: closing its border would lay flat triangles on it that enclose "
+                                 "nothing; keep it open (fill_holes=false), as a sheet may be, or give it a thickness in a modelling program", name,
+                                 x[0], x[1], x[2]));
+  }
+}
+
 void refuse(const Mesh& mesh, const SurfaceDefects& before, const SurfaceDefects& after, const Mesh& left, const std::string& name) {
   std::string text = name + ": could not be repaired. Given were " + std::to_string(mesh.triangles.size()) + " triangles with";
   for (const std::string& line : list_defects(before)) text += "\n  " + line;
@@ -270,6 +284,7 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   Mesh result = from_cgal(m);
   drop_unused_vertices(result);
   if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
+  if (o.fill_holes) refuse_flat_parts(result, name);
   result = unite_crossing_parts(result, notes);
   m = to_cgal(result);
   if (!find_defects(result).crossings.empty()) {

@@ -65,6 +65,56 @@ TEST_CASE("tack mesh refuses bad calls and bad meshes with a remedy") {
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.vtu"));
 }
 
+TEST_CASE("a mesh in other units is told by its size, and scaled") {
+  const TemporaryFolder folder;
+  Mesh ball = with_hole();
+  scale(ball, Vec3::Constant(1000));
+  write_mesh(folder.path() / "mm.obj", ball);
+  const ProgramResult large = run_tack(folder.path(), {"mesh", "remesh", "mm.obj", "-o", "a.obj", "edge_length=5 mm"});
+  CHECK(large.exit_code == 2);
+  CHECK_THAT(large.err, Contains("m large, was made in other units, such as millimetres, scale it first") && Contains("tack mesh scale FILE factor=0.001"));
+  const ProgramResult small = run_tack(folder.path(), {"mesh", "scale", "mm.obj", "-o", "m.obj", "factor=0.001"});
+  INFO(small.out << small.err);
+  REQUIRE(small.exit_code == 0);
+  const Mesh back = read_mesh(folder.path() / "m.obj");
+  CHECK((bounding_box(back).sizes() - bounding_box(with_hole()).sizes()).norm() < 1e-12);
+  CHECK(back.triangles == with_hole().triangles);
+  CHECK(run_tack(folder.path(), {"mesh", "scale", "mm.obj", "-o", "a.obj", "factor=0"}).exit_code == 2);
+}
+
+TEST_CASE("an open sheet is not closed by triangles that lie on it") {
+  const TemporaryFolder folder;
+  Mesh sheet;
+  sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
+  write_mesh(folder.path() / "sheet.obj", sheet);
+  const ProgramResult closed = run_tack(folder.path(), {"mesh", "repair", "sheet.obj", "-o", "a.obj"});
+  CHECK(closed.exit_code == 2);
+  CHECK_THAT(closed.err, Contains("the part at (0, 0, 0) is an open sheet") && Contains("fill_holes=false"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "a.obj"));
+  CHECK(run_tack(folder.path(), {"mesh", "repair", "sheet.obj", "-o", "a.obj", "fill_holes=false"}).exit_code == 0);
+  CHECK(read_mesh(folder.path() / "a.obj").triangles.size() == 2);
+}
+
+TEST_CASE("a mesh that does not fit the disk is told, and what was there stays") {
+  if (!std::filesystem::exists("/dev/full")) return;
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtu", "a.msh"}) {
+    INFO(name);
+    const TemporaryFolder folder;
+    const auto path = folder.path() / name;
+    write_file(path, "older");
+    const bool by_itself = path.extension() == ".msh";
+    std::filesystem::create_symlink("/dev/full", folder.path() / (by_itself ? "a.part.msh" : std::string(name) + ".part"));
+    write_file(folder.path() / "given.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const ProgramResult r = run_tack(folder.path(), {"mesh", "scale", "given.obj", "-o", name, "factor=2"});
+    INFO(r.out << r.err);
+    CHECK(r.exit_code == 2);
+    CHECK_THAT(r.err, Contains("cannot be written") && Contains("the space on the disk"));
+    CHECK(file_text(path) == "older");
+    CHECK_FALSE(std::filesystem::exists(folder.path() / "a.part.msh"));
+  }
+}
+
 TEST_CASE("tack mesh sdf writes the surface of a level set, from a file of its own or of an object") {
   const TemporaryFolder folder;
   const char* capsule = "{type: capsule, from: [0, 0, 0], to: [4 cm, 0, 0], radius: 1 cm}";

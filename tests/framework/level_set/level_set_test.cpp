@@ -157,3 +157,22 @@ TEST_CASE("level sets that cannot be are refused with what is wrong", "[level_se
   CHECK_THROWS_WITH(level_set("{type: extruded, polygon: [[0, 0], [1, 0], [1]], depth: 1}"), Contains("pairs"));
   CHECK_THROWS_WITH(level_set("{type: box, size: [1, 1, 1], rounding: 0.6}"), Contains("half the shortest edge"));
 }
+
+TEST_CASE("a body far from the origin is the one that is near, or refused if numbers do not tell its voxels apart") {
+  const Mesh near = mesh_of("{type: sphere, radius: 3 cm}", 0.005);
+  for (const double far : {1e3, 1e6}) {
+    const Mesh mesh = mesh_of(fmt::format("{{type: sphere, radius: 3 cm, place: {{translate: [{}, 0, {}]}}}}", far, -far), 0.005);
+    CHECK(mass_properties(mesh).volume == Approx(mass_properties(near).volume).epsilon(0.02));
+    CHECK(mesh.vertices.size() == Approx(near.vertices.size()).epsilon(0.1));
+    for (const Vec3& x : mesh.vertices) CHECK((x - Vec3(far, 0, -far)).norm() == Approx(0.03).margin(1e-5));
+  }
+  CHECK_THROWS_WITH(mesh_of("{type: sphere, radius: 3 cm, place: {translate: [1e9, 0, 0]}}", 0.005),
+                    Contains("at 1e+09 m from the origin") && Contains("move it nearer (place.translate)"));
+  CHECK_THROWS_AS(mesh_of("{type: sphere, radius: 3 cm, place: {translate: [1e100, 0, 0]}}", 0.005), InputError);
+}
+
+TEST_CASE("an offset inwards that leaves nothing is told") {
+  CHECK_THROWS_WITH(mesh_of("{type: offset, distance: -1, of: {type: sphere, radius: 3 cm}}", 0.005),
+                    Contains("level set 'offset': nothing is left of it") && Contains("distance is -1 m; offset by less"));
+  CHECK(mass_properties(mesh_of("{type: offset, distance: -1 cm, of: {type: sphere, radius: 3 cm}}", 0.002)).volume == Approx(4 * M_PI / 3 * 8e-6).epsilon(0.02));
+}
