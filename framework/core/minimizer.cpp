@@ -14,7 +14,8 @@ void Minimizer::fields(Fields& f) {
            "when a solve has converged");
   f.optional_number("tolerance", tolerance_, units::velocity,
                     "of the velocity; unless given 1 cm/s, or less where a step would end more than a tenth of the "
-                    "contact distance or a thousandth of the smallest moving object off").positive();
+                    "contact distance or a thousandth of the smallest moving object off, or where friction sticks below a lower speed "
+                    "(eps_v, down to 0.1 mm/s)").positive();
   f.number("force_tolerance", force_tolerance_, units::none,
            "of the residual force, as a part of the largest force of any element or contact").positive();
   f.number("balance_tolerance", balance_tolerance_, units::none,

@@ -17,6 +17,7 @@ constexpr double usual = 0.01;           // m/s: 1 cm/s
 constexpr double of_distance = 0.1;      // of the contact distance, that a step may be off
 constexpr double of_size = 1e-3;         // of the smallest moving object
 constexpr double of_section = 1e-2;      // of the smallest radius of gyration: so much of a radian
+constexpr double finest_sticking = 1e-4;  // m/s: what sticks below is not resolved unless a tolerance says so
 constexpr double roundings = 64;         // of a position, in the force of the elements around a vertex
 
 bool has_inertia(const Experiment& experiment, const World& world) {
@@ -39,10 +40,27 @@ double smallest_section(const World& world) {
   return smallest;
 }
 
+// The speeds below which something sticks, with the key that says so.
+std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig& contact) {
+  std::vector<std::pair<std::string, double>> speeds;
+  if (contact.friction) speeds.emplace_back("contact.friction.eps_v", contact.friction->eps_v);
+  for (size_t i = 0; i < contact.pairs.size(); ++i) {
+    const PairConfig& pair = contact.pairs[i];
+    const auto key = [&](const char* name) { return fmt::format("contact.pairs[{}].{}", i, name); };
+    if (pair.friction) speeds.emplace_back(key("friction.eps_v"), pair.friction->eps_v);
+    if (pair.tangential_adhesion && pair.tangential_adhesion->eps_a)
+      speeds.emplace_back(key("tangential_adhesion.eps_a"), *pair.tangential_adhesion->eps_a);
+  }
+  return speeds;
+}
+
 double velocity_tolerance(const Experiment& experiment, const World& world) {
   double way = std::min(of_size * smallest_size(world), of_section * smallest_section(world));
   if (experiment.contact) way = std::min(way, of_distance * experiment.contact->contact_distance);
-  return way > 0 ? std::min(usual, way / experiment.time.step) : usual;
+  double speed = way > 0 ? std::min(usual, way / experiment.time.step) : usual;
+  if (!experiment.contact) return speed;
+  for (const auto& [key, sticking] : sticking_speeds(*experiment.contact)) speed = std::min(speed, std::max(sticking, finest_sticking));
+  return speed;
 }
 
 // The largest force that an element vertex feels per way that it moves, at rest [N/m].
@@ -73,20 +91,6 @@ double force_floor(const Experiment& experiment, const Minimizer& solver, const 
   for (Eigen::Index v = 0; v < world.mass.size(); ++v)
     if (world.script.ever_free(static_cast<int>(v))) heaviest = std::max(heaviest, world.mass(v));
   return std::max(round_off, heaviest * solver.velocity_tolerance() / experiment.time.step);
-}
-
-// The speeds below which something sticks, with the key that says so.
-std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig& contact) {
-  std::vector<std::pair<std::string, double>> speeds;
-  if (contact.friction) speeds.emplace_back("contact.friction.eps_v", contact.friction->eps_v);
-  for (size_t i = 0; i < contact.pairs.size(); ++i) {
-    const PairConfig& pair = contact.pairs[i];
-    const auto key = [&](const char* name) { return fmt::format("contact.pairs[{}].{}", i, name); };
-    if (pair.friction) speeds.emplace_back(key("friction.eps_v"), pair.friction->eps_v);
-    if (pair.tangential_adhesion && pair.tangential_adhesion->eps_a)
-      speeds.emplace_back(key("tangential_adhesion.eps_a"), *pair.tangential_adhesion->eps_a);
-  }
-  return speeds;
 }
 
 }  // namespace

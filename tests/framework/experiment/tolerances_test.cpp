@@ -37,6 +37,11 @@ TEST_CASE("the default tolerance is 1 cm/s where a metre is, and less where that
   CHECK(tolerance(cube(1, 0.01)) == 0.01);
   CHECK(tolerance(cube(1, 0.04, "contact: {distance: 1 mm}\n")) == Approx(0.0025));   // the step
   CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1e-5}\n")) == Approx(1e-4));     // the contact
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3}}\n")) == 1e-3);                 // what sticks
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 5 cm/s}}\n")) == 0.01);
+  CHECK(tolerance(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 1e-8}}\n")) == 1e-4);    // as far as it goes
+  CHECK(doubts(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3}}\n")).empty());
+  CHECK(doubts(cube(1, 0.01, "contact: {distance: 1 mm, friction: {mu: 0.3, eps_v: 1e-8}}\n")).size() == 1);
   CHECK(tolerance(cube(1e-6, 0.01)) == Approx(std::sqrt(3.0) * 1e-7));                // the size
   CHECK(tolerance(cube(1e-6, 0.01, "solver: {type: lbfgs, tolerance: 0.01}\n")) == 0.01);  // what is given, holds
 }
@@ -74,7 +79,8 @@ TEST_CASE("tolerances that do not fit contact or friction are told", "[scene]") 
   const std::string friction =
       "contact:\n  friction: {mu: 0.5, eps_v: 2 cm/s}\n"
       "  pairs: [{between: [cube, ground], friction: {mu: 0.1, eps_v: 1 mm/s}}]\n";
-  const auto creeping = doubts(cube(1, 0.01, friction));
+  CHECK(doubts(cube(1, 0.01, friction)).empty());  // the default fits
+  const auto creeping = doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 1 cm/s}\n"));
   REQUIRE(creeping.size() == 1);
   CHECK(creeping[0].find("contact.pairs[0].friction.eps_v 0.001 m/s is below solver.tolerance 0.01 m/s") == 0);
   CHECK(doubts(cube(1, 0.01, friction + "solver: {type: projected_newton, tolerance: 0.1 mm/s}\n")).empty());
