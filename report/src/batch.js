@@ -2,7 +2,7 @@
 import { provenanceOf, rowsOf, statusBadge } from "./about.js";
 import { chart } from "./chart.js";
 import { h, labelled, plainTable, section, select } from "./dom.js";
-import { format, words } from "./format.js";
+import { byName, format, words } from "./format.js";
 import { sortedTable } from "./table.js";
 import { numberTable } from "./unpack.js";
 
@@ -11,7 +11,7 @@ const isNumber = (v) => typeof v === "number";
 
 export async function batchSections(data) {
   const batch = data.batch;
-  const cases = batch.cases;
+  const cases = batch.cases.map((one) => ({ ...one, values: one.values && byName(one.values) }));
   const curves = await Promise.all(data.curves.map((table) => table && numberTable(table)));
   const table = data.table ?? fromCases(cases, batch.keys ?? []);
   const keys = (batch.keys ?? []).filter((key) => table.columns.includes(key));
@@ -29,7 +29,7 @@ export async function batchSections(data) {
   };
   const sections = [
     section("plots", "A number against a key", plotAgainst(table, keys, column, state, (batch.statistics ?? []).map((one) => one.name))),
-    section("multiples", "Curves of all cases", smallMultiples(cases, curves, data.units, keys, state)),
+    section("multiples", "Curves of all cases", smallMultiples(cases, curves, byName(data.units), keys, state)),
   ];
   const cases_ = section("table", "Cases", h("p", { class: "note" }, "The filter holds for the plots below as well."), sortedTable(table, { caption: "Cases", changed, mark }));
   return [cases_, ...sections, section("origin", "Where the batch comes from",

@@ -1,7 +1,7 @@
 // The charts of runs: probes, laws, energies, contacts, and what the steps cost.
 import { chart } from "./chart.js";
 import { h, labelled, plainTable, section, select } from "./dom.js";
-import { axisTitle, duration, format, quantityOf, words } from "./format.js";
+import { axisTitle, byName, duration, format, quantityOf, words } from "./format.js";
 import { colour, onThemeChange } from "./theme.js";
 
 const time = { name: "time", unit: "s" };
@@ -20,7 +20,7 @@ const linesOf = (runs, table, x, y) => runs.flatMap((run, i) => {
 export function probeSection(runs) {
   const columns = columnsOf(runs, "probes", (name) => name !== "time");
   if (columns.length === 0) return section("probes", "Probes", h("p", { class: "note" }, "The run has no probes."));
-  const units = Object.assign({}, ...runs.map(unitsOf));
+  const units = byName(...runs.map(unitsOf));
   const charts = runs.length === 1 ? probesByUnit(runs[0], columns, units)
     : columns.map((name) => chart({ title: words(name), x: time, y: { name: words(name), unit: units[name] }, group: "time", series: linesOf(runs, "probes", "time", name) }));
   return section("probes", "Probes", h("p", { class: "note", id: "chart-keys" },
@@ -47,7 +47,7 @@ function probesByUnit(run, columns, units) {
 // Any probe against any other.
 function against(runs, columns, units) {
   const all = ["time", ...columns];
-  const of = { ...units, time: "s" };
+  const of = byName(units, { time: "s" });
   const gap = columns.find((name) => /gap|separation|displacement/.test(name));
   let [x, y] = gap ? [gap, columns.find((name) => units[name] === "N") ?? columns.find((name) => name !== gap)] : [columns[0], columns[1]];
   const place = h("div", { class: "charts wide" });

@@ -33,6 +33,9 @@ export function scaled(largest, unit) {
   return { factor, unit: `10${superscript(exponent)}${plain.unit ? ` ${plain.unit}` : ""}` };
 }
 
+// A table by names that somebody chose, one of which may be `__proto__`: without what every object has.
+export const byName = (...tables) => Object.assign(Object.create(null), ...tables);
+
 export const pretty = (unit) => unit.replace(/\^(-?\d)/g, (_, n) => superscript(n));
 export const axisTitle = (name, unit) => (unit ? `${name} [${unit}]` : name);
 export const words = (name) => name.replaceAll("_", " ");
