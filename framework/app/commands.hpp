@@ -24,6 +24,7 @@ struct RunOptions : RunSettings {
   SceneOptions scene;
   std::string command_line;  // as a shell would take it
   int threads = 0;           // 0: all cores
+  double memory = 0;         // GB that it may have; 0: any
   bool quiet = false, verbose = false;
 };
 // Simulates an experiment. Throws InputError before anything is written.

@@ -4,10 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 
 #include "framework/app/commands.hpp"
+#include "framework/config/nearest.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
@@ -34,6 +36,25 @@ void settle(SceneOptions& options) {
   options.file = *file;
   values.erase(file);
 }
+
+// A number of something. CLI11's own says the whole range of doubles, digit by digit.
+const CLI::Validator whole_number_above_zero(
+    [](std::string& text) {
+      int number = 0;
+      const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0;
+      return good ? std::string() : fmt::format("expects a whole number above zero, got '{}'", text);
+    },
+    "POSITIVE");
+
+const CLI::Validator number_above_zero(
+    [](std::string& text) {
+      double number = 0;
+      const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0 && number < 1e6;
+      return good ? std::string() : fmt::format("expects a number above zero, got '{}'", text);
+    },
+    "POSITIVE");
 
 std::string version_text() {
   const Build build = this_build();
@@ -64,16 +85,45 @@ class CommandLine {
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
+      if (const std::string what = misspelt({argv + 1, argv + argc}); error.get_exit_code() != 0 && !what.empty()) throw InputError(what);
       return app_.exit(error) == 0 ? exit_done : exit_bad_input;
     }
     return exit_code_;
   }
 
  private:
+  // Which word of a command line that does not fit is no command or no option, and what may have been meant; "" if none.
+  std::string misspelt(const std::vector<std::string>& words) const {
+    const CLI::App* command = nullptr;
+    for (const std::string& word : words) {
+      if (!command && !word.starts_with('-')) {
+        std::vector<std::string> names;
+        for (const CLI::App* one : app_.get_subcommands({})) {
+          names.push_back(one->get_name());
+          if (one->get_name() == word) command = one;
+        }
+        if (!command) return fmt::format("unknown command '{}'{}", word, suggestion(word, names, "commands"));
+      }
+      if (word.size() < 2 || !word.starts_with('-') || std::isdigit(static_cast<unsigned char>(word[1]))) continue;
+      std::vector<std::string> names;
+      for (const CLI::Option* option : (command ? *command : app_).get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+      }
+      const std::string name = word.substr(0, word.find('='));
+      const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& n) {
+        return n == name || (n.size() == 2 && !name.starts_with("--") && name.starts_with(n));  // -oDIR
+      });
+      if (!known) return fmt::format("unknown option '{}' of `tack{}`{}", name, command ? " " + command->get_name() : "", suggestion(name, names, "options"));
+    }
+    return "";
+  }
+
   void add_run() {
     CLI::App* run = app_.add_subcommand("run", "Simulate an experiment");
     add_run_options(*run, run_);
     run->add_flag("--resume", run_.resume, "go on from the newest checkpoint of the results folder");
+    run->add_option("--memory", run_.memory, "GB that it may have (default: any); a run that needs more fails")->check(number_above_zero);
     run->add_option("--dump-problem", run_.dump_problems,
                     "store a step to minimise it again: step=K, or hardest=N for those with most iterations (repeatable)")
         ->take_all()->allow_extra_args(false);
@@ -108,7 +158,7 @@ class CommandLine {
     CLI::App* batch = app_.add_subcommand("batch", "Run many experiments side by side, and make one table of them");
     add_scene_options(*batch, batch_.file);
     add_output(*batch, batch_.output, batch_.threads);
-    batch->add_option("--jobs", batch_.jobs, "cases side by side (default: as many as cores allow)")->check(CLI::PositiveNumber);
+    batch->add_option("--jobs", batch_.jobs, "cases side by side (default: as many as cores allow)")->check(whole_number_above_zero);
     batch->add_flag("--dry-run", batch_.dry_run, "check all cases, show them and how long they will take");
     batch->add_flag("--failed", batch_.failed, "run those again that failed");
     CLI::Option* slurm = batch->add_flag("--slurm", batch_.slurm, "run the cases as a job array of Slurm");
@@ -142,7 +192,7 @@ class CommandLine {
     CLI::App* report = app_.add_subcommand("report", "Make one HTML file of a run, several runs, a comparison or a batch: charts, tables, 3D view");
     report->add_option("folder", report_.folders, "results folders: of runs, or of one comparison or batch")->required();
     report->add_option("-o,--output", report_.output, "the file to write (default: report.html in the folder; of several, here)");
-    report->add_option("--frames", report_.frames, "frames to keep (default: 200, fewer of large meshes)")->check(CLI::PositiveNumber);
+    report->add_option("--frames", report_.frames, "frames to keep (default: 200, fewer of large meshes)")->check(whole_number_above_zero);
     report->add_option("--case", report_.cases, "of a batch: a case whose run is shown as well (repeatable)")
         ->take_all()->allow_extra_args(false);
     report->callback([this] { exit_code_ = report_command(report_); });
@@ -185,14 +235,14 @@ class CommandLine {
   static void add_run_options(CLI::App& command, RunOptions& options) {
     add_scene_options(command, options.scene);
     add_output(command, options.output, options.threads);
-    command.add_option("--steps", options.steps, "stop after this many steps")->check(CLI::PositiveNumber);
+    command.add_option("--steps", options.steps, "stop after this many steps")->check(whole_number_above_zero);
     command.add_flag("-q,--quiet", options.quiet, "print errors only");
     command.add_flag("-v,--verbose", options.verbose, "print a line for every step");
   }
 
   static void add_output(CLI::App& command, std::string& output, int& threads) {
     command.add_option("-o,--output", output, "results folder (default: results/NAME)");
-    command.add_option("--threads", threads, "threads (default: all cores)")->check(CLI::PositiveNumber);
+    command.add_option("--threads", threads, "threads (default: all cores)")->check(whole_number_above_zero);
   }
 
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
@@ -234,7 +284,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_simulation_failed;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: not enough memory for this scene; use fewer cells\n");
+    fmt::print(stderr, "error: not enough memory for this scene; use fewer cells, or let it have more\n");
     return tack::exit_simulation_failed;
   } catch (const std::exception& error) {
     fmt::print(stderr, "internal error: {}\n", error.what());

@@ -5,6 +5,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/interrupt_signals.hpp"
+#include "framework/app/memory_limit.hpp"
 #include "framework/app/thread_limit.hpp"
 
 namespace tack {
@@ -40,6 +41,7 @@ int exit_code(RunStatus status) {
 int run_command(const RunOptions& options) {
   let_signals_interrupt();
   const ThreadLimit threads(options.threads);
+  if (options.memory > 0) limit_memory(options.memory * 1e9, threads.count());
   RecordedRun run(load_experiment(options.scene.file, overrides_of(options)), options,
                   provenance_of(options.command_line, threads.count()), std::cout, progress_options(options));
   return exit_code(run.execute().status);

@@ -6,24 +6,25 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/experiment/file_kind.hpp"
 #include "framework/plugin/plugins.hpp"
 
 namespace tack {
 
 void SolverEntry::fields(Fields& f) {
-  f.text("name", name, "what tables and plots call it").required();
+  f.text("name", name, "what tables and plots call it").required().line();
   f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it").required();
 }
 
 void BaseEntry::fields(Fields& f) {
-  f.text("name", name, "what tables call it; the experiment's own name unless given");
+  f.text("name", name, "what tables call it; the experiment's own name unless given").line();
   f.path("file", file, "the experiment").required();
   f.texts("set", set, "overrides, as `time.step=1 ms`");
   f.integer("steps", steps, "in its own time step; 0: to its end").at_least(0);
 }
 
 void CompareConfig::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required();
+  f.text("name", name, "what the results folder is called").required().line();
   f.text("about", about, "what the comparison is to show");
   f.paths("plugins", plugins, plugins_doc);
   f.path("base", base, "an experiment, solved from its start");
@@ -59,6 +60,7 @@ void CompareConfig::fields(Fields& f) {
 CompareConfig load_comparison(const std::string& path, const std::vector<std::string>& overrides) {
   Value root = parse_file(path);
   for (const std::string& assignment : overrides) apply_override(root, assignment);
+  refuse_other_kind(root, FileKind::comparison);
   load_plugins(root);
   CompareConfig config;
   bind(root, config, "the comparison");

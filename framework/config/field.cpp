@@ -29,6 +29,11 @@ Field& Field::nonempty() {
   return *this;
 }
 
+Field& Field::line() {
+  one_line = true;
+  return *this;
+}
+
 Field& Field::positive() { return above(0); }
 
 Field& Field::nonnegative() { return at_least(0); }

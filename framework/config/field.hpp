@@ -41,6 +41,7 @@ struct Field {
   Bounds bounds;
   bool mandatory = false;
   bool filled = false;  // a list that may not be empty
+  bool one_line = false;  // texts without line breaks and other control characters
 
   // Takes the value over into the member, or reports to the reader why it cannot.
   std::function<void(const Value&, const Field&, Reader&)> read;
@@ -50,6 +51,7 @@ struct Field {
   // Modifiers, chained behind the declaration. Bounds hold for every number of a list, in SI.
   Field& required();
   Field& nonempty();
+  Field& line();  // a name, say, that tables and messages have within a line
   Field& positive();
   Field& nonnegative();
   Field& range(double low, double high);  // both included

@@ -24,6 +24,11 @@ void Reader::unknown_keys(const Value& map, const Fields& fields, std::string_vi
   std::sort(keys.begin(), keys.end());
   for (const Value::Entry& e : map.entries) {
     if (std::binary_search(keys.begin(), keys.end(), e.key)) continue;
+    if ((e.key == "true" || e.key == "True") && std::binary_search(keys.begin(), keys.end(), "on")) {
+      error(e.mark, fmt::format("unknown key '{}' in {}; did you mean 'on'? Libraries for YAML 1.1, such as PyYAML, take a bare `on` for true: "
+                                "write it in quotes where they read it", e.key, context));
+      continue;
+    }
     error(e.mark,
           fmt::format("unknown key '{}' in {}{}", e.key, context, suggestion(e.key, keys, "keys")));
   }

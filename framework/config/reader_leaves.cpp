@@ -1,7 +1,9 @@
 // Numbers, texts, choices and lists: from their text to the member's type.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <limits>
 
 #include "framework/config/field.hpp"
 #include "framework/config/nearest.hpp"
@@ -55,6 +57,11 @@ bool Reader::integer(const Value& value, const Field& field, int& out) {
   const char* end = begin + value.text.size();
   if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') ++begin;
   const auto [stop, status] = std::from_chars(begin, end, number);
+  if (value.is_scalar() && status == std::errc::result_out_of_range && stop == end) {
+    error(value.mark, fmt::format("{}: {} is too {}; whole numbers go from {} to {}", field.key, value.text, *begin == '-' ? "small" : "large",
+                                  std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+    return false;
+  }
   if (!value.is_scalar() || status != std::errc() || stop != end) {
     error(value.mark,
           fmt::format("{}: expects a whole number, got {}", field.key, value.description()));
@@ -80,6 +87,11 @@ bool Reader::flag(const Value& value, const Field& field, bool& out) {
 bool Reader::text(const Value& value, const Field& field, std::string& out) {
   if (!value.is_scalar()) {
     error(value.mark, fmt::format("{}: expects a text, got {}", field.key, value.description()));
+    return false;
+  }
+  if (field.one_line && std::any_of(value.text.begin(), value.text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; })) {
+    error(value.mark, fmt::format("{}: expects a text in one line, and this one has a line break, a tab or another control character; "
+                                  "take it out", field.key));
     return false;
   }
   out = value.text;

@@ -5,7 +5,7 @@
 namespace tack {
 
 void Experiment::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required();
+  f.text("name", name, "what the results folder is called").required().line();
   f.text("about", about, "what the experiment must show");
   f.paths("plugins", plugins, plugins_doc);
   f.object("time", time, "time stepping");

@@ -2,11 +2,13 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
+#include "framework/experiment/file_kind.hpp"
 #include "framework/plugin/plugins.hpp"
 
 namespace tack {
 
 LoadedExperiment bound_experiment(Value root) {
+  refuse_other_kind(root, FileKind::scene);
   load_plugins(root);
   LoadedExperiment loaded{std::move(root), {}, {}};
   bind(loaded.root, loaded.experiment, "the scene");

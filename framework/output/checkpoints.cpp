@@ -62,11 +62,16 @@ fs::path checkpoint_path(const RunFolder& folder, int step) {
   return folder.checkpoints() / fmt::format("step_{:08}.checkpoint", step);
 }
 
-fs::path newest_checkpoint_in(const fs::path& checkpoints) {
+fs::path interrupted_path(const RunFolder& folder, int step) {
+  return folder.checkpoints() / fmt::format("step_{:08}.interrupted.checkpoint", step);
+}
+
+fs::path newest_checkpoint_in(const fs::path& checkpoints, bool due) {
   fs::path newest;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(checkpoints, none))
-    if (entry.path().extension() == ".checkpoint") newest = std::max(newest, entry.path());
+    if (entry.path().extension() == ".checkpoint" && !(due && entry.path().stem().extension() == ".interrupted"))
+      newest = std::max(newest, entry.path());
   return newest;
 }
 

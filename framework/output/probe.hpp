@@ -16,7 +16,7 @@ class Probe : public Component {
   static constexpr const char* kind_name = "probe";
   static constexpr const char* kind_doc = "A quantity recorded every step.";
 
-  void fields(Fields& f) override { f.text("name", name_, "its column in probes.csv").required(); }
+  void fields(Fields& f) override { f.text("name", name_, "its column in probes.csv").required().line(); }
   const std::string& name() const { return name_; }
 
   // Checks the probe against the world and finds its vertices; throws InputError.
@@ -24,6 +24,8 @@ class Probe : public Component {
   virtual std::vector<std::string> columns() const { return {name_}; }
   // Of every column: what numbers that are compared with it may be written in. It follows from the keys alone.
   virtual Unit unit() const = 0;
+  // Whether infinity is one of its values: a gap, of objects out of reach.
+  virtual bool unbounded() const { return false; }
   // One value per column, at an accepted state.
   virtual std::vector<double> sample(const World& world, const State& state) = 0;
 

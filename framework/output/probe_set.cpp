@@ -1,5 +1,11 @@
 #include "framework/output/probe_set.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "framework/config/bind.hpp"
 #include "framework/core/state.hpp"
 #include "framework/output/derived_probe.hpp"
@@ -16,10 +22,14 @@ ProbeSet::ProbeSet(const std::vector<std::unique_ptr<const Probe>>& specified, c
     } catch (const InputError& error) {
       throw InputError(place_of(root, "probes", i) + error.what());
     }
+    const bool derived = dynamic_cast<DerivedProbe*>(&probe);
+    const bool unbounded = probe.unbounded() || (derived && std::find(unbounded_.begin(), unbounded_.end(), 1) != unbounded_.end());
     const auto more = probe.columns();
     columns_.insert(columns_.end(), more.begin(), more.end());
     units_.resize(units_.size() + more.size(), probe.unit());
+    unbounded_.resize(units_.size(), unbounded);
   }
+  told_.resize(units_.size(), 0);
 }
 
 void ProbeSet::check(const std::vector<Expectation>& expectations, const Value& root) const {
@@ -45,7 +55,13 @@ std::vector<double> ProbeSet::sample(const World& world, const State& state) {
     values.insert(values.end(), more.begin(), more.end());
   }
   values.erase(values.begin());
+  for (size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i]) || (std::isinf(values[i]) && unbounded_[i]) || std::exchange(told_[i], 1)) continue;
+    lost_.push_back(fmt::format("{} is {}", columns_[i], values[i]));
+  }
   return values;
 }
+
+std::vector<std::string> ProbeSet::take_lost() { return std::exchange(lost_, {}); }
 
 }  // namespace tack

@@ -20,11 +20,16 @@ class ProbeSet {
   void check(const std::vector<Expectation>& expectations, const Value& root) const;
   // A value per column, at an accepted state.
   std::vector<double> sample(const World& world, const State& state);
+  // What the samples since the last call were the first to have no finite number of, "stress is nan"; infinities that are meant do not count.
+  std::vector<std::string> take_lost();
 
  private:
   std::vector<std::unique_ptr<Probe>> probes_;
   std::vector<std::string> columns_;
-  std::vector<Unit> units_;  // of the columns
+  std::vector<Unit> units_;      // of the columns
+  std::vector<char> unbounded_;  // likewise: infinity is one of their values
+  std::vector<char> told_;       // likewise: a sample was no finite number
+  std::vector<std::string> lost_;
 };
 
 }  // namespace tack

@@ -77,6 +77,7 @@ class Gap : public Probe {
     std::tie(a_, b_) = between_.prepare(world, name_);
   }
   Unit unit() const override { return units::length; }
+  bool unbounded() const override { return true; }
   std::vector<double> sample(const World& world, const State& state) override {
     const CollisionMesh& mesh = world.contact->surface().mesh;
     return {smallest_gap(world.contact->surface(), world.contact->pairs(), candidates_between(mesh, world.contact->candidates(), a_, b_), state.x)};

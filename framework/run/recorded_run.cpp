@@ -11,16 +11,10 @@
 #include "framework/output/next_due.hpp"
 #include "framework/scene/resolution.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
 
 namespace tack {
 namespace {
-
-void write_resolved(const RunFolder& folder, const Experiment& experiment) {
-  std::ofstream out(folder.scene());
-  out << to_yaml(fields_of(experiment));
-  out.close();
-  if (!out) throw InputError(fmt::format("cannot write {}", folder.scene().string()));
-}
 
 void warn_of_weak_wells(const World& world, Progress& progress) {
   for (const AdhesionSummary& a : world.adhesion)
@@ -45,7 +39,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
       probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
   if (checkpoint_) set_totals(summary_, checkpoint_->totals);
-  else write_resolved(folder_, experiment_), write_laws(folder_.laws(), world_);
+  else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world_);
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
   summary_.provenance = provenance;
@@ -73,6 +67,10 @@ const RunSummary& RecordedRun::execute() {
     summary_.status = RunStatus::simulation_failed;
     summary_.error = error.what();
     progress_.warning(fmt::format("error: {}", error.what()));
+  } catch (const std::bad_alloc&) {
+    summary_.status = RunStatus::simulation_failed;
+    summary_.error = fmt::format("not enough memory after {} steps; use fewer cells, or let the run have more", summary_.steps);
+    progress_.warning("error: " + summary_.error);
   }
   finish(recorder);
   return summary_;
@@ -104,6 +102,7 @@ void RecordedRun::simulate(Recorder& recorder) {
   } else {
     simulation_.start();
     recorder.start(simulation_.state());
+    tell_lost_probes();
   }
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
   progress_.begin(simulation_.state().time, experiment_.time.duration);
@@ -112,16 +111,25 @@ void RecordedRun::simulate(Recorder& recorder) {
     const StepReport report = simulation_.step();
     if (simulation_.interrupted()) {
       summary_.status = RunStatus::interrupted;
+      keep_interrupted();
       return;
     }
     if (profiler_) profiler_->step(simulation_.state(), report);
     dump_.after(report.solve.iterations);
     recorder.step(simulation_.state(), report);
+    tell_lost_probes();
     summary_.add(report);
     tell_linear_solver();
     progress_.step(report);
     write_checkpoint();
   }
+}
+
+// Each once.
+void RecordedRun::tell_lost_probes() {
+  for (const std::string& what : probes_.take_lost())
+    progress_.warning(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
+                                  simulation_.state().time));
 }
 
 // Once it has seen a system, and again when it has changed its mind.
@@ -180,12 +188,25 @@ void RecordedRun::write_checkpoint() {
   const State& state = simulation_.state();
   if (state.time < next_checkpoint_ - 1e-9 * experiment_.time.step) return;
   next_checkpoint_ = next_checkpoint_after(state.time);
+  store_checkpoint(checkpoint_path(folder_, state.step));
+  simulation_.start_from(state);
+}
+
+// Without an interval there would be none to go on from. With one, resuming repeats the steps since the last one, and has the bits of a run
+// that was not interrupted: its solver starts afresh where that one's did.
+void RecordedRun::keep_interrupted() {
+  if (experiment_.output.checkpoint_interval || summary_.steps == 0) return;
+  const int step = simulation_.state().step;
+  store_checkpoint(interrupted_path(folder_, step));
+  progress_.message(fmt::format("state of step {} is kept: --resume goes on from there", step));
+}
+
+void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   const PhaseScope scope(clock_, Phase::io);
-  StateFile file = state_file(StateFile::Kind::checkpoint, state);
+  StateFile file = state_file(StateFile::Kind::checkpoint, simulation_.state());
   add_up_phases();
   file.totals = totals_of(summary_);
-  write_state_file(checkpoint_path(folder_, state.step), file);
-  simulation_.start_from(state);
+  write_state_file(path, file);
 }
 
 void RecordedRun::add_up_phases() {

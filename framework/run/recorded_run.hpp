@@ -40,12 +40,15 @@ class RecordedRun {
   void tell_beginning();
   void simulate(Recorder& recorder);
   void tell_linear_solver();
+  void tell_lost_probes();
   void prepare_dump();
   void finish_dump();
   StateFile state_file(StateFile::Kind kind, const State& state) const;
   void store_problem(const State& state, double h, int iterations);
   double next_checkpoint_after(double time) const;
   void write_checkpoint();
+  void keep_interrupted();
+  void store_checkpoint(const std::filesystem::path& path);
   void add_up_phases();
   std::string profile_of_run();
   void finish(const Recorder& recorder);

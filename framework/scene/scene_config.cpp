@@ -3,7 +3,7 @@
 namespace tack {
 
 void NamedSelection::fields(Fields& f) {
-  f.text("name", name, "what selections of type tag call it").required();
+  f.text("name", name, "what selections of type tag call it").required().line();
   f.component("select", select, "its vertices").required();
 }
 
@@ -18,8 +18,8 @@ void ShellConfig::fields(Fields& f) {
 }
 
 void ObjectConfig::fields(Fields& f) {
-  f.text("name", name, "what pairs, probes and messages call it").required();
-  f.texts("groups", groups, "names under which pairs may mean it together with others");
+  f.text("name", name, "what pairs, probes and messages call it").required().line();
+  f.texts("groups", groups, "names under which pairs may mean it together with others").line();
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
   f.optional_object("fill", fill, "many copies of it in a region, at random");

@@ -17,7 +17,7 @@ void SpringConfig::End::fields(Fields& f) {
 }
 
 void SpringConfig::fields(Fields& f) {
-  f.text("name", name, "what probes and messages call them").required();
+  f.text("name", name, "what probes and messages call them").required().line();
   f.object("from", from, "vertices that have one spring each");
   f.object("to", to, "vertices of which each is tied to the one that is nearest at the start");
   f.number("stiffness", stiffness, units::stiffness, "of each spring").required().positive();

@@ -16,6 +16,22 @@
 #include "geometry/errors.hpp"
 
 namespace tack {
+namespace {
+
+// While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
+class Unlimited {
+ public:
+  Unlimited(PhaseClock& clock, const TimeConfig& time) : clock_(clock), time_(time) { clock_.deadline().limit_run(clock_.begun(), std::nullopt); }
+  ~Unlimited() { clock_.deadline().limit_run(clock_.begun(), time_.wall_limit); }
+  Unlimited(const Unlimited&) = delete;
+  Unlimited& operator=(const Unlimited&) = delete;
+
+ private:
+  PhaseClock& clock_;
+  const TimeConfig& time_;
+};
+
+}  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
                          PhaseClock& clock, std::function<void(const std::string&)> warn)
@@ -23,7 +39,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
       held_(world.script, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
-  clock_.deadline().limit_run(clock.begun(), time.wall_limit);
+  const Unlimited unlimited(clock_, time_);
   world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
   hold(state_.h_next);
@@ -202,6 +218,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
 
 // Commits the attempt; false if it was undone because energy has grown, and another integrator does it again.
 bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
+  const Unlimited unlimited(clock_, time_);
   const double end = (state_.whole_steps + 1) * time_.step;
   std::optional<State> undo;
   if (integrator_->fallback()) undo = state_;

@@ -41,6 +41,7 @@ Program::~Program() {
 void Program::interrupt() { ::kill(pid_, SIGINT); }
 
 void Program::terminate() { ::kill(pid_, SIGTERM); }
+void Program::hang_up() { ::kill(pid_, SIGHUP); }
 
 bool Program::has_child() const {
   for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(pid_) + "/task"))

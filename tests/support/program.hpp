@@ -28,6 +28,7 @@ class Program {
 
   void interrupt();      // as Ctrl-C does
   void terminate();      // as `kill` does
+  void hang_up();        // as the end of its terminal does
   bool has_child() const;  // whether it has forked a process that runs
   void kill();           // as `kill -9` does
   ProgramResult wait();  // kills it after two minutes, with sanitizers after forty

@@ -111,6 +111,12 @@ const std::vector<Mistake> mistakes = {
      "loads:\n      - {type: traction, value: [0, 1, 0], select: {type: indices, vertices: [0]}}\n"
      "    energies: [{type: neo_hookean",
      {"scene.yaml:13:9: object 'block': its traction's selection holds no whole surface triangle; widen it"}},
+    {"line break in a name", "name: height", "name: \"hei\\nght\"",
+     {"scene.yaml:19:12: name: expects a text in one line, and this one has a line break"}},
+    {"whole number too large", cube, "shape: {type: box, size: [0.2, 0.2, 0.2], cells: [99999999999, 1, 1]}",
+     {"scene.yaml:10:55: cells: 99999999999 is too large; whole numbers go from"}},
+    {"`on` as libraries for YAML 1.1 read it", "on: block, from: floor", "true: block, from: floor",
+     {"scene.yaml:20:45: unknown key 'true' in probe 'contact_force'; did you mean 'on'?", "write it in quotes"}},
     {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
 };
 
@@ -161,6 +167,37 @@ CELL_TYPES 2
   CHECK(contains(result.err, "scene.yaml:9:5: object 'block': vertex 4 has no mass; give every part an energy"));
 }
 
+TEST_CASE("what touches at the start is refused with the place") {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path();
+  const auto error_of = [&](const std::string& mesh, const std::string& of_object, const std::string& rest = "") {
+    write_file(path / "part.obj", mesh);
+    write_file(path / "scene.yaml", "name: touching\ntime: {step: 0.01 s, duration: 0.05 s}\nobjects:\n  - {name: part, shape: {type: file, path: part.obj}, " +
+                                        of_object + "}\n" + rest + "contact: {distance: 1 mm}\n");
+    const ProgramResult result = run_tack(path, {"run", "scene.yaml"});
+    INFO(result.out << result.err);
+    CHECK(result.exit_code == 2);
+    CHECK_FALSE(fs::exists(path / "results" / "touching"));
+    return result.err;
+  };
+  const std::string rod = "rod: {radius: 5 mm}, contact_offset: 5 mm, energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]";
+  const std::string sheet = "shell: {thickness: 1 mm}, energies: [{type: stvk_membrane, young: 1 MPa, density: 1000}, {type: hinge_bending, young: 1 MPa}]";
+  const std::string back = error_of("v 0 0 0\nv 1 0 0\nv 0.5 0 0\nl 1 2\nl 2 3\n", rod);
+  CHECK(contains(back, "scene.yaml:4:5: the start touches itself; take one of the parts out of the mesh"));
+  CHECK(contains(back, "vertex 2 of 'part' and edge (0, 1) of 'part' touch at (0.5, 0, 0) m"));
+  const std::string further = error_of("v 0 0 0\nv .3 0 0\nv .6 0 0\nv 1 0 0\nv .8 0 0\nv .5 0 0\nv .1 0 0\nl 1 2 3 4 5 6 7\n", rod);
+  CHECK(contains(further, "edge (0, 1) of 'part' and edge (5, 6) of 'part' touch at (0.3, 0, 0) m"));
+  CHECK(contains(error_of("v 0 0 0\nv .1 0 0\nv 0 0 .1\nv .02 0 .09\nf 1 2 3\nf 2 1 4\n", sheet),
+                 "edge (0, 3) of 'part' and edge (1, 2) of 'part' touch at (0.0181818, 0, 0.0818182) m"));
+  CHECK(contains(error_of("v 0 0 0\nv 1 0 0\nl 1 2\nl 2 1\n", rod),
+                 "object 'part': edge 0 (vertices 0 1) and edge 1 (vertices 1 0) are the same: remove one of them"));
+  // Two rods that cross in one point, without an offset that would tell.
+  const std::string bare = "rod: {radius: 5 mm}, energies: [{type: elastic_rod, young: 1 MPa, density: 1000}]";
+  const std::string crossed = error_of("v -1 0 0\nv 1 0 0\nl 1 2\n", bare,
+                                       "  - {name: other, shape: {type: segment, length: 2}, place: {axis: [0, 1, 0], angle: 90 deg}, " + bare + "}\n");
+  CHECK(contains(crossed, "the start touches; move the objects apart (place.translate), have them pushed apart if they overlap a little (contact.push_out: 1 mm)"));
+}
+
 TEST_CASE("a wrong command line ends with 2 and says what is expected") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene);
@@ -172,11 +209,22 @@ TEST_CASE("a wrong command line ends with 2 and says what is expected") {
   CHECK(contains(error_of({"run"}), "file is required"));
   CHECK(contains(error_of({"run", "nowhere.yaml"}), "nowhere.yaml"));
   CHECK(contains(error_of({"run", "scene.yaml", "--stepz", "2"}), "--stepz"));
-  CHECK(contains(error_of({"run", "scene.yaml", "--steps", "0"}), "--steps"));
+  CHECK(contains(error_of({"run", "scene.yaml", "--steps", "0"}), "--steps: expects a whole number above zero, got '0'"));
+  CHECK(error_of({"run", "scene.yaml", "--steps", "0"}).size() < 200);
+  CHECK(contains(error_of({"run", "scene.yaml", "--threads", "99999999999"}), "got '99999999999'"));
+  CHECK(contains(error_of({"rn", "scene.yaml"}), "error: unknown command 'rn'; did you mean 'run'? (commands: run, "));
+  CHECK(contains(error_of({"run", "scene.yaml", "--thread", "2"}), "unknown option '--thread' of `tack run`; did you mean '--threads'?"));
+  CHECK(contains(error_of({"--vresion"}), "unknown option '--vresion' of `tack`; did you mean '--version'?"));
   CHECK(contains(error_of({"run", "scene.yaml", "--set", "time.stepp=1"}),
                  "--set time.stepp=1: unknown key 'stepp'"));
   CHECK(contains(error_of({"list", "adhesoin"}), "did you mean 'adhesion'?"));
   CHECK(contains(error_of({"mesh", "info", "nowhere.msh"}), "nowhere.msh"));
+  write_file(folder.path() / "batch.yaml", "name: b\nbase: scene.yaml\nvary: [{type: repeat, count: 2}]\n");
+  write_file(folder.path() / "compare.yaml", "name: c\nbase: scene.yaml\nsolvers: []\n");
+  CHECK(contains(error_of({"run", "batch.yaml"}), "batch.yaml:1:1: is a batch, not a scene; call `tack batch batch.yaml`"));
+  CHECK(contains(error_of({"check", "compare.yaml"}), "compare.yaml:1:1: is a comparison, not a scene; call `tack compare compare.yaml`"));
+  CHECK(contains(error_of({"batch", "scene.yaml"}), "scene.yaml:1:1: is a scene, not a batch; call `tack run scene.yaml`"));
+  CHECK(contains(error_of({"compare", "batch.yaml"}), "is a batch, not a comparison; call `tack batch batch.yaml`"));
   CHECK_FALSE(fs::exists(folder.path() / "results"));
 }
 

@@ -203,6 +203,79 @@ TEST_CASE("time.wall_limit ends a run with 3 and what was done so far is complet
   CHECK(place.table("results/tiny/probes.csv").rows.size() == done + 1);
 }
 
+TEST_CASE("wall time that is over before the first step is told as such") {
+  const Place place;
+  for (const char* limit : {"1 us", "1 ms", "5 ms"}) {
+    const ProgramResult result = place.run({"--set", "time.duration=100000", std::string("time.wall_limit=") + limit});
+    INFO(result.out << result.err);
+    REQUIRE(result.exit_code == 3);
+    CHECK(contains(result.out, "the run's wall time is used up"));
+    CHECK(result.err == "");
+  }
+}
+
+TEST_CASE("a run ends in an orderly way when its terminal goes") {
+  const Place place;
+  Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
+  const fs::path steps = place.path("results/tiny/steps.csv");
+  for (int i = 0; i < 20000 && file_text(steps).find("\n3,") == std::string::npos; ++i) ::usleep(1000);
+  program.hang_up();
+  CHECK(program.wait().exit_code == 130);
+  CHECK(place.summary()["status"] == "interrupted");
+}
+
+TEST_CASE("a run that was interrupted goes on from there, with an interval of checkpoints or without") {
+  const Place place;
+  Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
+  const fs::path steps = place.path("results/tiny/steps.csv");
+  for (int i = 0; i < 20000 && file_text(steps).find("\n3,") == std::string::npos; ++i) ::usleep(1000);
+  program.interrupt();
+  const ProgramResult result = program.wait();
+  REQUIRE(result.exit_code == 130);
+  const int done = place.summary()["steps"];
+  const std::string step = std::to_string(done);
+  CHECK(contains(result.out, "state of step " + step + " is kept: --resume goes on from there"));
+  const std::string before = file_text(steps);
+  const ProgramResult more = place.run({"--set", "time.duration=1000", "--resume", "--steps", std::to_string(done + 2)});
+  INFO(more.out << more.err);
+  REQUIRE(more.exit_code == 0);
+  CHECK(contains(more.out, "resumed at step " + step));
+  CHECK(file_text(steps).starts_with(before));
+  CHECK(place.table("results/tiny/steps.csv").rows.size() == static_cast<size_t>(done) + 2);
+  CHECK(place.table("results/tiny/probes.csv").rows.size() == static_cast<size_t>(done) + 3);
+}
+
+TEST_CASE("a probe without a finite number is told, once, and one that is infinite by its nature is not") {
+  const Place place(tiny_scene_with("probes:\n", "probes:\n  - {name: wrong, type: formula, of: 1 / (0 * t)}\n"
+                                                "  - {name: far, type: gap, between: [block, floor]}\n"
+                                                "  - {name: unknown, type: formula, of: 0 / 0}\n"));
+  const ProgramResult result = place.run({"--set", "objects.block.place.translate=[0, 0.5, 0]", "expect=[]"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const auto count = [&](const std::string& part) {
+    size_t found = 0;
+    for (size_t at = result.out.find(part); at != result.out.npos; at = result.out.find(part, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("warning: probe unknown is nan at t = 0 s") + count("warning: probe unknown is -nan at t = 0 s") == 1);
+  CHECK(count("warning: probe wrong is inf at t = 0 s, and no number that charts") == 1);
+  CHECK(count("warning: probe") == 2);
+}
+
+TEST_CASE("a run that may have little memory says so at once, and ends where it is not enough") {
+#ifndef __SANITIZE_ADDRESS__
+  const Place place;
+  const ProgramResult little = place.run({"--memory", "0.001"});
+  CHECK(little.exit_code == 2);
+  CHECK(contains(little.err, "memory: 0.001 GB is less than the program takes before it has read a scene; give at least"));
+  for (int i = 0; i < 10; ++i) CHECK(place.run({"--memory", "0.06", "--threads", "2", "--steps", "2", "-q"}).exit_code == 0);
+  const ProgramResult large = place.run({"--memory", "0.15", "--set", "objects.block.shape.cells=[40, 40, 40]"});
+  INFO(large.out << large.err);
+  CHECK(large.exit_code == 3);
+  CHECK(contains(large.out + large.err, "not enough memory"));
+#endif
+}
+
 TEST_CASE("option --steps stops early without judging the expectations") {
   const Place place(tiny_scene_with("at_least: 0.09", "at_least: 0.11"));
   CHECK(place.run({"--steps", "2"}).exit_code == 0);

@@ -46,7 +46,10 @@ TEST_CASE("values of another kind are refused") {
   CHECK(bind_error("density:\n") == "s.yaml:1:1: density: expects a density (kg/m^3), got nothing");
   CHECK(bind_error("count: 1.5\n") == "s.yaml:1:8: count: expects a whole number, got '1.5'");
   CHECK(bind_error("count: 99999999999\n") ==
-        "s.yaml:1:8: count: expects a whole number, got '99999999999'");
+        "s.yaml:1:8: count: 99999999999 is too large; whole numbers go from -2147483648 to 2147483647");
+  CHECK(bind_error("count: -99999999999\n") ==
+        "s.yaml:1:8: count: -99999999999 is too small; whole numbers go from -2147483648 to 2147483647");
+  CHECK(bind_error("count: 99999999999x\n") == "s.yaml:1:8: count: expects a whole number, got '99999999999x'");
   CHECK(bind_error("verbose: yes\n") == "s.yaml:1:10: verbose: expects true or false, got 'yes'");
   CHECK(bind_error("title: [a]\n") == "s.yaml:1:8: title: expects a text, got a list of 1");
   CHECK(bind_error("mesh: {a: b}\n") == "s.yaml:1:7: mesh: expects a text, got a map");
