@@ -41,7 +41,7 @@ class HingeBending : public Energy {
 
 TACK_REGISTER(Energy, HingeBending, "hinge_bending",
               "Bending of a sheet at the edges between its triangles, that of a plate. It has no mass: a membrane has.",
-              "Grinspun et al. 2003, Discrete Shells; Onate and Zarate 2000 for the curvature of triangles");
+              "Grinspun et al. 2003, Discrete Shells; Comodi 1989 for the moments of hinges");
 
 }  // namespace
 }  // namespace tack

@@ -1,254 +1,313 @@
 #include "energies/shell/hinge_fit.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "framework/assembly/symmetric_eigen.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
-constexpr int most_sweeps = 40;
-constexpr double met = 1e-4;    // of the moments, what conditions may be off in the mean
-constexpr double least = 0.05;  // of D: what no C falls below, in angles over the width of a hinge
+constexpr int most_sweeps = 200, first_sweeps = 50;
+constexpr int few_hinges = 6;     // of a fan, to begin with
+constexpr double met = 1e-3;      // of the moments, what conditions may be off in the mean
+constexpr double enough = 2e-3;   // the same after all sweeps, so that small fans will do,
+constexpr double hopeful = 0.01;  // and after the first, so that it is worth while to go on with them
+constexpr double least = 0.01;    // of D: what no C falls below, in angles over the width of a hinge. Less, by the square, where
+constexpr double regular = 6;     // triangles are so long that curvatures turn hinges by more than this, squared, of that width
+constexpr double lift = 3;        // times that least: what is lifted is lifted to
+constexpr double beside = 0.05;   // of D, to begin with: against angles of no curvature
+constexpr double damping = 1e-6;  // of a change, so that conditions that hardly depend on C, at corners, do not drive it off
 
-constexpr double damping = 0.01;  // of a change, so that conditions that hardly depend on C, at corners, do not drive it off
+using Rows = Eigen::Matrix<double, most_hinges, 3>;
+using Row = Eigen::Matrix<double, most_hinges, 1>;
 
-using Mat36 = Eigen::Matrix<double, 3, 6>;
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-
-struct HalfEdge {
-  Edge key;
-  int triangle, edge;
-};
-
-// Curvatures are (K_xx, K_xy, K_yy), in a frame of the triangle or of an edge (along the normal n and the edge t).
-Vec3 of_normal(const Vec2& n) { return {n.x() * n.x(), n.x() * n.y(), n.y() * n.y()}; }
-
-// The slope of w = K(x, x)/2 from the edge a b to the apex of a triangle that interpolates it, in the frame of the edge:
-// its origin in a, t along the edge, n towards the apex.
-Vec3 slope(const Vec3& a, const Vec3& b, const Vec3& apex) {
-  const Vec3 along = b - a;
-  const double length = along.norm(), foot = along.dot(apex - a) / length, height = along.cross(apex - a).norm() / length;
-  return {height / 2, foot, foot * (foot - length) / (2 * height)};
+// Curvatures are (K_nn, K_nt, K_tt), t along an edge and n to its left, or (K_xx, K_xy, K_yy). This leads from the latter to the
+// former.
+Mat3 to_edge(const Vec2& t) {
+  Mat3 m;
+  m << t.y() * t.y(), -2 * t.x() * t.y(), t.x() * t.x(),                       //
+      -t.x() * t.y(), t.x() * t.x() - t.y() * t.y(), t.x() * t.y(),            //
+      t.x() * t.x(), 2 * t.x() * t.y(), t.y() * t.y();
+  return m;
 }
 
-struct Flat {
-  double area;
-  std::array<Vec2, 3> normal;   // of the edges, away from the triangle, in its frame
-  std::array<double, 3> width;  // of the hinges: (A + A_i) / l_i; that of the triangle alone at borders
-  std::array<Vec3, 3> turn;     // c_i / width: how far K, in the frame of the triangle, turns the hinges
+// Where an apex lies: along the edge from its first vertex, and beside it.
+struct Apex {
+  double foot, height;
+
+  Apex(const Vec3& a, const Vec3& b, const Vec3& apex) {
+    const Vec3 along = b - a;
+    const double length = along.norm();
+    foot = along.dot(apex - a) / length;
+    height = along.cross(apex - a).norm() / length;
+  }
+  // The slope of w = K(x, x)/2 from the edge to the apex of a triangle that interpolates it, n towards the apex.
+  Vec3 slope(double length) const { return {height / 2, foot, foot * (foot - length) / (2 * height)}; }
+};
+
+// Angles and moments of a fan over the root of the length of their hinge over its width: then C is of the size of D.
+struct Shares {
+  Rows turn = Rows::Zero();                // of a curvature of the fan
+  std::array<double, most_hinges> root{};  // of length over width
+  std::array<Mat3, most_hinges> edge;      // to_edge of each hinge
+  double least = 0;                        // what C does not fall below
+};
+
+struct End {
+  int fan, hinge;
+};
+
+// The conditions of a hinge, as both ends see them, in the frame of the first.
+struct Conditions {
+  std::array<End, 2> ends;
+  std::array<Rows, 2> turn;
+  Vec3 moment;
+  Mat3 inverse;
 };
 
 class Fit {
  public:
-  Fit(const std::vector<SheetTriangle>& sheet, const VecX& rest, double poisson) : sheet_(sheet), rest_(rest) {
+  Fit(const std::vector<SheetTriangle>& sheet, const std::vector<HingeFan>& fans, const VecX& rest, double poisson)
+      : sheet_(sheet), fans_(fans), rest_(rest) {
     material_ << 1, 0, poisson, 0, 2 * (1 - poisson), 0, poisson, 0, 1;
-    measure();
-    begin();
+    for (const HingeFan& fan : fans_) begin(fan);
+    find_hinges();
   }
 
-  // In units of D.
-  std::vector<Mat3> solve() {
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-      for (size_t t = 0; t < sheet_.size(); ++t) make_definite(t);
+  // At most so many sweeps. Afterwards each C is definite, and conditions are off() in the mean.
+  void solve(int sweeps) {
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
       double sum = 0;
-      int hinges = 0;
-      for (size_t t = 0; t < sheet_.size(); ++t)
-        for (int i = 0; i < 3; ++i)
-          if (sheet_[t].neighbour[i] > static_cast<int>(t)) sum += meet(static_cast<int>(t), i), ++hinges;
-      if (sum <= met * met * hinges) break;
+      for (const Conditions& c : hinges_) sum += meet(c);
+      int lifted = 0;
+      for (size_t f = 0; f < fans_.size(); ++f) lifted += make_definite(f);
+      if (lifted == 0 && sum <= met * met * static_cast<double>(hinges_.size())) break;
     }
-    std::vector<Mat3> out(sheet_.size());
-    for (size_t t = 0; t < sheet_.size(); ++t) {
-      make_definite(t);
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) out[t](i, k) = flat_[t].area * c_[t](i, k) / (flat_[t].width[i] * flat_[t].width[k]);
-    }
+  }
+
+  double off() const {
+    double sum = 0;
+    for (const Conditions& c : hinges_) sum += off(c).squaredNorm();
+    return std::sqrt(sum / static_cast<double>(hinges_.size()));
+  }
+
+  // [J], for D = stiffness.
+  std::vector<FanMatrix> matrices(double stiffness) const {
+    std::vector<FanMatrix> out = c_;
+    for (size_t f = 0; f < fans_.size(); ++f)
+      for (int i = 0; i < most_hinges; ++i)
+        for (int k = 0; k < most_hinges; ++k) out[f](i, k) *= stiffness * shares_[f].root[i] * shares_[f].root[k];
     return out;
   }
 
  private:
-  Vec3 at(int v) const { return vertex(rest_, v); }
-  bool border(size_t t, int i) const { return sheet_[t].neighbour[i] < 0; }
+  Vec3 at(const HingeFan& fan, int k) const { return vertex(rest_, fan.vertices[static_cast<size_t>(k)]); }
 
-  // The edge of the neighbour of t at its edge i.
-  int edge_across(int t, int i) const {
-    const SheetTriangle& n = sheet_[static_cast<size_t>(sheet_[t].neighbour[i])];
-    for (int k = 0; k < 3; ++k)
-      if (n.neighbour[k] == t && n.vertices[k] == sheet_[t].across[i]) return k;
-    return -1;
+  void begin(const HingeFan& fan) {
+    const auto& [closed, n] = fan.shape;
+    const Vec3 middle = at(fan, 0);
+    // Directions of the ring, unrolled.
+    std::array<double, most_ring + 1> angle{};
+    const int triangles = fan.shape.triangles();
+    for (int j = 0; j < triangles; ++j) {
+      const Vec3 a = at(fan, 1 + j) - middle, b = at(fan, 1 + (j + 1) % fan.shape.ring()) - middle;
+      angle[j + 1] = angle[j] + std::atan2(a.cross(b).norm(), a.dot(b));
+    }
+    const double scale = closed ? 2 * std::numbers::pi / angle[triangles] : 1;
+    Shares s;
+    Rows moment = Rows::Zero();  // of a unit of mean curvature, for one end
+    double area = 0;
+    for (int i = 0; i < n; ++i) {
+      const double direction = scale * angle[fan.shape.tip(i) - 1];
+      s.edge[i] = to_edge({std::cos(direction), std::sin(direction)});
+      const Vec3 tip = at(fan, fan.shape.tip(i));
+      const double length = (tip - middle).norm();
+      const Apex left(middle, tip, at(fan, fan.shape.left(i))), right(middle, tip, at(fan, fan.shape.right(i)));
+      const double width = (left.height + right.height) / 2;
+      s.root[i] = std::sqrt(length / width);
+      const Vec3 l = left.slope(length), r = right.slope(length);
+      // n points away from the right side: there K_nt counts the other way.
+      s.turn.row(i) = Vec3(l(0) + r(0), l(1) - r(1), l(2) + r(2)).transpose() * s.edge[i] * s.root[i];
+      const Vec3 nn(s.edge[i](0, 0), s.edge[i](0, 1) / 2, s.edge[i](0, 2));
+      moment.row(i) = (length / (2 * s.root[i])) * nn.transpose();
+      area += length * width;
+    }
+    const Mat3 square = s.turn.transpose() * s.turn;
+    s.least = tack::least * std::pow(std::min(1.0, regular * area / square.trace()), 2);
+    area = std::max((s.turn.transpose() * moment).trace() / 3, area / 12);
+    FanMatrix c = moment * material_ * moment.transpose() / area;
+    // And what is orthogonal to the angles of curvatures.
+    const SymmetricEigen<3> eigen(square);
+    FanMatrix rest = FanMatrix::Identity();
+    for (int k = 0; k < 3; ++k) {
+      if (eigen.values()(k) < 0.04 * eigen.values().maxCoeff()) continue;
+      const Row along = s.turn * eigen.vectors().col(k) / std::sqrt(eigen.values()(k));
+      rest -= along * along.transpose();
+    }
+    c += beside * rest;
+    clear_beyond(c, n);
+    c_.push_back(c);
+    shares_.push_back(s);
   }
 
-  void measure() {
-    flat_.resize(sheet_.size());
-    for (size_t t = 0; t < sheet_.size(); ++t) {
-      const SheetTriangle& s = sheet_[t];
-      const Vec3 a = at(s.vertices[0]), x = (at(s.vertices[1]) - a).normalized();
-      const Vec3 normal = (at(s.vertices[1]) - a).cross(at(s.vertices[2]) - a);
-      const Vec3 y = normal.normalized().cross(x);
-      flat_[t].area = normal.norm() / 2;
-      for (int i = 0; i < 3; ++i) {
-        const Vec3 p = at(s.vertices[(i + 1) % 3]), q = at(s.vertices[(i + 2) % 3]);
-        const Vec2 along(x.dot(q - p), y.dot(q - p));
-        flat_[t].normal[i] = Vec2(along.y(), -along.x()).normalized();
+  // Beyond the hinges of a fan, C is the identity.
+  static void clear_beyond(FanMatrix& c, int n) {
+    for (int i = n; i < most_hinges; ++i) {
+      c.row(i).setZero();
+      c.col(i).setZero();
+      c(i, i) = 1;
+    }
+  }
+
+  void find_hinges() {
+    struct Found {
+      Edge key;
+      End end;
+    };
+    std::vector<Found> all;
+    for (size_t f = 0; f < fans_.size(); ++f) {
+      for (int i = 0; i < fans_[f].shape.hinges; ++i) {
+        const int a = fans_[f].vertices[0], b = fans_[f].vertices[static_cast<size_t>(fans_[f].shape.tip(i))];
+        all.push_back({{std::min(a, b), std::max(a, b)}, {static_cast<int>(f), i}});
       }
     }
-    for (size_t t = 0; t < sheet_.size(); ++t) {
-      const SheetTriangle& s = sheet_[t];
-      for (int i = 0; i < 3; ++i) {
-        const Vec3 p = at(s.vertices[(i + 1) % 3]), q = at(s.vertices[(i + 2) % 3]);
-        if (border(t, i)) {
-          flat_[t].width[i] = flat_[t].area / (q - p).norm();
-          flat_[t].turn[i] = Vec3::Zero();
-          continue;
-        }
-        flat_[t].width[i] = (flat_[t].area + flat_[static_cast<size_t>(s.neighbour[i])].area) / (q - p).norm();
-        // In the frame of the hinge, n points away from this triangle: on this side K_nt counts the other way.
-        const Vec3 here = slope(p, q, at(s.vertices[i])), there = slope(p, q, at(s.across[i]));
-        const Vec3 jump(here(0) + there(0), there(1) - here(1), here(2) + there(2));
-        flat_[t].turn[i] = to_edge(flat_[t].normal[i]).transpose() * jump / flat_[t].width[i];
-      }
-    }
+    std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) {
+      return std::tie(a.key, a.end.fan, a.end.hinge) < std::tie(b.key, b.end.fan, b.end.hinge);
+    });
+    for (size_t k = 0; k + 1 < all.size(); k += 2) hinges_.push_back(conditions({all[k].end, all[k + 1].end}));
   }
 
-  // (K_nn, K_nt, K_tt) of K, t along the edge: the normal turned by a right angle.
-  static Mat3 to_edge(const Vec2& n) {
-    Mat3 m;
-    m << n.x() * n.x(), 2 * n.x() * n.y(), n.y() * n.y(),                       //
-        -n.x() * n.y(), n.x() * n.x() - n.y() * n.y(), n.x() * n.y(),           //
-        n.y() * n.y(), -2 * n.x() * n.y(), n.x() * n.x();
-    return m;
-  }
-
-  // K = sum_i a_i / width_i n_i n_i^T, borders condensed: no moment acts there.
-  void begin() {
-    c_.resize(sheet_.size());
-    for (size_t t = 0; t < sheet_.size(); ++t) {
-      Mat3 b;
-      for (int i = 0; i < 3; ++i) b.col(i) = of_normal(flat_[t].normal[i]);
-      c_[t] = b.transpose() * material_ * b;
-      for (int i = 0; i < 3; ++i)
-        if (border(t, i) && c_[t](i, i) > 0) c_[t] -= Vec3(c_[t].col(i)) * Vec3(c_[t].col(i)).transpose() / c_[t](i, i);
-      clear_borders(t);
-    }
-  }
-
-  bool same_direction(int t, int i, int other, int k) const {
-    return sheet_[t].vertices[(i + 1) % 3] == sheet_[other].vertices[(k + 1) % 3];
-  }
-
-  void clear_borders(size_t t) {
-    for (int i = 0; i < 3; ++i) {
-      if (!border(t, i)) continue;
-      c_[t].row(i).setZero();
-      c_[t].col(i).setZero();
-    }
-  }
-
-  void make_definite(size_t t) {
-    for (int i = 0; i < 3; ++i)
-      if (border(t, i)) c_[t](i, i) = 1;
-    const SymmetricEigen<3> eigen(c_[t]);
-    if (eigen.values().minCoeff() < least) {
-      c_[t] = eigen.vectors() * eigen.values().cwiseMax(least).asDiagonal() * eigen.vectors().transpose();
-      c_[t] = (0.5 * (c_[t] + c_[t].transpose())).eval();
-    }
-    clear_borders(t);
-  }
-
-  // Makes hinge i of t meet its conditions; what they were off by, squared.
-  double meet(int t, int i) {
-    const int other = sheet_[t].neighbour[i], k = edge_across(t, i);
-    const std::array<int, 2> sides = {t, other}, edge = {i, k};
-    const double area = flat_[t].area + flat_[other].area;
-    Mat36 a = Mat36::Zero();
-    Vec6 stiffness, weight;
+  Conditions conditions(const std::array<End, 2>& ends) const {
+    Conditions out{ends, {}, {}, {}};
+    const HingeFan &fan = fans_[ends[0].fan], &other = fans_[ends[1].fan];
+    const int i = ends[0].hinge, k = ends[1].hinge, tip = fan.shape.tip(i);
+    const double length = (at(fan, tip) - at(fan, 0)).norm(), root = shares_[ends[0].fan].root[i];
+    const double unit = length / root;  // the root of length times width
+    // Seen from the other end, t and n point the other way; where what is up is another, t alone does.
+    const bool turned = fan.triangles[fan.shape.left_triangle(i)] != other.triangles[other.shape.right_triangle(k)];
     Mat3 allowed = Mat3::Identity();
+    for (const bool left : {true, false})
+      leave_borders_out(sheet_[fan.triangles[left ? fan.shape.left_triangle(i) : fan.shape.right_triangle(i)]], fan.vertices[0],
+                        fan.vertices[tip], left, allowed);
+    Mat3 normal = damping * Mat3::Identity();
     for (int s = 0; s < 2; ++s) {
-      const Flat& flat = flat_[sides[s]];
-      // From the frame of that triangle to that of the hinge, whose n and t both point the other way on the other side; of a
-      // neighbour that is oriented otherwise, t and what is up do.
-      const Vec2 n = flat.normal[edge[s]];
-      Mat3 turned = to_edge(Vec2(n.x(), -n.y())).transpose();
-      if (s == 1 && same_direction(t, i, other, k)) turned.row(1) *= -1;
-      for (int j = 0; j < 3; ++j) {
-        const int column = 3 * s + j;
-        a.col(column) = turned * flat.turn[j] * flat.area / area;
-        stiffness(column) = c_[sides[s]](edge[s], j);
-        weight(column) = j == edge[s] ? 1 : 0.5;
-        if (border(static_cast<size_t>(sides[s]), j)) exclude(turned * material_ * of_normal(flat.normal[j]), allowed);
-      }
+      Mat3 seen = shares_[ends[s].fan].edge[ends[s].hinge].inverse();
+      if (s == 1 && turned) seen.col(1) *= -1;
+      out.turn[s] = shares_[ends[s].fan].turn * (seen * allowed) / unit;
+      normal += out.turn[s].transpose() * weights(ends[s].hinge).asDiagonal() * out.turn[s];
     }
-    const Vec3 moment = Vec3(material_(0, 0), 0, material_(0, 2));
-    const Vec3 off = allowed * (a * stiffness - moment);
-    a = (allowed * a).eval();
-    Mat3 normal = a * weight.asDiagonal() * a.transpose();
-    normal.diagonal().array() += damping;
-    const Vec6 change = -weight.cwiseProduct(a.transpose() * normal.inverse() * off);
-    for (int s = 0; s < 2; ++s)
-      for (int j = 0; j < 3; ++j) {
-        if (border(static_cast<size_t>(sides[s]), j)) continue;
-        Mat3& c = c_[sides[s]];
-        c(edge[s], j) += change(3 * s + j);
-        if (j != edge[s]) c(j, edge[s]) = c(edge[s], j);
-      }
-    return off.squaredNorm();
+    out.moment = allowed * Vec3(material_(0, 0), 0, material_(0, 2));
+    out.inverse = normal.inverse();
+    return out;
   }
 
-  // Leaves out of the conditions the curvatures along q.
-  static void exclude(const Vec3& q, Mat3& allowed) {
-    const Vec3 left = allowed * q;
-    if (left.norm() > 1e-9) allowed -= left * left.transpose() / left.squaredNorm();
+  // What changes first: entries beside the diagonal are those of two hinges.
+  static Row weights(int hinge) {
+    Row w = Row::Constant(0.5);
+    w(hinge) = 1;
+    return w;
+  }
+
+  // Leaves out of the curvatures those that need a moment at the borders of a triangle beside the edge from a to b.
+  void leave_borders_out(const SheetTriangle& t, int a, int b, bool left, Mat3& allowed) const {
+    const auto is = [](int v) { return [v](int w) { return w == v; }; };
+    const auto place = [&](int v) { return std::find_if(t.vertices.begin(), t.vertices.end(), is(v)) - t.vertices.begin(); };
+    const int c = t.vertices[static_cast<size_t>(3 - place(a) - place(b))];
+    const Vec3 xa = vertex(rest_, a), xb = vertex(rest_, b);
+    const Apex apex(xa, xb, vertex(rest_, c));
+    const double length = (xb - xa).norm(), height = left ? apex.height : -apex.height;
+    const std::array<std::pair<int, Vec2>, 2> edges = {std::pair(b, Vec2(height, apex.foot)), {a, Vec2(height, apex.foot - length)}};
+    for (const auto& [opposite, along] : edges) {  // (n, t)
+      if (t.neighbour[place(opposite)] >= 0) continue;
+      const Vec2 across = Vec2(along.y(), -along.x()).normalized();
+      const Vec3 q = allowed * material_ * Vec3(across.x() * across.x(), across.x() * across.y(), across.y() * across.y());
+      if (q.norm() > 1e-6) allowed -= q * q.transpose() / q.squaredNorm();
+    }
+  }
+
+  bool make_definite(size_t f) {
+    FanMatrix& c = c_[f];
+    const double low = shares_[f].least;
+    if (above(low, c, fans_[f].shape.hinges)) return false;
+    const SymmetricEigen<most_hinges> eigen(c);
+    const Row& values = eigen.values();
+    if (!(values.minCoeff() < low)) return false;
+    c = eigen.vectors() * (values.array() < low).select(Row::Constant(lift * low), values).asDiagonal() * eigen.vectors().transpose();
+    c = (0.5 * (c + c.transpose())).eval();
+    clear_beyond(c, fans_[f].shape.hinges);
+    return true;
+  }
+
+  // Whether a Cholesky factorisation of C - low runs through.
+  static bool above(double low, FanMatrix a, int n) {
+    for (int k = 0; k < n; ++k) {
+      const double pivot = a(k, k) - low;
+      if (!(pivot > 0)) return false;
+      for (int j = k + 1; j < n; ++j) {
+        const double factor = a(j, k) / pivot;
+        for (int i = j; i < n; ++i) a(i, j) -= factor * a(i, k);
+      }
+    }
+    return true;
+  }
+
+  Vec3 off(const Conditions& h) const {
+    Vec3 sum = -h.moment;
+    for (int s = 0; s < 2; ++s) sum += h.turn[s].transpose() * c_[h.ends[s].fan].col(h.ends[s].hinge);
+    return sum;
+  }
+
+  // Makes a hinge meet its conditions; what they were off by, squared.
+  double meet(const Conditions& h) {
+    const Vec3 by = off(h), factors = h.inverse * by;
+    for (int s = 0; s < 2; ++s) {
+      const auto& [fan, i] = h.ends[s];
+      const Row change = weights(i).cwiseProduct(h.turn[s] * factors);
+      FanMatrix& c = c_[fan];
+      for (int j = 0; j < fans_[fan].shape.hinges; ++j) {
+        c(j, i) -= change(j);
+        c(i, j) = c(j, i);
+      }
+    }
+    return by.squaredNorm();
   }
 
   const std::vector<SheetTriangle>& sheet_;
+  const std::vector<HingeFan>& fans_;
   const VecX& rest_;
   Mat3 material_;  // moments of curvatures: M_xx, 2 M_xy, M_yy
-  std::vector<Flat> flat_;
-  std::vector<Mat3> c_;  // of angles over widths, per area
+  std::vector<Shares> shares_;
+  std::vector<FanMatrix> c_;
+  std::vector<Conditions> hinges_;
 };
 
 }  // namespace
 
-std::vector<SheetTriangle> connect_sheet(const std::vector<Triangle>& sheet, const std::string& who) {
-  std::vector<HalfEdge> edges;
-  std::vector<SheetTriangle> out;
-  for (size_t t = 0; t < sheet.size(); ++t) {
-    out.push_back({sheet[t], {-1, -1, -1}, {-1, -1, -1}});
-    for (int i = 0; i < 3; ++i) {
-      const int a = sheet[t][(i + 1) % 3], b = sheet[t][(i + 2) % 3];
-      edges.push_back({{std::min(a, b), std::max(a, b)}, static_cast<int>(t), i});
-    }
+FittedFans fit_hinges(const std::vector<SheetTriangle>& sheet, const VecX& rest, double stiffness, double poisson) {
+  FittedFans out{hinge_fans(sheet, few_hinges), {}, 0};
+  if (out.fans.empty()) return out;
+  const auto take = [&](const Fit& fit) {
+    out.c = fit.matrices(stiffness);
+    out.off = fit.off();
+  };
+  Fit fit(sheet, out.fans, rest, poisson);
+  fit.solve(first_sweeps);
+  if (fit.off() <= hopeful) fit.solve(most_sweeps - first_sweeps);
+  if (fit.off() <= enough) {
+    take(fit);
+    return out;
   }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.key, a.triangle, a.edge) < std::tie(b.key, b.triangle, b.edge);
-  });
-  for (size_t first = 0, last = 0; first < edges.size(); first = last) {
-    while (last < edges.size() && edges[last].key == edges[first].key) ++last;
-    if (last - first > 2)
-      throw InputError(fmt::format("{}{} triangles of its sheet share an edge (triangles {}, {} and {} among them), and a hinge joins "
-                                   "two; divide the sheet, or select a part of it", who, last - first, edges[first].triangle,
-                                   edges[first + 1].triangle, edges[first + 2].triangle));
-    if (last - first < 2) continue;
-    for (int s = 0; s < 2; ++s) {
-      const HalfEdge &here = edges[first + static_cast<size_t>(s)], &there = edges[first + 1 - static_cast<size_t>(s)];
-      out[static_cast<size_t>(here.triangle)].across[here.edge] = sheet[static_cast<size_t>(there.triangle)][there.edge];
-      out[static_cast<size_t>(here.triangle)].neighbour[here.edge] = there.triangle;
-    }
-  }
+  out.fans = hinge_fans(sheet, most_hinges);
+  Fit again(sheet, out.fans, rest, poisson);
+  again.solve(most_sweeps);
+  take(again);
   return out;
-}
-
-std::vector<Mat3> fit_hinges(const std::vector<SheetTriangle>& sheet, const VecX& rest, double stiffness, double poisson) {
-  std::vector<Mat3> fitted = Fit(sheet, rest, poisson).solve();
-  for (Mat3& c : fitted) c *= stiffness;
-  return fitted;
 }
 
 }  // namespace tack

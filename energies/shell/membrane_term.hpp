@@ -55,7 +55,7 @@ class MembraneTerm : public Term, public StencilRanges {
     });
   }
 
-  const StencilRanges* ranges() const override { return this; }
+  std::vector<const StencilRanges*> ranges() const override { return {this}; }
 
   void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
                          double* hessian) const override {

@@ -119,9 +119,10 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
     : dofs_(dofs), clock_(clock), terms_(std::move(terms)) {
   std::vector<const StencilRanges*> ranges;
   for (const Term* term : terms_) {
-    const bool ranged = !term->dynamic() && term->ranges() && !needs_reduction(*term, dofs_);
+    const std::vector<const StencilRanges*> own = term->ranges();
+    const bool ranged = !term->dynamic() && !own.empty() && !needs_reduction(*term, dofs_);
     (ranged ? ranged_ : term->dynamic() ? dynamic_ : static_).terms.push_back(term);
-    if (ranged) ranges.push_back(term->ranges());
+    if (ranged) ranges.insert(ranges.end(), own.begin(), own.end());
   }
   ranged_.place(dofs_, false);
   ranged_sums_.place(ranges, ranged_.batches, dofs_);
@@ -229,7 +230,7 @@ void Assembler::evaluate_ranged(const VecX& x, const HessianRequest& request) {
   TermTimes* const times = clock_.term_times();
   if (!times) return ranged_sums_.evaluate(x, request.projection, request.clamp_at, gradients);
   const std::vector<double> seconds = ranged_sums_.timed_evaluate(x, request.projection, request.clamp_at, gradients);
-  for (size_t t = 0; t < seconds.size(); ++t) times->add(ranged_.terms[t], Evaluation::hessian, seconds[t]);
+  for (size_t t = 0; t < seconds.size(); ++t) times->add(ranged_.batch_terms[t], Evaluation::hessian, seconds[t]);
 }
 
 void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,

@@ -25,18 +25,18 @@ void add_block(const double* block, bool transposed, double* sum) {
 
 }  // namespace
 
-void LocalSums::place(const std::vector<const StencilRanges*>& terms, const std::vector<PlacedBatch>& batches,
+void LocalSums::place(const std::vector<const StencilRanges*>& ranges, const std::vector<PlacedBatch>& batches,
                       const DofMap& dofs) {
   dofs_ = &dofs;
-  terms_ = static_cast<int>(terms.size());
+  batches_ = static_cast<int>(ranges.size());
   chunks_.clear();
   size_t blocks = 0;
-  for (size_t t = 0; t < terms.size(); ++t) {
-    const StencilBatch& batch = batches[t].batch;
+  for (size_t b = 0; b < ranges.size(); ++b) {
+    const StencilBatch& batch = batches[b].batch;
     for (int first = 0; first < batch.count; first += chunk_length) {
       const int last = std::min(first + chunk_length, batch.count);
-      chunks_.push_back({terms[t], static_cast<int>(t), batch, first, last,
-                         static_cast<size_t>(batches[t].gradient_slot) + static_cast<size_t>(batch.arity) * first, blocks});
+      chunks_.push_back({ranges[b], static_cast<int>(b), batch, first, last,
+                         static_cast<size_t>(batches[b].gradient_slot) + static_cast<size_t>(batch.arity) * first, blocks});
       blocks += static_cast<size_t>(hessian_blocks(batch.arity)) * (last - first);
     }
   }
@@ -106,7 +106,7 @@ void LocalSums::evaluate(const Chunk& chunk, const VecX& x, Projection projectio
   double* gradient = gradient_slots + 3 * chunk.gradient_slot;
   for (int first = chunk.first; first < chunk.last; first += grain, gradient += 3 * grain * arity) {
     const int last = std::min(first + grain, chunk.last);
-    chunk.term->range_derivatives(x, projection, first, last, gradient, slots.data());
+    chunk.ranges->range_derivatives(x, projection, first, last, gradient, slots.data());
     const double* block = slots.data();
     if (clamp_at) clamp_stencils(chunk.batch, first, last, *clamp_at, *dofs_, slots.data());
     for (int k = 0; k < blocks * (last - first); ++k, ++sum, block += 9)
@@ -123,7 +123,7 @@ std::vector<double> LocalSums::timed_evaluate(const VecX& x, Projection projecti
                                               double* gradient_slots) {
   using Clock = std::chrono::steady_clock;
   const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  std::vector<double> of_chunk(chunks_.size()), of_term(terms_);
+  std::vector<double> of_chunk(chunks_.size()), of_batch(batches_);
   const auto start = Clock::now();
   for_each(static_cast<int>(chunks_.size()), [&](int c) {
     const auto begun = Clock::now();
@@ -132,9 +132,9 @@ std::vector<double> LocalSums::timed_evaluate(const VecX& x, Projection projecti
   }, 1);
   const double all = since(start);
   double sum = 0;
-  for (size_t c = 0; c < chunks_.size(); ++c) of_term[chunks_[c].number] += of_chunk[c], sum += of_chunk[c];
-  for (double& seconds : of_term) seconds *= sum > 0 ? all / sum : 0;
-  return of_term;
+  for (size_t c = 0; c < chunks_.size(); ++c) of_batch[chunks_[c].number] += of_chunk[c], sum += of_chunk[c];
+  for (double& seconds : of_batch) seconds *= sum > 0 ? all / sum : 0;
+  return of_batch;
 }
 
 void LocalSums::gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const {

@@ -11,8 +11,8 @@ namespace tack {
 
 class LocalSums {
  public:
-  // One batch of stencils for each term.
-  void place(const std::vector<const StencilRanges*>& terms, const std::vector<PlacedBatch>& batches,
+  // The ranges of each batch of stencils.
+  void place(const std::vector<const StencilRanges*>& ranges, const std::vector<PlacedBatch>& batches,
              const DofMap& dofs);
 
   // The blocks of the matrix that the stencils touch, sorted.
@@ -22,7 +22,7 @@ class LocalSums {
   // after `projection`, if flags are given.
   void evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at, double* gradient_slots);
 
-  // The same, and how long it took, by term [s]: the time of all, shared as their chunks took it.
+  // The same, and how long it took, by batch [s]: the time of all, shared as their chunks took it.
   std::vector<double> timed_evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
                                      double* gradient_slots);
 
@@ -31,8 +31,8 @@ class LocalSums {
 
  private:
   struct Chunk {
-    const StencilRanges* term;
-    int number;            // of the term
+    const StencilRanges* ranges;
+    int number;            // of the batch
     StencilBatch batch;
     int first, last;       // stencils of the batch
     size_t gradient_slot;  // of the first [3-vectors]
@@ -46,7 +46,7 @@ class LocalSums {
                 double* gradient_slots);
 
   const DofMap* dofs_ = nullptr;
-  int terms_ = 0;
+  int batches_ = 0;
   std::vector<Chunk> chunks_;
   std::vector<int> sum_of_;    // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
   std::vector<double> sums_;   // 9 each

@@ -120,5 +120,8 @@ template void project_stencil_psd<3>(Mat9&, Projection);
 template void project_stencil_psd<4>(Mat12&, Projection);
 template void project_stencil_psd<5>(Eigen::Matrix<double, 15, 15>&, Projection);
 template void project_stencil_psd<6>(Eigen::Matrix<double, 18, 18>&, Projection);
+template void project_stencil_psd<7>(Eigen::Matrix<double, 21, 21>&, Projection);
+template void project_stencil_psd<8>(Eigen::Matrix<double, 24, 24>&, Projection);
+template void project_stencil_psd<9>(Eigen::Matrix<double, 27, 27>&, Projection);
 
 }  // namespace tack

@@ -17,6 +17,8 @@ void clamp_slots(double* slots) {
   store_blocks<K>(hessian, slots);
 }
 
+static_assert(largest_arity == 9);
+
 void clamp_slots(int arity, double* slots) {
   switch (arity) {
     case 1: return;  // masses
@@ -25,6 +27,9 @@ void clamp_slots(int arity, double* slots) {
     case 4: return clamp_slots<4>(slots);
     case 5: return clamp_slots<5>(slots);
     case 6: return clamp_slots<6>(slots);
+    case 7: return clamp_slots<7>(slots);
+    case 8: return clamp_slots<8>(slots);
+    case 9: return clamp_slots<9>(slots);
   }
   throw std::logic_error("no projection of stencils of this arity");
 }

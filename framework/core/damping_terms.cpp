@@ -19,8 +19,6 @@ void multiply(const double* blocks, int arity, const int* vertices, const VecX& 
   }
 }
 
-constexpr int largest_arity = 6;
-
 size_t slots_of(const std::vector<StencilBatch>& batches, int (*per_stencil)(int arity)) {
   size_t slots = 0;
   for (const StencilBatch& b : batches) slots += static_cast<size_t>(per_stencil(b.arity)) * b.count;

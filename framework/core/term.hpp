@@ -17,6 +17,8 @@ namespace tack {
 
 class ResidualView;
 
+inline constexpr int largest_arity = 9;  // of a stencil
+
 constexpr int hessian_blocks(int arity) { return arity * (arity + 1) / 2; }
 
 // Stencils of one kind: stencil s touches the vertices[arity * s + (0..arity-1)].
@@ -27,7 +29,7 @@ struct StencilBatch {
   int twists = 0;  // so many of each, the last ones, are no places but twists (rod/rod_frames.hpp): one number, first of three
 };
 
-// What terms of one batch of lasting stencils may offer: stencils a few at a time, so that their Hessians are summed
+// What terms may offer for each batch of lasting stencils: stencils a few at a time, so that their Hessians are summed
 // before they leave the cache. Called from several threads.
 class StencilRanges {
  public:
@@ -58,8 +60,8 @@ class Term : public StepParticipant {
   virtual void derivatives(const VecX& x, Projection projection, double* gradient,
                            double* hessian) const;
 
-  // The term's stencils by ranges; null if it gives them only all at once.
-  virtual const StencilRanges* ranges() const { return nullptr; }
+  // The term's stencils by ranges, batch for batch; empty if it gives them only all at once.
+  virtual std::vector<const StencilRanges*> ranges() const { return {}; }
 
   // Adds a gradient that is not worth slots: linear potentials.
   virtual void add_linear_gradient(VecX& /*gradient*/) const {}

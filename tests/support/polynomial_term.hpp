@@ -16,7 +16,9 @@ class PolynomialTerm : public Term, public StencilRanges {
     by_ranges_ = true;
     return *this;
   }
-  const StencilRanges* ranges() const override { return by_ranges_ ? this : nullptr; }
+  std::vector<const StencilRanges*> ranges() const override {
+    return by_ranges_ ? std::vector<const StencilRanges*>{this} : std::vector<const StencilRanges*>{};
+  }
   void set_vertices(std::vector<int> vertices) { vertices_ = std::move(vertices); }
   const std::vector<int>& vertex_list() const { return vertices_; }
   int count() const { return static_cast<int>(vertices_.size()) / arity_; }

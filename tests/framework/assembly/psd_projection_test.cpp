@@ -76,6 +76,8 @@ TEST_CASE("projections of stencils agree with it too and keep translations free"
   check_stencil(2, stencil<2>);
   check_stencil(3, stencil<3>);
   check_stencil(4, stencil<4>);
+  check_stencil(7, stencil<7>);
+  check_stencil(9, stencil<9>);
 }
 
 TEST_CASE("one eigenvalue under each policy", "[assembly]") {

@@ -1,0 +1,73 @@
+// Fans of hinges of one shape: 1/2 a^T C a each, a = the angles of its hinges less those at rest, C from hinge_fit.hpp. Fans are
+// computed pack_width at a time, one per lane.
+//
+// The angle of a hinge is that between the normals n1, n2 of its sides, positive where both apexes rise. For each side let
+// m point from the edge e to the apex, h be the height, and A = sum_k (m . grad N_k) x_k, B = sum_k (e . grad N_k) x_k, N_k the
+// side's barycentric coordinates. Then, with dx the change of the vertices,
+//     d angle = sum over sides of A(dx) . n,
+//     d2 angle = -sum over sides of 2 (A.m) (A.n) + (B.n) (2 (A.e) + B.m).
+// The forms in each product have orthogonal coefficients, so that p r = ((k p + r/k)^2 - (k p - r/k)^2) / 4 separates its positive
+// and negative part, k^2 the ratio of their lengths. A projected Hessian is the sum of C's part, which is definite, and those parts
+// of the moments.
+//
+// An angle may pass pi: it is that which is nearest to the one at the start of the step.
+#pragma once
+
+#include "energies/shell/hinge_fit.hpp"
+#include "framework/core/term.hpp"
+#include "geometry/pack.hpp"
+
+namespace tack {
+
+class FanStencils : public StencilRanges {
+ public:
+  // Of the fans first ... last - 1, which are of one shape.
+  FanStencils(const HingeFan* fans, const FanMatrix* c, int count);
+
+  StencilBatch batch() const { return {shape_.arity(), count_, vertices_.data()}; }
+  int hinges() const { return shape_.hinges * count_; }
+
+  // Without moments at `rest`, and not where they are flat.
+  void set_rest(const VecX& rest);
+  // turns: of each hinge of each fan, whole turns at x beyond what the angle tells.
+  void begin_step(const VecX& x, const double* turns);
+  void turns(const VecX& x, double* turns) const;
+
+  double value(const VecX& x) const;
+  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
+                         double* hessian) const override;
+
+ private:
+  struct Side {
+    PackVec3 m, n;
+    std::array<Pack, 3> alpha;  // m . grad N of the vertex in the middle, the tip and the apex
+  };
+  struct Hinge {
+    PackVec3 e;  // from the middle
+    Pack inverse_length;
+    std::array<Side, 2> sides;  // left and right
+    Pack angle;                 // in (-pi, pi]
+  };
+  using Corners = std::array<PackVec3, 1 + most_ring>;
+  using Hinges = std::array<Hinge, most_hinges>;
+  using Angles = std::array<Pack, most_hinges>;
+
+  int packs() const { return static_cast<int>(resting_.size()); }
+  int lanes(int pack) const { return std::min(pack_width, count_ - pack * pack_width); }
+  const Pack& c(int pack, int i, int k) const { return c_[static_cast<size_t>((pack * shape_.hinges + i) * shape_.hinges + k)]; }
+  void corners(int pack, const VecX& x, Corners& out) const;
+  void hinges(const Corners& x, Hinges& out) const;
+  // Nearest to those at the start of the step.
+  Pack unwound(int pack, int i, const Pack& angle) const;
+  void derivatives(int pack, const VecX& x, Projection projection, double* gradient, double* hessian) const;
+  void add_moment(const Hinge& hinge, int i, const Pack& moment, Projection projection, Pack* slots) const;
+
+  FanShape shape_;
+  int count_;
+  std::vector<int> vertices_;
+  std::vector<Pack> c_;          // of pack_width fans each; the last lanes repeat the last fan
+  std::vector<Angles> resting_;
+  std::vector<Angles> start_;    // at the start of the step, turns included
+};
+
+}  // namespace tack
