@@ -230,7 +230,11 @@ void Assembler::evaluate_ranged(const VecX& x, const HessianRequest& request) {
   TermTimes* const times = clock_.term_times();
   if (!times) return ranged_sums_.evaluate(x, request.projection, request.clamp_at, gradients);
   const std::vector<double> seconds = ranged_sums_.timed_evaluate(x, request.projection, request.clamp_at, gradients);
-  for (size_t t = 0; t < seconds.size(); ++t) times->add(ranged_.batch_terms[t], Evaluation::hessian, seconds[t]);
+  for (size_t b = 0, t = 0; t < ranged_.terms.size(); ++t) {
+    double of_term = 0;
+    while (b < seconds.size() && ranged_.batch_terms[b] == ranged_.terms[t]) of_term += seconds[b++];
+    times->add(ranged_.terms[t], Evaluation::hessian, of_term);
+  }
 }
 
 void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,

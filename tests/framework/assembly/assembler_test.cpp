@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
+#include "framework/core/term_times.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/polynomial_term.hpp"
@@ -135,6 +136,55 @@ TEST_CASE("assembly: stencils that are summed chunk by chunk", "[assembly]") {
   other.assemble(p.x, {}, {.clamp_at = &flags}, p.mass, gradient, expected);
   CHECK((dense(matrix) - dense(expected)).norm() <= 1e-13 * dense(expected).norm());
   CHECK(assembler.largest_static_force() == other.largest_static_force());
+}
+
+TEST_CASE("assembly: a term with several batches by ranges", "[assembly]") {
+  class Batches : public Term {
+   public:
+    explicit Batches(std::vector<PolynomialTerm> parts) : Term("batches"), parts_(std::move(parts)) {}
+    double value(const VecX& x) const override {
+      double sum = 0;
+      for (const auto& part : parts_) sum += part.value(x);
+      return sum;
+    }
+    std::vector<StencilBatch> batches() const override {
+      std::vector<StencilBatch> all;
+      for (const auto& part : parts_) all.push_back(part.batches()[0]);
+      return all;
+    }
+    std::vector<const StencilRanges*> ranges() const override {
+      std::vector<const StencilRanges*> all;
+      for (const auto& part : parts_) all.push_back(&part);
+      return all;
+    }
+    void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+      for (const auto& part : parts_) {
+        const StencilBatch batch = part.batches()[0];
+        part.derivatives(x, projection, gradient, hessian);
+        gradient += 3 * batch.arity * batch.count;
+        if (hessian) hessian += 9 * hessian_blocks(batch.arity) * batch.count;
+      }
+    }
+
+   private:
+    std::vector<PolynomialTerm> parts_;
+  };
+  Problem p;
+  p.triples.by_ranges();
+  const Batches batches({{largest_arity, stencils(largest_arity, 700, p.random)}, {3, {}}, {7, stencils(7, 40, p.random)}});
+  p.terms.insert(p.terms.begin(), &batches);
+  TermTimes times;
+  p.clock.time_terms(&times);
+  Assembler assembler(p.terms, p.dofs, p.clock);
+  BlockMatrix matrix;
+  p.check(assembler, matrix);
+  for (const Term* term : {static_cast<const Term*>(&batches), static_cast<const Term*>(&p.triples)})
+    CHECK(times.of(term).evaluations[static_cast<int>(Evaluation::hessian)] == 1);
+  // What is clamped stencil by stencil, up to the largest.
+  const std::vector<char> flags(p.dofs.block_count(), 1);
+  VecX gradient = VecX::Zero(p.dofs.size());
+  assembler.assemble(p.x, {}, {.clamp_at = &flags}, p.mass, gradient, matrix);
+  CHECK(smallest_eigenvalue(dense(matrix)) > 0);
 }
 
 TEST_CASE("assembly: contact that comes and goes", "[assembly]") {
