@@ -22,6 +22,7 @@ constexpr double least = 0.01;    // of D: what no C falls below, in angles over
 constexpr double regular = 6;     // triangles are so long that curvatures turn hinges by more than this, squared, of that width
 constexpr double lift = 3;        // times that least: what is lifted is lifted to
 constexpr double beside = 0.05;   // of D, to begin with: against angles of no curvature
+constexpr double evenly = 0.5;    // of a change, against in proportion to C
 constexpr double damping = 1e-6;  // of a change, so that conditions that hardly depend on C, at corners, do not drive it off
 
 using Rows = Eigen::Matrix<double, most_hinges, 3>;
@@ -57,6 +58,7 @@ struct Shares {
   std::array<double, most_hinges> root{};  // of length over width
   std::array<Mat3, most_hinges> edge;      // to_edge of each hinge
   double least = 0;                        // what C does not fall below
+  FanMatrix metric;                        // of changes of C
 };
 
 struct End {
@@ -73,8 +75,9 @@ struct Conditions {
 
 class Fit {
  public:
-  Fit(const std::vector<SheetTriangle>& sheet, const std::vector<HingeFan>& fans, const VecX& rest, double poisson)
-      : sheet_(sheet), fans_(fans), rest_(rest) {
+  // proportional: to C, changes are in part; that converges where triangles are long, and is slower where they are not.
+  Fit(const std::vector<SheetTriangle>& sheet, const std::vector<HingeFan>& fans, const VecX& rest, double poisson, bool proportional)
+      : sheet_(sheet), fans_(fans), rest_(rest), proportional_(proportional) {
     material_ << 1, 0, poisson, 0, 2 * (1 - poisson), 0, poisson, 0, 1;
     for (const HingeFan& fan : fans_) begin(fan);
     find_hinges();
@@ -84,7 +87,7 @@ class Fit {
   void solve(int sweeps) {
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double sum = 0;
-      for (const Conditions& c : hinges_) sum += meet(c);
+      for (size_t h = 0; h < hinges_.size(); ++h) sum += meet(h);
       int lifted = 0;
       for (size_t f = 0; f < fans_.size(); ++f) lifted += make_definite(f);
       if (lifted == 0 && sum <= met * met * static_cast<double>(hinges_.size())) break;
@@ -150,6 +153,8 @@ class Fit {
       const Row along = s.turn * eigen.vectors().col(k) / std::sqrt(eigen.values()(k));
       rest -= along * along.transpose();
     }
+    s.metric = FanMatrix::Identity();
+    if (proportional_) s.metric = (c + evenly * s.metric).eval();
     c += beside * rest;
     clear_beyond(c, n);
     c_.push_back(c);
@@ -183,8 +188,9 @@ class Fit {
     for (size_t k = 0; k + 1 < all.size(); k += 2) hinges_.push_back(conditions({all[k].end, all[k + 1].end}));
   }
 
-  Conditions conditions(const std::array<End, 2>& ends) const {
+  Conditions conditions(const std::array<End, 2>& ends) {
     Conditions out{ends, {}, {}, {}};
+    std::array<Rows, 2> weighted;
     const HingeFan &fan = fans_[ends[0].fan], &other = fans_[ends[1].fan];
     const int i = ends[0].hinge, k = ends[1].hinge, tip = fan.shape.tip(i);
     const double length = (at(fan, tip) - at(fan, 0)).norm(), root = shares_[ends[0].fan].root[i];
@@ -200,18 +206,15 @@ class Fit {
       Mat3 seen = shares_[ends[s].fan].edge[ends[s].hinge].inverse();
       if (s == 1 && turned) seen.col(1) *= -1;
       out.turn[s] = shares_[ends[s].fan].turn * (seen * allowed) / unit;
-      normal += out.turn[s].transpose() * weights(ends[s].hinge).asDiagonal() * out.turn[s];
+      const FanMatrix& metric = shares_[ends[s].fan].metric;
+      weighted[s] = metric * out.turn[s];
+      const Vec3 own = weighted[s].row(ends[s].hinge).transpose();
+      normal += (metric(ends[s].hinge, ends[s].hinge) * (out.turn[s].transpose() * weighted[s]) + own * own.transpose()) / 2;
     }
     out.moment = allowed * Vec3(material_(0, 0), 0, material_(0, 2));
     out.inverse = normal.inverse();
+    if (proportional_) weighted_.push_back(weighted);
     return out;
-  }
-
-  // What changes first: entries beside the diagonal are those of two hinges.
-  static Row weights(int hinge) {
-    Row w = Row::Constant(0.5);
-    w(hinge) = 1;
-    return w;
   }
 
   // Leaves out of the curvatures those that need a moment at the borders of a triangle beside the edge from a to b.
@@ -264,16 +267,20 @@ class Fit {
   }
 
   // Makes a hinge meet its conditions; what they were off by, squared.
-  double meet(const Conditions& h) {
+  double meet(size_t number) {
+    const Conditions& h = hinges_[number];
     const Vec3 by = off(h), factors = h.inverse * by;
     for (int s = 0; s < 2; ++s) {
       const auto& [fan, i] = h.ends[s];
-      const Row change = weights(i).cwiseProduct(h.turn[s] * factors);
       FanMatrix& c = c_[fan];
-      for (int j = 0; j < fans_[fan].shape.hinges; ++j) {
-        c(j, i) -= change(j);
-        c(i, j) = c(j, i);
+      if (proportional_) {
+        const Row own = shares_[fan].metric.col(i), change = weighted_[number][s] * factors / 2;
+        c -= change * own.transpose() + own * change.transpose();
+        continue;
       }
+      const Row change = h.turn[s] * factors / 2;
+      c.col(i) -= change;
+      c.row(i) -= change.transpose();
     }
     return by.squaredNorm();
   }
@@ -281,10 +288,12 @@ class Fit {
   const std::vector<SheetTriangle>& sheet_;
   const std::vector<HingeFan>& fans_;
   const VecX& rest_;
+  bool proportional_;
   Mat3 material_;  // moments of curvatures: M_xx, 2 M_xy, M_yy
   std::vector<Shares> shares_;
   std::vector<FanMatrix> c_;
   std::vector<Conditions> hinges_;
+  std::vector<std::array<Rows, 2>> weighted_;  // how far curvatures turn them, in the metric of their fans; if proportional
 };
 
 }  // namespace
@@ -296,7 +305,7 @@ FittedFans fit_hinges(const std::vector<SheetTriangle>& sheet, const VecX& rest,
     out.c = fit.matrices(stiffness);
     out.off = fit.off();
   };
-  Fit fit(sheet, out.fans, rest, poisson);
+  Fit fit(sheet, out.fans, rest, poisson, false);
   fit.solve(first_sweeps);
   if (fit.off() <= hopeful) fit.solve(most_sweeps - first_sweeps);
   if (fit.off() <= enough) {
@@ -304,7 +313,7 @@ FittedFans fit_hinges(const std::vector<SheetTriangle>& sheet, const VecX& rest,
     return out;
   }
   out.fans = hinge_fans(sheet, most_hinges);
-  Fit again(sheet, out.fans, rest, poisson);
+  Fit again(sheet, out.fans, rest, poisson, true);
   again.solve(most_sweeps);
   take(again);
   return out;
