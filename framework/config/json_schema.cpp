@@ -1,10 +1,14 @@
-// The JSON schema (draft 7): strict objects, components as definitions chosen by `type`.
+// The JSON schema (draft 7): strict objects, components as definitions chosen by `type`. A file that includes another may give a part of
+// anything, so what has to be there is asked for beside all that (schema_required.hpp).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "framework/config/describe.hpp"
+#include "framework/config/schema_numbers.hpp"
+#include "framework/config/schema_required.hpp"
 #include "framework/config/words.hpp"
 
 namespace tack {
@@ -12,16 +16,6 @@ namespace {
 
 using nlohmann::json;
 using Form = Shape::Form;
-
-// A number, which may be followed by a unit; the program itself checks the unit.
-constexpr const char* number_pattern =
-    R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*([A-Za-z%µ°1/(].*)?$)";
-
-std::string definition_name(const Kind& kind, const std::string& component) {
-  return kind.name() + "." + component;
-}
-
-json reference(const std::string& definition) { return {{"$ref", "#/definitions/" + definition}}; }
 
 json typed_value(const Value& v, const Shape& shape) {
   if (v.is_sequence()) {
@@ -43,14 +37,8 @@ class Schema {
  public:
   json object(const Fields& fields) {
     json properties = json::object();
-    json required = json::array();
-    for (const Field& f : fields.all()) {
-      properties[f.key] = property(f);
-      if (f.mandatory) required.push_back(f.key);
-    }
-    json schema{{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
-    if (!required.empty()) schema["required"] = required;
-    return schema;
+    for (const Field& f : fields.all()) properties[f.key] = property(f);
+    return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}};
   }
 
   json take_definitions() { return std::move(definitions_); }
@@ -84,7 +72,7 @@ class Schema {
   json value(const Shape& shape, const Bounds& bounds, const Field& f) {
     switch (shape.form) {
       case Form::number:
-        return number(bounds);
+        return number(shape.unit, bounds);
       case Form::integer:
         return bounded({{"type", "integer"}}, bounds);
       case Form::flag:
@@ -95,7 +83,7 @@ class Schema {
       case Form::choice:
         return choice(shape);
       case Form::schedule:
-        return schedule(bounds);
+        return schedule(shape.unit, bounds);
       case Form::list:
         return list(shape, bounds, f);
       case Form::map:
@@ -103,7 +91,8 @@ class Schema {
       case Form::object:
         return object(shape.prototype());
       case Form::component:
-        return component(shape, f);
+        define(*shape.kind);
+        return schema_reference(shape.kind->name());
       case Form::any:
         return json::object();
     }
@@ -116,9 +105,24 @@ class Schema {
     return schema;
   }
 
-  // The bounds only bind numbers, the pattern only texts.
-  static json number(const Bounds& b) {
-    return bounded({{"type", {"number", "string"}}, {"pattern", number_pattern}}, b);
+  // The bounds only bind numbers, the definition's patterns only texts.
+  json number(const Unit& unit, const Bounds& b) {
+    const json kind = schema_reference(define_number(unit));
+    return b.low || b.high ? bounded({{"allOf", json::array({kind})}}, b) : kind;
+  }
+
+  std::string define_number(const Unit& unit) {
+    std::string name = fmt::format("number.{}", unit.quantity);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    if (definitions_.contains(name)) return name;
+    json schema{{"type", {"number", "string"}}, {"pattern", number_pattern}};
+    if (!unit.si.empty()) {
+      definitions_["number.in_a_known_unit"] = {{"pattern", known_unit_pattern()}};
+      schema["if"] = schema_reference("number.in_a_known_unit");
+      schema["then"] = {{"pattern", unit_pattern(unit)}};
+    }
+    definitions_[name] = schema;
+    return name;
   }
 
   static json choice(const Shape& shape) {
@@ -127,30 +131,25 @@ class Schema {
     return {{"enum", names}};
   }
 
-  static json schedule(const Bounds& b) {
+  json schedule(const Unit& unit, const Bounds& b) {
     const json pair{{"type", "array"},
-                    {"items", json::array({number({}), number(b)})},
+                    {"items", json::array({number(units::time, {}), number(unit, b)})},
                     {"additionalItems", false},
                     {"minItems", 2}};
     const json pairs{{"type", "array"}, {"items", pair}, {"minItems", 1}};
-    return {{"anyOf", json::array({number(b), pairs})}};
+    return {{"anyOf", json::array({number(unit, b), pairs})}};
+  }
+
+  static void add_merging_flags(json& entry) {
+    for (const auto& [key, doc] : merging_flags) entry["properties"][key] = {{"type", "boolean"}, {"description", doc}};
   }
 
   json list(const Shape& shape, const Bounds& bounds, const Field& f) {
-    json schema{{"type", "array"}, {"items", value(*shape.entry, bounds, f)}};
+    json entry = value(*shape.entry, bounds, f);
+    if (shape.entry->form == Form::object && merged_by_name(shape)) add_merging_flags(entry);
+    json schema{{"type", "array"}, {"items", std::move(entry)}};
     if (shape.count >= 0) schema["minItems"] = schema["maxItems"] = shape.count;
     return schema;
-  }
-
-  // With a default component, a map without `type` sets the default's parameters.
-  json component(const Shape& shape, const Field& f) {
-    define(*shape.kind);
-    json chosen = reference(shape.kind->name());
-    if (f.shape.form != Form::component) return chosen;
-    const Value current = f.write();
-    const Value* type = current.find("type");
-    if (!type || type->text.empty()) return chosen;
-    return {{"anyOf", {chosen, reference(definition_name(*shape.kind, type->text))}}};
   }
 
   void define(const Kind& kind) {
@@ -159,17 +158,18 @@ class Schema {
     json bare_names = json::array();
     json variants = json::array();
     for (const auto& [name, entry] : kind.entries()) {
-      json schema = object(kind.prototype(name));
-      if (!schema.contains("required")) bare_names.push_back(name);
+      const Fields fields = kind.prototype(name);
+      if (nothing_required(fields)) bare_names.push_back(name);
+      json schema = object(fields);
       schema["description"] = entry.doc;
       schema["properties"]["type"] = {{"const", name}};
-      definitions_[definition_name(kind, name)] = schema;
-      const json typed{{"required", json::array({"type"})}};
-      variants.push_back({{"allOf", {reference(definition_name(kind, name)), typed}}});
+      if (merged_by_name(kind)) add_merging_flags(schema);
+      definitions_[component_definition(kind, name)] = schema;
+      variants.push_back(schema_reference(component_definition(kind, name)));
     }
     if (!bare_names.empty()) variants.push_back({{"enum", bare_names}});
     if (variants.empty()) variants.push_back(false);  // nothing of this kind is registered
-    definitions_[kind.name()] = {{"description", kind.doc()}, {"oneOf", variants}};
+    definitions_[kind.name()] = {{"description", kind.doc()}, {"anyOf", variants}};
   }
 
   json definitions_ = json::object();
@@ -186,12 +186,9 @@ std::string json_schema(const Fields& root, const std::string& title) {
   const json texts{{"type", "array"}, {"items", text}};
   schema["properties"]["include"] = {{"description", "Files merged under this one, lists of named entries by name."},
                                      {"anyOf", json::array({text, texts})}};
-  if (schema.contains("required")) {  // an included file may give what is required
-    json given{{"required", schema["required"]}};
-    schema["anyOf"] = json::array({given, {{"required", json::array({"include"})}}});
-    schema.erase("required");
-  }
   schema["definitions"] = builder.take_definitions();
+  schema["if"] = {{"required", json::array({"include"})}};
+  schema["else"] = required_schema(root, schema["definitions"]);
   return schema.dump(1);
 }
 

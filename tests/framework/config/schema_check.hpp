@@ -24,13 +24,17 @@ class SchemaCheck {
     if (schema.contains("$ref")) {
       return fits(root_.at(json::json_pointer(schema["$ref"].get<std::string>().substr(1))), value);
     }
+    if (schema.contains("if")) {
+      const char* branch = fits(schema["if"], value) ? "then" : "else";
+      if (schema.contains(branch) && !fits(schema[branch], value)) return false;
+    }
     return std::all_of(schema.items().begin(), schema.items().end(), [&](const auto& rule) {
       return obeys(rule.key(), rule.value(), schema, value);
     });
   }
 
   bool obeys(const std::string& word, const json& rule, const json& schema, const json& v) const {
-    for (const char* note : {"$schema", "title", "description", "default", "definitions"}) {
+    for (const char* note : {"$schema", "title", "description", "default", "definitions", "$comment", "if", "then", "else"}) {
       if (word == note) return true;
     }
     if (word == "type") return rule.is_array() ? any_type(rule, v) : is_type(rule, v);
