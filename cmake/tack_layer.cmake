@@ -27,35 +27,54 @@ if(TACK_SANITIZE)
   target_link_options(tack_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# What nearly every file includes, parsed once for all layers.
+# What nearly every file includes, parsed once for all layers, and once more for cold folders: GCC takes the optimisation of a precompiled
+# header for that of the file that includes it.
 set(TACK_PRECOMPILED <Eigen/Core> <Eigen/LU> <fmt/format.h> <tbb/parallel_for.h> <algorithm> <array> <cmath>
     <functional> <map> <memory> <optional> <string> <vector>)
 file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/precompiled.cpp CONTENT "")
-add_library(tack_precompiled OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
-target_precompile_headers(tack_precompiled PRIVATE ${TACK_PRECOMPILED})
-target_link_libraries(tack_precompiled PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)
+set(TACK_COLD_OPTIONS $<$<CONFIG:Release>:-O1>)
+# Without it GCC leaves the upper halves of vector registers in use, which makes what of libm is not compiled for AVX slow.
+set(TACK_CLEAN_REGISTERS $<$<CONFIG:Release>:-fexpensive-optimizations>)
+foreach(TARGET tack_precompiled tack_precompiled_cold)
+  add_library(${TARGET} OBJECT ${CMAKE_BINARY_DIR}/precompiled.cpp)
+  target_precompile_headers(${TARGET} PRIVATE ${TACK_PRECOMPILED})
+  target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)
+endforeach()
+target_compile_options(tack_precompiled_cold PRIVATE ${TACK_COLD_OPTIONS} ${TACK_CLEAN_REGISTERS})
+function(tack_precompile_cold TARGET)
+  target_precompile_headers(${TARGET} REUSE_FROM tack_precompiled_cold)
+  target_compile_options(${TARGET} PRIVATE ${TACK_CLEAN_REGISTERS})
+endfunction()
 
 # Parsing, describing and writing are not worth the optimiser's time, nor the compiler's: the files of such
-# a folder are compiled together, as what they instantiate is mostly the same. They had better not call inline functions of
-# geometry/distance: of those that are not inlined the linker keeps one copy for all, and it may be theirs.
+# a folder are compiled together, as what they instantiate is mostly the same. Of inline functions that are not inlined the linker keeps the
+# first copy for all: hot objects are linked before cold ones.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 set(TACK_COLD_FOLDERS framework/config framework/plugin framework/shapes framework/level_set framework/meshing framework/scene framework/output
     framework/experiment framework/probes framework/compare framework/plot framework/batch framework/profile framework/run framework/report
     framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
+# Hot ones whose files have most of their headers in common.
+set(TACK_UNITED_FOLDERS geometry/exact)
 # Where CGAL takes so long to compile that one file alone is enough, what is hot all the same, and what changes with every commit.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
     geometry/meshing/distance_grid.cpp framework/output/provenance.cpp)
-function(tack_cool TARGET)
+# tack_unite(TARGET [FOLDER ...]): those of its sources that lie there, or all, are compiled folder by folder.
+function(tack_unite TARGET)
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ${TACK_UNITY} UNITY_BUILD_MODE GROUP)
-  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
   get_target_property(SOURCES ${TARGET} SOURCES)
   foreach(SOURCE ${SOURCES})
     cmake_path(GET SOURCE PARENT_PATH FOLDER)
     cmake_path(RELATIVE_PATH FOLDER BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
-    string(REPLACE "/" "_" FOLDER ${FOLDER})
-    set_source_files_properties(${SOURCE} PROPERTIES UNITY_GROUP ${FOLDER})
+    if(NOT ARGN OR FOLDER IN_LIST ARGN)
+      string(REPLACE "/" "_" FOLDER ${FOLDER})
+      set_source_files_properties(${SOURCE} PROPERTIES UNITY_GROUP ${FOLDER})
+    endif()
   endforeach()
+endfunction()
+function(tack_cool TARGET)
+  tack_unite(${TARGET})
+  target_compile_options(${TARGET} PRIVATE ${TACK_COLD_OPTIONS})
   foreach(SOURCE ${TACK_ALONE})
     set_source_files_properties(${CMAKE_SOURCE_DIR}/${SOURCE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endforeach()
@@ -73,17 +92,20 @@ function(tack_layer NAME)
   list(FILTER HOT EXCLUDE REGEX "/${FOLDERS}/")
   list(FILTER COLD INCLUDE REGEX "/${FOLDERS}/")
   add_library(tack_${NAME} OBJECT ${HOT})
+  tack_unite(tack_${NAME} ${TACK_UNITED_FOLDERS})
+  target_precompile_headers(tack_${NAME} REUSE_FROM tack_precompiled)
+  set_property(GLOBAL APPEND PROPERTY TACK_HOT_LAYERS tack_${NAME})
   set(TARGETS tack_${NAME})
   if(COLD)
     add_library(tack_${NAME}_cold OBJECT ${COLD})
     tack_cool(tack_${NAME}_cold)
+    tack_precompile_cold(tack_${NAME}_cold)
+    set_property(GLOBAL APPEND PROPERTY TACK_COLD_LAYERS tack_${NAME}_cold)
     list(APPEND TARGETS tack_${NAME}_cold)
   endif()
   foreach(TARGET ${TARGETS})
-    target_precompile_headers(${TARGET} REUSE_FROM tack_precompiled)
     target_link_libraries(${TARGET} PUBLIC tack_options ${L_LINKS} PRIVATE ${L_PRIVATE_LINKS})
   endforeach()
-  set_property(GLOBAL APPEND PROPERTY TACK_LAYERS ${TARGETS})
   set_property(GLOBAL APPEND PROPERTY TACK_LINKS ${L_PRIVATE_LINKS})
 endfunction()
 
@@ -91,9 +113,10 @@ endfunction()
 function(tack_link_all TARGET)
   set_target_properties(${TARGET} PROPERTIES LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
   target_link_options(${TARGET} PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exports.map)
-  get_property(LAYERS GLOBAL PROPERTY TACK_LAYERS)
+  get_property(HOT GLOBAL PROPERTY TACK_HOT_LAYERS)
+  get_property(COLD GLOBAL PROPERTY TACK_COLD_LAYERS)
   get_property(LINKS GLOBAL PROPERTY TACK_LINKS)
-  foreach(LAYER ${LAYERS})
+  foreach(LAYER ${HOT} ${COLD})
     target_sources(${TARGET} PRIVATE $<TARGET_OBJECTS:${LAYER}>)
   endforeach()
   target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt
@@ -182,7 +205,7 @@ function(tack_app)
   file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
   add_executable(tack_cli ${SOURCES})
   tack_cool(tack_cli)
-  target_precompile_headers(tack_cli REUSE_FROM tack_precompiled)
+  tack_precompile_cold(tack_cli)
   set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack ENABLE_EXPORTS ON RUNTIME_OUTPUT_DIRECTORY
                         ${CMAKE_BINARY_DIR}/bin)
   tack_link_all(tack_cli)
