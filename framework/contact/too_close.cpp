@@ -9,7 +9,7 @@ namespace tack {
 namespace {
 
 constexpr size_t most = 5;
-constexpr double rounding = 1e-12;  // of the extent of two primitives: that far apart they touch
+constexpr double rounding = 1e-14;  // of the extent of two primitives: that far apart they touch
 
 template <size_t N>
 double extent(const std::array<Vec3, N>& x) {
