@@ -1,6 +1,9 @@
 #include "framework/core/damping_terms.hpp"
 
+#include <fmt/format.h>
+
 #include <numeric>
+#include <stdexcept>
 
 #include "geometry/parallel.hpp"
 
@@ -19,6 +22,13 @@ void multiply(const double* blocks, int arity, const int* vertices, const VecX& 
   }
 }
 
+std::vector<StencilBatch> checked(std::vector<StencilBatch> batches) {
+  for (const StencilBatch& b : batches)
+    if (b.arity < 1 || b.arity > largest_arity)
+      throw std::logic_error(fmt::format("damping: stencils of {} vertices, and {} are the most (framework/core/term.hpp)", b.arity, largest_arity));
+  return batches;
+}
+
 size_t slots_of(const std::vector<StencilBatch>& batches, int (*per_stencil)(int arity)) {
   size_t slots = 0;
   for (const StencilBatch& b : batches) slots += static_cast<size_t>(per_stencil(b.arity)) * b.count;
@@ -28,7 +38,7 @@ size_t slots_of(const std::vector<StencilBatch>& batches, int (*per_stencil)(int
 }  // namespace
 
 DampingTerm::DampingTerm(std::vector<StencilBatch> batches)
-    : Term("damping"), batches_(std::move(batches)), blocks_(9 * slots_of(batches_, hessian_blocks)) {}
+    : Term("damping"), batches_(checked(std::move(batches))), blocks_(9 * slots_of(batches_, hessian_blocks)) {}
 
 void DampingTerm::begin_step(const StepStart& start) {
   start_ = start.x;
