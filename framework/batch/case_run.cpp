@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double heartbeat = 0.5;  // s, after which the seconds of a case that runs are written again
 constexpr double patience = 20;  // s, from the request to end to being killed
 constexpr std::uintmax_t largest_output = std::uintmax_t{1} << 30;
 
@@ -70,7 +71,8 @@ CaseRun::CaseRun(const std::string& program, const BatchFolder& folder, const Ba
         }
         replace_file(folder.scene(one.name), one.scene);
         replace_file(folder.output(one.name), "");
-        state_ = {CaseStatus::running, one.digest, "", 0, 0, 0};
+        if (resumed_) before_ = state_of(folder, one);
+        state_ = {CaseStatus::running, one.digest, "", before_.wall_seconds, before_.cpu_seconds, before_.memory_mb};
         write_case_state(folder.state(one.name), state_);
         return start(resumed_);
       }()) {}
@@ -92,10 +94,17 @@ bool CaseRun::ended() {
       timed_out_ = true;
       interrupt();
     }
+    if (process_.seconds() > told_ + heartbeat) {  // for those who go on if this program is killed
+      told_ = process_.seconds();
+      add_up();
+      write_case_state(folder_.state(case_.name), state_);
+    }
     return false;
   }
   if (resumed_ && process_.exit_code() == 2) {  // a checkpoint that is damaged, say
     resumed_ = false;
+    before_ = {};
+    told_ = 0;
     fs::remove_all(folder_.run(case_.name));
     process_ = start(false);
     return false;
@@ -138,10 +147,14 @@ std::string CaseRun::want_of_memory() const {
   return "";
 }
 
+void CaseRun::add_up() {
+  state_.wall_seconds = before_.wall_seconds + process_.seconds();
+  state_.cpu_seconds = before_.cpu_seconds + process_.cpu_seconds();
+  state_.memory_mb = std::max(before_.memory_mb, process_.memory_mb());
+}
+
 void CaseRun::settle() {
-  state_.wall_seconds = process_.seconds();
-  state_.cpu_seconds = process_.cpu_seconds();
-  state_.memory_mb = process_.memory_mb();
+  add_up();
   const fs::path run = folder_.run(case_.name);
   const int code = process_.exit_code(), signal = process_.signal();
   if (timed_out_) {

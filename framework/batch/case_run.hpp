@@ -22,6 +22,7 @@ class CaseRun {
 
  private:
   ChildProcess start(bool resume);
+  void add_up();
   void settle();
   std::string last_words() const;
   std::string want_of_memory() const;
@@ -30,8 +31,10 @@ class CaseRun {
   BatchFolder folder_;
   const BatchCase& case_;
   BatchLimits limits_;
+  CaseState before_;  // what earlier pieces of the run took
   CaseState state_;
   bool resumed_ = false, timed_out_ = false;
+  double told_ = 0;        // s of its life at which its state was last written
   double killed_at_ = -1;  // s of its life after which it is killed; negative: not yet asked to end
   ChildProcess process_;
 };

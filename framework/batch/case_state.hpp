@@ -28,8 +28,8 @@ struct CaseState {
   CaseStatus status = CaseStatus::waiting;
   std::string digest;       // of the case when it ran
   std::string error;        // why it failed
-  double wall_seconds = 0;  // of the process; of a case that was gone on with, its last one
-  double cpu_seconds = 0;
+  double wall_seconds = 0;  // of the process; of a case that was gone on with, of all of its processes
+  double cpu_seconds = 0;   // likewise
   double memory_mb = 0;     // most that was resident at once
 };
 

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <stdexcept>
 #include <utility>
 
@@ -85,6 +86,13 @@ bool ChildProcess::ended() {
 
 void ChildProcess::send(int signal) {
   if (pid_ > 0) ::kill(pid_, signal);
+}
+
+double ChildProcess::cpu_seconds() const {
+  clockid_t clock = 0;
+  timespec used{};
+  if (pid_ < 0 || ::clock_getcpuclockid(pid_, &clock) != 0 || ::clock_gettime(clock, &used) != 0) return cpu_seconds_;
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 double ChildProcess::seconds() const {

@@ -23,11 +23,11 @@ class ChildProcess {
   bool ended();            // does not wait
   void send(int signal);   // nothing if it has ended
   double seconds() const;  // since its start, or of its life
+  double cpu_seconds() const;  // likewise, of all its threads
 
   // Of one that ended: its exit code, or the signal that ended it, 0 if none did.
   int exit_code() const { return exit_code_; }
   int signal() const { return signal_; }
-  double cpu_seconds() const { return cpu_seconds_; }
   double memory_mb() const { return memory_mb_; }  // most that was resident
 
  private:

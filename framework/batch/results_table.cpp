@@ -68,8 +68,9 @@ void add_counts(Cells& cells, size_t row, const Json& summary) {
   cells.set(row, "steps", summary.at("steps"));
   cells.set(row, "dofs", summary.at("dofs"));
   for (const char* key : {"newton_iterations", "linear_solves", "linear_iterations"}) cells.set(row, key, summary.at("totals").at(key));
-  for (const char* key : {"failed_solves", "max_contacts", "min_distance", "intersections", "inverted_tets"})
-    cells.set(row, key, summary.at(key));
+  for (const char* key : {"failed_solves", "max_contacts", "min_distance", "min_gap", "intersections", "inverted_tets"})
+    if (summary.contains(key)) cells.set(row, key, summary.at(key));
+  if (const auto warnings = summary.find("warnings"); warnings != summary.end()) cells.set(row, "warnings", Json(warnings->size()));
 }
 
 void add_seconds(Cells& cells, size_t row, const Json& summary) {
@@ -117,7 +118,7 @@ ResultsTable results_of(const BatchFolder& folder, const BatchPlan& plan) {
 
 bool taken_column(const std::string& name) {
   static constexpr std::string_view fixed[] = {"case", "base", "status", "error", "steps", "dofs", "newton_iterations", "linear_solves",
-                                               "linear_iterations", "failed_solves", "max_contacts", "min_distance", "intersections", "inverted_tets",
+                                               "linear_iterations", "failed_solves", "max_contacts", "min_distance", "min_gap", "intersections", "inverted_tets", "warnings",
                                                "wall_seconds", "process_seconds", "cpu_seconds", "memory_mb"};
   return std::find(std::begin(fixed), std::end(fixed), name) != std::end(fixed) || name.starts_with("expect:") || name.starts_with("value:") ||
          name.starts_with("seconds_");

@@ -1,9 +1,9 @@
 // results.csv: a row per case of a batch.
 //
 // Columns: case; what varies, numbers in SI; status and error; expect:NAME (1 or 0) and value:NAME of each expectation; the statistics of
-// probes; steps, dofs, newton_iterations, linear_solves, linear_iterations, failed_solves, max_contacts, min_distance [m],
-// intersections, inverted_tets; then what was measured and differs from run to run: wall_seconds, seconds_PHASE, process_seconds
-// (wall time of the case's process; of one that was resumed, its last), cpu_seconds, memory_mb. A cell is empty where there is no such
+// probes; steps, dofs, newton_iterations, linear_solves, linear_iterations, failed_solves, max_contacts, min_distance, min_gap [m],
+// intersections, inverted_tets, warnings (how many different ones its summary has); then what was measured and differs from run to run: wall_seconds, seconds_PHASE, process_seconds
+// and cpu_seconds (of the case's process; of one that was gone on with, of all of its processes), memory_mb. A cell is empty where there is no such
 // number: of a case that did not run to its end, of an expectation that another experiment has.
 #pragma once
 

@@ -32,33 +32,41 @@ Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candi
   return found;
 }
 
-double smallest_gap(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const VecX& x) {
+SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const VecX& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const CollisionMesh& mesh = surface.mesh;
-  const auto smallest = [&](const auto& list, const auto& clearance, const auto& first_of, const auto& second_of) {
-    return min_chunks(static_cast<int>(list.size()), infinity, [&](int first, int last) {
-      double least = infinity;
+  SmallestGaps found{infinity, infinity};
+  const auto look = [&](const auto& list, const auto& clearance, const auto& first_of, const auto& second_of) {
+    const int n = static_cast<int>(list.size());
+    std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), {infinity, infinity});
+    for_each_chunk(n, [&](int c, int first, int last) {
+      SmallestGaps& gaps = partial[c];
       for (int i = first; i < last; ++i) {
         const auto& a = first_of(list[i][0]);
         const auto& b = second_of(list[i][1]);
         const int of_a = mesh.vertex_object[a[0]], of_b = mesh.vertex_object[b[0]];
+        double& least = of_a == of_b ? gaps.of_all : gaps.between_objects;
         double filled = pairs.largest_offset() > 0 ? pairs.offset(of_a, of_b) : 0;
         if (clearance[i] - filled >= least) continue;
         const double distance = std::sqrt(squared_distance(corners(x, a), corners(x, b)));
         if (filled > 0 && distance - filled < least && rest_neighbours(surface, a, b, pairs.edge(of_a, of_b).range)) filled = 0;
         least = std::min(least, distance - filled);
       }
-      return least;
     });
+    for (const SmallestGaps& gaps : partial) {
+      found.of_all = std::min({found.of_all, gaps.of_all, gaps.between_objects});
+      found.between_objects = std::min(found.between_objects, gaps.between_objects);
+    }
   };
   const auto point = [](int v) { return std::array{v}; };
   const auto edge = [&](int e) -> const Edge& { return mesh.edges[e]; };
   const auto triangle = [&](int t) -> const Triangle& { return mesh.triangles[t]; };
   const Clearances& clearances = candidates.clearances;
-  return std::min({smallest(candidates.point_triangle, clearances.point_triangle, point, triangle),
-                   smallest(candidates.edge_edge, clearances.edge_edge, edge, edge),
-                   smallest(candidates.point_edge, clearances.point_edge, point, edge),
-                   smallest(candidates.point_point, clearances.point_point, point, point)});
+  look(candidates.point_triangle, clearances.point_triangle, point, triangle);
+  look(candidates.edge_edge, clearances.edge_edge, edge, edge);
+  look(candidates.point_edge, clearances.point_edge, point, edge);
+  look(candidates.point_point, clearances.point_point, point, point);
+  return found;
 }
 
 }  // namespace tack

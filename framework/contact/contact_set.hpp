@@ -70,8 +70,12 @@ struct ContactSurface {
 // The candidates between objects a and b.
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b);
 
-// The smallest gap among the candidates: the distance less the offset of the pair [m]; of neighbours at rest (rest_neighbours.hpp),
+// The smallest gaps among the candidates: the distance less the offset of the pair [m]; of neighbours at rest (rest_neighbours.hpp),
 // which do not press, the distance. Infinity without candidates.
-double smallest_gap(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const VecX& x);
+struct SmallestGaps {
+  double of_all = 0;
+  double between_objects = 0;  // without what an object has to itself
+};
+SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const VecX& x);
 
 }  // namespace tack

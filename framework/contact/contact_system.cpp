@@ -111,8 +111,8 @@ void ContactSystem::cover(const VecX& x, const VecX& p) {
   narrow_phase_->set_candidates(candidates(), x);
 }
 
-double ContactSystem::smallest_gap(const VecX& x) const {
-  return tack::smallest_gap(surface_, pairs_, candidates(), x);
+SmallestGaps ContactSystem::smallest_gaps(const VecX& x) const {
+  return tack::smallest_gaps(surface_, pairs_, candidates(), x);
 }
 
 }  // namespace tack

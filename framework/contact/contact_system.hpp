@@ -48,7 +48,7 @@ class ContactSystem : public StepParticipant {
   double range() const { return range_; }
   // How far vertices may go in one search without its boxes being mostly empty [m].
   double stride() const { return stride_; }
-  double smallest_gap(const VecX& x) const;
+  SmallestGaps smallest_gaps(const VecX& x) const;
 
  private:
   bool renew_candidates(const VecX& x, const VecX& p);

@@ -62,7 +62,9 @@ std::string Progress::line_of(const StepReport& r, double now) const {
       fmt::format("step {}  t {:.6g} s ({:.0f}%)  {}  {}", r.step, r.time,
                   std::floor(100 * fraction(r.time) + 1e-9),
                   counted(r.solve.iterations, "iteration"), counted(r.contacts, "contact"));
-  if (std::isfinite(r.min_distance)) line += fmt::format("  gap {:.3g} m", r.min_distance);
+  // What an object has to itself is told only where nothing else is near: a mesh is always near itself.
+  if (std::isfinite(r.min_gap)) line += fmt::format("  gap {:.3g} m", r.min_gap);
+  else if (std::isfinite(r.min_distance)) line += fmt::format("  from itself {:.3g} m", r.min_distance);
   if (r.halvings > 0) line += fmt::format("  {}", counted(r.halvings, "halving"));
   if (!r.converged) line += "  not converged";
   const std::string left = time_left(r, now);

@@ -132,6 +132,18 @@ void read(const Json& json, const char* key, Field& field) {
   }
 }
 
+Json to_json(const std::vector<WarningCount>& warnings) {
+  Json json = Json::array();
+  for (const WarningCount& w : warnings) json.push_back({w.first.text, w.first.kind, w.times});
+  return json;
+}
+
+std::vector<WarningCount> warnings_of(const Json& json) {
+  std::vector<WarningCount> warnings;
+  for (const Json& w : json) warnings.push_back({{w.at(0).get<std::string>(), w.at(1).get<std::string>()}, w.at(2).get<int>()});
+  return warnings;
+}
+
 Json to_json(const Mesh& mesh) {
   Json vertices = Json::array();
   for (const Vec3& v : mesh.vertices) vertices.push_back({v.x(), v.y(), v.z()});
@@ -194,7 +206,8 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
   for (const auto& [name, object] : file.objects) objects[name] = {{"vertices", object.vertices}, {"mesh", to_json(object.mesh)}};
   const Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
                      {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes}, {"plugins", file.plugins}, {"objects", objects},
-                     {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals}};
+                     {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals},
+                     {"warnings", to_json(file.warnings)}};
   std::string content;
   Json::to_cbor(json, content);
   replace_file(path, head_of(version, crc32_of(content.data(), content.size()), content.size()) + content);
@@ -223,6 +236,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
       file.state.history["contact/sides"] = {1, sides->get<std::vector<double>>(), {}};
     read(json, "step_size", file.step_size);
     read(json, "totals", file.totals);
+    if (json.contains("warnings")) file.warnings = warnings_of(json["warnings"]);
   } catch (const Json::exception& error) {
     refuse_file(path, fmt::format("is damaged ({}); write it anew", error.what()));
   }

@@ -9,7 +9,7 @@
 // [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path: CRC-32 of the file} of a checkpoint, objects {object: {vertices: those of the
 // state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, h_next, held, x, v,
 // a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} of a checkpoint's run
-// so far. All in SI. A field that a later program adds is absent from older files, and is then what a State
+// so far and warnings [[text, kind, times]] of it. All in SI. A field that a later program adds is absent from older files, and is then what a State
 // holds by default; the version rises when what is there changes its meaning.
 #pragma once
 
@@ -19,6 +19,7 @@
 #include <string>
 
 #include "framework/core/state.hpp"
+#include "framework/core/warning.hpp"
 #include "framework/scene/earlier_state.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/mesh/mesh.hpp"
@@ -37,6 +38,7 @@ struct StateFile {
   State state;
   double step_size = 0;  // of a problem [s]
   std::map<std::string, double> totals;
+  std::vector<WarningCount> warnings;  // of a checkpoint's run so far
 };
 
 void write_state_file(const std::filesystem::path& path, const StateFile& file);

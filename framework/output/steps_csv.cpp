@@ -26,7 +26,8 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
                                       "line_search_evaluations",
                                       "contacts",
                                       "candidates",
-                                      "min_distance"};
+                                      "min_distance",
+                                      "min_gap"};
   for (const std::string& term : terms) columns.push_back("energy_" + term);
   EnergyFlows::for_each(EnergyFlows(), [&](const char* name, double) { columns.push_back(name); });
   columns.insert(columns.end(), {"residual", "unbalanced_force", "tolerated_force", "converged", "lag_iterations",
@@ -48,7 +49,8 @@ std::vector<double> row_of(const StepReport& r) {
                              double(r.solve.line_search_evaluations),
                              double(r.contacts),
                              double(r.candidates),
-                             r.min_distance};
+                             r.min_distance,
+                             r.min_gap};
   for (const auto& [term, energy] : r.energies) row.push_back(energy);
   EnergyFlows::for_each(r.flows, [&](const char*, double energy) { row.push_back(energy); });
   row.insert(row.end(), {r.solve.residual, r.unbalanced_force, r.tolerated_force, r.converged ? 1.0 : 0.0, double(r.lag_iterations),

@@ -47,6 +47,12 @@ OrderedJson expect_json(const std::vector<ExpectationResult>& results) {
   return list;
 }
 
+OrderedJson warnings_json(const std::vector<WarningCount>& warnings) {
+  OrderedJson list = OrderedJson::array();
+  for (const WarningCount& w : warnings) list.push_back({{"text", w.first.text}, {"times", w.times}});
+  return list;
+}
+
 OrderedJson totals_json(const RunSummary& s) {
   return {{"newton_iterations", s.newton_iterations},
           {"linear_solves", s.linear_solves},
@@ -82,12 +88,14 @@ OrderedJson to_json(const RunSummary& s) {
           {"totals", totals_json(s)},
           {"max_contacts", s.max_contacts},
           {"min_distance", finite(s.min_distance)},
+          {"min_gap", finite(s.min_gap)},
           {"max_unbalanced_force", finite(s.max_unbalanced_force)},
           {"max_affine_strain", finite(s.max_affine_strain)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
           {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
+          {"warnings", warnings_json(s.warnings)},
           {"expect", expect_json(s.expect)}};
 }
 
@@ -107,6 +115,19 @@ std::string_view to_string(RunStatus status) {
   return "";
 }
 
+bool RunSummary::add(const Warning& warning) {
+  const bool alone = warning.kind.empty();
+  const auto same = std::find_if(warnings.begin(), warnings.end(), [&](const WarningCount& w) {
+    return w.first.kind == warning.kind && (!alone || w.first.text == warning.text);
+  });
+  if (same != warnings.end()) {
+    same->times += alone ? 0 : 1;
+    return false;
+  }
+  warnings.push_back({warning});
+  return true;
+}
+
 void RunSummary::add(const StepReport& report) {
   ++steps;
   converged_steps += report.converged ? 1 : 0;
@@ -119,6 +140,7 @@ void RunSummary::add(const StepReport& report) {
   broad_phase_builds += report.broad_phase_builds;
   max_contacts = std::max(max_contacts, report.contacts);
   min_distance = std::min(min_distance, report.min_distance);
+  min_gap = std::min(min_gap, report.min_gap);
   max_unbalanced_force = std::max(max_unbalanced_force, report.unbalanced_force);
   max_affine_strain = std::max(max_affine_strain, report.affine_strain);
   intersections += report.intersections;

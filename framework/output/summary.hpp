@@ -2,10 +2,10 @@
 //
 // Keys: name, version, commit ("-dirty" behind it if the sources are others), provenance {...} (output/provenance_json.hpp), status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
-// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance [m], max_unbalanced_force [N], max_affine_strain, intersections,
+// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], max_affine_strain, intersections,
 // inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
 // dissipated_numerics [J] (stepping/energy_balance.hpp), damped_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
-// peak_traction [Pa]}], expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
+// peak_traction [Pa]}], warnings [{text, times}] (the first of a kind, and how often there was one), expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
 // Numbers that are not finite are null.
 #pragma once
 
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "framework/contact/adhesion_summary.hpp"
+#include "framework/core/warning.hpp"
 #include "framework/output/expectations.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/stepping/step_report.hpp"
@@ -46,6 +47,7 @@ struct RunSummary {
   long broad_phase_builds = 0;
   int max_contacts = 0;
   double min_distance = std::numeric_limits<double>::infinity();  // m
+  double min_gap = std::numeric_limits<double>::infinity();       // of different objects [m]
   double max_unbalanced_force = 0;  // at the end of a step [N]
   double max_affine_strain = 0;     // of any affine body
   int intersections = 0;
@@ -54,7 +56,12 @@ struct RunSummary {
   int damped_steps = 0;  // that implicit Euler did again, because energy would have grown
   int energy_gains = 0;  // steps in which energy had grown noticeably, and nothing put it in
   std::vector<AdhesionSummary> adhesion;
+  std::vector<WarningCount> warnings;
   std::vector<ExpectationResult> expect;
+
+  // Whether it is the first of its kind, or of its text. One that is of no kind and was told before, by the run that is gone
+  // on with, is the same one.
+  bool add(const Warning& warning);
 
   // Counts an accepted step in: everything a step report tells, but not wall_seconds and phases,
   // which also cover what happens between steps.

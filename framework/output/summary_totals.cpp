@@ -20,6 +20,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("broad_phase_builds", s.broad_phase_builds);
   act("max_contacts", s.max_contacts);
   act("min_distance", s.min_distance);
+  act("min_gap", s.min_gap);
   act("max_unbalanced_force", s.max_unbalanced_force);
   act("max_affine_strain", s.max_affine_strain);
   act("intersections", s.intersections);

@@ -27,6 +27,13 @@ std::optional<Curve> over_time(const CsvTable& table, const std::string& column,
   return over(table, "time", column, title);
 }
 
+// Of different objects; where none came near each other, of objects to themselves.
+std::optional<Curve> smallest_gap(const PlottedRun& run) {
+  auto gap = over_time(run.steps, "min_gap", run.name);
+  const bool near = gap && std::any_of(gap->points.begin(), gap->points.end(), [](const auto& p) { return std::isfinite(p.second); });
+  return near ? gap : over_time(run.steps, "min_distance", run.name);
+}
+
 struct StepColumn {
   const char* name;  // of the picture
   const char* column;
@@ -37,7 +44,6 @@ struct StepColumn {
 
 constexpr StepColumn step_columns[] = {{"iterations", "newton_iterations", "Newton iterations per step", "iterations", false},
                                        {"step_seconds", "wall_seconds", "wall time per step", "time [s]", false},
-                                       {"smallest_gap", "min_distance", "smallest gap", "gap [m]", true},
                                        {"contacts", "contacts", "contacts", "pairs of primitives", false}};
 
 // "gap [m]"
@@ -99,6 +105,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
     for (const std::string& column : run.probes.columns)
       if (column != "time") add("probe_" + picture_name(column), column.c_str(), with_unit(run, column), false, over_time(run.probes, column, run.name));
     for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.log, over_time(run.steps, s.column, run.name));
+    add("smallest_gap", "smallest gap", "gap [m]", true, smallest_gap(run));
     if (runs.size() > 1) continue;
     for (const std::string& column : run.steps.columns)
       if (column.starts_with("energy_")) add("energies", "energies", "energy [J]", false, over_time(run.steps, column, column.substr(7)));

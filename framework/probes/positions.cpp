@@ -80,7 +80,7 @@ class Gap : public Probe {
   bool unbounded() const override { return true; }
   std::vector<double> sample(const World& world, const State& state) override {
     const CollisionMesh& mesh = world.contact->surface().mesh;
-    return {smallest_gap(world.contact->surface(), world.contact->pairs(), candidates_between(mesh, world.contact->candidates(), a_, b_), state.x)};
+    return {smallest_gaps(world.contact->surface(), world.contact->pairs(), candidates_between(mesh, world.contact->candidates(), a_, b_), state.x).of_all};
   }
 
  private:

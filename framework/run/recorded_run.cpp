@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "framework/config/describe.hpp"
+#include "framework/config/words.hpp"
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/output/laws_csv.hpp"
@@ -16,13 +19,34 @@
 namespace tack {
 namespace {
 
-void warn_of_weak_wells(const World& world, Progress& progress) {
+std::vector<std::string> weak_wells(const World& world) {
+  std::vector<std::string> lines;
   for (const AdhesionSummary& a : world.adhesion)
     if (a.loss() > AdhesionSummary::tolerated_loss)
-      progress.warning(fmt::format(
+      lines.push_back(fmt::format(
           "adhesion {}: the barrier's stiffness takes {:.0f}% of the work of adhesion "
           "({:.4g} of {:.4g} J/m^2 remain); lower contact.barrier.stiffness",
           a.names(), 100 * a.loss(), a.effective, a.work_of_adhesion));
+  return lines;
+}
+
+// What making the meshes had to warn of, of copies (fill.hpp) once.
+std::vector<std::string> doubtful_meshes(const World& world) {
+  constexpr std::string_view prefix = "warning: ";  // geometry/meshing/notes.hpp
+  std::vector<std::string> lines, told;
+  for (const Body& body : world.bodies)
+    for (const std::string& note : body.notes) {
+      if (!note.starts_with(prefix) || std::find(told.begin(), told.end(), note) != told.end()) continue;
+      told.push_back(note);
+      lines.push_back(fmt::format("object '{}': {}", body.name, note.substr(prefix.size())));
+    }
+  return lines;
+}
+
+// Of different objects, if any came near each other.
+std::string smallest_gap_of(const RunSummary& s) {
+  if (!std::isfinite(s.min_gap) && std::isfinite(s.min_distance)) return fmt::format("smallest gap of an object to itself {:.4g} m", s.min_distance);
+  return fmt::format("smallest gap {:.4g} m", s.min_gap);
 }
 
 RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {
@@ -35,10 +59,10 @@ RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {
 RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, const Provenance& provenance,
                          std::ostream& out, const ProgressOptions& progress)
     : settings_(settings), dump_(settings.dump_problems),
-      simulation_(std::move(loaded), [this](const std::string& line) { progress_.warning(line); }),
+      simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
       probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
-  if (checkpoint_) set_totals(summary_, checkpoint_->totals);
+  if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings;
   else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world_);
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
@@ -82,9 +106,15 @@ void RecordedRun::tell_beginning() {
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world_.start_notes) progress_.message(line);
-  warn_of_weak_wells(world_, progress_);
-  for (const std::string& line : resolution_warnings(experiment_, world_)) progress_.warning(line);
-  for (const std::string& line : doubtful_tolerances(experiment_, world_)) progress_.warning(line);
+  for (const auto& lines : {doubtful_meshes(world_), weak_wells(world_), resolution_warnings(experiment_, world_),
+                            doubtful_tolerances(experiment_, world_)})
+    for (const std::string& line : lines) warn(line);
+}
+
+// Whatever is warned of also stands in the summary.
+void RecordedRun::warn(const Warning& warning) {
+  summary_.add(warning);
+  progress_.warning(warning.text);
 }
 
 std::optional<StateFile> RecordedRun::checkpoint() {
@@ -150,7 +180,7 @@ void RecordedRun::prepare_dump() {
 void RecordedRun::finish_dump() {
   dump_.finish([this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
   for (const int step : dump_.missed())
-    progress_.warning(fmt::format("step {} was not reached: its problem is not stored", step));
+    warn(fmt::format("step {} was not reached: its problem is not stored", step));
 }
 
 StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) const {
@@ -206,6 +236,7 @@ void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   StateFile file = state_file(StateFile::Kind::checkpoint, simulation_.state());
   add_up_phases();
   file.totals = totals_of(summary_);
+  file.warnings = summary_.warnings;
   write_state_file(path, file);
 }
 
@@ -235,9 +266,9 @@ void RecordedRun::finish(const Recorder& recorder) {
   progress_.finish();
   progress_.message(profiler_ && simulation_.started() ? profile_of_run() : phase_table(summary_));
   if (complete) progress_.message(expect_table(summary_.expect));
-  progress_.message(fmt::format("{}: {} steps, {} Newton iterations, smallest gap {:.4g} m; results in {}",
-                                to_string(summary_.status), summary_.steps, summary_.newton_iterations,
-                                summary_.min_distance, folder_.root().string()));
+  const std::string warned = summary_.warnings.empty() ? "" : fmt::format(", {}", counted(summary_.warnings.size(), "warning"));
+  progress_.message(fmt::format("{}: {} steps, {} Newton iterations, {}{}; results in {}", to_string(summary_.status),
+                                summary_.steps, summary_.newton_iterations, smallest_gap_of(summary_), warned, folder_.root().string()));
 }
 
 }  // namespace tack

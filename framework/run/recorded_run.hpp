@@ -38,6 +38,7 @@ class RecordedRun {
  private:
   std::optional<StateFile> checkpoint();
   void tell_beginning();
+  void warn(const Warning& warning);
   void simulate(Recorder& recorder);
   void tell_linear_solver();
   void tell_lost_probes();

@@ -4,7 +4,7 @@
 
 namespace tack {
 
-Simulation::Simulation(LoadedExperiment loaded, std::function<void(const std::string&)> warn)
+Simulation::Simulation(LoadedExperiment loaded, WarningFunction warn)
     : built_(std::move(loaded)), warn_(std::move(warn)) {}
 
 void Simulation::start_from(State state) {

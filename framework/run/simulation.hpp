@@ -2,11 +2,10 @@
 // written; see recorded_run.hpp.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 
+#include "framework/core/warning.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
@@ -14,8 +13,8 @@ namespace tack {
 
 class Simulation {
  public:
-  // Builds the world; throws InputError as BuiltExperiment does. `warn` gets a line for each failed solve.
-  explicit Simulation(LoadedExperiment loaded, std::function<void(const std::string&)> warn = [](const std::string&) {});
+  // Builds the world; throws InputError as BuiltExperiment does. `warn` is told of failed solves and whatever else is doubtful.
+  explicit Simulation(LoadedExperiment loaded, WarningFunction warn = [](const Warning&) {});
 
   const BuiltExperiment& built() const { return built_; }
   const Experiment& experiment() const { return built_.experiment(); }
@@ -42,7 +41,7 @@ class Simulation {
 
  private:
   BuiltExperiment built_;
-  std::function<void(const std::string&)> warn_;
+  WarningFunction warn_;
   StepObservers observers_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;

@@ -37,7 +37,7 @@ int nearest_object(const ContactSystem& contact, const VecX& x, int a) {
   int nearest = -1;
   double smallest = std::numeric_limits<double>::infinity();
   for (const int b : objects_near(contact, a)) {
-    const double d = smallest_gap(contact.surface(), contact.pairs(), candidates_between(mesh, contact.candidates(), a, b), x);
+    const double d = smallest_gaps(contact.surface(), contact.pairs(), candidates_between(mesh, contact.candidates(), a, b), x).of_all;
     if (d < smallest) smallest = d, nearest = b;
   }
   return nearest;

@@ -24,6 +24,7 @@ struct StepReport {
   int contacts = 0;         // active stencils
   int candidates = 0;
   double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near
+  double min_gap = 0;       // likewise of different objects
   int broad_phase_builds = 0;
   std::vector<std::pair<std::string, double>> energies;  // by term, and kinetic [J]
   EnergyFlows flows;

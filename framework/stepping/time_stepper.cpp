@@ -34,7 +34,7 @@ class Unlimited {
 }  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
-                         PhaseClock& clock, std::function<void(const std::string&)> warn)
+                         PhaseClock& clock, WarningFunction warn)
     : world_(world), scene_(scene), time_(time), solver_(solver), clock_(clock), warn_(std::move(warn)), state_(world.start),
       held_(world.script, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
@@ -203,11 +203,13 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   r.lag_iterations = attempt.lag_iterations;
   r.friction_residual = attempt.friction_residual;
   r.lag_converged = attempt.lag_converged;
-  r.min_distance = std::numeric_limits<double>::infinity();
+  r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
   if (world_.contact) {
     r.contacts = static_cast<int>(world_.contact->contacts().size());
     r.candidates = static_cast<int>(world_.contact->candidates().size());
-    r.min_distance = world_.contact->smallest_gap(state_.x);
+    const SmallestGaps gaps = world_.contact->smallest_gaps(state_.x);
+    r.min_distance = gaps.of_all;
+    r.min_gap = gaps.between_objects;
   }
   r.intersections = found_.intersections;
   r.inverted_tets = found_.inverted_tets;
@@ -242,15 +244,15 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
 }
 
 void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
-  if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_(balance_.warning());
+  if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_({balance_.warning(), "energy"});
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
-    warn_(fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
-                      state_.step, state_.time, r.affine_strain, tolerated_affine_strain));
+    warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
+                       state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
   if (!attempt.lag_converged)
-    warn_(fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
-                      "{:.2g} of the largest (contact.lagging.until: {:.2g})",
-                      state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
-                      *scene_.contact->lagging.until));
+    warn_({fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
+                       "{:.2g} of the largest (contact.lagging.until: {:.2g})",
+                       state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
+                       *scene_.contact->lagging.until), "lagged friction"});
 }
 
 // After an attempt of size h that was refused.
@@ -260,8 +262,8 @@ void TimeStepper::halve(double h, const Verdict& verdict) {
                                       verdict.wrong, verdict.remedy));
   state_.h_next = h / 2;
   ++halvings_;
-  warn_(fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
-                    state_.time, verdict.wrong, state_.h_next, std::lround(time_.step / state_.h_next)));
+  warn_({fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
+                     state_.time, verdict.wrong, state_.h_next, std::lround(time_.step / state_.h_next)), "halved step"});
 }
 
 StepReport TimeStepper::advance() {

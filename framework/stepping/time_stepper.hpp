@@ -3,12 +3,12 @@
 // is untouched, h is halved, and the halves run until the step's end is reached.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "framework/core/warning.hpp"
 #include "framework/scene/step_potential.hpp"
 #include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
@@ -22,9 +22,9 @@ struct SceneConfig;
 
 class TimeStepper {
  public:
-  // Goes on from world.start, with a stepper of its own. `warn` gets a line for each failed solve.
+  // Goes on from world.start, with a stepper of its own. `warn` is told of failed solves and whatever else is doubtful.
   TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver, PhaseClock& clock,
-              std::function<void(const std::string&)> warn);
+              WarningFunction warn);
 
   // One accepted step. Throws SimulationError when no step small enough succeeds.
   StepReport advance();
@@ -61,7 +61,7 @@ class TimeStepper {
   const TimeConfig& time_;
   Minimizer& solver_;
   PhaseClock& clock_;
-  std::function<void(const std::string&)> warn_;
+  WarningFunction warn_;
   State state_;
   HeldVertices held_;
   EnergyBalance balance_;

@@ -16,13 +16,20 @@ export function notesOf(notes) {
   return notes.length > 0 && h("div", { class: "notice", role: "note" }, h("p", {}, "Not everything could be read:"), h("ul", {}, notes.map((note) => h("li", {}, note))));
 }
 
+// What the runs warned of: it is told before what they show.
+export function warnings(runs) {
+  const lines = runs.flatMap((run) => (run.summary?.warnings ?? []).map(({ text, times }) => [runs.length > 1 ? `${run.label}: ` : "", text, times]));
+  return lines.length > 0 && h("div", { class: "notice warnings", role: "note" }, h("p", {}, runs.length > 1 ? "The runs warned:" : "The run warned:"),
+    h("ul", {}, lines.map(([label, text, times]) => h("li", {}, label, text, times > 1 && ` (and ${times - 1} more of the kind)`))));
+}
+
 function factsOf({ summary: s, scene, steps, frames }) {
   const facts = [];
   const last = steps?.get("time")?.at(-1);
   if (last !== undefined) facts.push(["simulated", duration(last)]);
   if (s) {
     facts.push(["steps", format(s.steps)], ["unknowns", format(s.dofs)], ["Newton iterations", format(s.totals?.newton_iterations)],
-      ["wall time", duration(s.wall_seconds)], ["threads", format(s.threads)], ["smallest gap", `${format(s.min_distance)} m`],
+      ["wall time", duration(s.wall_seconds)], ["threads", format(s.threads)], ["smallest gap", `${format(s.min_gap ?? s.min_distance)} m`],
       ["most contacts", format(s.max_contacts)], ["intersections", format(s.intersections)]);
   } else if (steps) facts.push(["steps", format(steps.rows ? steps.get("step").at(-1) : 0)]);
   if (scene) facts.push(["objects", format(scene.objects.length)]);
@@ -89,7 +96,7 @@ export function provenance(runs, extra = []) {
       run.summary?.error && h("p", { class: "notice bad" }, run.summary.error),
       rows.length > 0 ? plainTable(null, rows, `Provenance of ${run.label}`, { class: "pairs" }) : h("p", { class: "note" }, "Nothing is known: there is no summary.json."),
       run.summary && lazyDetails("All totals of the run", () => plainTable(null,
-        rowsOf(Object.fromEntries(Object.entries(run.summary).filter(([key]) => !["expect", "provenance", "adhesion", ...leadingKeys].includes(key)))),
+        rowsOf(Object.fromEntries(Object.entries(run.summary).filter(([key]) => !["expect", "provenance", "adhesion", "warnings", ...leadingKeys].includes(key)))),
         `Totals of ${run.label}`, { class: "pairs" })),
       run.scene && lazyDetails("Its scene, every default filled in", () => h("pre", { tabindex: 0 }, run.scene.text))];
   });

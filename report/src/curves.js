@@ -129,11 +129,17 @@ export function energySection(runs) {
   return charts.some(Boolean) && section("energies", "Energies", grid(charts.filter(Boolean)));
 }
 
+// Between objects; of runs that have none near each other, of objects from themselves.
+function gapsOf(runs) {
+  const near = runs.some((run) => run.steps?.get("min_gap")?.some(Number.isFinite));
+  return near ? linesOf(runs, "steps", "time", "min_gap") : linesOf(runs, "steps", "time", "min_distance");
+}
+
 export function contactSection(runs) {
   const some = runs.filter((run) => run.steps);
   if (some.length === 0) return null;
   return section("contacts", "Contact", grid(
-    chart({ title: "Smallest gap", x: time, y: { name: "smallest gap", unit: "m", log: true }, series: linesOf(runs, "steps", "time", "min_distance"), group: "time" }),
+    chart({ title: "Smallest gap", x: time, y: { name: "smallest gap", unit: "m", log: true }, series: gapsOf(runs), group: "time" }),
     chart({ title: "Contacts", x: time, y: { name: "contacts", zero: true }, series: linesOf(runs, "steps", "time", "contacts"), group: "time" })));
 }
 

@@ -1,7 +1,7 @@
 // A report from its data: a run, several runs, a comparison or a batch.
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
-import { expectations, facts, head, notesOf, provenance, statusBadge } from "./about.js";
+import { expectations, facts, head, notesOf, provenance, statusBadge, warnings } from "./about.js";
 import { batchSections } from "./batch.js";
 import { comparisonSections } from "./comparison.js";
 import { contactSection, costSection, energySection, lawSection, probeSection } from "./curves.js";
@@ -16,7 +16,7 @@ async function loaded(run) {
   return { ...run, steps: steps?.rows > 0 ? steps : null, probes: probes?.rows > 0 ? probes : null };
 }
 
-const runSections = (runs) => [expectations(runs), viewSection(runs), probeSection(runs), lawSection(runs), energySection(runs), contactSection(runs),
+const runSections = (runs) => [warnings(runs), expectations(runs), viewSection(runs), probeSection(runs), lawSection(runs), energySection(runs), contactSection(runs),
   costSection(runs), provenance(runs)];
 
 const nameOf = (run) => run.summary?.name ?? run.scene?.name ?? run.label;

@@ -131,6 +131,52 @@ TEST_CASE("a half-done case goes on from its checkpoint", "[batch]") {
   CHECK(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
 }
 
+TEST_CASE("a case that is gone on with counts the seconds of all its pieces, and its warnings", "[batch]") {
+  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=0.4 s, output.checkpoint_interval=0.02 s, output.frames=false]\n");
+  const fs::path run = files.path / "b" / "cases" / "case", state = files.path / "b" / "state" / "case.json";
+  REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
+  const auto whole = rows_of(files.path / "b");
+  CHECK(contains(whole[0], ",warnings"));
+  // As if it had been cut short after an hour.
+  for (const auto& entry : fs::directory_iterator(run / "checkpoints"))
+    if (entry.path().filename() > "step_00000020") fs::remove(entry.path());
+  const auto cut_short = [&](const char* status) {
+    auto json = read_json(state);
+    json["status"] = status;
+    json["wall_seconds"] = 3600;
+    json["cpu_seconds"] = 7200;
+    json["memory_mb"] = 1e6;
+    write_file(state, json.dump());
+  };
+  for (const char* status : {"interrupted", "running"}) {
+    cut_short(status);
+    REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
+    const auto json = read_json(state);
+    CHECK(json["status"] == "done");
+    CHECK(json["wall_seconds"] > 3600.0);
+    CHECK(json["wall_seconds"] < 3720.0);
+    CHECK(json["cpu_seconds"] > 7200.0);
+    CHECK(json["memory_mb"] == 1e6);
+    CHECK(rows_of(files.path / "b") == whole);
+  }
+  // One that starts anew has its own.
+  cut_short("interrupted");
+  for (const auto& entry : fs::directory_iterator(run / "checkpoints")) fs::remove(entry.path());
+  REQUIRE(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 0);
+  CHECK(read_json(state)["wall_seconds"] < 3600.0);
+}
+
+TEST_CASE("a batch that is killed has noted the seconds of its running cases", "[batch]") {
+  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=1000 s, output.frames=false]\n");
+  const fs::path state = files.path / "b" / "state" / "case.json";
+  Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});
+  REQUIRE(becomes_true([&] { return fs::exists(state) && read_json(state)["cpu_seconds"] > 0.0; }));
+  batch.kill();
+  batch.wait();
+  CHECK(status_of(files.path / "b", "case") == "running");
+  CHECK(read_json(state)["wall_seconds"] > 0.4);
+}
+
 TEST_CASE("Ctrl-C ends a batch with its cases, and they go on later", "[batch]") {
   const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=100 s, output.checkpoint_interval=0.02 s, output.frames=false]\n"
                     "vary: [{type: repeat, count: 3}]\njobs: 2\n");

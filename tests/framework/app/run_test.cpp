@@ -87,7 +87,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   const CsvTable steps = place.table("results/tiny/steps.csv");
   const std::vector<std::string> columns = {
       "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves", "linear_iterations",
-      "line_search_evaluations", "contacts", "candidates", "min_distance", "energy_kinetic",
+      "line_search_evaluations", "contacts", "candidates", "min_distance", "min_gap", "energy_kinetic",
       "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "work_loads", "work_script",
       "dissipated_friction", "dissipated_adhesion", "dissipated_plastic", "dissipated_damping", "dissipated_areas", "dissipated_numerics", "residual",
       "unbalanced_force", "tolerated_force", "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_projection",

@@ -86,5 +86,23 @@ TEST_CASE("edges of a rod that are close at rest do not count as overlapping", "
                   "contact: {distance: 0.5 mm}\n");
   ContactSystem& contact = *scene.world->contact;
   contact.move_to(scene.world->rest);
-  CHECK(contact.smallest_gap(scene.world->rest) == Approx(0.3e-3));
+  CHECK(contact.smallest_gaps(scene.world->rest).of_all == Approx(0.3e-3));
+  CHECK(contact.smallest_gaps(scene.world->rest).between_objects == Approx(0.3e-3));
+}
+
+TEST_CASE("the smallest gap of different objects leaves out what an object has to itself", "[contact]") {
+  // A plate of 0.4 mm is closer to itself than to the floor.
+  TestScene scene("objects:\n  - {name: floor, shape: {type: box, size: [0.1, 0.01, 0.1]}, place: {translate: [0, -6 mm, 0]}, motion: [fixed]}\n"
+                  "  - {name: plate, shape: {type: box, size: [20 mm, 0.4 mm, 20 mm], cells: [10, 1, 10]}, energies: [{type: neo_hookean, young: 1 MPa}]}\n"
+                  "contact: {distance: 1.5 mm}\n");
+  ContactSystem& contact = *scene.world->contact;
+  VecX x = scene.world->rest;
+  contact.move_to(x);
+  CHECK(contact.smallest_gaps(x).of_all == Approx(0.4e-3));
+  CHECK(contact.smallest_gaps(x).between_objects == Approx(0.8e-3));
+  for (int v = 0; v < x.size() / 3; ++v)
+    if (scene.world->body_of(v) == 1) x(3 * v + 1) += 0.05;
+  contact.move_to(x);
+  CHECK(contact.smallest_gaps(x).of_all == Approx(0.4e-3));
+  CHECK(std::isinf(contact.smallest_gaps(x).between_objects));
 }

@@ -28,7 +28,8 @@ StepReport report(int step, double time) {
   r.time = time;
   r.solve.iterations = 4;
   r.contacts = 310;
-  r.min_distance = 1.25e-4;
+  r.min_distance = 1e-5;  // within one object
+  r.min_gap = 1.25e-4;
   r.converged = true;
   return r;
 }
@@ -51,12 +52,20 @@ TEST_CASE("the line of a step tells trouble and leaves out what is unknown") {
   StepReport r = report(1, 0);
   r.solve.iterations = 1;
   r.contacts = 1;
-  r.min_distance = std::numeric_limits<double>::infinity();
+  r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
   r.halvings = 2;
   r.converged = false;
   told.progress.step(r);
   CHECK(told.out.str() ==
         "step 1  t 0 s (0%)  1 iteration  1 contact  2 halvings  not converged\n");
+}
+
+TEST_CASE("where no other object is near, the gap that is told is one of an object from itself, and says so") {
+  Told told(Verbosity::verbose);
+  StepReport r = report(1, 0);
+  r.min_gap = std::numeric_limits<double>::infinity();
+  told.progress.step(r);
+  CHECK(told.out.str() == "step 1  t 0 s (0%)  4 iterations  310 contacts  from itself 1e-05 m\n");
 }
 
 TEST_CASE("the time that is left is told in fitting units") {

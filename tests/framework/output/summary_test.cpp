@@ -89,9 +89,9 @@ TEST_CASE("summary.json has exactly the documented keys") {
   CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "energy", "error",
                                          "expect", "failed_solves", "intersections",
                                          "inverted_tets", "linear_solver", "max_affine_strain",
-                                         "max_contacts", "max_unbalanced_force", "min_distance", "name",
+                                         "max_contacts", "max_unbalanced_force", "min_distance", "min_gap", "name",
                                          "phases", "provenance", "status", "steps", "threads", "totals",
-                                         "unconverged_lags", "version", "wall_seconds"});
+                                         "unconverged_lags", "version", "wall_seconds", "warnings"});
   CHECK(json["expect"] == nlohmann::json::array());
   CHECK(json["min_distance"].is_null());  // nothing was ever near
 }
@@ -134,6 +134,18 @@ TEST_CASE("a summary counts the steps in") {
   CHECK(json["max_unbalanced_force"] == 9.0);
   CHECK(json["min_distance"] == 0.1);
   CHECK(json["intersections"] == 3);
+}
+
+TEST_CASE("a summary has the first warning of each kind, and how many there were") {
+  RunSummary s;
+  CHECK(s.add(Warning("coarse")));
+  CHECK(s.add(Warning("step 3: rolled back", "halved step")));
+  CHECK_FALSE(s.add(Warning("step 4: rolled back", "halved step")));
+  CHECK(s.add(Warning("thin")));
+  CHECK_FALSE(s.add(Warning("coarse")));  // told again by a run that goes on
+  CHECK(written(s)["warnings"] == nlohmann::json::array({{{"text", "coarse"}, {"times", 1}},
+                                                         {{"text", "step 3: rolled back"}, {"times", 2}},
+                                                         {{"text", "thin"}, {"times", 1}}}));
 }
 
 TEST_CASE("every status has its words") {

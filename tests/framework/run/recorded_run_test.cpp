@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "framework/config/describe.hpp"
+#include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
 
@@ -32,6 +33,40 @@ TEST_CASE("a run is recorded without the command line", "[run]") {
   for (const char* file : {"scene.yaml", "steps.csv", "probes.csv", "summary.json", "log.txt"})
     CHECK(std::filesystem::exists(folder.path() / "results" / file));
   CHECK(contains(file_text(folder.path() / "results/summary.json"), "\"1.2.3\""));
+}
+
+TEST_CASE("what a run warns of stands in its summary, also of a run that is gone on with", "[run]") {
+  // Quick enough to be halved at first, and with elements above the process zone.
+  std::string text = tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
+  text += "output: {checkpoint_interval: 0.02 s}\nsolver: {type: projected_newton, max_iterations: 4}\n";
+  const TemporaryFolder folder;
+  const auto recorded = [&](RunSettings settings) {
+    settings.output = (folder.path() / "results").string();
+    std::ostringstream told;
+    RecordedRun run(parse_experiment(text, "tiny.yaml"), settings, {}, told, {});
+    run.execute();
+    return told.str();
+  };
+  const std::string told = recorded({});
+  INFO(told);
+  const auto whole = read_json(folder.path() / "results/summary.json")["warnings"];
+  int lines = 0, counted = 0;
+  for (size_t at = 0; (at = told.find("warning: ", at)) != told.npos; ++at) ++lines;
+  for (const auto& w : whole) {
+    CHECK(contains(told, "warning: " + w["text"].get<std::string>()));
+    counted += w["times"].get<int>();
+  }
+  CHECK(counted == lines);
+  CHECK(whole.size() > 0);
+  CHECK(counted > static_cast<int>(whole.size()));  // some step after the first was halved as well
+  CHECK(contains(told, std::to_string(whole.size()) + " warning"));
+  RunSettings part;
+  part.steps = 3;
+  recorded(part);
+  part = {};
+  part.resume = true;
+  recorded(part);
+  CHECK(read_json(folder.path() / "results/summary.json")["warnings"] == whole);
 }
 
 TEST_CASE("a run leaves its specification as it is", "[run]") {

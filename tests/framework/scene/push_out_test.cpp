@@ -48,7 +48,7 @@ TEST_CASE("blocks that overlap by 1 mm come apart by that and half the contact d
   CHECK(moved(scene, objects, "floor").norm() == 0);
   REQUIRE(scene.world->start_notes.size() == 1);
   CHECK_THAT(scene.world->start_notes[0], Contains("'block' is pushed by 0.0015 m") && Contains("away from 'floor'"));
-  CHECK(scene.world->contact->smallest_gap(scene.world->rest) > 0);
+  CHECK(scene.world->contact->smallest_gaps(scene.world->rest).of_all > 0);
 }
 
 TEST_CASE("of two that may go, the smaller one goes farther; offsets are kept", "[push_out]") {

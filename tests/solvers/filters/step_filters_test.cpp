@@ -32,7 +32,7 @@ struct Fall {
       "contact: {distance: 1 mm}\n"};
   World& world = *scene.world;
   VecX x = world.rest;
-  double gap = (world.contact->move_to(x), world.contact->smallest_gap(x));
+  double gap = (world.contact->move_to(x), world.contact->smallest_gaps(x).of_all);
 
   VecX motion(const Vec3& d) const {
     VecX p = VecX::Zero(x.size());
