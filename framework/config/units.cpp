@@ -168,6 +168,21 @@ double to_si(std::string_view text, const Unit& unit) {
   return si;
 }
 
+std::string si_unit(const std::string& unit) {
+  if (to_si("1 " + unit, units::any) == 1 && to_si("0 " + unit, units::any) == 0) return unit;
+  const std::scoped_lock lock(units_mutex());
+  const UnitPtr given = parse_unit(unit);
+  for (const Unit& known : named_dimensions) {
+    const UnitPtr known_unit = parse_unit(known.si);
+    if (same_dimension(given.get(), known_unit.get())) return std::string(known.si);
+  }
+  if (same_dimension(given.get(), parse_unit("1").get())) return std::string(dimension_name(given.get()) == "angle" ? units::angle.si : units::none.si);
+  std::array<char, 256> text{};
+  const UnitPtr base = coherent(given.get());
+  if (!base || ut_format(base.get(), text.data(), text.size() - 1, UT_ASCII) < 0) return unit;
+  return text.data();
+}
+
 std::string product_unit(const Unit& a, const Unit& b) {
   if (a.plain()) return std::string(b.si);
   return b.plain() ? std::string(a.si) : fmt::format("({}) ({})", a.si, b.si);

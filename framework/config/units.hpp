@@ -54,6 +54,9 @@ double to_si(std::string_view text, const Unit& unit);
 // Of a product, as its SI unit: "N m", of a number with another unit that one.
 std::string product_unit(const Unit& a, const Unit& b);
 
+// The SI unit of the same dimension, as parameters of that kind have it: "N" of "mN", "Pa" of "N/mm^2". Throws as to_si does.
+std::string si_unit(const std::string& unit);
+
 std::string unit_noun(const Unit& unit);         // "pressure (Pa)"
 std::string unit_noun_plural(const Unit& unit);  // "pressures (Pa)"
 

@@ -155,24 +155,43 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
   });
 }
 
-VecX ContactTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
-  VecX force = VecX::Zero(x.size());
-  const auto& object = system_.surface().mesh.vertex_object;
+// Calls act(kind, stencil, gradient) for each, in their order.
+template <class Act>
+void ContactTerm::for_each_gradient(const VecX& x, LawPart part, const Act& act) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);
     std::vector<typename StencilEnergy<K>::Vector> gradients(stencils.size());
     for_each_sample<K>(x, laws(part), stencils, [&](int i, double gap, const LawSample& l) {
       gradients[i] = StencilEnergy<K>::gradient(x, stencils[i], l, gap, thresholds ? thresholds[i] : 0);
     });
-    for (size_t i = 0; i < stencils.size(); ++i) {
-      const auto& v = stencils[i].vertices;
-      const int a = object[v[0]], b = object[v[K::first_vertices]];
-      if (only && !((a == only->a && b == only->b) || (a == only->b && b == only->a))) continue;
-      for (int k = 0; k < K::arity; ++k)
-        vertex(force, v[k]) -= gradients[i].template segment<3>(3 * k);
-    }
+    for (size_t i = 0; i < stencils.size(); ++i) act(kind, stencils[i], gradients[i]);
+  });
+}
+
+VecX ContactTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
+  VecX force = VecX::Zero(x.size());
+  const auto& object = system_.surface().mesh.vertex_object;
+  for_each_gradient(x, part, [&](auto kind, const auto& stencil, const auto& gradient) {
+    using K = decltype(kind);
+    const auto& v = stencil.vertices;
+    const int a = object[v[0]], b = object[v[K::first_vertices]];
+    if (only && !((a == only->a && b == only->b) || (a == only->b && b == only->a))) return;
+    for (int k = 0; k < K::arity; ++k) vertex(force, v[k]) -= gradient.template segment<3>(3 * k);
   });
   return force;
+}
+
+VecX ContactTerm::compressions(const VecX& x, LawPart part) const {
+  VecX sums = VecX::Zero(x.size());
+  for_each_gradient(x, part, [&](auto kind, const auto& stencil, const auto& gradient) {
+    using K = decltype(kind);
+    const auto& v = stencil.vertices;
+    // Distances are homogeneous of degree one: sum f_i . x_i is the distance times the force, which is positive where it repels.
+    double virial = 0;
+    for (int k = 1; k < K::arity; ++k) virial -= gradient.template segment<3>(3 * k).dot(vertex(x, v[k]) - vertex(x, v[0]));
+    for (int k = 0; k < K::arity; ++k) sums(3 * v[k]) += std::copysign(gradient.template segment<3>(3 * k).norm(), virial);
+  });
+  return sums;
 }
 
 Vec3 ContactTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {

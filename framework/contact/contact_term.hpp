@@ -34,12 +34,18 @@ class ContactTerm : public Term {
   double part_value(const VecX& x, LawPart part) const;
   // The force of a part of the laws on every vertex (3n) [N]; with a pair, of its stencils only.
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
+  // What each vertex is pressed with (positive) or pulled, whatever the direction: the magnitudes of the forces that it takes of
+  // each stencil, with that sign. In the first of three (3n [N]), as forces are collected.
+  VecX compressions(const VecX& x, LawPart part) const;
   // The force that object b exerts on object a [N].
   Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
   // That part of each law of the pair table.
   const std::vector<PairLaw>& laws(LawPart part) const;
 
  private:
+  template <class Act>
+  void for_each_gradient(const VecX& x, LawPart part, const Act& act) const;
+
   const ContactSystem& system_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;
   ContactResiduals residuals_;

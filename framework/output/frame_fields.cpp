@@ -17,7 +17,7 @@ const std::vector<FrameFieldInfo>& frame_fields() {
       {"contact_force", "N", "barrier and adhesion", false},
       {"adhesion_force", "N", "", false},
       {"friction_force", "N", "with tangential adhesion", false},
-      {"contact_pressure", "Pa", "contact force per area of the contact: positive presses, negative pulls", false},
+      {"contact_pressure", "Pa", "contact force per area of the contact: positive presses, negative pulls; of sheets, of both sides together", false},
       {"adhesion_pressure", "Pa", "likewise of adhesion alone, positive where it pulls", false},
       {"friction_traction", "Pa", "magnitude of the friction force per area of the contact", false},
       {"gap", "m", "to the nearest of what is within reach of contact; not a number where nothing is", false},
@@ -49,7 +49,7 @@ VecX values_of(const std::string& name, const World& world, const State& state) 
                                           : world.contact_term->forces(state.x, part));
   if (name.ends_with("force")) return forces;
   if (friction) return tangential_tractions(world, state.x, forces);
-  return (part == LawPart::all ? 1 : -1) * normal_pressures(world, state.x, forces);
+  return (part == LawPart::all ? 1 : -1) * normal_pressures(world, state.x, forces, part);
 }
 
 }  // namespace

@@ -66,14 +66,16 @@ Surround surround_of(const World& world, const VecX& x) {
   return s;
 }
 
-VecX tractions(const World& world, const VecX& x, const VecX& forces, bool with_sign) {
+// `pressed`: of what has no inside, its sign is the traction's (n); empty: all are positive.
+VecX tractions(const World& world, const VecX& x, const VecX& forces, const VecX& pressed) {
   const Surround around = surround_of(world, x);
   const VecX areas = contact_areas(world, x);
   VecX result = VecX::Constant(areas.size(), std::numeric_limits<double>::quiet_NaN());
   for (int v = 0; v < result.size(); ++v) {
     if (around.areas(v) <= 0) continue;
     const double area = areas(v) > least_share * around.areas(v) ? areas(v) : around.areas(v);
-    const bool pulls = with_sign && vertex(forces, v).dot(vertex(around.outward, v)) > 0;
+    const bool solid = !vertex(around.outward, v).isZero();
+    const bool pulls = pressed.size() > 0 && (solid ? vertex(forces, v).dot(vertex(around.outward, v)) > 0 : pressed(v) < 0);
     result(v) = (pulls ? -1 : 1) * vertex(forces, v).norm() / area;
   }
   return result;
@@ -81,8 +83,12 @@ VecX tractions(const World& world, const VecX& x, const VecX& forces, bool with_
 
 }  // namespace
 
-VecX normal_pressures(const World& world, const VecX& x, const VecX& forces) { return tractions(world, x, forces, true); }
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, LawPart part) {
+  VecX pressed = world.contact_term->compressions(x, part);
+  world.collect_on_meshes(pressed);
+  return tractions(world, x, forces, pressed(Eigen::seq(0, Eigen::last, 3)));
+}
 
-VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces) { return tractions(world, x, forces, false); }
+VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces) { return tractions(world, x, forces, {}); }
 
 }  // namespace tack

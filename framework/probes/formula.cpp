@@ -20,10 +20,13 @@ class FormulaProbe : public DerivedProbe {
   void fields(Fields& f) override {
     Probe::fields(f);
     f.text("of", text_, "a formula of columns of probes that stand before this one, and of t, the time [s]: `force / (0.1 * 0.1)`").required();
-    f.text("unit", unit_, "what the result is in, for expectations: `Pa`; a plain number unless given");
+    f.text("unit", unit_, "what the result of the formula is in: `mN`, say, of which the column has the SI unit; a plain number unless given");
     f.check("unit", [this] { return check_unit(); });
   }
-  Unit unit() const override { return {unit_.empty() ? units::none.si : unit_.c_str(), "number"}; }
+  Unit unit() const override {
+    if (si_.empty()) si_ = unit_.empty() ? units::none.si : si_unit(unit_);
+    return {si_, "number"};
+  }
 
   void find(const std::vector<std::string>& columns) override {
     std::vector<std::string> variables{"t"};
@@ -34,6 +37,8 @@ class FormulaProbe : public DerivedProbe {
       places_.push_back(i + 1);
     }
     values_.resize(variables.size());
+    zero_ = to_si("0 " + unit_, units::any);
+    one_ = to_si("1 " + unit_, units::any) - zero_;
     try {
       formula_ = Formula(text_, variables);
     } catch (const InputError& error) {
@@ -43,7 +48,7 @@ class FormulaProbe : public DerivedProbe {
   }
   double of(std::span<const double> values) const override {
     for (size_t i = 0; i < places_.size(); ++i) values_[i] = values[places_[i]];
-    return (*formula_)(values_);
+    return zero_ + one_ * (*formula_)(values_);
   }
 
  private:
@@ -57,6 +62,8 @@ class FormulaProbe : public DerivedProbe {
   }
 
   std::string text_, unit_;
+  mutable std::string si_;  // of the same dimension
+  double zero_ = 0, one_ = 1;  // 0 and 1 of the unit, in SI
   std::optional<Formula> formula_;
   std::vector<size_t> places_;          // of the variables among the values
   mutable std::vector<double> values_;  // of the variables

@@ -4,6 +4,7 @@
 #include <thread>
 #include <vector>
 
+#include "geometry/errors.hpp"
 #include "tests/framework/config/toy.hpp"
 
 using namespace tack;
@@ -85,4 +86,16 @@ TEST_CASE("units are converted in many threads at once") {
   }
   for (std::thread& t : threads) t.join();
   CHECK(results == std::vector<double>(8, 1e9));
+}
+
+TEST_CASE("the SI unit of a unit is the one that parameters of its kind have", "[units]") {
+  for (const auto& [unit, si] : std::vector<std::pair<std::string, std::string>>{
+           {"mN", "N"}, {"N/mm^2", "Pa"}, {"kPa", "Pa"}, {"Pa", "Pa"}, {"J/m^2", "J/m^2"}, {"N m", "N m"}, {"mm", "m"}, {"deg", "rad"},
+           {"%", "1"}, {"ms", "s"}, {"g/cm^3", "kg/m^3"}, {"degC", "K"}}) {
+    INFO(unit);
+    CHECK(si_unit(unit) == si);
+    CHECK(to_si("1 " + si, units::any) == 1);
+  }
+  CHECK(to_si("1 " + si_unit("mN s"), units::any) == 1);
+  CHECK_THROWS_AS(si_unit("mmm"), InputError);
 }

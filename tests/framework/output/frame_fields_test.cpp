@@ -100,6 +100,26 @@ TEST_CASE("adhesion pulls with a positive pressure of its own, and counts as neg
   }
 }
 
+TEST_CASE("what has no inside is pulled with a positive pressure of adhesion as well", "[fields]") {
+  Framed f("  - {name: rod, shape: {type: segment, length: 1, edges: 4}, rod: {radius: 5 mm}, place: {translate: [0, 0.003, 1]}, energies: [{type: elastic_rod, young: 1e9}]}\n"
+           "  - {name: dust, shape: {type: points, size: [1, 0, 1], counts: [2, 1, 2]}, particle: {radius: 5 mm}, place: {translate: [0, 0.003, -1]}, energies: [particle]}\n"
+           "  - {name: sheet, shape: {type: grid, size: [1, 1], cells: [4, 4]}, shell: {thickness: 1 mm}, place: {translate: [1.3, 0.003, 0]}, energies: [{type: stvk_membrane, young: 1e6}]}\n"
+           "  - {name: below, shape: {type: grid, size: [1, 1], cells: [4, 4]}, shell: {thickness: 1 mm}, place: {translate: [1.3, -0.103, 0]}, energies: [{type: stvk_membrane, young: 1e6}]}\n",
+           "pairs: [{between: [rod, floor], adhesion: {type: fang, peak_traction: 3 kPa}}, {between: [dust, floor], adhesion: {type: fang, peak_traction: 3 kPa}},\n"
+           "         {between: [sheet, floor], adhesion: {type: fang, peak_traction: 3 kPa}}, {between: [below, floor], adhesion: {type: fang, peak_traction: 3 kPa}}]");
+  const VecX pressure = f.field("contact_pressure"), adhesion = f.field("adhesion_pressure");
+  for (const auto& [name, height] : {std::pair{"rod", 0.003}, {"dust", 0.003}, {"sheet", 0.003}, {"below", -0.103}}) {
+    INFO(name);
+    const double traction = -f.law(name, 0.003);
+    CHECK(traction > 100);
+    REQUIRE_FALSE(f.at_height(name, height).empty());
+    for (const int v : f.at_height(name, height)) {
+      CHECK(adhesion(v) == Approx(traction).epsilon(0.02));
+      CHECK(pressure(v) == -adhesion(v));
+    }
+  }
+}
+
 TEST_CASE("friction's traction is mu times the pressure of what slides", "[fields]") {
   Framed f(block, "pairs: []");
   VecX moved = f.state.x;

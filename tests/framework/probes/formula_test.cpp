@@ -37,6 +37,30 @@ TEST_CASE("its unit holds for expectations", "[probes]") {
   CHECK_THROWS_WITH(sampled("  - {name: a, type: formula, of: c_x, unit: mm2x}\n"), Catch::Contains("unit"));
 }
 
+TEST_CASE("a formula whose unit is not SI has a column in SI, and is compared as what it is", "[probes]") {
+  const std::string probe = "  - {name: mN, type: formula, of: 1000 * 0.0908, unit: mN}\n  - {name: double, type: formula, of: 2 * mN, unit: N}\n";
+  const auto passes = [&](const std::string& criterion) {
+    TestScene s(cube + probe + "expect: [{probe: mN, statistic: max, " + criterion + "}]\n");
+    ProbeSet set = probes_of(s.built);
+    std::vector<double> row = set.sample(*s.world, s.world->start);
+    row.insert(row.begin(), 0);
+    std::vector<std::string> columns{"time"};
+    columns.insert(columns.end(), set.columns().begin(), set.columns().end());
+    return evaluate(s.config.expect[0], ProbeSeries{columns, {row}}).pass;
+  };
+  CHECK(sampled(probe)[4] == Approx(0.0908));
+  CHECK(sampled(probe)[5] == Approx(0.1816));
+  CHECK_FALSE(passes("at_least: 100 mN"));
+  CHECK(passes("at_most: 100 mN"));
+  CHECK(passes("at_least: 90 mN"));
+  CHECK(passes("at_most: 0.1 N"));
+  CHECK(passes("at_most: 0.1"));  // plain numbers are SI
+  CHECK_FALSE(passes("at_least: 50"));
+  CHECK(passes("target: 90.8 mN, within: 0.1 mN"));
+  CHECK_THROWS_WITH(passes("at_least: 1 mm"), Catch::Contains("at_least"));
+  CHECK(sampled("  - {name: warm, type: formula, of: 20, unit: degC}\n").back() == Approx(293.15));
+}
+
 TEST_CASE("what a formula cannot see is told with what it can", "[probes]") {
   CHECK_THROWS_WITH(sampled("  - {name: a, type: formula, of: later + 1}\n  - {name: later, type: energy}\n"),
                     Catch::Contains("probe 'a'") && Catch::Contains("c_x, c_y, c_z"));
