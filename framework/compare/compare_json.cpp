@@ -17,6 +17,7 @@ std::string compare_json(const CompareConfig& config, const Comparison& comparis
                           {"size", r.size},
                           {"tolerance", r.tolerance == 0 ? Json() : Json(r.tolerance)},
                           {"disagreement", r.disagreement},
+                          {"floor", r.floor},
                           {"different_solutions", r.other_branch},
                           {"status", r.status}});
   const Json json = {{"name", config.name},

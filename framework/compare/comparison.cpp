@@ -62,6 +62,7 @@ void measure_errors(Entry& e, const Trial& trial) {
   row.error_rms = rms_distance(trial.world(), found.x, solution);
   row.error_max = largest_distance(trial.world(), found.x, solution);
   row.relative_error = row.error_max / e.what->size;
+  row.floor = e.reference->floor;
   row.energy_gap = e.what->single() ? reference.potential_at(found.x) - reference.potential_at(exact.x)
                                     : found.energy - exact.energy;
   const auto columns = trial.probe_columns();
@@ -86,16 +87,16 @@ void run_once(Entry& e, bool first) {
 }
 
 ReferenceRow row_of(const CompareCase& what, const Reference& reference, double h) {
-  ReferenceRow row{what.name, h, reference.tolerance, reference.disagreement, what.size, reference.other_branch,
+  ReferenceRow row{what.name, h, reference.tolerance, reference.disagreement, reference.floor, what.size, reference.other_branch,
                    what.quasi_static, 0, reference.status};
   if (reference.found()) row.unknowns = reference.trial->world().dofs.size();
   return row;
 }
 
 std::string line_of(const CompareRow& r) {
-  return fmt::format("{} h {:.3g} s: {} at {:.0e} m/s: {} iterations, {:.4g} s, error {:.2e} m{}{}", r.problem,
+  return fmt::format("{} h {:.3g} s: {} at {:.0e} m/s: {} iterations, {:.4g} s, error {:.2e} m{}{}{}", r.problem,
                      r.time_step, r.solver, r.tolerance, r.iterations, r.wall_seconds, r.error_rms,
-                     r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", not accurate" : "");
+                     r.noise() ? fmt::format(" (noise, below {:.1e} m)", r.floor) : "", r.converged ? "" : ", " + r.status, r.branch == "another" ? ", another branch" : r.branch == "inaccurate" ? ", not accurate" : "");
 }
 
 // How each solver with its smallest tolerance converges where most iterations are needed.
@@ -177,6 +178,7 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
           Entry e{&what, &solver, common, h_reference, {}, {}, {}};
           e.row.problem = what.name;
           e.row.single_step = what.single();
+          e.row.size = what.size;
           e.row.solver = solver.name;
           e.row.tolerance = tolerance;
           e.row.time_step = h;

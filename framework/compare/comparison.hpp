@@ -24,10 +24,14 @@ struct CompareRow {
   // Of a run, from the reference's end; of a single step, from the minimum that the solver came to, refined
   // as far as the reference. Like this, solvers that come to another minimum are judged fairly.
   double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: none
+  double floor = 0;  // RMS [m]: what the references tell apart, smaller errors are noise (reference.hpp); NaN: not known
+  double size = 0;   // of what moves [m]
   double energy_gap = 0;                                         // J, over the reference's
   std::vector<std::pair<std::string, double>> probe_errors;
   int intersections = 0;
   bool single_step = false;
+  bool noise() const { return error_rms <= floor; }
+  double known_error() const { return noise() ? floor : error_rms; }  // at most
   bool solved() const { return converged && (single_step || branch != "another"); }
 };
 
@@ -44,7 +48,7 @@ inline bool as_fast(const CompareRow& a, const CompareRow& b) { return a.wall_le
 
 struct ReferenceRow {
   std::string problem;
-  double time_step = 0, tolerance = 0, disagreement = 0, size = 0;
+  double time_step = 0, tolerance = 0, disagreement = 0, floor = 0, size = 0;
   bool other_branch = false, quasi_static = false;
   int unknowns = 0;
   std::string status;

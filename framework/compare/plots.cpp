@@ -41,6 +41,23 @@ std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
   return problems;
 }
 
+// What the two references of each problem are apart, averaged as errors are; of a picture by time steps for each step.
+std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step) {
+  std::map<double, std::map<std::string, double>> of_step;
+  for (const CompareRow& r : rows)
+    if (r.floor > 0 && r.size > 0) of_step[by_step ? r.time_step : 0][r.problem] = r.floor / r.size;
+  std::map<double, std::string> lines;  // alike where there is one reference for all steps
+  for (const auto& [step, of_problem] : of_step) {
+    double sum = 0;
+    for (const auto& [problem, floor] : of_problem) sum += std::log(floor);
+    std::string& title = lines[std::exp(sum / static_cast<double>(of_problem.size()))];
+    title += by_step ? fmt::format("{}{:g} s", title.empty() ? "floor, h = " : ", ", step) : "floor: errors to the left are noise";
+  }
+  std::vector<LevelLine> found;
+  for (const auto& [at, title] : lines) found.push_back({at, title});
+  return found;
+}
+
 }  // namespace
 
 Plot work_precision(const std::vector<CompareRow>& all) {
@@ -62,7 +79,7 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   const bool by_step = problems == 1 && steps.size() > 1;
   struct Sum {
     double seconds = 0, least = 0, most = 0, log_error = 0;  // least, most: of the sum of times, if they vary together
-    size_t count = 0;
+    size_t count = 0, noise = 0;
   };
   std::vector<std::pair<std::string, std::vector<std::pair<double, Sum>>>> sums;  // title, tolerance
   std::set<std::pair<std::string, double>> incomplete;
@@ -74,7 +91,6 @@ Plot work_precision(const std::vector<CompareRow>& all) {
     auto& list = of_title->second;
     auto sum = std::find_if(list.begin(), list.end(), [&](const auto& s) { return s.first == r.tolerance; });
     if (sum == list.end()) sum = list.insert(list.end(), {r.tolerance, {}});
-    const double relative = r.error_max > 0 ? r.error_rms * r.relative_error / r.error_max : 0.0;
     if (!r.solved() || !std::isfinite(r.error_rms)) {
       incomplete.insert({title, r.tolerance});
       failed[title].insert(r.problem);
@@ -82,18 +98,23 @@ Plot work_precision(const std::vector<CompareRow>& all) {
     sum->second.seconds += r.wall_seconds;
     sum->second.least += r.wall_least;
     sum->second.most += r.wall_most;
-    sum->second.log_error += std::log(std::max(relative, smallest_error));
+    sum->second.log_error += std::log(std::max(r.known_error() / r.size, smallest_error));
     ++sum->second.count;
+    sum->second.noise += r.noise() ? 1 : 0;
   }
-  std::vector<std::string> unsolved, partly;
+  std::vector<std::string> unsolved, partly, noise;
   for (const auto& [title, list] : sums) {
     Curve& curve = curve_of(plot, title);
     for (const auto& [tolerance, sum] : list) {
       if (incomplete.count({title, tolerance})) continue;
+      if (sum.noise == sum.count) {
+        noise.push_back(fmt::format("{} at {:g} m/s", title, tolerance));
+        continue;
+      }
       curve.points.emplace_back(std::exp(sum.log_error / static_cast<double>(sum.count)), sum.seconds);
       curve.spread.emplace_back(sum.least, sum.most);
     }
-    if (curve.points.size() == list.size()) continue;
+    if (failed[title].empty()) continue;
     const size_t where = failed[title].size();
     const std::string problem = problems == 1 ? "" : where == 1 ? *failed[title].begin() : fmt::format("{} of {} problems", where, problems);
     const std::string what = problem.empty() ? title : fmt::format("{} ({})", title, problem);
@@ -101,6 +122,8 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   }
   add_notes(plot, fmt::format("no tolerance at which {} solved:", problems > 1 ? "all problems were" : "it was"), unsolved);
   add_notes(plot, "not at all tolerances:", partly);
+  add_notes(plot, "no point, as the error is below the floor and so is noise:", noise);
+  plot.uprights = floors(rows, by_step);
   return plot;
 }
 

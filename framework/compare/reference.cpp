@@ -69,12 +69,14 @@ Reference make_reference(const CompareCase& what, double step_size, double toler
     reference.tolerance = to;
   }
   if (!reference.found()) return reference;
-  reference.disagreement = std::numeric_limits<double>::quiet_NaN();
+  reference.disagreement = reference.floor = std::numeric_limits<double>::quiet_NaN();
   const auto second = solve("absolute", "cholmod", reference.tolerance);
   if (!second->result().converged) return reference;
   const Trial& first = *reference.trial;
   reference.disagreement = largest_distance(first.world(), first.result().x, second->result().x);
   const bool equal = what.single() && equal_potential(*reference.trial, second->result().x);
+  // Of a single step from the minimum that it came to, as of whatever is compared.
+  reference.floor = rms_distance(first.world(), second->result().x, branch_of(what, reference, step_size, second->result().x).x);
   reference.other_branch = reference.disagreement > most_apart(what) && !equal;
   return reference;
 }

@@ -14,6 +14,8 @@ struct Reference {
   double tolerance = 0;     // reached [m/s]; 0: none, and there is no reference
   std::string status;       // of the last try
   double disagreement = 0;  // between the two, largest vertex [m]; NaN if the second failed
+  // What errors below mean nothing: the error (RMS [m]) that the second would be given if it were compared. NaN if it failed.
+  double floor = 0;
   bool other_branch = false;  // they are two different solutions
 
   bool found() const { return tolerance > 0; }

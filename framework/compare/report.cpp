@@ -30,23 +30,25 @@ std::string header(const CompareConfig& config, const Provenance& p, double wall
 
 std::string references(const Comparison& c) {
   std::string out = "\n## References\n\nProjected Newton (clamped) to the tolerance shown; *apart* is the largest distance to "
-                    "a second solution with absolute projection and CHOLMOD: errors below it mean nothing.\n\n"
-                    "| problem | h [s] | unknowns | size [m] | tolerance [m/s] | apart [m] | |\n| --- | --- | --- | --- | --- | --- | --- |\n";
+                    "a second solution with absolute projection and CHOLMOD. *Floor*: the same as an RMS error, of a single step from the "
+                    "minimum that it came to: errors below it mean nothing.\n\n"
+                    "| problem | h [s] | unknowns | size [m] | tolerance [m/s] | apart [m] | floor [m] | |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
   for (const ReferenceRow& r : c.references) {
     std::string remark = r.other_branch ? "**the two are different solutions**" : "";
     if (r.tolerance == 0) remark = "**none: " + cell(r.status) + "**";
+    else if (std::isnan(r.floor)) remark = "**the second failed: nothing is known of the floor**";
     if (r.quasi_static) remark += " quasi-static: stops by `force_tolerance`";
-    out += fmt::format("| {} | {:g} | {} | {:.3g} | {:.0e} | {:.1e} | {} |\n", cell(r.problem), r.time_step, r.unknowns,
-                       r.size, r.tolerance, r.disagreement, remark);
+    out += fmt::format("| {} | {:g} | {} | {:.3g} | {:.0e} | {:.1e} | {:.1e} | {} |\n", cell(r.problem), r.time_step, r.unknowns,
+                       r.size, r.tolerance, r.disagreement, r.floor, remark);
   }
   return out;
 }
 
-// The fastest of a problem whose error is at most `level` (RMS, m); nullptr if there is none.
+// The fastest of a problem whose error is known to be at most `level` (RMS, m); nullptr if there is none.
 const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double level) {
   const CompareRow* best = nullptr;
   for (const CompareRow& r : c.rows)
-    if (r.problem == of.problem && r.solved() && r.error_rms <= level && (!best || r.wall_seconds < best->wall_seconds))
+    if (r.problem == of.problem && r.solved() && r.known_error() <= level && (!best || r.wall_seconds < best->wall_seconds))
       best = &r;
   return best;
 }
@@ -55,7 +57,7 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
 std::string no_slower(const Comparison& c, const CompareRow& best, double level) {
   std::vector<std::string> names;
   for (const CompareRow& r : c.rows)
-    if (r.problem == best.problem && r.solver != best.solver && r.solved() && r.error_rms <= level && as_fast(r, best) &&
+    if (r.problem == best.problem && r.solver != best.solver && r.solved() && r.known_error() <= level && as_fast(r, best) &&
         std::find(names.begin(), names.end(), r.solver) == names.end())
       names.push_back(r.solver);
   return fmt::format("{}", fmt::join(names, ", "));
@@ -89,13 +91,13 @@ std::string joint_table(const Comparison& c) {
     at->iterations += r.iterations;
     at->fastest += as_fast(r, *best) ? 1 : 0;
     at->log_ratio += std::log(r.wall_seconds / best->wall_seconds);
-    if (!(r.relative_error >= 0)) continue;
+    if (!(r.error_rms >= 0)) continue;
     ++at->with_error;
-    at->log_error += std::log(std::max(r.relative_error, 1e-17));
+    at->log_error += std::log(std::max(r.known_error() / r.size, 1e-17));
   }
   std::string out = fmt::format("\n## All {} tasks together\n\nA task is a problem with a tolerance and a time step. *Fastest*: or no "
-                                "slower than what repetitions differ by. The time over the fastest one's and the error (largest, "
-                                "relative to the size of what moves) are geometric means, iterations a sum, over the tasks that the "
+                                "slower than what repetitions differ by. The time over the fastest one's and the error (RMS, "
+                                "relative to the size of what moves; one below the floor counts as the floor) are geometric means, iterations a sum, over the tasks that the "
                                 "solver did.", tasks);
   if (nobody > 0) out += fmt::format(" {} were done by nobody.", nobody);
   out += "\n\n| solver | done | fastest | times the fastest | iterations | error | another branch | not accurate |\n"
@@ -111,30 +113,56 @@ std::string joint_table(const Comparison& c) {
   return out;
 }
 
+// Why nothing is ranked by its error on a problem; "" if something is.
+std::string unranked(const Comparison& c, const ReferenceRow& of) {
+  if (of.tolerance == 0) return "there is no reference, so errors are not known";
+  size_t solved = 0, noise = 0;
+  for (const CompareRow& r : c.rows) {
+    if (r.problem != of.problem || !r.solved() || !std::isfinite(r.error_rms)) continue;
+    ++solved;
+    noise += r.noise() ? 1 : 0;
+  }
+  if (solved == 0) return "nobody solved it";
+  if (noise < solved) return "";
+  return fmt::format("all errors are below the floor, {:.1e} m: what is left is noise, and smaller tolerances buy nothing that can be seen. Where two "
+                     "runs drift apart by themselves (past a detachment, in a chaotic motion), compare fewer `steps`", of.floor);
+}
+
+// An error, or what it is known to be below.
+std::string error_text(const CompareRow& r) { return r.noise() ? fmt::format("below {:.1e}", r.floor) : fmt::format("{:.1e}", r.error_rms); }
+
 std::string pareto(const Comparison& c) {
-  std::string out = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; "
-                    "of a single step, against the minimum that the solver came to, refined. A level that a looser one's winner "
-                    "meets as well is left out.\n\n| problem | error at most [m] | solver | tolerance [m/s] | h [s] "
-                    "| time [s] | spread [s] | iterations | error [m] | as fast, within the spread |\n"
-                    "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
-  std::string last_problem;
+  const std::string head = "\n## Fastest at each level of error\n\nRMS error of the positions: of a run, at its end; "
+                           "of a single step, against the minimum that the solver came to, refined. Levels end at the floor of the references. A "
+                           "level that a looser one's winner meets as well is left out.\n";
+  std::string rows, without, last_problem;
   for (const ReferenceRow& of : c.references) {
     if (of.problem == last_problem) continue;
     last_problem = of.problem;
+    if (const std::string why = unranked(c, of); !why.empty()) {
+      without += fmt::format("- {}: {}.\n", cell(of.problem), why);
+      continue;
+    }
+    double largest = 0;
+    for (const CompareRow& r : c.rows)
+      if (r.problem == of.problem && r.solved() && std::isfinite(r.error_rms)) largest = std::max(largest, r.known_error());
     const CompareRow* shown = nullptr;
-    for (int decade = -1; decade >= -15; --decade) {
+    for (int decade = static_cast<int>(std::ceil(std::log10(largest) - 1e-9)); decade >= -17; --decade) {
       const double level = std::pow(10.0, decade);
       const CompareRow* best = fastest(c, of, level);
       const CompareRow* next = fastest(c, of, level / 10);
       if (!best) break;
       if (best == shown || best == next) continue;
       shown = best;
-      out += fmt::format("| {} | 1e{} | {} | {:.0e} | {:g} | {:.4g} | {:.2g} | {} | {:.1e} | {} |\n", cell(of.problem), decade,
-                         cell(best->solver), best->tolerance, best->time_step, best->wall_seconds, best->wall_spread,
-                         best->iterations, best->error_rms, cell(no_slower(c, *best, level)));
+      rows += fmt::format("| {} | 1e{} | {} | {:.0e} | {:g} | {:.4g} | {:.2g} | {} | {} | {} |\n", cell(of.problem), decade,
+                          cell(best->solver), best->tolerance, best->time_step, best->wall_seconds, best->wall_spread,
+                          best->iterations, error_text(*best), cell(no_slower(c, *best, level)));
     }
   }
-  return out;
+  if (!rows.empty())
+    rows = "\n| problem | error at most [m] | solver | tolerance [m/s] | h [s] | time [s] | spread [s] | iterations | error [m] | as fast, within the "
+           "spread |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n" + rows;
+  return head + rows + (without.empty() ? "" : "\nNot ranked:\n\n" + without);
 }
 
 std::string failures(const Comparison& c) {

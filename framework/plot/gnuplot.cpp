@@ -114,7 +114,8 @@ std::string script_of(const Plot& plot, const std::string& name) {
       if (drawable(plot, p)) xs.push_back(p.first), ys.push_back(p.second);
     for (const auto& [low, high] : c.spread) ys.push_back(low), ys.push_back(high);
   }
-  for (const LevelLine& l : plot.levels) ys.push_back(l.y);
+  for (const LevelLine& l : plot.levels) ys.push_back(l.at);
+  for (const LevelLine& l : plot.uprights) xs.push_back(l.at);
   s.x = range_of(xs, plot.log_x).value();
   s.y = range_of(ys, plot.log_y).value();
   std::string out;
@@ -136,7 +137,10 @@ std::string script_of(const Plot& plot, const std::string& name) {
   }
   for (const LevelLine& l : plot.levels)
     out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
-                       "set label {1} at graph 0.01, first {0} offset 0,0.5 noenhanced tc rgb '#606060'\n", l.y, in_quotes(l.title));
+                       "set label {1} at graph 0.01, first {0} offset 0,0.5 noenhanced tc rgb '#606060'\n", l.at, in_quotes(l.title));
+  for (const LevelLine& l : plot.uprights)
+    out += fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
+                       "set label {1} at first {0}, graph 0.02 left rotate by 90 offset 0.7,0 noenhanced tc rgb '#606060'\n", l.at, in_quotes(l.title));
   if (!plot.notes.empty()) {
     out += fmt::format("set bmargin {}\n", 4 + plot.notes.size());
     for (size_t i = 0; i < plot.notes.size(); ++i)

@@ -15,9 +15,9 @@ struct Curve {
   std::vector<std::pair<double, double>> spread;  // of y, {low, high} per point, drawn as bars; empty: none
 };
 
-// A line across the picture at a height, with its name beside it.
+// A line across the picture at a height, with its name beside it; or upright, at an abscissa.
 struct LevelLine {
-  double y = 0;
+  double at = 0;
   std::string title;
 };
 
@@ -27,6 +27,7 @@ struct Plot {
   enum class Style { points, lines, steps } style = Style::points;  // lines with points, lines alone, stairs
   std::vector<Curve> curves;
   std::vector<LevelLine> levels;
+  std::vector<LevelLine> uprights = {};
   std::vector<std::string> notes;  // below the picture: what it does not show, and why
 };
 

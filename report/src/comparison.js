@@ -1,6 +1,7 @@
 // A comparison of solvers: time against error, how often each is fast, and the whole table.
 import { chart } from "./chart.js";
 import { h, labelled, section, select } from "./dom.js";
+import { format } from "./format.js";
 import { markdown } from "./markdown.js";
 import { sortedTable } from "./table.js";
 
@@ -20,6 +21,9 @@ const unique = (values) => [...new Set(values)];
 // Another minimum of a single step, which has an energy, is a solution; a run that ended elsewhere is none.
 const solved = (row) => row.status === "converged" && (row.branch !== "another" || row.energy_gap !== null) && row.wall_seconds > 0;
 
+// Smaller than what the two references are apart: it tells nothing, and has no point.
+const noise = (row) => row.error_floor !== undefined && row.error_floor !== null && row.error_rms !== null && row.error_rms <= row.error_floor;
+
 const costs = [["wall_seconds", "wall time", "s"], ["cpu_seconds", "processor time", "s"], ["iterations", "iterations"], ["evaluations", "evaluations"], ["linear_solves", "linear solves"]];
 
 // A curve per solver, a point per tolerance; smaller steps in a curve of their own.
@@ -31,14 +35,21 @@ function precisionSection(rows) {
   const place = h("div", { class: "charts wide" });
   const draw = () => {
     const series = solvers.flatMap((solver, index) => steps.flatMap((step) => {
-      const some = rows.filter((row) => row.problem === problem && row.solver === solver && row.time_step === step && solved(row) && row.error_rms > 0)
+      const some = rows.filter((row) => row.problem === problem && row.solver === solver && row.time_step === step && solved(row) && row.error_rms > 0 && !noise(row))
         .sort((a, b) => b.tolerance - a.tolerance);
       if (some.length === 0) return [];
       const several = unique(rows.filter((row) => row.problem === problem).map((row) => row.time_step)).length > 1;
       return [{ label: several ? `${solver}, h = ${step} s` : solver, index, points: true, x: some.map((row) => row.error_rms), y: some.map((row) => row[cost[0]]) }];
     }));
+    const here = rows.filter((row) => row.problem === problem && solved(row));
+    const hidden = here.filter(noise).length;
+    const heights = series.flatMap((one) => one.y).filter((v) => v > 0);
+    for (const floor of heights.length > 0 ? unique(here.map((row) => row.error_floor).filter((v) => v > 0)) : [])
+      series.push({ label: `floor ${format(floor, 2)} m`, index: solvers.length, x: [floor, floor], y: [Math.min(...heights), Math.max(...heights)] });
+    const left = hidden === 0 ? "" : hidden === here.length ? " All errors are below the floor, what the two references are apart: they are noise, and nothing is drawn."
+      : ` ${hidden} of ${here.length} have no point: their errors are below the floor, what the two references are apart, and so noise.`;
     place.replaceChildren(chart({
-      title: `${cost[1][0].toUpperCase()}${cost[1].slice(1)} against error: ${problem}`, note: "A curve per solver, a point per tolerance. Lower is faster, further left more accurate.",
+      title: `${cost[1][0].toUpperCase()}${cost[1].slice(1)} against error: ${problem}`, note: `A curve per solver, a point per tolerance. Lower is faster, further left more accurate.${left}`,
       x: { name: "RMS error", unit: "m", log: true }, y: { name: cost[1], unit: cost[2], log: true }, height: 340, series,
     }));
   };

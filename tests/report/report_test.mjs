@@ -31,6 +31,10 @@ const tests = {
     assert.equal(await one.page.title(), "soft – tack report");
     assert.deepEqual(await one.text("h1 .badge"), ["expectation failed"]);
     assert.deepEqual(await one.text(".about"), ["</script><b>bold</b> falls"], "a text of the scene is a text");
+    const warnings = await one.text(".warnings li");
+    assert.equal(warnings.length, 2);
+    assert.match(warnings[0], /'<\/script><b>bold<\/b>' is coarse$/);
+    assert.match(warnings[1], /^step 3: rolled back \(and 11 more of the kind\)$/);
     const rows = await one.text(".expectations tbody tr");
     assert.equal(rows.length, 2);
     assert.match(rows[0], /stays above.*✓ pass/s);
@@ -203,12 +207,14 @@ const tests = {
     const { page } = one;
     assert.match((await one.text("h1"))[0], /^fall compared/);
     await one.checkCharts(2);
-    assert.deepEqual(await one.text("#precision .legend li span:nth-child(2)"), ["newton", "lbfgs", "ceres"]);
+    assert.deepEqual(await one.text("#precision .legend li span:nth-child(2)"), ["newton", "lbfgs", "ceres", "floor 1.5 × 10⁻⁸ m"]);
+    assert.match((await one.text("#precision .note"))[0], /1 of 8 have no point: their errors are below the floor/);
     assert.deepEqual(await one.text("#text h3"), ["All 3 tasks together"]);
     assert.deepEqual(await one.text("#text tbody tr:last-child > *"), ["a|b <i>", "2", ""]);
     assert.deepEqual(await one.text("#text strong, #text em"), ["Fastest", "best"]);
     await page.getByLabel("Problem").selectOption("</script><b>bold</b>");
     await page.getByLabel("Cost").selectOption("iterations");
+    assert.match((await one.text("#precision .note"))[0], /All errors are below the floor.*nothing is drawn/);
     assert.match((await one.text("#precision h3"))[0], /^Iterations against error: <\/script>/);
     const rows = page.locator("#table tbody tr");
     assert.equal(await rows.count(), 18);

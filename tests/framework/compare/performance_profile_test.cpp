@@ -20,6 +20,7 @@ CompareRow row(const char* problem, const char* solver, double seconds, bool con
   r.converged = converged;
   r.error_rms = r.error_max = 1e-6;
   r.relative_error = 1e-5;
+  r.size = 0.1;
   return r;
 }
 
@@ -47,10 +48,54 @@ TEST_CASE("a solver that repetitions cannot tell from the fastest is as fast", "
   close[1].wall_least = 1.05;
   close[2].wall_least = 1.13;
   const CompareConfig config;
-  const std::string report = compare_report(config, {{{"one", 0.01, 1e-10, 0, 1, false, false, 1, ""}}, close, "", {}}, {}, 0);
+  const std::string report = compare_report(config, {{{"one", 0.01, 1e-10, 0, 0, 1, false, false, 1, ""}}, close, "", {}}, {}, 0);
   CHECK(report.find("| one | 1e-6 | a | 1e-03 | 0.01 | 1 | 0 | 0 | 1.0e-06 | b |") != std::string::npos);
   CHECK(report.find("| a | 1 | 1 | 1.00 | 0 | 1e-05 | 0 | 0 |\n| b | 1 | 1 | 1.10 |") != std::string::npos);
   CHECK(report.find("| c | 1 | 0 | 1.30 |") != std::string::npos);
+}
+
+TEST_CASE("errors below what the references are apart are noise: no ranking, no point, and the floor is shown", "[compare]") {
+  const auto with = [](const char* solver, double tolerance, double seconds, double error) {
+    CompareRow r = row("one", solver, seconds);
+    r.tolerance = tolerance;
+    r.error_rms = error;
+    r.error_max = 10 * error;  // the floor is compared with errors in its own norm
+    r.floor = 3e-7;
+    return r;
+  };
+  const ReferenceRow reference{"one", 0.01, 1e-10, 2e-6, 3e-7, 0.1, false, false, 1, ""};
+  std::vector<CompareRow> some = {with("a", 1e-2, 1, 5e-6), with("b", 1e-2, 2, 4e-5), with("a", 1e-4, 3, 1e-7), with("b", 1e-4, 2.5, 1e-9)};
+  const std::string report = compare_report({}, {{reference}, some, "", {}}, {}, 0);
+  CHECK(report.find("| one | 0.01 | 1 | 0.1 | 1e-10 | 2.0e-06 | 3.0e-07 |") != std::string::npos);
+  CHECK(report.find("| one | 1e-5 | a | 1e-02 | 0.01 | 1 | 0 | 0 | 5.0e-06 |") != std::string::npos);
+  CHECK(report.find("| one | 1e-6 | b | 1e-04 | 0.01 | 2.5 | 0 | 0 | below 3.0e-07 |") != std::string::npos);
+  CHECK(report.find("| one | 1e-7 ") == std::string::npos);
+  CHECK(report.find("1.0e-09") == std::string::npos);
+  Plot plot = work_precision(some);
+  REQUIRE(plot.curves.size() == 2);
+  CHECK(plot.curves[0].points.size() == 1);
+  CHECK(plot.curves[1].points.size() == 1);
+  REQUIRE(plot.uprights.size() == 1);
+  CHECK(plot.uprights[0].at == Approx(3e-6));  // of the size
+  CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the floor and so is noise: a at 0.0001 m/s, b at 0.0001 m/s"});
+  // Where nothing is above the floor, nothing is ranked, and the reason stands there.
+  some = {with("a", 1e-2, 1, 1e-7), with("b", 1e-2, 2, 1e-8)};
+  const std::string noisy = compare_report({}, {{reference}, some, "", {}}, {}, 0);
+  CHECK(noisy.find("- one: all errors are below the floor, 3.0e-07 m") != std::string::npos);
+  CHECK(noisy.find("| problem | error at most") == std::string::npos);
+  CHECK(work_precision(some).curves[0].points.empty());
+  some = {row("one", "a", 1, false)};
+  CHECK(compare_report({}, {{reference}, some, "", {}}, {}, 0).find("- one: nobody solved it.") != std::string::npos);
+  ReferenceRow none = reference;
+  none.tolerance = 0;
+  CHECK(compare_report({}, {{none}, some, "", {}}, {}, 0).find("- one: there is no reference, so errors are not known.") != std::string::npos);
+}
+
+TEST_CASE("errors of large scenes are ranked as well", "[compare]") {
+  CompareRow far = row("one", "a", 1);
+  far.error_rms = far.error_max = 300;
+  const ReferenceRow reference{"one", 0.01, 1e-10, 0, 0, 1e4, false, false, 1, ""};
+  CHECK(compare_report({}, {{reference}, {far}, "", {}}, {}, 0).find("| one | 1e3 | a |") != std::string::npos);
 }
 
 TEST_CASE("runs that come closer with smaller tolerances were not accurate, others are on another branch", "[compare]") {
