@@ -12,8 +12,10 @@ namespace {
 // edge adds few candidates to what the extent of the primitives brings along already.
 double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
 
-const std::string sides_name = "contact/turned_sides";  // two objects each
-const std::string former_sides_name = "contact/sides";        // in older states: per pair of objects, whether the first integrates
+// By the first vertex of the side that integrates, and the other object.
+const std::string sides_name = "contact/integrating_sides";
+// In older states: two objects each; per pair of objects, whether the first integrates.
+const std::string turned_sides_name = "contact/turned_sides", former_sides_name = "contact/sides";
 
 // Of the edges that may move [m]; 0 without any.
 double mean_edge_of(const ContactSurface& surface) {
@@ -58,18 +60,37 @@ void ContactSystem::remember(const History& history) {
       for (int b = a + 1; b < pairs_.objects(); ++b)
         if (pairs_.point(a, b).automatic && ((*all)[a * pairs_.objects() + b] != 0) != pairs_.finer(a, b)) turned_before_->emplace_back(a, b);
   }
+  if (const auto turned = history.find(turned_sides_name); turned != history.end()) {
+    turned_before_.emplace();
+    for (int i = 0; i < turned->second.entries(); ++i)
+      turned_before_->emplace_back(static_cast<int>(turned->second.values[2 * i]), static_cast<int>(turned->second.values[2 * i + 1]));
+  }
   const auto sides = history.find(sides_name);
   if (sides == history.end()) return;
   turned_before_.emplace();
-  for (int i = 0; i < sides->second.entries(); ++i)
-    turned_before_->emplace_back(static_cast<int>(sides->second.values[2 * i]), static_cast<int>(sides->second.values[2 * i + 1]));
+  for (const auto& [vertex, other] : sides->second.keys) {
+    const int integrates = surface_.mesh.vertex_object[vertex];
+    const std::pair<int, int> pair = std::minmax(integrates, other);
+    if (pairs_.point(pair.first, pair.second).automatic && pairs_.finer(pair.first, pair.second) != (integrates == pair.first)) turned_before_->push_back(pair);
+  }
+  std::sort(turned_before_->begin(), turned_before_->end());
 }
 
 void ContactSystem::commit(const VecX&, History& history) const {
   history.erase(former_sides_name);
+  history.erase(turned_sides_name);
   if (!pairs_.any_automatic()) return;
-  HistoryArray& sides = history[sides_name] = {2, {}, {}};
-  for (const auto& [a, b] : turned_sides()) sides.values.insert(sides.values.end(), {double(a), double(b)});
+  HistoryArray& sides = history[sides_name] = {1, {}, {}};
+  if (turned_sides().empty()) return;
+  std::vector<int> first_vertex(pairs_.objects(), -1);
+  const std::vector<int>& object = surface_.mesh.vertex_object;
+  for (int v = static_cast<int>(object.size()) - 1; v >= 0; --v) first_vertex[object[v]] = v;
+  for (const auto& [a, b] : turned_sides()) {
+    const bool first = !pairs_.finer(a, b);
+    sides.keys.push_back({first_vertex[first ? a : b], first ? b : a});
+  }
+  std::sort(sides.keys.begin(), sides.keys.end());
+  sides.values.assign(sides.keys.size(), 1);
 }
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }

@@ -23,8 +23,8 @@ fs::path checkpoint_of(const fs::path& from) {
 }  // namespace
 
 EarlierState earlier_state(const StateFile& file, const Experiment& experiment, const std::string& name) {
-  EarlierState state{name, file.state.time, file.state.x, file.state.v, file.state.a, file.state.history, file.objects, {}};
-  for (const ObjectConfig& object : experiment.objects) state.energies[object.name] = energies_text(object);
+  EarlierState state{name, file.state.time, file.state.x, file.state.v, file.state.a, file.state.history, file.objects, {}, {}};
+  for (const ObjectConfig& object : experiment.objects) state.order.push_back(object.name), state.energies[object.name] = energies_text(object);
   const Eigen::Index vertices = file.state.x.size() / 3;
   check_size(file, vertices, name);
   for (const auto& [object, there] : file.objects) {

@@ -66,13 +66,41 @@ void take_history(const ObjectConfig& object, const EarlierState& earlier, State
   const std::string prefix = object.name + "/";
   bool any = false;
   for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
-    if (it->first == prefix + "broken") continue;  // of a spring of that name
+    if (it->first == prefix + "broken" || !it->second.keys.empty()) continue;  // of a spring of that name; of this object and others
     state.history.insert(*it);
     any = true;
   }
   if (any && earlier.energies.at(object.name) != energies_text(object))
     throw InputError(fmt::format("object '{}' remembers what happened to it in {} (plastic strain, turns, frames), and its energies are others now; "
                                  "give it the same, or leave it out of start.objects", object.name, earlier.file));
+}
+
+// Where the vertices and objects of the earlier state are now; -1: not among those that are taken.
+struct Places {
+  std::vector<int> vertices, objects;
+};
+
+// What is remembered between objects: entries of a point and another object, both of which are taken, by their numbers here.
+void take_keyed(const EarlierState& earlier, const Places& places, State& state) {
+  for (const auto& [name, there] : earlier.history) {
+    const bool keyed = !there.keys.empty() && static_cast<int>(there.keys.size()) == there.entries();
+    if (!keyed) continue;
+    std::vector<std::pair<std::array<int, 2>, int>> kept;  // key here, entry there
+    for (int i = 0; i < there.entries(); ++i) {
+      const auto& [vertex, object] = there.keys[i];
+      if (vertex < 0 || object < 0 || vertex >= static_cast<int>(places.vertices.size()) || object >= static_cast<int>(places.objects.size()))
+        throw InputError(fmt::format("{}: its history '{}' does not fit its objects; write it anew", earlier.file, name));
+      if (places.vertices[vertex] >= 0 && places.objects[object] >= 0) kept.push_back({{places.vertices[vertex], places.objects[object]}, i});
+    }
+    if (kept.empty()) continue;
+    std::sort(kept.begin(), kept.end());
+    HistoryArray here{there.width, {}, {}};
+    for (const auto& [key, i] : kept) {
+      here.keys.push_back(key);
+      here.values.insert(here.values.end(), there.values.begin() + i * there.width, there.values.begin() + (i + 1) * there.width);
+    }
+    state.history[name] = std::move(here);
+  }
 }
 
 // Which springs broke between objects that are both taken.
@@ -109,18 +137,23 @@ std::string start_as_before(const StartConfig& start, const EarlierState& earlie
   const std::map<std::string, StateObject> here = state_objects(world);
   State& s = world.start;
   const std::vector<const ObjectConfig*> objects = chosen(start, earlier, scene);
+  Places places{std::vector<int>(static_cast<size_t>(earlier.x.size() / 3), -1), std::vector<int>(earlier.order.size(), -1)};
   for (const ObjectConfig* object : objects) {
+    if (const auto at = std::find(earlier.order.begin(), earlier.order.end(), object->name); at != earlier.order.end())
+      places.objects[static_cast<size_t>(at - earlier.order.begin())] = world.body_index(object->name);
     const StateObject& now = here.at(object->name);
     const StateObject& then = checked(object->name, earlier, now);
     for (size_t k = 0; k < now.vertices.size(); ++k) {
       const int v = now.vertices[k], w = then.vertices[k];
       vertex(s.x, v) = vertex(earlier.x, w);
+      places.vertices[w] = v;
       const bool moves = start.velocities && world.dofs.moves(v);
       vertex(s.v, v) = moves ? Vec3(vertex(earlier.v, w)) : Vec3::Zero();
       vertex(s.a, v) = moves ? Vec3(vertex(earlier.a, w)) : Vec3::Zero();
     }
     take_history(*object, earlier, s);
   }
+  take_keyed(earlier, places, s);
   take_springs(objects, earlier, scene, world);
   for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.follow(*field);
   return fmt::format("{} of {} objects start as they were in {} (t = {:.6g} s)", objects.size(), scene.objects.size(), earlier.file, earlier.time);

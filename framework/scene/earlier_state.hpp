@@ -29,13 +29,15 @@ struct EarlierState {
   VecX x, v, a;      // 3n: [m], [m/s], [m/s^2]
   History history;
   std::map<std::string, StateObject> objects;
+  std::vector<std::string> order;  // their names, by their numbers in the keys of the history
   std::map<std::string, std::string> energies;  // of objects: what they are, as text
 };
 
 // As EarlierState has them.
 std::string energies_text(const ObjectConfig& object);
 
-// Puts the objects of the world's start that `start` names, or all that both have, where they were, with what they remember;
+// Puts the objects of the world's start that `start` names, or all that both have, where they were, with what they remember, each
+// by itself (arrays that begin with its name), and of each other (arrays with keys, core/history.hpp, of any name; springs);
 // returns a line on it. Throws InputError for objects that neither has, had another mesh or other vertices beyond it, or remember
 // and have other energies now.
 std::string start_as_before(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene, World& world);

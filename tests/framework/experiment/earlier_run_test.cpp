@@ -110,6 +110,41 @@ TEST_CASE("it is the start that must not intersect, not the shapes at rest", "[s
                     Contains("the start intersects"));
 }
 
+TEST_CASE("what objects remember of each other comes along, by its keys", "[start]") {
+  const Settled settled;
+  const fs::path path = settled.run / "checkpoints/step_00000020.checkpoint";
+  StateFile file = read_state_file(path, StateFile::Kind::checkpoint);
+  // Of points and other objects there: floor (0 to 7), lump (8 to 34), stone (35 to 42).
+  file.state.history["contact/memory"] = {2, {1, 2, 3, 4, 5, 6, 7, 8}, {{3, 2}, {9, 0}, {36, 0}, {36, 1}}};
+  write_state_file(path, file);
+  const std::string other = "  - {name: weight, shape: {type: box, size: [0.02, 0.02, 0.02]}, place: {translate: [0.2, 0.05, 0]}, body: {type: affine, density: 1000}}\n";
+  // Here: weight 0 to 7, stone 8 to 15, floor 16 to 23.
+  const TestScene scene(scene_of(other + stone + floor_object, 0.1, from(settled.run, ", objects: [stone, floor]")));
+  CHECK(scene.world->start.history.at("contact/memory") == HistoryArray{2, {5, 6, 1, 2}, {{9, 2}, {19, 1}}});
+  const TestScene alone(scene_of(other + stone + floor_object, 0.1, from(settled.run, ", objects: [stone]")));
+  CHECK(alone.world->start.history.empty());
+  file.state.history["contact/memory"].keys[3] = {36, 7};
+  write_state_file(path, file);
+  CHECK_THROWS_WITH(TestScene(scene_of(all, 0.1, from(settled.run))), Contains("its history 'contact/memory' does not fit its objects"));
+}
+
+TEST_CASE("the side of an adhesive pair that integrates comes along", "[start]") {
+  const auto sticky = [](std::string scene) {
+    return scene.replace(scene.find("friction: {mu: 0.3}"), 19, "pairs: [{between: [stone, floor], adhesion: {type: fang, peak_traction: 1 kPa}}]");
+  };
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run", path = run / "checkpoints/step_00000010.checkpoint";
+  record(sticky(scene_of(all, 0.1)), run);
+  StateFile file = read_state_file(path, StateFile::Kind::checkpoint);
+  CHECK(file.state.history.at("contact/integrating_sides").keys.empty());  // the stone, which is finer
+  file.state.history["contact/integrating_sides"] = {1, {1}, {{0, 2}}};    // as if it were the floor
+  write_state_file(path, file);
+  TestRun more(sticky(scene_of(stone + std::string(floor_object) + lump, 0.1, from(run))));
+  more.step();
+  // They are far from each other, so nobody decides anew.
+  CHECK(more.state().history.at("contact/integrating_sides") == HistoryArray{1, {1}, {{8, 0}}});
+}
+
 TEST_CASE("a state that does not fit is refused with the object and the remedy", "[start]") {
   const Settled settled;
   const auto refused = [&](const std::string& objects, const std::string& start, const std::string& why) {
