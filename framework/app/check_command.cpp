@@ -8,6 +8,7 @@
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/scene/derivative_check.hpp"
+#include "framework/scene/law_check.hpp"
 #include "framework/scene/resolution.hpp"
 
 namespace tack {
@@ -62,7 +63,10 @@ int check_command(const SceneOptions& options) {
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
-  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock()));
+  const LawCheck laws = check_laws(world);
+  for (const std::string& line : laws.doubtful) fmt::print("warning: {}\n", line);
+  for (const std::string& line : laws.wrong) fmt::print("{}  WRONG: see its formula\n", line);
+  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.wrong.empty();
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }

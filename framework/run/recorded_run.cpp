@@ -12,6 +12,7 @@
 #include "framework/experiment/tolerances.hpp"
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/next_due.hpp"
+#include "framework/scene/law_check.hpp"
 #include "framework/scene/resolution.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -106,7 +107,8 @@ void RecordedRun::tell_beginning() {
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world_.start_notes) progress_.message(line);
-  for (const auto& lines : {doubtful_meshes(world_), weak_wells(world_), resolution_warnings(experiment_, world_),
+  const LawCheck laws = check_laws(world_);
+  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world_), weak_wells(world_), resolution_warnings(experiment_, world_),
                             doubtful_tolerances(experiment_, world_)})
     for (const std::string& line : lines) warn(line);
 }

@@ -1,0 +1,168 @@
+#include "framework/scene/law_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/contact/contact_system.hpp"
+#include "framework/scene/difference_study.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+namespace {
+
+constexpr int places = 400;              // in the range
+constexpr double tolerance = 1e-4;       // of derivatives, relative
+constexpr double largest_jump = 1e-3;    // of the largest traction and of the largest energy
+constexpr double largest_misstatement = 0.01;
+constexpr double least_felt = 0.97;      // of the stated peak, with the barrier against it
+
+class Sampled {
+ public:
+  explicit Sampled(const NormalLaw& law) : law_(law), gaps_(places) {
+    for (int i = 0; i < places; ++i) {
+      gaps_(i) = law.range() * (i + 0.5) / places;
+      samples_.push_back(law.at(gaps_(i)));
+    }
+  }
+
+  // The worst place, if the slopes (or curvatures) are not those of the values (or slopes).
+  DifferenceStudy study(bool of_slopes, double& worst) const {
+    std::vector<VecX> errors;
+    double step = DifferenceStudy::first_step;
+    for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) errors.push_back(errors_at(step, of_slopes));
+    const VecX scales = scales_of(of_slopes);
+    const DifferenceStudy study = study_differences(errors, scales, tolerance);
+    Eigen::Index at = 0;
+    (errors[6].array() / scales.array().max(1e-300)).abs().maxCoeff(&at);
+    worst = gaps_(at);
+    return study;
+  }
+  // The largest pull, and where; 0 of what only pushes.
+  double peak(double& at) const {
+    double largest = 0;
+    for (int i = 0; i < places; ++i)
+      if (samples_[i].slope > largest) largest = samples_[i].slope, at = gaps_(i);
+    return largest;
+  }
+  double largest_slope() const {
+    double largest = 0;
+    for (const LawSample& s : samples_) largest = std::max(largest, std::abs(s.slope));
+    return largest;
+  }
+  double largest_value() const {
+    double largest = 0;
+    for (const LawSample& s : samples_) largest = std::max(largest, std::abs(s.value));
+    return largest;
+  }
+  bool finite() const {
+    return std::all_of(samples_.begin(), samples_.end(), [](const LawSample& s) { return std::isfinite(s.value) && std::isfinite(s.slope) && std::isfinite(s.curvature); });
+  }
+
+ private:
+  VecX errors_at(double step, bool of_slopes) const {
+    VecX errors(places);
+    for (int i = 0; i < places; ++i) {
+      const double h = step * gaps_(i), up = gaps_(i) + h, down = gaps_(i) - h;
+      if (of_slopes) {
+        errors(i) = (law_.at(up).slope - law_.at(down).slope) / (up - down) - samples_[i].curvature;
+      } else {
+        double values[2] = {0, 0};
+        const double at[2] = {up, down};
+        law_.add_values(2, at, values);
+        errors(i) = (values[0] - values[1]) / (up - down) - samples_[i].slope;
+      }
+    }
+    return errors;
+  }
+  VecX scales_of(bool of_slopes) const {
+    VecX scales(places);
+    for (int i = 0; i < places; ++i) {
+      const LawSample& s = samples_[i];
+      scales(i) = of_slopes ? std::abs(s.curvature) + std::abs(s.slope) / gaps_(i) : std::abs(s.slope) + std::abs(s.value) / gaps_(i);
+    }
+    return scales;
+  }
+
+  const NormalLaw& law_;
+  VecX gaps_;  // m
+  std::vector<LawSample> samples_;
+};
+
+void check_end(const NormalLaw& law, const Sampled& sampled, LawCheck& check) {
+  const LawSample end = law.at(law.range() * (1 - 1e-9));
+  const double slope = std::abs(end.slope) / sampled.largest_slope(), value = std::abs(end.value) / sampled.largest_value();
+  if (slope > largest_jump)
+    check.doubtful.push_back(fmt::format("{}: its traction jumps from {:.4g} Pa to 0 at its range, {:.4g} m ({:.2g}% of the largest): steps beside it do not "
+                                         "converge, and the jump does work; let it fall to 0, or state a longer range", law.type(), end.slope, law.range(), 100 * slope));
+  if (value > largest_jump)
+    check.doubtful.push_back(fmt::format("{}: its energy jumps from {:.4g} J/m^2 to 0 at its range, {:.4g} m ({:.2g}% of the largest): whoever comes or goes there "
+                                         "gains or loses that; subtract its value at the range, or state a longer range", law.type(), end.value, law.range(), 100 * value));
+}
+
+void check_statements(const AdhesionLaw& law, const Sampled& sampled, LawCheck& check) {
+  const auto compare = [&](const char* what, const char* unit, double stated, double found) {
+    if (std::abs(stated - found) <= largest_misstatement * std::max(std::abs(stated), std::abs(found))) return;
+    check.doubtful.push_back(fmt::format("{}: states {} of {:.4g} {}, and has {:.4g}; reports and tangential adhesion go by what it states", law.type(), what, stated,
+                                         unit, found));
+  };
+  double at = 0;
+  compare("a peak traction", "Pa", law.peak_traction(), sampled.peak(at));
+  // To infinity: what it jumps by at its range is not done by its traction.
+  compare("a work of adhesion", "J/m^2", law.work_of_adhesion(), law.at(law.range() * (1 - 1e-9)).value - law.at(law.range() * 1e-9).value);
+}
+
+// Of a pair: whether the barrier leaves what the adhesion promises.
+void check_peak(const AdhesionLaw& law, const PairLaw& pair, LawCheck& check) {
+  double contact_distance = 0, at = 0, felt = 0;
+  for (const auto& part : pair.laws())
+    if (dynamic_cast<const BarrierLaw*>(part.get())) contact_distance = std::max(contact_distance, part->range());
+  const double peak = Sampled(law).peak(at);
+  if (at >= contact_distance) return;
+  for (int i = 0; i < places; ++i) felt = std::max(felt, pair.at(pair.offset() + law.range() * (i + 0.5) / places).slope);
+  if (felt >= least_felt * peak) return;
+  check.doubtful.push_back(fmt::format("{}: its traction peaks at {:.4g} m, within the contact distance of {:.4g} m, where the barrier pushes: surfaces feel {:.4g} of "
+                                       "{:.4g} Pa; move the peak out, or lower contact.distance", law.type(), at, contact_distance, felt, peak));
+}
+
+void add(std::vector<std::string>& list, const std::vector<std::string>& more, const std::string& names) {
+  for (const std::string& line : more) list.push_back(fmt::format("law of {}: {}", names, line));
+}
+
+}  // namespace
+
+LawCheck check_law(const NormalLaw& law) {
+  LawCheck check;
+  const Sampled sampled(law);
+  if (!sampled.finite()) {
+    check.wrong.push_back(fmt::format("{}: its values or derivatives are not finite everywhere within its range of {:.4g} m", law.type(), law.range()));
+    return check;
+  }
+  double at = 0;
+  if (const auto study = sampled.study(false, at); study.wrong)
+    check.wrong.push_back(fmt::format("{}: its traction is not the derivative of its energy, off by {:.1e} of it, most at {:.4g} m", law.type(), study.error, at));
+  if (const auto study = sampled.study(true, at); study.wrong)
+    check.wrong.push_back(fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.type(), study.error, at));
+  check_end(law, sampled, check);
+  if (const auto* adhesion = dynamic_cast<const AdhesionLaw*>(&law)) check_statements(*adhesion, sampled, check);
+  return check;
+}
+
+LawCheck check_laws(const World& world) {
+  LawCheck all;
+  for (const AdhesionSummary& pair : world.adhesion) {
+    const PairTable& table = world.contact->pairs();
+    const auto& [a, b] = pair.kinds.front();
+    const PairLaw& law = table.laws()[table.thin(a, b).law];
+    for (const auto& part : law.laws()) {
+      LawCheck check = check_law(*part);
+      if (const auto* adhesion = dynamic_cast<const AdhesionLaw*>(part.get())) check_peak(*adhesion, law, check);
+      add(all.wrong, check.wrong, pair.names());
+      add(all.doubtful, check.doubtful, pair.names());
+    }
+  }
+  return all;
+}
+
+}  // namespace tack

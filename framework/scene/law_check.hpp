@@ -1,0 +1,25 @@
+// Whether the normal laws of a scene are what contact takes them for: functions that end smoothly at their range, with the derivatives
+// and totals that they state, and a peak that surfaces can feel.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/contact/normal_law.hpp"
+
+namespace tack {
+
+struct World;
+
+struct LawCheck {
+  std::vector<std::string> wrong;     // derivatives that are not those of the values
+  std::vector<std::string> doubtful;  // what a simulation can go on with, but does not give what the law promises
+};
+
+// Of one law by itself, over its whole range. The lines begin with its name.
+LawCheck check_law(const NormalLaw& law);
+
+// Of all laws of adhesive pairs, of the first pair of each kind.
+LawCheck check_laws(const World& world);
+
+}  // namespace tack
