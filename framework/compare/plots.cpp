@@ -122,7 +122,7 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   }
   add_notes(plot, fmt::format("no tolerance at which {} solved:", problems > 1 ? "all problems were" : "it was"), unsolved);
   add_notes(plot, "not at all tolerances:", partly);
-  add_notes(plot, "no point, as the error is below the floor and so is noise:", noise);
+  add_notes(plot, "no point, as the error is below the floor:", noise);
   plot.uprights = floors(rows, by_step);
   return plot;
 }

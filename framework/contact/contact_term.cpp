@@ -188,8 +188,14 @@ VecX ContactTerm::compressions(const VecX& x, LawPart part) const {
     const auto& v = stencil.vertices;
     // Distances are homogeneous of degree one: sum f_i . x_i is the distance times the force, which is positive where it repels.
     double virial = 0;
-    for (int k = 1; k < K::arity; ++k) virial -= gradient.template segment<3>(3 * k).dot(vertex(x, v[k]) - vertex(x, v[0]));
-    for (int k = 0; k < K::arity; ++k) sums(3 * v[k]) += std::copysign(gradient.template segment<3>(3 * k).norm(), virial);
+    Vec3 push = -gradient.template segment<3>(0);  // on the first side, then its direction where it repels
+    for (int k = 1; k < K::arity; ++k) {
+      virial -= gradient.template segment<3>(3 * k).dot(vertex(x, v[k]) - vertex(x, v[0]));
+      if (k < K::first_vertices) push -= gradient.template segment<3>(3 * k);
+    }
+    if (const double size = push.norm(); size > 0) push *= std::copysign(1 / size, virial);
+    for (int k = 0; k < K::arity; ++k)
+      sums(3 * v[k]) -= (k < K::first_vertices ? 1 : -1) * gradient.template segment<3>(3 * k).dot(push);
   });
   return sums;
 }

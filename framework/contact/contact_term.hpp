@@ -34,8 +34,8 @@ class ContactTerm : public Term {
   double part_value(const VecX& x, LawPart part) const;
   // The force of a part of the laws on every vertex (3n) [N]; with a pair, of its stencils only.
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
-  // What each vertex is pressed with (positive) or pulled, whatever the direction: the magnitudes of the forces that it takes of
-  // each stencil, with that sign. In the first of three (3n [N]), as forces are collected.
+  // What each vertex is pressed with (positive) or pulled, whatever the direction: the forces that it takes of each stencil, along
+  // the way in which that parts the two sides. In the first of three (3n [N]), as forces are collected.
   VecX compressions(const VecX& x, LawPart part) const;
   // The force that object b exerts on object a [N].
   Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;

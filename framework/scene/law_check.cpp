@@ -149,18 +149,25 @@ LawCheck check_law(const NormalLaw& law) {
   return check;
 }
 
+LawCheck check_pair(const PairLaw& pair) {
+  LawCheck all;
+  for (const auto& part : pair.laws()) {
+    LawCheck check = check_law(*part);
+    if (const auto* adhesion = dynamic_cast<const AdhesionLaw*>(part.get())) check_peak(*adhesion, pair, check);
+    all.wrong.insert(all.wrong.end(), check.wrong.begin(), check.wrong.end());
+    all.doubtful.insert(all.doubtful.end(), check.doubtful.begin(), check.doubtful.end());
+  }
+  return all;
+}
+
 LawCheck check_laws(const World& world) {
   LawCheck all;
   for (const AdhesionSummary& pair : world.adhesion) {
     const PairTable& table = world.contact->pairs();
     const auto& [a, b] = pair.kinds.front();
-    const PairLaw& law = table.laws()[table.thin(a, b).law];
-    for (const auto& part : law.laws()) {
-      LawCheck check = check_law(*part);
-      if (const auto* adhesion = dynamic_cast<const AdhesionLaw*>(part.get())) check_peak(*adhesion, law, check);
-      add(all.wrong, check.wrong, pair.names());
-      add(all.doubtful, check.doubtful, pair.names());
-    }
+    const LawCheck check = check_pair(table.laws()[table.thin(a, b).law]);
+    add(all.wrong, check.wrong, pair.names());
+    add(all.doubtful, check.doubtful, pair.names());
   }
   return all;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/contact/normal_law.hpp"
+#include "framework/contact/pair_law.hpp"
 
 namespace tack {
 
@@ -18,6 +18,9 @@ struct LawCheck {
 
 // Of one law by itself, over its whole range. The lines begin with its name.
 LawCheck check_law(const NormalLaw& law);
+
+// Of those of a pair, and whether the barrier lets surfaces feel the peak of the adhesion.
+LawCheck check_pair(const PairLaw& pair);
 
 // Of all laws of adhesive pairs, of the first pair of each kind.
 LawCheck check_laws(const World& world);

@@ -98,8 +98,8 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   for (const auto& row : steps.rows) {
     CHECK(row[10] > 0);                 // min_distance
     CHECK(row[10] < 1e-3);              // the block stays within reach of the floor
-    CHECK(row[25] <= row[26]);         // forces balance
-    CHECK(row[27] == 1);               // converged
+    CHECK(row[26] <= row[27]);         // forces balance
+    CHECK(row[28] == 1);               // converged
   }
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("errors below what the references are apart are noise: no ranking, no 
   CHECK(plot.curves[1].points.size() == 1);
   REQUIRE(plot.uprights.size() == 1);
   CHECK(plot.uprights[0].at == Approx(3e-6));  // of the size
-  CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the floor and so is noise: a at 0.0001 m/s, b at 0.0001 m/s"});
+  CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the floor: a at 0.0001 m/s, b at 0.0001 m/s"});
   // Where nothing is above the floor, nothing is ranked, and the reason stands there.
   some = {with("a", 1e-2, 1, 1e-7), with("b", 1e-2, 2, 1e-8)};
   const std::string noisy = compare_report({}, {{reference}, some, "", {}}, {}, 0);

@@ -96,17 +96,27 @@ TEST_CASE("a law that states another peak or work than it has is told", "[law_ch
 }
 
 TEST_CASE("a peak within the contact distance is told, one beyond is not", "[law_check]") {
-  // Of this law the peak is at its range over the root of 5 (docs/extending.md); the contact distance is 1 mm.
-  const auto check = [](const char* adhesion) {
-    std::string scene = tiny_scene_with("{type: fang, critical_strain: 0.001}", adhesion);
-    return check_laws(*TestScene(scene.substr(scene.find("time:"))).world);
+  const auto check = [](double contact_distance) {
+    std::shared_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");
+    barrier->prepare({.contact_distance = contact_distance, .softer_young = 1e6, .adhesion_peak = strength});
+    PairLaw pair;
+    pair.add(barrier);
+    pair.add(std::make_shared<Exponential>(30));
+    return check_pair(pair);
   };
-  const LawCheck within = check("{type: documented, strength: 2 kPa, range: 1.2 mm}");
+  const LawCheck within = check(3 * peak);
   CHECK(within.wrong.empty());
   REQUIRE(within.doubtful.size() == 1);
-  CHECK_THAT(within.doubtful[0], Contains("law of 'floor' - 'block': documented: its traction peaks at 0.00053") && Contains("within the contact distance of 0.001 m"));
+  CHECK_THAT(within.doubtful[0], Contains("its traction peaks at 0.001012 m, within the contact distance of 0.003 m"));
+  const LawCheck beyond = check(0.9 * peak);
+  CHECK(beyond.wrong.empty());
+  CHECK(beyond.doubtful.empty());
+}
+
+TEST_CASE("the laws of scenes are checked with the names of their pairs", "[law_check]") {
   for (const char* right : {"{type: documented, strength: 2 kPa, range: 4 mm}", "{type: fang, critical_strain: 0.001}", "{type: fang, form: squared, critical_strain: 0.001}"}) {
-    const LawCheck all = check(right);
+    const std::string scene = tiny_scene_with("{type: fang, critical_strain: 0.001}", right);
+    const LawCheck all = check_laws(*TestScene(scene.substr(scene.find("time:"))).world);
     INFO(right);
     CHECK(all.wrong.empty());
     CHECK(all.doubtful.empty());
