@@ -6,6 +6,7 @@
 
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/closest_parameters.hpp"
+#include "geometry/distance/point_edge.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -14,6 +15,8 @@ namespace {
 // Sine of the angle between two edges below which their vertices alone carry what they have in common, and above which
 // the pair of edges does. The mollifier of edge pairs begins at 0.03.
 constexpr double parallel = 0.03, crossing = 0.06;
+
+constexpr double same_distance = 1e-12;  // relative: of points that are one but for rounding
 
 constexpr double reach = 2;  // in ranges: what is farther away when the step begins is only guarded against
 
@@ -85,6 +88,20 @@ double area_of(const Polygon& p, Vec2& centre) {
   return std::abs(twice) / 2;
 }
 
+// Of two edges.
+struct Nearest {
+  Vec3 first, second;
+  double distance;
+};
+
+Nearest nearest_points(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b) {
+  const Vec2 at = edge_edge_parameters(a[0], a[1], b[0], b[1]);
+  const Vec3 first = (1 - at.x()) * a[0] + at.x() * a[1], second = (1 - at.y()) * b[0] + at.y() * b[1];
+  return {first, second, (first - second).norm()};
+}
+
+double distance_to(const Vec3& p, const std::array<Vec3, 2>& edge) { return std::sqrt(point_edge_distance(p, edge[0], edge[1])); }
+
 }  // namespace
 
 double shadow_overlap(const std::array<Vec3, 2>& a, double width_a, const std::array<Vec3, 2>& b, double width_b,
@@ -116,17 +133,18 @@ RodOverlaps::RodOverlaps(const ContactSurface& surface, const PairTable& pairs) 
   longest_overlap_ = 2 * *std::max_element(surface.rod_width.begin(), surface.rod_width.end()) / parallel;
 }
 
-// Whether the closest point of an edge is that of the whole rod there, and this edge's: at an end, no other edge of the
-// vertex comes nearer, and it is the first of them. between: from the other rod's closest point to this one's.
-bool RodOverlaps::closest_of_rod(int edge, double u, const Vec3& between, const HeldSurface& held) const {
-  if (u > 0 && u < 1) return true;
-  const int end = surface_.mesh.edges[edge][u > 0];
-  const auto rods = held.topology().rods_at(end);
-  return rods.front() == edge && std::all_of(rods.begin(), rods.end(), [&](int other) {
-    const auto& [first, second] = surface_.mesh.edges[other];
-    const int far = first == end ? second : first;
-    return other == edge || Vec3(vertex(held.x(), far) - vertex(held.x(), end)).dot(between) >= 0;
-  });
+// Whether no edge beside this one comes nearer to a point of the other rod than this one does; at a vertex, the first of its edges
+// counts for all.
+bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance, const HeldSurface& held) const {
+  for (const int end : surface_.mesh.edges[edge]) {
+    if ((vertex(held.x(), end) - opposite).norm() > (1 + same_distance) * distance) continue;
+    const auto rods = held.topology().rods_at(end);
+    const bool first = rods.front() == edge && std::all_of(rods.begin(), rods.end(), [&](int other) {
+      return distance_to(opposite, corners(held.x(), surface_.mesh.edges[other])) >= (1 - same_distance) * distance;
+    });
+    if (!first) return false;
+  }
+  return true;
 }
 
 // Straight on as far as any overlap reaches where the rod goes on, whatever the length of its edges.
@@ -139,6 +157,26 @@ std::array<Vec3, 2> RodOverlaps::continued(int edge, const HeldSurface& held) co
   return ends;
 }
 
+// Over a vertex at which a rod bends towards the other one, both of its edges come nearer than the vertex does, each at a point
+// of its own. What they have in common with the other rod is there once: each carries it by how much nearer it comes. So it
+// passes from one to the other without a jump as they slide, and as the rod bends.
+double RodOverlaps::part_of_nearest(int edge, int opposite, double distance, const HeldSurface& held) const {
+  const auto opposite_ends = corners(held.x(), surface_.mesh.edges[opposite]);
+  double part = 1;
+  for (const int end : surface_.mesh.edges[edge]) {
+    const double at_end = distance_to(vertex(held.x(), end), opposite_ends);
+    for (const int other : held.topology().rods_at(end)) {
+      if (other == edge) continue;
+      const Nearest nearest = nearest_points(corners(held.x(), surface_.mesh.edges[other]), opposite_ends);
+      if (!closest_of_rod(other, nearest.second, nearest.distance, held) || !closest_of_rod(opposite, nearest.first, nearest.distance, held))
+        continue;
+      const double nearer = std::max(0.0, at_end - distance), both = nearer + std::max(0.0, at_end - nearest.distance);
+      if (both > 0) part *= nearer / both;
+    }
+  }
+  return part;
+}
+
 void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& found) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Edge &ea = mesh.edges[first], &eb = mesh.edges[second];
@@ -146,17 +184,16 @@ void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& fou
   const PairRole& role = pairs_.thin(object_a, object_b);
   if (role.law < 0 || rest_neighbours(surface_, ea, eb, role.range)) return;
   const auto a = corners(held.x(), ea), b = corners(held.x(), eb);
-  const Vec2 at = edge_edge_parameters(a[0], a[1], b[0], b[1]);
-  const Vec3 between = (1 - at.x()) * a[0] + at.x() * a[1] - (1 - at.y()) * b[0] - at.y() * b[1];
-  const double distance = between.norm();
+  const auto [on_first, on_second, distance] = nearest_points(a, b);
   if (!(distance > 0) || distance > reach * role.range) return;
-  const Vec3 n = between / distance, along_a = a[1] - a[0], along_b = b[1] - b[0];
+  const Vec3 n = (on_first - on_second) / distance, along_a = a[1] - a[0], along_b = b[1] - b[0];
   const double width_a = surface_.rod_width[object_a], width_b = surface_.rod_width[object_b];
   const double part = crossing_part(along_a.cross(along_b).norm() / (along_a.norm() * along_b.norm()));
   Vec3 centre;
-  if (part > 0 && closest_of_rod(first, at.x(), between, held) && closest_of_rod(second, at.y(), -between, held)) {
+  if (part > 0 && closest_of_rod(first, on_second, distance, held) && closest_of_rod(second, on_first, distance, held)) {
     const double area = shadow_overlap(continued(first, held), width_a, continued(second, held), width_b, n, centre);
-    if (area > 0) found.crossings.push_back({{first, second}, part * area});
+    const double own = part_of_nearest(first, second, distance, held) * part_of_nearest(second, first, distance, held);
+    if (area > 0 && own > 0) found.crossings.push_back({{first, second}, part * own * area});
   }
   if (part == 1) return;
   const double area = shadow_overlap(a, width_a, b, width_b, n, centre);

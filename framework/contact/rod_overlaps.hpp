@@ -44,7 +44,8 @@ class RodOverlaps {
     double area;
   };
   struct Found;
-  bool closest_of_rod(int edge, double u, const Vec3& between, const HeldSurface& held) const;
+  bool closest_of_rod(int edge, const Vec3& opposite, double distance, const HeldSurface& held) const;
+  double part_of_nearest(int edge, int opposite, double distance, const HeldSurface& held) const;
   std::array<Vec3, 2> continued(int edge, const HeldSurface& held) const;
   void add(int first, int second, const HeldSurface& held, Found& found) const;
 

@@ -203,6 +203,45 @@ TEST_CASE("shadows of rods and particles overlap as rectangles and discs do", "[
   CHECK(disc_overlap(1, 1) == Approx(std::sqrt(3) / 2 + M_PI / 3));
 }
 
+TEST_CASE("a rod over the kink of another one carries one overlap, on the way over it and as it bends", "[contact][all_pairs]") {
+  const double gap = 3 * radius;
+  TestScene scene(fmt::format("objects:\n  - {{name: lower, {}}}\n  - {{name: upper, {}, place: {{axis: [0, 1, 0], angle: 90 deg, translate: [0, {}, 0]}}}}\n"
+                              "contact:\n  distance: 1e-5\n  pairs: [{{between: [lower, upper], adhesion: {{type: fang, peak_traction: 1000, "
+                              "peak_distance: {}, range: {}}}}}]\n",
+                              described(ObjectKind::rod, 1), described(ObjectKind::rod, 1), gap, gap, 2 * gap));
+  World& world = *scene.world;
+  const Body &below = world.bodies[world.body_index("lower")], &above = world.bodies[world.body_index("upper")];
+  const Vec3 along = (vertex(world.rest, above.first_vertex + 2) - vertex(world.rest, above.first_vertex)).normalized();
+  // In J. The upper rod bends in its middle vertex by an angle [rad], towards the lower one if it is above zero; the lower one
+  // is shifted from below that vertex.
+  const auto energy = [&](double angle, double shift) {
+    VecX x = world.rest;
+    for (int v = 0; v < above.vertex_count; ++v)
+      vertex(x, above.first_vertex + v).y() -= std::abs(vertex(x, above.first_vertex + v).dot(along)) * std::tan(angle / 2);
+    for (int v = 0; v < below.vertex_count; ++v) vertex(x, below.first_vertex + v) += shift * along;
+    world.contact->begin_step({x});
+    world.contact->move_to(x);
+    return world.contact_term->part_value(x, LawPart::adhesion);
+  };
+  const double straight = energy(0, 0);
+  CHECK(straight < 0);
+  for (const double tiny : {-1e-8, 1e-8})
+    for (const double shift : {0.0, 1e-9, 2e-5}) CHECK(energy(tiny, shift) == Approx(straight).epsilon(1e-6));
+  // Nearer by d (1 - cos) only.
+  const double degree = M_PI / 180;
+  CHECK(energy(2 * degree, 0) == Approx(straight).epsilon(2e-3));
+  CHECK(energy(10 * degree, 0) == Approx(straight).epsilon(2e-2));
+  // Without a jump where a second nearest point comes up.
+  for (const double angle : {2 * degree, 10 * degree}) {
+    double last = energy(angle, 0);
+    for (int i = 1; i <= 400; ++i) {
+      const double next = energy(angle, i * 2e-6);
+      CHECK(std::abs(next - last) <= 1e-3 * std::abs(straight));
+      last = next;
+    }
+  }
+}
+
 TEST_CASE("a start within the offsets is told with its places", "[contact][all_pairs]") {
   CHECK_THROWS_WITH(TestScene("objects:\n"
                               "  - {name: net, " + described(ObjectKind::rod, 4) + ", contact_offset: 2 mm, motion: [fixed]}\n"
