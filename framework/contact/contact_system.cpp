@@ -93,6 +93,8 @@ void ContactSystem::commit(const VecX&, History& history) const {
   sides.values.assign(sides.keys.size(), 1);
 }
 
+const RimForces& ContactSystem::rim_forces() const { return narrow_phase_->rim_forces(); }
+
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
 int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }

@@ -14,6 +14,7 @@ namespace tack {
 
 class BroadPhase;
 class NarrowPhase;
+class RimForces;
 
 class ContactSystem : public StepParticipant {
  public:
@@ -40,6 +41,8 @@ class ContactSystem : public StepParticipant {
   void cover(const VecX& x, const VecX& p);
 
   const ContactSet& contacts() const { return contacts_; }
+  // By which covered areas change, of the present step.
+  const RimForces& rim_forces() const;
   const Candidates& candidates() const;
   const ContactSurface& surface() const { return surface_; }
   const PairTable& pairs() const { return pairs_; }

@@ -10,6 +10,9 @@
 namespace tack {
 namespace {
 
+// How far beyond the rim a corner may lie, relative to the root of its triangle's area: rounding, when meshes agree.
+constexpr double on_the_rim = 1e-6;
+
 // By key; -1: none.
 int find_view(const std::vector<GroupView>& views, int point, int object) {
   const std::array key{point, object};
@@ -28,6 +31,7 @@ struct Coverage::Found {
   };
   std::vector<Share> shares;
   std::vector<ContactSample> samples;
+  CoveredParts parts{};
 };
 
 Coverage::Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held)
@@ -53,7 +57,7 @@ std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& 
 }
 
 bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const {
-  const double slack = rim_slack * std::sqrt(held_.area(triangle));
+  const double slack = on_the_rim * std::sqrt(held_.area(triangle));
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
     return c.view >= 0 && c.piece >= 0 && views[c.view].view.pieces[c.piece].beyond <= slack;
   });
@@ -109,7 +113,9 @@ void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::ve
       if (covered(views, t, at)) {
         for (int i = 0; i < 3; ++i) {
           const SeenPiece& piece = views[at[i].view].view.pieces[at[i].piece];
-          found[c].shares.push_back({at[i], held_.area(t) / 3 * held_.cosine(t, piece.normal)});
+          const double area = held_.area(t) / 3 * held_.cosine(t, piece.normal);
+          found[c].shares.push_back({at[i], area});
+          if (piece.distance < reach) found[c].parts.parts.push_back({t, piece.triangle, area, piece.distance});
         }
         continue;
       }
@@ -118,7 +124,7 @@ void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::ve
       std::erase_if(close, [&](int other) {
         return mesh.vertex_object[mesh.triangles[other][0]] != b || !may_face(t, other);
       });
-      if (!close.empty()) division.divide(t, b, reach, close, found[c].samples);
+      if (!close.empty()) division.divide(t, b, reach, close, found[c].samples, found[c].parts);
     }
   });
 }
@@ -158,8 +164,16 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
 
 void Coverage::weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views) {
   samples_.clear();
+  parts_.clear();
   std::vector<std::vector<Found>> all;
-  for (const auto& [a, b] : near_objects(sides)) weigh_pair(a, b, near, views, all.emplace_back());
+  for (const auto& [a, b] : near_objects(sides)) {
+    weigh_pair(a, b, near, views, all.emplace_back());
+    parts_.push_back({a, b, {}, {}});
+    for (const Found& found : all.back()) {
+      parts_.back().parts.insert(parts_.back().parts.end(), found.parts.parts.begin(), found.parts.parts.end());
+      parts_.back().rims.insert(parts_.back().rims.end(), found.parts.rims.begin(), found.parts.rims.end());
+    }
+  }
   for (GroupView& group : views)
     if (weighs(surface_.mesh.vertex_object[group.point], group.object, sides))
       for (SeenPiece& piece : group.view.pieces) piece.area = 0;

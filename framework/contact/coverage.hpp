@@ -2,13 +2,14 @@
 // A triangle is covered by an object if each of its corners sees a piece of it that the triangle faces, and does
 // not lie beyond that piece's rim: a crease or the boundary of a sheet. Covered triangles give their area to
 // their corners. Where the rim runs across a triangle, or it is so large that only its inside is opposite, it is
-// divided, and what is covered of it is represented by points inside (samples). So the area that adheres is the
+// divided and cut along the rim, and what is covered of it is represented by points inside (samples). So the area that adheres is the
 // overlap, whatever the meshes, and what only comes near a rim from beside does not count.
 #pragma once
 
 #include <functional>
 #include <vector>
 
+#include "framework/contact/covered_parts.hpp"
 #include "framework/contact/point_pieces.hpp"
 
 namespace tack {
@@ -36,6 +37,8 @@ class Coverage {
   void weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views);
 
   const std::vector<ContactSample>& samples() const { return samples_; }
+  // What those areas are made of, of each pair that has any.
+  const std::vector<CoveredParts>& parts() const { return parts_; }
   bool wanted() const { return wanted_; }  // whether any pair wants weights
 
  private:
@@ -58,6 +61,7 @@ class Coverage {
   std::vector<int> first_triangle_;  // of each object, and the end
   bool wanted_;
   std::vector<ContactSample> samples_;
+  std::vector<CoveredParts> parts_;
 };
 
 }  // namespace tack

@@ -57,17 +57,17 @@ bool FacingViewer::well_in_front(const Viewpoint& from, int triangle, double hei
   return height >= own_front * std::sqrt(squared);
 }
 
-void FacingViewer::consider(const Viewpoint& from, int triangle) {
+void FacingViewer::consider(const Viewpoint& from, int triangle, double nearer) {
   Vec3 normal;
   double height;
-  if (!turn(from, triangle, normal, height)) return;
+  if (!turn(from, triangle, normal, height) || height * height >= nearer) return;
   const double area = area_towards(from, normal), thin = from.vertex >= 0 ? held_.thin(from.vertex, normal) : 0;
   if (!(area > 0 || thin > 0)) return;
   const Triangle& t = mesh_.triangles[triangle];
   const Vec3 t0 = vertex(held_.x(), t[0]), t1 = vertex(held_.x(), t[1]), t2 = vertex(held_.x(), t[2]);
   const PointTriangleType type = point_triangle_type(from.position, t0, t1, t2);
   const double squared = point_triangle_distance(from.position, t0, t1, t2, type);
-  if (!well_in_front(from, triangle, height, squared)) return;
+  if (squared >= nearer || !well_in_front(from, triangle, height, squared)) return;
   const SurfaceTopology& topology = held_.topology();
   const int feature = static_cast<int>(type);  // three vertices, three edges, the face
   const bool goes_on = type == PointTriangleType::P_T || (feature < 3 ? topology.smooth_vertex(t[feature])
@@ -86,7 +86,8 @@ FacingView FacingViewer::pieces() {
     for (const Seen& s : seen_)
       if (s.squared <= nearest * (1 + same_distance) && (!leader || s.area + s.thin > leader->area + leader->thin)) leader = &s;
     const Vec3 normal = leader->normal;
-    view.pieces[view.count++] = {normal, leader->area, leader->thin, std::sqrt(leader->squared), held_.cell(leader->triangle), leader->beyond};
+    view.pieces[view.count++] = {normal, leader->area, leader->thin, std::sqrt(leader->squared), held_.cell(leader->triangle),
+                                 leader->beyond, leader->triangle};
     std::erase_if(seen_, [&](const Seen& s) { return s.normal.dot(normal) > one_piece; });
   }
   return view;

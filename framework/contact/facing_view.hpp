@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "framework/contact/held_surface.hpp"
@@ -22,6 +23,7 @@ struct SeenPiece {
   double distance;  // m
   double cell;      // area per vertex of what is seen, there [m^2]
   double beyond;    // how far the point lies beyond a crease or the boundary of the surface [m]; 0: above it
+  int triangle;     // that one
 };
 
 struct FacingView {
@@ -57,6 +59,12 @@ class FacingViewer {
     for (int i = 0; i < n; ++i) consider(from, triangle(i));
     return pieces();
   }
+  // The same with only what is nearer than `reach` in view [m].
+  FacingView look_within(const Viewpoint& from, const std::vector<int>& triangles, double reach) {
+    seen_.clear();
+    for (const int t : triangles) consider(from, t, reach * reach);
+    return pieces();
+  }
   // The piece of the view that a triangle belongs to; -1: none.
   int piece_of(const Viewpoint& from, const FacingView& view, int triangle) const;
 
@@ -70,7 +78,8 @@ class FacingViewer {
   bool turn(const Viewpoint& from, int triangle, Vec3& normal, double& height) const;
   double area_towards(const Viewpoint& from, const Vec3& normal) const;
   bool well_in_front(const Viewpoint& from, int triangle, double height, double squared) const;
-  void consider(const Viewpoint& from, int triangle);
+  // nearer: than that [m^2].
+  void consider(const Viewpoint& from, int triangle, double nearer = std::numeric_limits<double>::infinity());
   FacingView pieces();
 
   const CollisionMesh& mesh_;

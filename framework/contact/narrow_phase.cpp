@@ -234,7 +234,10 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   views_.clear();
   look(candidates);
   coverage_.capture(views_, sides_);
-  if (coverage_.wanted()) coverage_.weigh(sides_, near_, views_);
+  if (coverage_.wanted()) {
+    coverage_.weigh(sides_, near_, views_);
+    rim_forces_.take(coverage_.parts(), pairs_, surface_.mesh, held_);
+  }
   make_lists(candidates);
 }
 

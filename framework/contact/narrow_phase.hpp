@@ -7,6 +7,7 @@
 
 #include "framework/contact/contact_set.hpp"
 #include "framework/contact/point_pieces.hpp"
+#include "framework/contact/rim_forces.hpp"
 #include "framework/contact/sample_pieces.hpp"
 
 namespace tack {
@@ -29,6 +30,7 @@ class NarrowPhase {
   void set_free(std::vector<char> free) { free_ = std::move(free); }
   // The stencils closer than their law's range.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const;
+  const RimForces& rim_forces() const { return rim_forces_; }  // of this step
 
  private:
   bool may_integrate(const PointGroup& group) const;
@@ -41,6 +43,7 @@ class NarrowPhase {
   HeldSurface held_;
   IntegrationSides sides_;
   Coverage coverage_;
+  RimForces rim_forces_;
   NearTriangles near_;
   std::vector<char> free_;        // per global vertex, or empty
   PointGroups groups_;

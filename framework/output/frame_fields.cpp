@@ -2,6 +2,7 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/core/state.hpp"
 #include "framework/output/vertex_gaps.hpp"
 #include "framework/output/vertex_tractions.hpp"
@@ -45,8 +46,9 @@ VecX values_of(const std::string& name, const World& world, const State& state) 
   const bool friction = name.starts_with("friction");
   if (friction && !world.friction) return {};
   const LawPart part = name.starts_with("adhesion") ? LawPart::adhesion : LawPart::all;
-  VecX forces = collected(world, friction ? world.friction->forces(state.x, TangentialPart::all)
-                                          : world.contact_term->forces(state.x, part));
+  VecX forces = friction ? world.friction->forces(state.x, TangentialPart::all) : world.contact_term->forces(state.x, part);
+  if (world.rim && !friction) forces += world.rim->forces(state.x, part);
+  forces = collected(world, std::move(forces));
   if (name.ends_with("force")) return forces;
   if (friction) return tangential_tractions(world, state.x, forces);
   return (part == LawPart::all ? 1 : -1) * normal_pressures(world, state.x, forces, part);

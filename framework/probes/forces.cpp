@@ -1,6 +1,6 @@
 // Probes of forces: contact and adhesion between objects, and the reaction of what is held.
 #include "framework/assembly/term_gradient.hpp"
-#include "framework/contact/contact_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/pair_force.hpp"
 #include "framework/probes/vertex_set.hpp"
@@ -30,7 +30,9 @@ class ContactForce : public PairForce<LawPart> {
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    return force(*world.contact_term, world, state.x);
+    Vec3 sum = force(*world.contact_term, world, state.x);
+    if (world.rim) sum += force(*world.rim, world, state.x);
+    return sum;
   }
 };
 

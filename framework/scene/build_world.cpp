@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/contact/too_close.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/rod/rod_frames.hpp"
@@ -343,6 +344,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
+  if (world->rim) world->terms.push_back(world->rim.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   if (world->contact) world->participants.add(world->contact.get());
   for (const Body& body : world->bodies)
@@ -352,6 +354,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})
     world->participants.add(term);
   if (world->contact_term) world->participants.add(world->contact_term.get());
+  if (world->rim) world->participants.add(world->rim.get());
   if (world->friction) world->participants.add(world->friction.get());
   return world;
 }

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/local_mesh.hpp"
 #include "framework/scene/pair_configs.hpp"
@@ -326,6 +327,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
+  if (world.contact->pairs().any_covered()) world.rim = std::make_unique<RimTerm>(*world.contact);
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
 }

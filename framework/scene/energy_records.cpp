@@ -3,6 +3,7 @@
 #include <map>
 
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
@@ -27,7 +28,8 @@ std::vector<std::pair<std::string, double>> energies_by_term(const World& world,
   if (!world.gravity.isZero()) all.emplace_back("gravity", gravity);
   if (world.contact_term) {
     all.emplace_back("barrier", world.contact_term->part_value(state.x, LawPart::barrier));
-    all.emplace_back("adhesion", world.contact_term->part_value(state.x, LawPart::adhesion));
+    const double rim = world.rim ? world.rim->value(state.x) : 0;
+    all.emplace_back("adhesion", world.contact_term->part_value(state.x, LawPart::adhesion) + rim);
   }
   if (world.friction) {
     all.emplace_back("friction", world.friction->part_value(state.x, TangentialPart::friction));

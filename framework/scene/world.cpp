@@ -7,6 +7,7 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "geometry/errors.hpp"
 

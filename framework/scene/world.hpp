@@ -22,6 +22,7 @@ class ContactTerm;
 class DampingTerm;
 class FrictionTerm;
 class OrthogonalityTerm;
+class RimTerm;
 class SpringTerm;
 
 struct World {
@@ -49,6 +50,7 @@ struct World {
   LoadTerm load_term;
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
+  std::unique_ptr<RimTerm> rim;            // null if no pair adheres by covered areas
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
   StepParticipants participants;  // contact and the terms

@@ -7,6 +7,7 @@
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/assembly/term_gradient.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/scene/energy_records.hpp"
@@ -52,6 +53,7 @@ void EnergyBalance::open(const State& state) {
   start_.gradient = VecX::Zero(state.x.size());
   for (const auto& term : world_.elastic_terms) add_term_gradient(*term, state.x, start_.gradient);
   if (world_.contact_term) add_term_gradient(*world_.contact_term, state.x, start_.gradient);
+  if (world_.rim) world_.rim->add_linear_gradient(start_.gradient);
   add_inertia_and_weight(state, start_.gradient);
 }
 
@@ -136,6 +138,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   jerk_ = 0;
   if (script_moves) {
     end.gradient = potential.gradient_at_all_vertices(state.x);
+    if (world_.rim) world_.rim->add_linear_gradient(end.gradient);
     add_inertia_and_weight(state, end.gradient);
     flows.script += script_work(way, end.gradient, state.x);
   }

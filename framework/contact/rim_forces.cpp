@@ -1,0 +1,120 @@
+#include "framework/contact/rim_forces.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace tack {
+namespace {
+
+// Of the barycentric coordinates of a triangle, in its plane [1/m].
+std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const Vec3 over = normal / normal.squaredNorm();
+  return {over.cross(t[2] - t[1]), over.cross(t[0] - t[2]), over.cross(t[1] - t[0])};
+}
+
+// Collects the forces of one pair of objects.
+class PairForces {
+ public:
+  PairForces(const PairRole& role, const PairTable& table, const CollisionMesh& mesh, const HeldSurface& held, VecX& sum)
+      : role_(role), law_(table.laws()[role.law]), mesh_(mesh), held_(held), sum_(sum) {}
+
+  void add(const RimPart& rim) {
+    const std::array<Vec3, 3> other = corners(held_.x(), mesh_.triangles[rim.other]);
+    const Vec3 p = point_inside(held_.x(), mesh_.triangles[rim.triangle], rim.inside);
+    const int next = (rim.side + 1) % 3;
+    const Vec3 along = other[next] - other[rim.side], normal = held_.normal(rim.other);
+    const double part = along.dot(p - other[rim.side]) / along.squaredNorm();
+    const double height = normal.dot(p - other[rim.side]);
+    const Vec3 outward = along.cross(normal).normalized();
+    const double strength = energy(std::abs(height)) * rim.length;
+    if (strength == 0) return;
+    Vec3 foot = Vec3::Zero();
+    foot[rim.side] = 1 - part;
+    foot[next] = part;
+    const std::array<Vec3, 3> slope = slopes(other);
+    for (int i = 0; i < 3; ++i) {
+      act(mesh_.triangles[rim.triangle][i], strength * rim.inside[i] * outward);
+      act(mesh_.triangles[rim.other][i], strength * (height * outward.dot(slope[i]) * normal - foot[i] * outward));
+    }
+  }
+
+  void add(const CoveredPart& covered) {
+    const Vec3 normal = held_.normal(covered.leader);
+    const std::array<Vec3, 3> own = corners(held_.x(), mesh_.triangles[covered.triangle]);
+    const Vec3 twice = (own[1] - own[0]).cross(own[2] - own[0]);
+    const double whole = twice.dot(normal) / 2;
+    const double strength = energy(covered.distance);
+    if (strength == 0 || std::abs(whole) < least_cosine / 2 * twice.norm()) return;
+    const double half = -strength * covered.area / whole / 2;  // the sign with it
+    const std::array<Vec3, 3> slope = slopes(corners(held_.x(), mesh_.triangles[covered.leader]));
+    for (int i = 0; i < 3; ++i) {
+      act(mesh_.triangles[covered.triangle][i], half * (own[(i + 1) % 3] - own[(i + 2) % 3]).cross(normal));
+      act(mesh_.triangles[covered.leader][i], -half * twice.dot(slope[i]) * normal);
+    }
+  }
+
+  void hand_over(std::vector<int>& vertices, std::vector<Vec3>& forces) {
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (const int v : touched_) {
+      forces.push_back(vertex(sum_, v));
+      vertex(sum_, v).setZero();
+    }
+    vertices = std::move(touched_);
+  }
+
+ private:
+  double energy(double distance) const { return role_.share * std::min(0.0, law_.at(distance).value); }
+  void act(int v, const Vec3& force) {
+    vertex(sum_, v) += force;
+    touched_.push_back(v);
+  }
+
+  const PairRole& role_;
+  const PairLaw& law_;
+  const CollisionMesh& mesh_;
+  const HeldSurface& held_;
+  VecX& sum_;  // zero but for what is touched
+  std::vector<int> touched_;
+};
+
+}  // namespace
+
+void RimForces::take(const std::vector<CoveredParts>& pairs, const PairTable& table, const CollisionMesh& mesh,
+                     const HeldSurface& held) {
+  pairs_.clear();
+  all_.resize(0);
+  VecX sum;
+  for (const CoveredParts& pair : pairs) {
+    const PairRole& role = table.point(pair.a, pair.b);
+    if (role.law < 0 || (pair.parts.empty() && pair.rims.empty())) continue;
+    if (all_.size() == 0) all_ = sum = VecX::Zero(held.x().size());
+    PairForces forces(role, table, mesh, held, sum);
+    for (const CoveredPart& part : pair.parts) forces.add(part);
+    for (const RimPart& rim : pair.rims) forces.add(rim);
+    Pair& found = pairs_.emplace_back();
+    found.a = pair.a;
+    found.b = pair.b;
+    forces.hand_over(found.vertices, found.forces);
+    for (size_t i = 0; i < found.vertices.size(); ++i) vertex(all_, found.vertices[i]) += found.forces[i];
+  }
+}
+
+VecX RimForces::between(int a, int b, Eigen::Index size) const {
+  VecX forces = VecX::Zero(size);
+  for (const Pair& pair : pairs_)
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))
+      for (size_t i = 0; i < pair.vertices.size(); ++i) vertex(forces, pair.vertices[i]) += pair.forces[i];
+  return forces;
+}
+
+Vec3 RimForces::on(int a, int b, const CollisionMesh& mesh) const {
+  const VecX forces = between(a, b, 3 * static_cast<Eigen::Index>(mesh.vertex_object.size()));
+  Vec3 sum = Vec3::Zero();
+  for (size_t v = 0; v < mesh.vertex_object.size(); ++v)
+    if (mesh.vertex_object[v] == a) sum += vertex(forces, static_cast<int>(v));
+  return sum;
+}
+
+}  // namespace tack
