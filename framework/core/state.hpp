@@ -31,6 +31,8 @@ struct State {
 
   int whole_steps = 0;  // steps of the scene's size behind us; a step in halves is one of them
   double h_next = 0;    // size tried next [s]; 0: the scene's
+  int parts = 1;        // in which whole steps are begun, because larger ones made or lost energy; a power of two
+  int calm_steps = 0;   // whole steps behind us since that number last changed
 };
 
 }  // namespace tack

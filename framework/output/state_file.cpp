@@ -62,6 +62,8 @@ void for_each_field(S& s, const Act& act) {
   act("whole_steps", s.whole_steps, Since::first);
   act("h_before", s.h_before, Since::first);
   act("h_next", s.h_next, Since::first);
+  act("parts", s.parts, Since::later);
+  act("calm_steps", s.calm_steps, Since::later);
   act("held", s.held, Since::first);
   act("x", s.x, Since::first);
   act("v", s.v, Since::first);

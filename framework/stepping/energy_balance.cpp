@@ -15,7 +15,8 @@
 namespace tack {
 namespace {
 
-constexpr double tolerated_gain = 0.01;  // of the energy at play
+constexpr double tolerated_gain = 0.01;   // of the energy at play
+constexpr double tolerated_loss = 0.005;  // of it, in a step
 
 EnergyAccount account_of(const EnergyBalance::Energies& energies) {
   EnergyAccount account;
@@ -173,6 +174,8 @@ bool EnergyBalance::watch(EnergyAccount& account, const State& state, const Ener
   const double gain = account.unexplained - account.lowest;
   // What friction and damping took is known to first order of the step only.
   const bool gained = gain > tolerated_gain * (account.at_play + account.friction + account.damping) + solver_noise();
+  // What has just set out has next to nothing that it could lose.
+  lost_ = 2 * start_.kinetic >= account.at_play && flows.numerics > tolerated_loss * (account.at_play + account.friction + account.damping) + solver_noise();
   warning_.clear();
   if (!gained) return false;
   warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of what is at play, and "

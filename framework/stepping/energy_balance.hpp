@@ -49,6 +49,8 @@ class EnergyBalance {
   // What is to be told of the step, or "": that energy has grown by more than a hundredth of what is at
   // play and nothing put it in.
   const std::string& warning() const { return warning_; }
+  // Whether time integration lost more than half a hundredth of it in the step.
+  bool lost() const { return lost_; }
 
  private:
   void open(const State& state);
@@ -67,6 +69,7 @@ class EnergyBalance {
   EnergyFlows taken_;  // what end() found to be dissipated
   double jerk_ = 0;  // J: by how much the script's work is more with its forces at the end of the step
   std::string warning_;
+  bool lost_ = false;
 };
 
 }  // namespace tack

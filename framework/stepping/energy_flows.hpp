@@ -7,6 +7,7 @@ struct EnergyFlows {
   double loads = 0, script = 0;                                  // work done from outside
   double friction = 0, adhesion = 0, plastic = 0, damping = 0, areas = 0, numerics = 0;  // dissipated
   bool damped = false;  // done again by the integrator's fallback, because energy would have grown
+  bool refined = false; // smaller than the scene's step, because a larger one made or lost energy
   bool gained = false;  // energy has grown noticeably, and nothing put it in
 
   EnergyFlows& operator+=(const EnergyFlows& o) {

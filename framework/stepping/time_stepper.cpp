@@ -18,6 +18,12 @@
 namespace tack {
 namespace {
 
+constexpr int most_refinements = 3;  // halvings of a step that makes or loses energy
+constexpr int calm_enough = 64;      // whole steps, after which larger ones are tried again
+
+}  // namespace
+namespace {
+
 // While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
 class Unlimited {
  public:
@@ -218,7 +224,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   return r;
 }
 
-// Commits the attempt; false if it was undone because energy has grown, and another integrator does it again.
+// Commits the attempt; false if it was undone because energy has grown or been lost, and smaller steps or another integrator do it again.
 bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   const Unlimited unlimited(clock_, time_);
   const double end = (state_.whole_steps + 1) * time_.step;
@@ -228,19 +234,39 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   commit(attempt.x, h);
   if (state_.time >= end - 1e-9 * time_.step) {
     ++state_.whole_steps;
-    state_.h_next = time_.step;
+    if (state_.parts > 1 && ++state_.calm_steps >= calm_enough) {
+      state_.parts /= 2;
+      state_.calm_steps = 0;
+    }
+    state_.h_next = time_.step / state_.parts;
   }
   r = report(attempt, h);
   r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
-  if (r.flows.gained && undo) {
-    integrator_ = integrator_->fallback();
+  const bool smaller = r.contacts == 0 && h > smallest_refined() * (1 + 1e-9);
+  if (undo && (r.flows.gained || (smaller && balance_.lost()))) {
     state_ = *std::move(undo);
     world_.participants.remember(state_.history);
+    if (smaller) refine(h);
+    else integrator_ = integrator_->fallback();
     return false;
   }
+  r.flows.refined = refined_;
   r.flows.damped = integrator_ != time_.integrator.get();
   integrator_ = time_.integrator.get();
+  if (state_.parts == 1 && state_.h_next == time_.step) refined_ = false;
   return true;
+}
+
+// Where energy is to be kept, no steps are smaller for its sake than this [s].
+double TimeStepper::smallest_refined() const { return time_.step * std::pow(0.5, std::min(most_refinements, time_.max_halvings)); }
+
+// After a step of size h that made or lost energy. A rotation that is too fast for the step lasts: the steps that
+// follow are smaller, too.
+void TimeStepper::refine(double h) {
+  state_.h_next = h / 2;
+  refined_ = true;
+  state_.parts = std::max(state_.parts, static_cast<int>(std::lround(time_.step / state_.h_next)));
+  state_.calm_steps = 0;
 }
 
 void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {

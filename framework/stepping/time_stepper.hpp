@@ -52,6 +52,8 @@ class TimeStepper {
   VecX contact_accelerations(const VecX& x) const;
   void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;
   StepReport report(const Attempt& attempt, double h) const;
+  double smallest_refined() const;
+  void refine(double h);
   bool keep(const Attempt& attempt, double h, StepReport& report);
   void warn_of(const Attempt& attempt, const StepReport& report);
   void halve(double h, const Verdict& verdict);
@@ -74,6 +76,7 @@ class TimeStepper {
     int intersections = 0, inverted_tets = 0;
   } found_;  // by the stepper, in the solves of the present step
   bool interrupted_ = false;
+  bool refined_ = false;  // the present steps are small for the sake of energy
 };
 
 }  // namespace tack
