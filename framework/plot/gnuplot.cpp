@@ -151,8 +151,8 @@ std::string script_of(const Plot& plot, const std::string& name) {
   for (size_t i = 0; i < s.curves.size(); ++i) {
     const char* with = plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
     const std::string mark = plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
-    if (!s.curves[i].spread.empty())
-      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 ps 0", i, colours[i % colours.size()]));
+    if (!s.curves[i].spread.empty())  // marks too small to be seen: a size of zero makes SVG that not every renderer reads
+      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colours[i % colours.size()]));
     commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, in_quotes(s.curves[i].title)));
   }
   return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), !labels || longest > 16);
@@ -162,7 +162,7 @@ std::string script_of(const StackedBars& bars, const std::string& name) {
   std::string out = "$bars << END\n";
   size_t longest = 0;
   for (size_t i = 0; i < bars.names.size(); ++i) {
-    std::string label = in_quotes(bars.names[i]);
+    std::string label = in_quotes(shortened(bars.names[i]));
     std::replace(label.begin(), label.end(), '"', ' ');
     longest = std::max(longest, label.size());
     out += fmt::format("\"{}\"", label.substr(1, label.size() - 2));
@@ -172,8 +172,8 @@ std::string script_of(const StackedBars& bars, const std::string& name) {
   out += fmt::format("END\nset title {} noenhanced\nset ylabel {} noenhanced\nset style data histograms\nset style histogram rowstacked\n"
                      "set style fill solid 1 border lc rgb 'white'\nset boxwidth 0.75\nset border 3 lc rgb '#606060'\n"
                      "set tics nomirror out\nset xtics rotate by 35 right noenhanced\nset grid y lc rgb '#e0e0e0' lw 1\n"
-                     "set key outside right invert noenhanced\nset yrange [0:{}]\nset lmargin {}\n",
-                     in_quotes(bars.title), in_quotes(bars.y_label), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10));
+                     "set key outside right invert noenhanced\nset yrange [0:{}]\nset lmargin {}\nset bmargin {}\n",
+                     in_quotes(bars.title), in_quotes(bars.y_label), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10), 3 + longest * 4 / 10);
   std::vector<std::string> commands;
   for (size_t k = 0; k < bars.parts.size(); ++k) {
     const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);

@@ -2,6 +2,7 @@
 #include "framework/plot/gnuplot.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstdio>
 #include <cstdlib>
 
 #include "tests/support/program.hpp"
@@ -44,4 +45,25 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
     CHECK_FALSE(fs::exists(folder.path() / "owned"));
     CHECK(contains(file_text(folder.path() / "bars.svg"), "</svg>"));
   }
+}
+
+TEST_CASE("every renderer reads the pictures, and nothing of them is cut off", "[plot]") {
+  const TemporaryFolder folder;
+  const Plot plot{.title = "t", .x_label = "x", .y_label = "y", .curves = {{"a", {{1, 2}, {2, 3}}, {{1, 3}, {2, 4}}}}, .levels = {}, .notes = {}};
+  const std::string failure = draw(plot, folder.path(), "plot");
+  if (contains(failure, "gnuplot is not there")) return;
+  CHECK(failure == "");
+  CHECK_FALSE(contains(file_text(folder.path() / "plot.svg"), "scale(0.00)"));  // a mark of no size is an error to librsvg
+
+  const std::string name = "young 0.1 MPa, traction 3 kPa, 5 x 5 cells, and then some more of it";
+  CHECK(draw(StackedBars{"t", "y", {name, "b"}, {"p"}, {{1}, {2}}, {}}, folder.path(), "bars") == "");
+  const std::string svg = file_text(folder.path() / "bars.svg");
+  const size_t at = svg.find(") rotate(-35");
+  REQUIRE(at != std::string::npos);
+  double x = 0, y = 0;
+  const size_t from = svg.rfind("translate(", at);
+  REQUIRE(std::sscanf(svg.c_str() + from, "translate(%lf,%lf)", &x, &y) == 2);
+  const double length = 34 * 7;  // px, of a name at 13 px
+  CHECK(x > length * 0.82);
+  CHECK(y + length * 0.58 < 480);
 }
