@@ -14,6 +14,7 @@ class RimTerm : public LinearTerm {
   // The system must outlive it, and be told of steps before it.
   explicit RimTerm(const ContactSystem& system) : LinearTerm("rim"), system_(system) {}
 
+  void forget() override { set_force({}); }
   void begin_step(const StepStart& start) override {
     set_force(system_.rim_forces().all());
     set_reference(start.x);

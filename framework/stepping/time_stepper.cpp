@@ -21,9 +21,6 @@ namespace {
 constexpr int most_refinements = 3;  // halvings of a step that makes or loses energy
 constexpr int calm_enough = 64;      // whole steps, after which larger ones are tried again
 
-}  // namespace
-namespace {
-
 // While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
 class Unlimited {
  public:

@@ -23,7 +23,7 @@ const std::vector<PairMaterials> pairs = {{1e-3, 1e4, 0}, {1e-3, 1e6, 3e3}, {0.7
 template <class Base, class Check>
 void for_each_law(const Check& check) {
   const auto all = variants<Base>(strengths);
-  for (const Variant& variant : all) {
+  for (const ComponentVariant& variant : all) {
     for (const PairMaterials& pair : pairs) {
       const auto law = component<Base>(variant.yaml);
       law->prepare(pair);

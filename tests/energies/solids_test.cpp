@@ -30,7 +30,7 @@ struct NamedTerm {
 const std::vector<NamedTerm>& terms() {
   static const std::vector<NamedTerm> all = [] {
     std::vector<NamedTerm> made;
-    for (const Variant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"poisson", "-0.2"}}, bends}))
+    for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"poisson", "-0.2"}}, bends}))
       if (!of_other_bodies.count(v.type))
         made.push_back({v.yaml, component<Energy>(v.yaml)->make_term(box().body, box().rest)});
     return made;
@@ -142,7 +142,7 @@ TEST_CASE("solids: internal forces and their moments add up to zero", "[solids]"
 }
 
 TEST_CASE("solids: lumped masses add up to density times volume", "[solids]") {
-  for (const Variant& v : variants<Energy>({{}, bends})) {
+  for (const ComponentVariant& v : variants<Energy>({{}, bends})) {
     if (of_other_bodies.count(v.type)) continue;
     const auto energy = component<Energy>(v.yaml);
     VecX mass = VecX::Zero(box().body.vertex_count);

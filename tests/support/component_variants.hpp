@@ -13,7 +13,7 @@
 
 namespace tack {
 
-struct Variant {
+struct ComponentVariant {
   std::string type;
   std::string yaml;  // a component in flow style
 };
@@ -32,8 +32,8 @@ bool applies(const std::map<std::string, std::string>& extra, const Fields& fiel
 // `extras`: settings to try on the components that have such fields. A component that no extra
 // makes valid fails the test.
 template <class Base>
-std::vector<Variant> variants(const std::vector<std::map<std::string, std::string>>& extras = {{}}) {
-  std::vector<Variant> all;
+std::vector<ComponentVariant> variants(const std::vector<std::map<std::string, std::string>>& extras = {{}}) {
+  std::vector<ComponentVariant> all;
   const Kind& kind = Registry<Base>::kind();
   for (const std::string& name : kind.names()) {
     const Fields fields = kind.prototype(name);

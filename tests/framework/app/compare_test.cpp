@@ -62,9 +62,8 @@ TEST_CASE("tack compare writes a row for every combination, also for those that 
   CHECK(contains(json["provenance"]["command"], "tack compare compare.yaml"));
   CHECK(contains(report, "| tiny | weak | 1e-05 |"));
   CHECK(contains(report, "## Fastest at each level of error"));
-  // Symmetric as it is, the block may tip either way at the impact: its references are a millimetre apart, and all errors noise.
-  CHECK(contains(report, "- tiny: all errors are below the floor"));
-  CHECK(contains(result.out, "work_precision: nothing to draw"));
+  // Symmetric as it is, the block may tip either way at the impact of the larger step: its references are a millimetre apart.
+  CHECK(contains(result.out, "(noise, below "));
   CHECK(fs::is_regular_file(place.folder.path() / "results/two/plots/performance_profile.gp"));
   if (!contains(result.out, "no pictures")) {
     CHECK(contains(place.text("results/two/plots/performance_profile.svg"), "<svg"));

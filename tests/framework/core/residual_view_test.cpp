@@ -108,7 +108,7 @@ TEST_CASE("residual view of solids", "[residual_view]") {
   const TetBody box(Vec3(0.1, 0.07, 0.05), {1, 1, 1});
   RandomMotions random(3);
   int views = 0;
-  for (const Variant& v : variants<Energy>({{}, {{"poisson", "0"}}, {{"poisson", "0.45"}}, {{"stiffness", "1"}}})) {
+  for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0"}}, {{"poisson", "0.45"}}, {{"stiffness", "1"}}})) {
     INFO(v.yaml);
     std::unique_ptr<Term> term;
     try {

@@ -32,7 +32,7 @@ double accuracy(const std::string& type) { return direct(type) ? 1e-12 : 10 * to
 
 template <class Check>
 void for_each_solver(const Check& check) {
-  for (const Variant& v : variants<LinearSolver>()) {
+  for (const ComponentVariant& v : variants<LinearSolver>()) {
     INFO(v.yaml);
     if (v.yaml.find("single") != std::string::npos) continue;
     const auto solver = component<LinearSolver>(v.yaml);
@@ -105,7 +105,7 @@ TEST_CASE("linear solvers refuse matrices that are not positive definite", "[lin
 
 // By default, a kept factor leaves 3% and conjugate gradients 0.1% of the preconditioner's norm.
 TEST_CASE("a solution that iterations stopped short of is corrected as far as is asked", "[linear]") {
-  for (const Variant& v : variants<LinearSolver>()) {
+  for (const ComponentVariant& v : variants<LinearSolver>()) {
     INFO(v.yaml);
     const auto solver = component<LinearSolver>(v.yaml);
     RandomMotions random(6);

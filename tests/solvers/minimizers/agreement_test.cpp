@@ -85,7 +85,7 @@ const std::map<std::string, std::string> tight = {
 
 TEST_CASE("minimizers agree", "[minimizer]") {
   const Outcome reference = outcome(impact("{type: projected_newton, tolerance: 1e-10, linear: cholmod}"));
-  for (const Variant& v : variants<Minimizer>({tight})) {
+  for (const ComponentVariant& v : variants<Minimizer>({tight})) {
     INFO(v.yaml);
     const Outcome other = outcome(impact(v.yaml));
     CHECK(rms_difference(other.x, reference.x) < 1e-7);  // 1e-6 of the cube
@@ -95,7 +95,7 @@ TEST_CASE("minimizers agree", "[minimizer]") {
 
 TEST_CASE("minimizers agree where vertices follow others and directions are held", "[minimizer]") {
   const Outcome reference = outcome(followers("{type: projected_newton, tolerance: 1e-10, linear: cholmod}"));
-  for (const Variant& v : variants<Minimizer>({tight})) {
+  for (const ComponentVariant& v : variants<Minimizer>({tight})) {
     INFO(v.yaml);
     const Outcome other = outcome(followers(v.yaml));
     CHECK(rms_difference(other.x, reference.x) < 1e-7);
@@ -105,7 +105,7 @@ TEST_CASE("minimizers agree where vertices follow others and directions are held
 
 TEST_CASE("minimizers agree on rods", "[minimizer][rod]") {
   const Outcome reference = outcome(rod("{type: projected_newton, tolerance: 1e-10, linear: cholmod}"));
-  for (const Variant& v : variants<Minimizer>({tight})) {
+  for (const ComponentVariant& v : variants<Minimizer>({tight})) {
     INFO(v.yaml);
     const Outcome other = outcome(rod(v.yaml));
     CHECK(rms_difference(other.x, reference.x) < 1e-7);

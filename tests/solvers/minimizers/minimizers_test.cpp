@@ -44,9 +44,9 @@ contact: {distance: 1 mm}
 )";
 
 // Each type with each of its own options; a choice that another one makes void is tried once.
-std::vector<Variant> minimizers() {
-  std::vector<Variant> chosen;
-  for (const Variant& v : variants<Minimizer>()) {
+std::vector<ComponentVariant> minimizers() {
+  std::vector<ComponentVariant> chosen;
+  for (const ComponentVariant& v : variants<Minimizer>()) {
     const auto has = [&](const std::string& part) { return v.yaml.find(part) != std::string::npos; };
     if (!has("stopping: velocity")) continue;
     if (has("conjugate:") && !has("fletcher_reeves") && !has("direction: nonlinear")) continue;
@@ -55,7 +55,7 @@ std::vector<Variant> minimizers() {
   return chosen;
 }
 
-std::unique_ptr<Minimizer> with(const Variant& v, const std::string& more) {
+std::unique_ptr<Minimizer> with(const ComponentVariant& v, const std::string& more) {
   return component<Minimizer>(v.yaml.substr(0, v.yaml.size() - 1) + ", " + more + "}");
 }
 
@@ -63,7 +63,7 @@ template <class Check>
 void for_each_minimizer(const Check& check) {
   const auto all = minimizers();
   REQUIRE(all.size() >= 1);
-  for (const Variant& v : all) {
+  for (const ComponentVariant& v : all) {
     INFO(v.yaml);
     check(v);
   }
@@ -76,7 +76,7 @@ TEST_CASE("minimizers: all find the same minimum", "[minimizer]") {
   REQUIRE(reference.minimize(*component<Minimizer>("{type: projected_newton, tolerance: 1e-8}")).status ==
           MinimizerStatus::converged);
   const double lowest = (reference.potential.move_to(reference.q), reference.potential.value());
-  for_each_minimizer([&](const Variant& v) {
+  for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     const MinimizerResult result = problem.minimize(*with(v, "tolerance: 1e-5, max_iterations: 20000"));
     INFO(to_string(result.status) << ", " << result.iterations << " iterations, "
@@ -92,7 +92,7 @@ TEST_CASE("minimizers: all find the same minimum", "[minimizer]") {
 }
 
 TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
-  for_each_minimizer([&](const Variant& v) {
+  for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(shot);
     const MinimizerResult result = problem.minimize(*with(v, "tolerance: 0.01, max_iterations: 1000"));
     INFO(to_string(result.status) << ", " << result.iterations << " iterations, residual " << result.residual);
@@ -116,7 +116,7 @@ TEST_CASE("minimizers: none passes through a thin plate", "[minimizer]") {
 }
 
 TEST_CASE("minimizers: all tell of every iteration", "[minimizer]") {
-  for_each_minimizer([&](const Variant& v) {
+  for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     std::vector<int> told;
     double value = 0, seconds = 0;
@@ -138,7 +138,7 @@ TEST_CASE("minimizers: all tell of every iteration", "[minimizer]") {
 }
 
 TEST_CASE("minimizers: budgets hold", "[minimizer]") {
-  for_each_minimizer([&](const Variant& v) {
+  for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     const int counted = problem.potential.value_count();
     const MinimizerResult result = problem.minimize(*with(v, "tolerance: 1e-9, max_iterations: 2"));
@@ -151,7 +151,7 @@ TEST_CASE("minimizers: budgets hold", "[minimizer]") {
 }
 
 TEST_CASE("minimizers: Ctrl-C ends them where they are", "[minimizer]") {
-  for_each_minimizer([&](const Variant& v) {
+  for_each_minimizer([&](const ComponentVariant& v) {
     StepProblem problem(landing);
     const VecX start = problem.q;
     interrupt_requested = true;
@@ -163,7 +163,7 @@ TEST_CASE("minimizers: Ctrl-C ends them where they are", "[minimizer]") {
 }
 
 TEST_CASE("minimizers: a lack of time ends them at a feasible point", "[minimizer]") {
-  for_each_minimizer([&](const Variant& v) {
+  for_each_minimizer([&](const ComponentVariant& v) {
     for (const int calls : {0, 1, 4}) {
       StepProblem problem(landing);
       const auto minimizer = with(v, "tolerance: 1e-12, max_iterations: 20000");
