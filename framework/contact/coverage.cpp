@@ -10,8 +10,10 @@
 namespace tack {
 namespace {
 
-// How far beyond the rim a corner may lie, relative to the root of its triangle's area: rounding, when meshes agree.
-constexpr double on_the_rim = 1e-6;
+// How far beyond the rim a corner may lie, relative to the root of its triangle's area: rounding, when meshes agree. More where its own
+// surface ends, too, and the rim can uncover nothing else: plates of one size that contract a little differently would be
+// divided all along their rims.
+constexpr double on_the_rim = 1e-6, on_both_rims = 1e-3;
 
 // By key; -1: none.
 int find_view(const std::vector<GroupView>& views, int point, int object) {
@@ -57,9 +59,12 @@ std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& 
 }
 
 bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const {
-  const double slack = on_the_rim * std::sqrt(held_.area(triangle));
+  const double size = std::sqrt(held_.area(triangle));
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
-    return c.view >= 0 && c.piece >= 0 && views[c.view].view.pieces[c.piece].beyond <= slack;
+    if (c.view < 0 || c.piece < 0) return false;
+    const GroupView& at = views[c.view];
+    const double slack = held_.topology().smooth_vertex(at.point) ? on_the_rim : on_both_rims;
+    return at.view.pieces[c.piece].beyond <= slack * size;
   });
 }
 
