@@ -160,8 +160,8 @@ void RecordedRun::simulate(Recorder& recorder) {
 // Each once.
 void RecordedRun::tell_lost_probes() {
   for (const std::string& what : probes_.take_lost())
-    progress_.warning(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
-                                  simulation_.state().time));
+    warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
+                     simulation_.state().time));
 }
 
 // Once it has seen a system, and again when it has changed its mind.

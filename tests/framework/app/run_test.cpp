@@ -33,6 +33,14 @@ const std::string fall =
 const Arguments hard = {"--set", "objects.block.place.translate=[0, 0.125, 0]", "--set",
                         "solver.max_iterations=1", "--set", "time.max_halvings=0"};
 
+// A run that would be long, after three steps or more.
+ProgramResult interrupted(const Place& place) {
+  Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
+  for (int i = 0; i < 20000 && file_text(place.path("results/tiny/steps.csv")).find("\n3,") == std::string::npos; ++i) ::usleep(1000);
+  program.interrupt();
+  return program.wait();
+}
+
 }  // namespace
 
 TEST_CASE("a run whose expectations hold ends with 0 and leaves what is documented") {
@@ -151,11 +159,7 @@ TEST_CASE("a failed step is rolled back and repeated in halves, up to the end") 
 
 TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
   const Place place;
-  Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
-  const fs::path steps = place.path("results/tiny/steps.csv");
-  for (int i = 0; i < 20000 && file_text(steps).find("\n3,") == std::string::npos; ++i) ::usleep(1000);
-  program.interrupt();
-  const ProgramResult result = program.wait();
+  const ProgramResult result = interrupted(place);
   REQUIRE(result.exit_code == 130);
   CHECK(contains(result.out, "interrupted: "));
   const auto summary = place.summary();
@@ -163,7 +167,7 @@ TEST_CASE("Ctrl-C ends a run with 130 and what was done so far is complete") {
   CHECK(summary["expect"].empty());
   const size_t done = summary["steps"];
   CHECK(done >= 3);
-  CHECK(read_csv(steps).rows.size() == done);
+  CHECK(place.table("results/tiny/steps.csv").rows.size() == done);
 }
 
 TEST_CASE("Ctrl-C and kill end a run with 130 at once while a mesh is made") {
@@ -226,15 +230,12 @@ TEST_CASE("a run ends in an orderly way when its terminal goes") {
 
 TEST_CASE("a run that was interrupted goes on from there, with an interval of checkpoints or without") {
   const Place place;
-  Program program(place.folder.path(), {"run", "scene.yaml", "--set", "time.duration=1000"});
-  const fs::path steps = place.path("results/tiny/steps.csv");
-  for (int i = 0; i < 20000 && file_text(steps).find("\n3,") == std::string::npos; ++i) ::usleep(1000);
-  program.interrupt();
-  const ProgramResult result = program.wait();
+  const ProgramResult result = interrupted(place);
   REQUIRE(result.exit_code == 130);
   const int done = place.summary()["steps"];
   const std::string step = std::to_string(done);
   CHECK(contains(result.out, "state of step " + step + " is kept: --resume goes on from there"));
+  const fs::path steps = place.path("results/tiny/steps.csv");
   const std::string before = file_text(steps);
   const ProgramResult more = place.run({"--set", "time.duration=1000", "--resume", "--steps", std::to_string(done + 2)});
   INFO(more.out << more.err);
