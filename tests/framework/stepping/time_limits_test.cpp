@@ -9,16 +9,21 @@ using namespace tack;
 
 namespace {
 
-// A ball that is shot at a thin plate, for a solver that is never content.
-std::string endless(const std::string& time, const std::string& solver) {
+// A ball that is shot at a thin plate, so fine that the plate still blocks it when a clock has run out, on slow machines and fast ones.
+std::string shot(const std::string& time, const std::string& solver) {
   return "time: {step: 0.01, duration: 0.05" + time + "}\n"
-         "solver: {type: projected_newton, tolerance: 1e-14, max_iterations: 1000000" + solver + "}\n"
+         "solver: {type: projected_newton, tolerance: 1e-14" + solver + "}\n"
          "objects:\n"
          "  - {name: plate, shape: {type: box, size: [0.4, 0.004, 0.4], cells: [8, 1, 8]}, place: {translate: [0, -0.002, 0]},\n"
          "     energies: [{type: neo_hookean, young: 1e7}], motion: [{type: fixed, select: {type: face, direction: [1, 0, 0]}}]}\n"
-         "  - {name: ball, shape: {type: sphere, radius: 0.05, cells: 4}, place: {translate: [0, 0.12, 0]},\n"
+         "  - {name: ball, shape: {type: sphere, radius: 0.05, cells: 16}, place: {translate: [0, 0.12, 0]},\n"
          "     velocity: [0, -1000, 0], energies: [{type: neo_hookean, young: 1e6}]}\n"
          "contact: {distance: 1 mm}\n";
+}
+
+// For a solver that is never content.
+std::string endless(const std::string& time, const std::string& solver) {
+  return shot(time, ", max_iterations: 1000000" + solver);
 }
 
 class Stopwatch {
@@ -34,17 +39,23 @@ class Stopwatch {
 }  // namespace
 
 TEST_CASE("time.wall_limit ends a run within a solve, and says what blocked it", "[limits]") {
-  TestRun run(endless(", wall_limit: 0.2 s", ""));
+  TestRun run(endless(", wall_limit: 0.5 s", ""));
   const Stopwatch watch;
-  CHECK_THROWS_WITH(run.step(), Catch::Contains("time.wall_limit: 0.2 s") && Catch::Contains("step 1 at t = 0 s") &&
+  CHECK_THROWS_WITH(run.step(), Catch::Contains("time.wall_limit: 0.5 s") && Catch::Contains("step 1 at t = 0 s") &&
                                     Catch::Contains("out of wall time after") &&
                                     Catch::Contains("the last step was cut to ") && Catch::Contains("of 'ball'") &&
                                     Catch::Contains("of 'plate'") && Catch::Contains(" m apart"));
   CHECK(watch.seconds() < 2 * TACK_PATIENCE);
   CHECK(run.state().step == 0);
   CHECK((run.state().x == run.world->start.x));
-  CHECK(run.warnings.empty());  // not halved
+  for (const std::string& warning : run.warnings) FAIL_CHECK(warning);  // not halved
   CHECK_THROWS_AS(run.step(), SimulationError);  // from the start, too
+}
+
+TEST_CASE("a solve that fails says what blocked it", "[limits]") {
+  TestRun run(shot(", max_halvings: 0", ", max_iterations: 1"));  // the flight, which the plate ends
+  CHECK_THROWS_WITH(run.step(), Catch::Contains("the last step was cut to ") && Catch::Contains("of 'ball'") &&
+                                    Catch::Contains("of 'plate'") && Catch::Contains(" m apart"));
 }
 
 TEST_CASE("solver.time_limit makes a solve a failed one", "[limits]") {
