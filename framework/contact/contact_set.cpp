@@ -38,7 +38,7 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
   SmallestGaps found{infinity, infinity};
   const auto look = [&](const auto& list, const auto& clearance, const auto& first_of, const auto& second_of) {
     const int n = static_cast<int>(list.size());
-    std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), {infinity, infinity});
+    std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), found);  // only what is nearer counts
     for_each_chunk(n, [&](int c, int first, int last) {
       SmallestGaps& gaps = partial[c];
       for (int i = first; i < last; ++i) {

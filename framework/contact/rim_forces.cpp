@@ -16,8 +16,10 @@ std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
 // Collects the forces of one pair of objects.
 class PairForces {
  public:
-  PairForces(const PairRole& role, const PairTable& table, const CollisionMesh& mesh, const HeldSurface& held, VecX& sum)
-      : role_(role), law_(table.laws()[role.law]), mesh_(mesh), held_(held), sum_(sum) {}
+  // sum: zero, and again when they have been handed over; touched: none, and of none again.
+  PairForces(const PairRole& role, const PairTable& table, const CollisionMesh& mesh, const HeldSurface& held, VecX& sum,
+             std::vector<char>& touched)
+      : role_(role), law_(table.laws()[role.law]), mesh_(mesh), held_(held), sum_(sum), touched_(touched) {}
 
   void add(const RimPart& rim) {
     const std::array<Vec3, 3> other = corners(held_.x(), mesh_.triangles[rim.other]);
@@ -55,28 +57,29 @@ class PairForces {
   }
 
   void hand_over(std::vector<int>& vertices, std::vector<Vec3>& forces) {
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
-    for (const int v : touched_) {
+    for (const int v : order_) {
       forces.push_back(vertex(sum_, v));
       vertex(sum_, v).setZero();
+      touched_[v] = false;
     }
-    vertices = std::move(touched_);
+    vertices = std::move(order_);
   }
 
  private:
   double energy(double distance) const { return role_.share * std::min(0.0, law_.at(distance).value); }
   void act(int v, const Vec3& force) {
     vertex(sum_, v) += force;
-    touched_.push_back(v);
+    if (!touched_[v]) order_.push_back(v);
+    touched_[v] = true;
   }
 
   const PairRole& role_;
   const PairLaw& law_;
   const CollisionMesh& mesh_;
   const HeldSurface& held_;
-  VecX& sum_;  // zero but for what is touched
-  std::vector<int> touched_;
+  VecX& sum_;
+  std::vector<char>& touched_;
+  std::vector<int> order_;  // those touched, once each
 };
 
 }  // namespace
@@ -86,11 +89,15 @@ void RimForces::take(const std::vector<CoveredParts>& pairs, const PairTable& ta
   pairs_.clear();
   all_.resize(0);
   VecX sum;
+  std::vector<char> touched;
   for (const CoveredParts& pair : pairs) {
     const PairRole& role = table.point(pair.a, pair.b);
     if (role.law < 0 || (pair.parts.empty() && pair.rims.empty())) continue;
-    if (all_.size() == 0) all_ = sum = VecX::Zero(held.x().size());
-    PairForces forces(role, table, mesh, held, sum);
+    if (all_.size() == 0) {
+      all_ = sum = VecX::Zero(held.x().size());
+      touched.assign(mesh.vertex_object.size(), false);
+    }
+    PairForces forces(role, table, mesh, held, sum, touched);
     for (const CoveredPart& part : pair.parts) forces.add(part);
     for (const RimPart& rim : pair.rims) forces.add(rim);
     Pair& found = pairs_.emplace_back();
