@@ -9,8 +9,8 @@ namespace tack {
 namespace {
 
 // Calls body(contacts) for each arity, in batch order.
-template <class Body>
-void for_each_arity(const LaggedContacts& contacts, const Body& body) {
+template <class Contacts, class Body>
+void for_each_arity(Contacts& contacts, const Body& body) {
   body(contacts.twos);
   body(contacts.threes);
   body(contacts.fours);
@@ -56,6 +56,33 @@ double FrictionTerm::residual(const VecX& x) const {
     difference = std::max(difference, (vertex(held, v) - vertex(now, v)).norm());
   }
   return largest > 0 ? difference / largest : 0;
+}
+
+template <int K>
+std::array<int, 2> FrictionTerm::objects_of(const LaggedContact<K>& c) const {
+  const auto& object = system_.surface().mesh.vertex_object;
+  const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
+  return {std::min(a, b), std::max(a, b)};
+}
+
+FrictionTerm::PairForces FrictionTerm::normal_forces() const {
+  PairForces sums;
+  auto sum = sums.end();  // most contacts are of the same two objects as the one before
+  for_each_arity(contacts_, [&](const auto& contacts) {
+    for (const auto& c : contacts) {
+      const std::array<int, 2> objects = objects_of(c);
+      if (sum == sums.end() || sum->first != objects) sum = sums.try_emplace(objects, 0.0).first;
+      sum->second += c.normal_force;
+    }
+  });
+  return sums;
+}
+
+void FrictionTerm::scale_normal_forces(const PairForces& factors) {
+  for_each_arity(contacts_, [&](auto& contacts) {
+    for (auto& c : contacts)
+      if (const auto factor = factors.find(objects_of(c)); factor != factors.end()) c.normal_force *= factor->second;
+  });
 }
 
 double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {

@@ -9,6 +9,8 @@
 // times those of H, so projecting is in closed form.
 #pragma once
 
+#include <array>
+#include <map>
 #include <optional>
 
 #include "framework/contact/contact_term.hpp"
@@ -31,6 +33,11 @@ class FrictionTerm : public Term, public ResidualView {
   // What lag(x) would change: the largest difference of a vertex's force at x, over the largest
   // force.
   double residual(const VecX& x) const;
+  // The sums of the normal forces of each two objects as they are held [N].
+  using PairForces = std::map<std::array<int, 2>, double>;
+  PairForces normal_forces() const;
+  // Multiplies those that are held by a factor for each two objects, one where none is given.
+  void scale_normal_forces(const PairForces& factors);
 
   double value(const VecX& x) const override { return part_value(x, TangentialPart::all); }
   std::vector<StencilBatch> batches() const override;
@@ -58,6 +65,8 @@ class FrictionTerm : public Term, public ResidualView {
 
  private:
   LaggedContacts lagged_at(const VecX& x) const;
+  template <int K>
+  std::array<int, 2> objects_of(const LaggedContact<K>& c) const;
   VecX forces_of(const LaggedContacts& contacts, const VecX& x, TangentialPart part,
                  std::optional<ObjectPair> only) const;
 

@@ -21,6 +21,7 @@ struct State {
   // The step before, for two-step integrators; valid while the step size stays the same.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
+  double acted_before = 0;  // for how long contact and friction acted on velocities in it [s]; 0: not known
 
   // Accelerations by contact and friction, now and in the step before (3n) [m/s^2]; empty: not followed.
   VecX contact, contact_before;

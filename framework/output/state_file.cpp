@@ -61,6 +61,7 @@ void for_each_field(S& s, const Act& act) {
   act("step", s.step, Since::first);
   act("whole_steps", s.whole_steps, Since::first);
   act("h_before", s.h_before, Since::first);
+  act("acted_before", s.acted_before, Since::later);
   act("h_next", s.h_next, Since::first);
   act("parts", s.parts, Since::later);
   act("calm_steps", s.calm_steps, Since::later);

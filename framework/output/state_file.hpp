@@ -7,7 +7,7 @@
 // as YAML), meshes {object: {vertices, tets, triangles, edges, points, tags}} of the objects whose meshes
 // were read from files (not in checkpoints), file_meshes {object: digest of such a mesh (geometry/mesh/digest.hpp):
 // [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path: CRC-32 of the file} of a checkpoint, objects {object: {vertices: those of the
-// state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, h_next, held, x, v,
+// state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, acted_before, h_next, held, x, v,
 // a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} of a checkpoint's run
 // so far and warnings [[text, kind, times]] of it. All in SI. A field that a later program adds is absent from older files, and is then what a State
 // holds by default; the version rises when what is there changes its meaning.

@@ -12,6 +12,7 @@
 #include "geometry/interrupt.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "framework/stepping/lagged_impulse.hpp"
 #include "framework/stepping/time_config.hpp"
 #include "geometry/errors.hpp"
 
@@ -112,12 +113,21 @@ double TimeStepper::potential_at(const VecX& x) {
   return potential_->value() / potential_->scale();
 }
 
+// For how long contact's forces act on velocities in a step [s]; 0 if nothing has to know: friction that is solved for
+// with its own normal forces owes nothing.
+double TimeStepper::acting_time(const TimeIntegrator::Prediction& prediction, double h) const {
+  if (!world_.friction || !prediction.inertia || scene_.contact->lagging.iterations > 1) return 0;
+  return prediction.contact_scale * integrator_->end_velocity(state_, h).rate;
+}
+
 Step TimeStepper::open(double h) {
   hold(h);
   Step step{state_, h, integrator_->predict(state_, h), state_.x, held_, *potential_};
   std::optional<EndVelocity> velocity;
   if (!world_.damping_terms.empty()) velocity = integrator_->end_velocity(state_, h);
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr});
+  acting_ = acting_time(step.prediction, h);
+  if (acting_ > 0) owed_friction_ = carry_friction(*world_.friction, state_, h, acting_);
   held_.place(state_.time + h, step.places);
   balance_.begin(state_, step.scripted());
   potential_->begin_step(step.places, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
@@ -185,6 +195,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   world_.participants.commit(x, state_.history);
   world_.participants.remember(state_.history);
   state_.h_before = h;
+  state_.acted_before = acting_;
+  if (acting_ > 0) state_.history[owed_friction_name] = owed_friction_;
   state_.time += h;
   ++state_.step;
 }

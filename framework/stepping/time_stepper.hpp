@@ -49,6 +49,7 @@ class TimeStepper {
   void check_wall_limit(const std::string& wrong) const;
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
+  double acting_time(const TimeIntegrator::Prediction& prediction, double h) const;
   VecX contact_accelerations(const VecX& x) const;
   void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;
   StepReport report(const Attempt& attempt, double h) const;
@@ -68,6 +69,8 @@ class TimeStepper {
   HeldVertices held_;
   EnergyBalance balance_;
   const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
+  double acting_ = 0;  // for how long contact acts on velocities in the present step [s]; 0: nothing needs to know
+  HistoryArray owed_friction_;  // to be remembered of the present step (lagged_impulse.hpp)
   bool told_of_gain_ = false, told_of_strain_ = false;
   std::optional<StepPotential> potential_;
   std::unique_ptr<Stepper> stepper_;

@@ -137,3 +137,53 @@ TEST_CASE("where contact lasts, integrators keep their order", "[stepping]") {
     CHECK(fine <= 3e-7);
   }
 }
+
+namespace {
+
+// What a block that is thrown at a floor obliquely is given along it over what it is given across, over mu. `sizes`: of the
+// steps, in turn, in those of the scene.
+double impulse_ratio(const std::string& integrator, double h, const std::vector<double>& sizes) {
+  constexpr double mu = 0.3;
+  TestRun run(fmt::format("time: {{step: {}, duration: 10, integrator: {}}}\n"
+                          "solver: {{type: projected_newton, linear: cholmod, tolerance: 0.1 mm/s}}\n"
+                          "objects:\n"
+                          "  - {{name: floor, shape: {{type: box, size: [2, 0.02, 0.5], cells: [9, 1, 3]}},\n"
+                          "     place: {{translate: [0.5, -0.01, 0]}}, motion: [fixed]}}\n"
+                          "  - {{name: block, shape: {{type: box, size: [0.2, 0.05, 0.2], cells: [4, 1, 4]}},\n"
+                          "     place: {{translate: [0, 0.0363, 0]}}, velocity: [2, -1, 0],\n"
+                          "     energies: [{{type: neo_hookean, young: 2 MPa, poisson: 0.3}}]}}\n"
+                          "contact: {{distance: 1 mm, friction: {{mu: {}}}}}\n", h, integrator, mu));
+  const Vec3 start = momentum(run);
+  for (int i = 0; run.state().time < 0.06; ++i) {
+    const double size = sizes[i % sizes.size()] * h;
+    const Attempt attempt = run.stepper.solve(size);
+    REQUIRE(run.stepper.verdict(attempt).empty());
+    run.stepper.commit(attempt.x, size);
+  }
+  const Vec3 given = momentum(run) - start;
+  CHECK(given.y() > start.norm() / 4);  // it has been stopped
+  return -given.x() / given.y() / mu;
+}
+
+}  // namespace
+
+TEST_CASE("lagged friction gives mu times the normal impulse of an impact, under every integrator", "[stepping][friction]") {
+  for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"})
+    for (const double h : {0.01, 0.002, 0.0005}) {
+      INFO(integrator << " h " << h << " s");
+      CHECK(impulse_ratio(integrator, h, {1}) == Approx(1).epsilon(0.02));
+    }
+}
+
+TEST_CASE("lagged friction gives mu times the normal impulse of an impact, whatever the next step", "[stepping][friction]") {
+  const std::vector<std::vector<double>> sizes = {
+      {1, 0.5, 0.5}, {0.5, 0.5, 1}, {0.5, 1, 0.5}, {1, 1, 0.5, 0.5}, {0.5, 0.5, 1, 1}, {1, 0.25, 0.25, 0.25, 0.25},
+      {0.25, 0.25, 0.25, 0.25, 1}, {0.25, 0.25, 1, 0.25, 0.25}, {0.25, 1, 0.25, 0.25, 0.25}, {0.25, 0.25, 0.5, 1, 0.5, 0.125, 0.125},
+      {0.125, 0.125, 0.125, 0.125, 0.125, 0.125, 0.125, 0.125, 1}};
+  for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"})
+    for (size_t i = 0; i < sizes.size(); ++i)
+      for (const double h : {0.01, 0.004, 0.002}) {
+        INFO(integrator << " h " << h << " s, sizes " << i);
+        CHECK(impulse_ratio(integrator, h, sizes[i]) == Approx(1).epsilon(0.02));
+      }
+}
