@@ -89,10 +89,10 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
     if (what.by.empty())
       for (const std::string& key : batch.plan.columns)
         if (key != what.x && key != "repeat") what.by.push_back(key);
-    pictures.draw(chosen(table_plot(table, what), options), picture_name(options.y) + "_by_" + picture_name(options.x));
+    pictures.draw(chosen(table_plot(table, what, batch.plan.units), options), picture_name(options.y) + "_by_" + picture_name(options.x));
     return pictures.exit_code();
   }
-  for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what), name);
+  for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what, batch.plan.units), name);
   std::vector<PlottedRun> runs;
   for (const BatchCase& one : batch.plan.cases)
     if (fs::exists(folder.run(one.name) / "steps.csv"))

@@ -65,7 +65,7 @@ void write_description(const BatchFolder& folder, const BatchDescription& d) {
   Json json{{"name", d.plan.name}, {"about", d.plan.about}, {"file", d.file}, {"provenance", Json::parse(d.provenance)},
             {"threads", d.limits.threads}, {"jobs", d.limits.jobs}, {"memory", optional(d.limits.memory)},
             {"time_limit", optional(d.limits.time_limit)}, {"keys", d.plan.columns},
-            {"statistics", Json::array()}, {"cases", Json::array()}};
+            {"units", d.plan.units}, {"statistics", Json::array()}, {"cases", Json::array()}};
   for (const BatchStatistic& s : d.plan.statistics) json["statistics"].push_back(json_of(s));
   for (const BatchCase& one : d.plan.cases) json["cases"].push_back(json_of(folder, d.plan, one));
   replace_file(folder.description(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -98,6 +98,7 @@ BatchDescription read_description(const BatchFolder& folder) {
     d.provenance = json.at("provenance").dump();
     d.limits = {json.at("threads"), json.at("jobs"), optional(json.at("memory")), optional(json.at("time_limit"))};
     d.plan.columns = json.at("keys").get<std::vector<std::string>>();
+    if (json.contains("units")) d.plan.units = json["units"].get<std::map<std::string, std::string>>();
     for (const Json& s : json.at("statistics")) d.plan.statistics.push_back(statistic_of(s));
     for (const Json& c : json.at("cases")) {
       BatchCase one;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "framework/batch/column_units.hpp"
 #include "framework/batch/results_table.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
@@ -194,11 +195,21 @@ class Planner {
       one.scene = yaml_text(resolved);
       one.digest = digest_of_text(one.scene);
       files_.add(resolved, one.digest);
+      if (plan_.cases.empty() || plan_.cases.back().base != base.name) add_units(column_units(loaded.experiment, resolved, variant, config_.statistics));
       one.digest += " " + program_;
     } catch (const InputError& error) {
       return note(error, one.name);
     }
     plan_.cases.push_back(std::move(one));
+  }
+
+  // Of the first case of each base; what differs between bases has none.
+  void add_units(const std::map<std::string, std::string>& units) {
+    if (plan_.cases.empty()) plan_.units = units;
+    std::erase_if(plan_.units, [&](const auto& one) {
+      const auto found = units.find(one.first);
+      return found == units.end() || found->second != one.second;
+    });
   }
 
   // The same error of many cases is told once.

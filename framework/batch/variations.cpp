@@ -21,7 +21,7 @@ Variant joined(const Variant& a, const Variant& b) {
 namespace {
 
 Variant variant_of(const VariedKey& key, const Value& value) {
-  return {{{key.key, value}}, {{key.column, shown_text(value)}}};
+  return {{{key.key, value}}, {{key.column, shown_text(value), key.key}}};
 }
 
 class GridVariation : public Variation {
@@ -88,7 +88,7 @@ class CasesVariation : public Variation {
     for (const NamedSettings& one : cases_) {
       if (!one.set.is_map() && !one.set.is_null())
         throw InputError(fmt::format("{}: set: expects a map of keys to values, got {}", one.set.mark.text(), one.set.description()));
-      Variant variant{{}, {{column_, one.name}}};
+      Variant variant{{}, {{column_, one.name, ""}}};
       for (const Value::Entry& e : one.set.entries) variant.set.push_back({e.key, e.value});
       all.push_back(std::move(variant));
     }
@@ -175,7 +175,7 @@ class RepeatVariation : public Variation {
   std::vector<Variant> variants() const override {
     std::vector<Variant> all;
     for (long i = first_; i < static_cast<long>(first_) + count_; ++i) {
-      Variant variant{{}, {{column_, fmt::format("{}", i)}}};
+      Variant variant{{}, {{column_, fmt::format("{}", i), ""}}};
       for (const std::string& key : keys_) {
         Value value = Value::scalar(fmt::format("{}", i));
         value.mark.file = std::make_shared<const std::string>(fmt::format("repeat {}", key));

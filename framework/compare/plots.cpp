@@ -71,7 +71,8 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   add_notes(plot, "without what nobody solves:", {nobodys.begin(), nobodys.end()});
   plot.title = "time against error";
   plot.x_label = "error / size of what moves (RMS over vertices, mean over problems)";
-  plot.y_label = "wall time [s]";
+  plot.y_label = "wall time";
+  plot.y_unit = "s";
   plot.log_x = plot.log_y = true;
   const size_t problems = problems_of(rows).size();
   std::set<double> steps;
@@ -158,7 +159,8 @@ Plot convergence_plot(const Comparison& comparison) {
   Plot plot;
   plot.title = "convergence: the step of " + comparison.history_of + " with most iterations";
   plot.x_label = "iteration";
-  plot.y_label = "residual [m/s]";
+  plot.y_label = "residual";
+  plot.y_unit = "m/s";
   plot.log_y = true;
   plot.style = Plot::Style::lines;
   size_t longest = 1, shortest = std::numeric_limits<size_t>::max();

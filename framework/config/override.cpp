@@ -95,4 +95,22 @@ void set_at(Value& root, const std::string& path, Value value) {
   *node = std::move(value);
 }
 
+const Value* value_at(const Value& root, const std::string& path) {
+  const Value* node = &root;
+  std::istringstream stream(path);
+  for (std::string segment; node && std::getline(stream, segment, '.');) {
+    if (!node->is_sequence()) {
+      node = node->find(segment);
+      continue;
+    }
+    const Value* entry = nullptr;
+    for (size_t i = 0; i < node->items.size() && !entry; ++i) {
+      const Value* name = node->items[i].find("name");
+      if (segment == std::to_string(i) || (name && name->is_scalar() && name->text == segment)) entry = &node->items[i];
+    }
+    node = entry;
+  }
+  return node;
+}
+
 }  // namespace tack

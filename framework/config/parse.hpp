@@ -23,6 +23,9 @@ void apply_override(Value& root, const std::string& assignment);
 // The same with a value that was read elsewhere, whose marks it keeps.
 void set_at(Value& root, const std::string& path, Value value);
 
+// The value at such a path; nullptr if there is none.
+const Value* value_at(const Value& root, const std::string& path);
+
 // The absolute form of a path written at `mark`: relative to the folder of that file, or to the
 // working directory for values that stand in no file. An empty path stays empty.
 std::string resolve_path(const SourceMark& mark, const std::string& path);

@@ -185,7 +185,8 @@ std::string si_unit(const std::string& unit) {
 
 std::string product_unit(const Unit& a, const Unit& b) {
   if (a.plain()) return std::string(b.si);
-  return b.plain() ? std::string(a.si) : fmt::format("({}) ({})", a.si, b.si);
+  const auto factor = [](std::string_view unit) { return unit.find('/') == unit.npos ? std::string(unit) : fmt::format("({})", unit); };
+  return b.plain() ? std::string(a.si) : fmt::format("{} {}", factor(a.si), factor(b.si));
 }
 
 std::string unit_noun(const Unit& unit) {

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "framework/plot/axis_unit.hpp"
 #include "geometry/io/replace_file.hpp"
 
 extern char** environ;
@@ -27,6 +29,9 @@ constexpr size_t most_labels = 12;       // at the ends of curves
 constexpr double label_distance = 0.05;  // of the picture's height
 constexpr double near_right = 0.85;      // where a curve that is named at its end has to end
 constexpr size_t longest_label = 34;     // characters
+constexpr double most_without_decades = 80;  // largest over smallest number of a logarithmic axis, with its margins
+constexpr size_t most_beside = 16, names_in_a_row = 3;  // of a legend
+constexpr int plain_height = 480, row_height = 17, axis_height = 52;  // pixels; the last of ticks and label
 
 // In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
 // as well: what follows would be run. Control characters have no place in a picture anyway.
@@ -48,6 +53,29 @@ bool drawable(const Plot& plot, const Curve& curve) {
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const auto& p) { return drawable(plot, p); });
 }
 
+// With the prefixes that its numbers ask for; of logarithmic axes none where ticks are powers of ten.
+Plot scaled(Plot plot) {
+  std::vector<double> xs, ys;
+  for (const Curve& c : plot.curves)
+    for (const auto& p : c.points)
+      if (drawable(plot, p)) xs.push_back(std::abs(p.first)), ys.push_back(std::abs(p.second));
+  const auto of = [](const std::vector<double>& sizes, const std::string& unit, bool log) {
+    if (unit.empty() || sizes.empty()) return AxisUnit{};
+    const auto [least, most] = std::minmax_element(sizes.begin(), sizes.end());
+    return axis_unit(log && *most > most_without_decades * *least ? 1 : *most, unit);
+  };
+  const AxisUnit along = of(xs, plot.x_unit, plot.log_x), up = of(ys, plot.y_unit, plot.log_y);
+  plot.x_label = axis_label(plot.x_label, along.text);
+  plot.y_label = axis_label(plot.y_label, up.text);
+  for (Curve& c : plot.curves) {
+    for (auto& [a, b] : c.points) a *= along.factor, b *= up.factor;
+    for (auto& [low, high] : c.spread) low *= up.factor, high *= up.factor;
+  }
+  for (LevelLine& l : plot.levels) l.at *= up.factor;
+  for (LevelLine& l : plot.uprights) l.at *= along.factor;
+  return plot;
+}
+
 std::string data_block(const Plot& plot, const Curve& curve, size_t i) {
   std::string out = fmt::format("$curve{} << END\n", i);
   for (size_t k = 0; k < curve.points.size(); ++k) {
@@ -63,12 +91,12 @@ std::string style_of(size_t i) {
   return fmt::format("lc rgb '{}' dt {} lw 2", colours[i % colours.size()], dashes[i % dashes.size()]);
 }
 
-// As wide as its names need, up to a limit.
-std::string terminals(const std::string& name, const std::string& command, bool wide) {
-  const int width = wide ? 900 : 720;
-  return fmt::format("set terminal svg size {2},480 font 'Helvetica,13' dynamic background rgb 'white'\nset output '{0}.svg'\n{1}\n"
-                     "set terminal pngcairo size {3},960 font 'Helvetica,26' linewidth 2\nset output '{0}.png'\n{1}\nunset output\n",
-                     name, command, width, 2 * width);
+// As wide as its names need, up to a limit, and higher by what stands below it [pixels].
+std::string terminals(const std::string& name, const std::string& command, bool wide, int below = 0) {
+  const int width = wide ? 900 : 720, height = plain_height + below;
+  return fmt::format("set terminal svg size {2},{4} font 'Helvetica,13' dynamic background rgb 'white'\nset output '{0}.svg'\n{1}\n"
+                     "set terminal pngcairo size {3},{5} font 'Helvetica,26' linewidth 2\nset output '{0}.png'\n{1}\nunset output\n",
+                     name, command, width, 2 * width, height, 2 * height);
 }
 
 std::string axis(const char* name, const AxisRange& range) {
@@ -104,7 +132,8 @@ std::optional<std::vector<double>> label_heights(const Scene& s, const Plot& plo
   return spread_out(wanted, label_distance);
 }
 
-std::string script_of(const Plot& plot, const std::string& name) {
+std::string script_of(const Plot& unscaled, const std::string& name) {
+  const Plot plot = scaled(unscaled);
   Scene s;
   for (const Curve& c : merged_curves(plot.curves))
     if (drawable(plot, c)) s.curves.push_back(c);  // gnuplot stops at a curve without points
@@ -118,7 +147,7 @@ std::string script_of(const Plot& plot, const std::string& name) {
   for (const LevelLine& l : plot.uprights) xs.push_back(l.at);
   s.x = range_of(xs, plot.log_x).value();
   s.y = range_of(ys, plot.log_y).value();
-  std::string out;
+  std::string out = "set encoding utf8\n";
   for (size_t i = 0; i < s.curves.size(); ++i) out += data_block(plot, s.curves[i], i);
   out += fmt::format("set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
                      "set border 3 lc rgb '#606060'\nset tics nomirror out\nset grid lc rgb '#e0e0e0' lw 1\n",
@@ -126,6 +155,7 @@ std::string script_of(const Plot& plot, const std::string& name) {
   out += axis("x", s.x) + axis("y", s.y);
   const auto labels = label_heights(s, plot);
   size_t longest = 0;
+  int below = 0;
   for (const Curve& c : s.curves) longest = std::max(longest, shortened(c.title).size());
   if (labels && s.curves.size() > 1) {
     out += fmt::format("unset key\nset rmargin {}\n", longest + 3);
@@ -133,7 +163,15 @@ std::string script_of(const Plot& plot, const std::string& name) {
       out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", in_quotes(shortened(s.curves[i].title)),
                          (*labels)[i], colours[i % colours.size()]);
   } else {
-    out += s.curves.size() > 1 ? "set key outside right noenhanced samplen 3\n" : "unset key\n";
+    const bool beside = s.curves.size() <= most_beside;
+    out += s.curves.size() < 2 ? "unset key\n" : beside ? "set key outside right noenhanced samplen 3\n" : "";
+    if (!beside) {  // between the axis and the notes
+      const size_t rows = (s.curves.size() + names_in_a_row - 1) / names_in_a_row;
+      const int names = 10 + static_cast<int>(rows + plot.notes.size()) * row_height;
+      below = names;
+      out += fmt::format("set key at screen 0.02, screen {:.4f} left top Left reverse noenhanced samplen 3 maxrows {}\nset bmargin at screen {:.4f}\n",
+                         static_cast<double>(names) / (plain_height + below), rows, static_cast<double>(names + axis_height) / (plain_height + below));
+    }
   }
   for (const LevelLine& l : plot.levels)
     out += fmt::format("set arrow from graph 0, first {0} to graph 1, first {0} nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
@@ -142,10 +180,10 @@ std::string script_of(const Plot& plot, const std::string& name) {
     out += fmt::format("set arrow from first {0}, graph 0 to first {0}, graph 1 nohead lc rgb '#808080' dt (4,4) lw 1.5\n"
                        "set label {1} at first {0}, graph 0.02 left rotate by 90 offset 0.7,0 noenhanced tc rgb '#606060'\n", l.at, in_quotes(l.title));
   if (!plot.notes.empty()) {
-    out += fmt::format("set bmargin {}\n", 4 + plot.notes.size());
+    if (below == 0) out += fmt::format("set bmargin {}\n", 4 + plot.notes.size());
     for (size_t i = 0; i < plot.notes.size(); ++i)
       out += fmt::format("set label {} at screen 0.02, screen {:.3f} left noenhanced tc rgb '#606060'\n", in_quotes(plot.notes[i]),
-                         0.02 + 0.035 * static_cast<double>(plot.notes.size() - 1 - i));
+                         (10 + row_height * static_cast<double>(plot.notes.size() - 1 - i)) / (plain_height + below));
   }
   std::vector<std::string> commands;
   for (size_t i = 0; i < s.curves.size(); ++i) {
@@ -155,25 +193,28 @@ std::string script_of(const Plot& plot, const std::string& name) {
       commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colours[i % colours.size()]));
     commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, in_quotes(s.curves[i].title)));
   }
-  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), !labels || longest > 16);
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), !labels || longest > 16, below);
 }
 
 std::string script_of(const StackedBars& bars, const std::string& name) {
-  std::string out = "$bars << END\n";
+  std::string out = "set encoding utf8\n$bars << END\n";
+  double highest = 0;
+  for (const std::vector<double>& parts : bars.heights) highest = std::max(highest, std::accumulate(parts.begin(), parts.end(), 0.0));
+  const AxisUnit up = bars.y_unit.empty() ? AxisUnit{} : axis_unit(highest, bars.y_unit);
   size_t longest = 0;
   for (size_t i = 0; i < bars.names.size(); ++i) {
     std::string label = in_quotes(shortened(bars.names[i]));
     std::replace(label.begin(), label.end(), '"', ' ');
     longest = std::max(longest, label.size());
     out += fmt::format("\"{}\"", label.substr(1, label.size() - 2));
-    for (const double h : bars.heights[i]) out += fmt::format(" {}", std::isfinite(h) ? h : 0);
+    for (const double h : bars.heights[i]) out += fmt::format(" {}", std::isfinite(h) ? h * up.factor : 0);
     out += "\n";
   }
   out += fmt::format("END\nset title {} noenhanced\nset ylabel {} noenhanced\nset style data histograms\nset style histogram rowstacked\n"
                      "set style fill solid 1 border lc rgb 'white'\nset boxwidth 0.75\nset border 3 lc rgb '#606060'\n"
                      "set tics nomirror out\nset xtics rotate by 35 right noenhanced\nset grid y lc rgb '#e0e0e0' lw 1\n"
-                     "set key outside right invert noenhanced\nset yrange [0:{}]\nset lmargin {}\nset bmargin {}\n",
-                     in_quotes(bars.title), in_quotes(bars.y_label), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10), 3 + longest * 4 / 10);
+                     "set key outside right invert noenhanced samplen 1.5 maxcols 1\nset yrange [0:{}]\nset lmargin {}\nset bmargin {}\n",
+                     in_quotes(bars.title), in_quotes(axis_label(bars.y_label, up.text)), bars.top ? fmt::format("{}", *bars.top) : "*", std::max<size_t>(11, longest * 7 / 10), 3 + longest * 4 / 10);
   std::vector<std::string> commands;
   for (size_t k = 0; k < bars.parts.size(); ++k) {
     const std::string fill = k < colours.size() ? "fill solid 1" : fmt::format("fill pattern {}", 1 + k % 6);

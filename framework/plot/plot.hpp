@@ -23,6 +23,7 @@ struct LevelLine {
 
 struct Plot {
   std::string title, x_label, y_label;
+  std::string x_unit = {}, y_unit = {};  // SI, of the numbers below; drawn with the prefix that suits them
   bool log_x = false, log_y = false;
   enum class Style { points, lines, steps } style = Style::points;  // lines with points, lines alone, stairs
   std::vector<Curve> curves;
@@ -38,6 +39,7 @@ struct StackedBars {
   std::vector<std::string> parts;                      // from the foot up
   std::vector<std::vector<double>> heights;            // heights[bar][part]
   std::optional<double> top;                           // of the axis, if it has to end there
+  std::string y_unit = {};                             // SI, of the heights; drawn with the prefix that suits them
 };
 
 // A text as part of a file's name.

@@ -39,23 +39,22 @@ struct StepColumn {
   const char* column;
   const char* title;
   const char* y_label;
-  bool log;
+  const char* y_unit;
 };
 
-constexpr StepColumn step_columns[] = {{"iterations", "newton_iterations", "Newton iterations per step", "iterations", false},
-                                       {"step_seconds", "wall_seconds", "wall time per step", "time [s]", false},
-                                       {"contacts", "contacts", "contacts", "pairs of primitives", false}};
+constexpr StepColumn step_columns[] = {{"iterations", "newton_iterations", "Newton iterations per step", "iterations", ""},
+                                       {"step_seconds", "wall_seconds", "wall time per step", "time", "s"},
+                                       {"contacts", "contacts", "contacts", "pairs of primitives", ""}};
 
-// "gap [m]"
-std::string with_unit(const PlottedRun& run, const std::string& column) {
-  if (column == "time") return "time [s]";
+std::string unit_of(const PlottedRun& run, const std::string& column) {
+  if (column == "time") return "s";
   const auto unit = run.units.find(column);
-  return unit == run.units.end() || unit->second.empty() || unit->second == "1" ? column : fmt::format("{} [{}]", column, unit->second);
+  return unit == run.units.end() ? "" : unit->second;
 }
 
 // Traction over gap of each pair.
 std::optional<Plot> law_curves(const CsvTexts& laws) {
-  Plot plot{.title = "laws of adhesion", .x_label = "gap [m]", .y_label = "traction [Pa]", .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
+  Plot plot{.title = "laws of adhesion", .x_label = "gap", .y_label = "traction", .x_unit = "m", .y_unit = "Pa", .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
   const auto at = [&](const char* name) {
     return static_cast<size_t>(std::find(laws.columns.begin(), laws.columns.end(), name) - laws.columns.begin());
   };
@@ -91,31 +90,33 @@ PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
 
 std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
   std::map<std::string, Plot> plots;
-  const auto add = [&](const std::string& name, const char* title, const std::string& y_label, bool log, std::optional<Curve> curve) {
+  const auto add = [&](const std::string& name, const char* title, const std::string& y_label, const std::string& y_unit, bool log, std::optional<Curve> curve) {
     if (!curve || curve->points.empty()) return;
     Plot& plot = plots[name];
     plot.title = title;
-    plot.x_label = "time [s]";
+    plot.x_label = "time";
+    plot.x_unit = "s";
     plot.y_label = y_label;
+    plot.y_unit = y_unit;
     plot.log_y = log;
     plot.style = Plot::Style::lines;
     plot.curves.push_back(std::move(*curve));
   };
   for (const PlottedRun& run : runs) {
     for (const std::string& column : run.probes.columns)
-      if (column != "time") add("probe_" + picture_name(column), column.c_str(), with_unit(run, column), false, over_time(run.probes, column, run.name));
-    for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.log, over_time(run.steps, s.column, run.name));
-    add("smallest_gap", "smallest gap", "gap [m]", true, smallest_gap(run));
+      if (column != "time") add("probe_" + picture_name(column), column.c_str(), column, unit_of(run, column), false, over_time(run.probes, column, run.name));
+    for (const StepColumn& s : step_columns) add(s.name, s.title, s.y_label, s.y_unit, false, over_time(run.steps, s.column, run.name));
+    add("smallest_gap", "smallest gap", "gap", "m", true, smallest_gap(run));
     if (runs.size() > 1) continue;
     for (const std::string& column : run.steps.columns)
-      if (column.starts_with("energy_")) add("energies", "energies", "energy [J]", false, over_time(run.steps, column, column.substr(7)));
+      if (column.starts_with("energy_")) add("energies", "energies", "energy", "J", false, over_time(run.steps, column, column.substr(7)));
     if (auto laws = law_curves(run.laws)) plots.emplace("laws", std::move(*laws));
   }
   return plots;
 }
 
 Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, const std::string& y) {
-  Plot plot{.title = y + " over " + x, .x_label = with_unit(runs.front(), x), .y_label = with_unit(runs.front(), y), .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
+  Plot plot{.title = y + " over " + x, .x_label = x, .y_label = y, .x_unit = unit_of(runs.front(), x), .y_unit = unit_of(runs.front(), y), .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
   std::vector<std::string> without;
   for (const PlottedRun& run : runs) {
     auto curve = over(run.probes, x, y, run.name);
@@ -132,7 +133,7 @@ Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, con
 }
 
 std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
-  StackedBars bars{"wall time per step, by phase", "time [s]", {}, {}, {}, {}};
+  StackedBars bars{"wall time per step, by phase", "time", {}, {}, {}, {}, "s"};
   const auto is_phase = [](const std::string& c) { return c.starts_with("seconds_"); };
   const auto takes_time = [](const CsvTable& steps, const std::string& column) {
     const size_t at = *steps.column(column);
@@ -160,6 +161,7 @@ std::optional<StackedBars> phase_bars(const std::vector<PlottedRun>& runs) {
 StackedBars shares_of(StackedBars bars) {
   bars.title = "where the time goes";
   bars.y_label = "share of the wall time [%]";
+  bars.y_unit = "";
   bars.top = 100;
   for (std::vector<double>& parts : bars.heights) {
     const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "framework/config/nearest.hpp"
+#include "framework/plot/axis_unit.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -36,13 +37,27 @@ std::set<double> numbers_in(const CsvTexts& table, const std::string& column) {
 // What spans more than a decade is better seen on a logarithmic axis.
 bool wide(const std::set<double>& numbers) { return !numbers.empty() && *numbers.begin() > 0 && *numbers.rbegin() / *numbers.begin() > 10; }
 
+std::string unit_of(const std::string& column, const std::map<std::string, std::string>& units) {
+  if (column.starts_with("seconds_")) return "s";
+  const auto found = units.find(column);
+  return found == units.end() ? "" : found->second;
+}
+
+// "0.3", "5 kPa"; texts as they are.
+std::string cell(const std::string& text, const std::string& unit) {
+  const double number = unit.empty() ? std::nan("") : number_of(text);
+  return std::isfinite(number) ? with_axis_unit(number, unit) : text;
+}
+
 }  // namespace
 
-Plot table_plot(const CsvTexts& table, const TablePlot& what) {
+Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std::string, std::string>& units) {
   Plot plot;
   plot.title = what.y + " by " + short_name(what.x);
   plot.x_label = what.x;
   plot.y_label = what.y;
+  plot.x_unit = unit_of(what.x, units);
+  plot.y_unit = unit_of(what.y, units);
   plot.log_x = what.log_x;
   plot.log_y = what.log_y;
   const size_t x = column_of(table, what.x), y = column_of(table, what.y);
@@ -57,7 +72,7 @@ Plot table_plot(const CsvTexts& table, const TablePlot& what) {
       continue;
     }
     std::string title;
-    for (size_t i = 0; i < by.size(); ++i) title += fmt::format("{}{} {}", i ? ", " : "", short_name(what.by[i]), row[by[i]]);
+    for (size_t i = 0; i < by.size(); ++i) title += fmt::format("{}{} {}", i ? ", " : "", short_name(what.by[i]), cell(row[by[i]], unit_of(what.by[i], units)));
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == title; });
     if (group == groups.end()) group = groups.insert(groups.end(), {title, {}});
     group->second[at].push_back(value);

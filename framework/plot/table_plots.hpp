@@ -18,8 +18,8 @@ struct TablePlot {
 
 // Cases with equal x of one curve are repeats: their mean is drawn, with a bar from the least to the largest. Rows without a number at x or y
 // are named in a note.
-// Throws InputError, with the nearest name, for a column that is not there.
-Plot table_plot(const CsvTexts& table, const TablePlot& what);
+// `units`: of columns that have one. Throws InputError, with the nearest name, for a column that is not there.
+Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std::string, std::string>& units = {});
 
 // For each of `keys` that has at least two numbers and each of `statistics`: what it depends on, by the other keys. By the names of pictures.
 std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table, const std::vector<std::string>& keys,

@@ -2,7 +2,7 @@
 import { provenanceOf, rowsOf, statusBadge } from "./about.js";
 import { chart } from "./chart.js";
 import { h, labelled, plainTable, section, select } from "./dom.js";
-import { byName, format, words } from "./format.js";
+import { byName, format, scaledNumber, words } from "./format.js";
 import { sortedTable } from "./table.js";
 import { numberTable } from "./unpack.js";
 
@@ -28,8 +28,8 @@ export async function batchSections(data) {
     return h("span", { class: `mark ${row[c] ? "good" : "bad"}` }, row[c] ? "✓ pass" : "✗ fail");
   };
   const sections = [
-    section("plots", "A number against a key", plotAgainst(table, keys, column, state, (batch.statistics ?? []).map((one) => one.name))),
-    section("multiples", "Curves of all cases", smallMultiples(cases, curves, byName(data.units), keys, state)),
+    section("plots", "A number against a key", plotAgainst(table, keys, column, state, (batch.statistics ?? []).map((one) => one.name), byName(batch.units))),
+    section("multiples", "Curves of all cases", smallMultiples(cases, curves, byName(data.units), keys, state, byName(batch.units))),
   ];
   const cases_ = section("table", "Cases", h("p", { class: "note" }, "The filter holds for the plots below as well."), sortedTable(table, { caption: "Cases", changed, mark }));
   return [cases_, ...sections, section("origin", "Where the batch comes from",
@@ -42,7 +42,8 @@ function fromCases(cases, keys) {
   return { columns: ["case", ...keys, "status"], rows: cases.map((one) => [one.name, ...keys.map((key) => one.values?.[key] ?? null), one.status ?? null]) };
 }
 
-function plotAgainst(table, keys, column, state, statistics) {
+function plotAgainst(table, keys, column, state, statistics, units) {
+  const unitOf = (name) => (name.startsWith("seconds_") ? "s" : units[name]);
   const numeric = table.columns.filter((name, c) => c > 0 && table.rows.some((row) => isNumber(row[c])));
   const results = numeric.filter((name) => !keys.includes(name));
   if (keys.length === 0 || results.length === 0) return h("p", { class: "note" }, "There is no key that was varied, or no number to plot.");
@@ -58,12 +59,12 @@ function plotAgainst(table, keys, column, state, statistics) {
     const groups = cb < 0 ? [null] : unique(rows.map((row) => row[cb])).sort((a, b) => (isNumber(a) && isNumber(b) ? a - b : String(a).localeCompare(String(b))));
     const series = groups.map((value, index) => {
       const some = rows.filter((row) => cb < 0 || row[cb] === value).sort((a, b) => at(a[cx]) - at(b[cx]));
-      return { label: cb < 0 ? words(chosen.y) : `${words(chosen.by)} = ${isNumber(value) ? format(value) : value ?? "none"}`, index, points: true, line: new Set(some.map((row) => row[cx])).size === some.length, x: some.map((row) => at(row[cx])), y: some.map((row) => row[cy]) };
+      return { label: cb < 0 ? words(chosen.y) : `${words(chosen.by)} = ${isNumber(value) ? scaledNumber(value, unitOf(chosen.by)) : value ?? "none"}`, index, points: true, line: new Set(some.map((row) => row[cx])).size === some.length, x: some.map((row) => at(row[cx])), y: some.map((row) => row[cy]) };
     });
     place.replaceChildren(chart({
       title: `${words(chosen.y)} against ${words(chosen.x)}`, height: 340, series,
       note: texts.length > 0 ? `${words(chosen.x)}: ${texts.map((text, i) => `${i + 1} is ${text}`).join(", ")}` : undefined,
-      x: { name: words(chosen.x), loose: true, log: chosen.logX }, y: { name: words(chosen.y), log: chosen.logY },
+      x: { name: words(chosen.x), unit: unitOf(chosen.x), loose: true, log: chosen.logX }, y: { name: words(chosen.y), unit: unitOf(chosen.y), log: chosen.logY },
     }));
   };
   state.listeners.push(draw);
@@ -79,12 +80,12 @@ function plotAgainst(table, keys, column, state, statistics) {
 const mostPanels = 48;
 
 // A small chart per case with the same axes, or all cases in one.
-function smallMultiples(cases, curves, units, keys, state) {
+function smallMultiples(cases, curves, units, keys, state, keyUnits) {
   const columns = unique(curves.flatMap((table) => table?.columns ?? [])).filter((name) => name !== "time");
   if (columns.length === 0) return h("p", { class: "note" }, "The cases have no probes.");
   const chosen = { y: columns[0], x: "time", how: "grid" };
   const place = h("div");
-  const label = (one) => (one.values && keys.length > 0 ? keys.map((key) => `${words(key)} ${isNumber(one.values[key]) ? format(one.values[key]) : one.values[key] ?? "–"}`).join(", ") : one.name);
+  const label = (one) => (one.values && keys.length > 0 ? keys.map((key) => `${words(key)} ${isNumber(one.values[key]) ? scaledNumber(one.values[key], keyUnits[key]) : one.values[key] ?? "–"}`).join(", ") : one.name);
   const draw = () => {
     const some = cases.map((one, i) => ({ one, table: curves[i] })).filter(({ one, table }) => table?.get(chosen.y) && table.get(chosen.x) && (!state.left || state.left.has(one.name)));
     const x = { name: words(chosen.x), unit: chosen.x === "time" ? "s" : units[chosen.x], loose: chosen.x !== "time" };

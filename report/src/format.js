@@ -33,6 +33,13 @@ export function scaled(largest, unit) {
   return { factor, unit: `10${superscript(exponent)}${plain.unit ? ` ${plain.unit}` : ""}` };
 }
 
+// "5 kPa"; without a unit as it is.
+export function scaledNumber(number, unit) {
+  if (!unit || unit === "1") return format(number);
+  const { factor, unit: text } = scaled(Math.abs(number), unit);
+  return `${format(Number((number * factor).toPrecision(12)))} ${text}`;
+}
+
 // A table by names that somebody chose, one of which may be `__proto__`: without what every object has.
 export const byName = (...tables) => Object.assign(Object.create(null), ...tables);
 

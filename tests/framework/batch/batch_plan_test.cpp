@@ -46,6 +46,9 @@ TEST_CASE("cases are all combinations of what varies, named after it", "[batch]"
   CHECK(plan.cases[0].duration == 0.02);
   CHECK(plan.cases[0].digest == plan.cases[1].digest);
   CHECK(plan.cases[0].digest != plan.cases[2].digest);
+  CHECK(plan.units.at("objects.block.energies.0.young") == "Pa");
+  CHECK(plan.units.count("mu") == 0);
+  CHECK(plan.units.at("wall_seconds") == "s");
   // A resolved scene is a scene, and stays what it is.
   const LoadedExperiment again = parse_experiment(plan.cases[2].scene, "again");
   CHECK(contains(plan.cases[2].scene, "young: 2000000"));

@@ -171,7 +171,7 @@ TEST_CASE("units of another kind than the column's are refused before the run") 
   CHECK(wrong("{probe: p, statistic: integral, at_least: 1 N s}") == "");
   CHECK(wrong("{probe: n, statistic: integral, along: x, at_least: 1 mm}") == "");
   CHECK_THAT(wrong("{probe: p, statistic: integral, along: x, at_least: 1 N}"),
-             Catch::Contains("at_least: expects an integral ((N) (m)), got '1 N', which is a force"));
+             Catch::Contains("at_least: expects an integral (N m), got '1 N', which is a force"));
 }
 
 TEST_CASE("an expectation must say in one way what is accepted") {

@@ -41,7 +41,7 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
     CHECK(failure == "");
     CHECK(contains(file_text(folder.path() / "plot.svg"), "</svg>"));
     fs::remove(folder.path() / "plot.svg");
-    CHECK(draw(StackedBars{name, name, {name, "b" + name}, {name, "p" + name}, {{1, 2}, {3, 4}}, {}}, folder.path(), "bars") == "");
+    CHECK(draw(StackedBars{name, name, {name, "b" + name}, {name, "p" + name}, {{1, 2}, {3, 4}}, {}, ""}, folder.path(), "bars") == "");
     CHECK_FALSE(fs::exists(folder.path() / "owned"));
     CHECK(contains(file_text(folder.path() / "bars.svg"), "</svg>"));
   }
@@ -56,7 +56,7 @@ TEST_CASE("every renderer reads the pictures, and nothing of them is cut off", "
   CHECK_FALSE(contains(file_text(folder.path() / "plot.svg"), "scale(0.00)"));  // a mark of no size is an error to librsvg
 
   const std::string name = "young 0.1 MPa, traction 3 kPa, 5 x 5 cells, and then some more of it";
-  CHECK(draw(StackedBars{"t", "y", {name, "b"}, {"p"}, {{1}, {2}}, {}}, folder.path(), "bars") == "");
+  CHECK(draw(StackedBars{"t", "y", {name, "b"}, {"p"}, {{1}, {2}}, {}, ""}, folder.path(), "bars") == "");
   const std::string svg = file_text(folder.path() / "bars.svg");
   const size_t at = svg.find(") rotate(-35");
   REQUIRE(at != std::string::npos);

@@ -59,6 +59,7 @@ TEST_CASE("28 curves are told apart by colour and dash", "[plot]") {
   const TemporaryFolder folder;
   Plot plot;
   plot.title = "many";
+  plot.notes = {"a note", "another"};
   for (int i = 0; i < 28; ++i) plot.curves.push_back({"curve " + std::to_string(i), {{0, i}, {1, 2 * i + 1}}, {}});
   const std::string failure = draw(plot, folder.path(), "plot");
   const std::string script = file_text(folder.path() / "plot.gp");
@@ -68,7 +69,7 @@ TEST_CASE("28 curves are told apart by colour and dash", "[plot]") {
     styles.insert(script.substr(colour, width - colour));
   }
   CHECK(styles.size() == 28);
-  CHECK(contains(script, "set key outside"));  // no room for their names at their ends
+  CHECK(contains(script, "left top Left reverse"));  // no room for their names at their ends
   if (!contains(failure, "gnuplot is not there")) CHECK(failure == "");
 }
 

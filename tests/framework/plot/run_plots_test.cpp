@@ -24,7 +24,8 @@ TEST_CASE("a probe over another, for each run that has both", "[plot]") {
   REQUIRE(plot.curves.size() == 2);
   CHECK(plot.curves[1].title == "b");
   CHECK(plot.curves[1].points == std::vector<std::pair<double, double>>{{1e-3, 0}, {2e-3, 10}, {3e-3, 1}});
-  CHECK(plot.x_label == "gap [m]");
+  CHECK(plot.x_label == "gap");
+  CHECK(plot.x_unit == "m");
   CHECK(plot.y_label == "force");
   CHECK(within(plot, 1.5e-3, 2e-3).curves[1].points == std::vector<std::pair<double, double>>{{2e-3, 10}});
   REQUIRE(plot.notes.size() == 1);

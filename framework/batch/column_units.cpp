@@ -1,0 +1,56 @@
+#include "framework/batch/column_units.hpp"
+
+#include <fmt/format.h>
+
+#include "framework/config/parse.hpp"
+#include "framework/config/units.hpp"
+#include "framework/output/probe.hpp"
+
+namespace tack {
+namespace {
+
+using Units = std::map<std::string, std::string>;
+
+// "Pa" of "Pa", and of the comment "[s, Pa]" of what may change with time.
+std::string unit_in(const std::string& comment) {
+  if (!comment.starts_with('[')) return comment;
+  const size_t from = comment.find(", ") + 2;
+  return comment.substr(from, comment.size() - 1 - from);
+}
+
+// Of the columns of probes.csv.
+Units probe_units(const Experiment& experiment) {
+  Units units{{"time", "s"}};
+  for (const auto& probe : experiment.probes)
+    for (const std::string& column : probe->columns()) units[column] = probe->unit().si;
+  return units;
+}
+
+std::string unit_of(const StatisticQuery& query, const Units& probes) {
+  const auto of = [&](const std::string& column) {
+    const auto found = probes.find(column);
+    return Unit{found == probes.end() ? std::string_view("1") : std::string_view(found->second), ""};
+  };
+  return query.statistic == Statistic::integral ? product_unit(of(query.probe), of(query.along)) : std::string(of(query.probe).si);
+}
+
+}  // namespace
+
+Units column_units(const Experiment& experiment, const Value& resolved, const Variant& variant, const std::vector<BatchStatistic>& statistics) {
+  Units units{{"wall_seconds", "s"}, {"process_seconds", "s"}, {"cpu_seconds", "s"}, {"memory_mb", "MB"}, {"min_distance", "m"}, {"min_gap", "m"}};
+  for (const Variant::Shown& shown : variant.shown)
+    if (const Value* value = shown.key.empty() ? nullptr : value_at(resolved, shown.key); value && value->is_scalar())
+      units[shown.column] = unit_in(value->comment);
+  const Units probes = probe_units(experiment);
+  for (const BatchStatistic& s : statistics) units[s.column()] = unit_of(s.resolved(), probes);
+  if (statistics.empty())
+    for (const auto& [column, unit] : probes)
+      if (column != "time")
+        for (const Statistic statistic : {Statistic::final, Statistic::min, Statistic::max})
+          units[fmt::format("{}.{}", column, to_string(statistic))] = unit;
+  for (const Expectation& e : experiment.expect) units["value:" + name_of(e)] = unit_of(e.resolved(), probes);
+  std::erase_if(units, [](const auto& one) { return one.second.empty() || one.second == "1"; });
+  return units;
+}
+
+}  // namespace tack

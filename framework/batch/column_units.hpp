@@ -1,0 +1,18 @@
+// The units of the columns of results.csv, for axes and legends.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "framework/batch/batch_config.hpp"
+#include "framework/experiment/experiment.hpp"
+
+namespace tack {
+
+// Of what varies, of statistics (without any: of those that every probe has), of the values of expectations and of times: the SI units by
+// column; plain numbers are left out. `resolved`: the experiment's values with their units as comments (to_value).
+std::map<std::string, std::string> column_units(const Experiment& experiment, const Value& resolved, const Variant& variant,
+                                                const std::vector<BatchStatistic>& statistics);
+
+}  // namespace tack
