@@ -8,6 +8,8 @@ import { numberTable } from "./unpack.js";
 
 const unique = (values) => [...new Set(values)];
 const isNumber = (v) => typeof v === "number";
+// Of the text of a cell: a number in SI with its unit, else as it is.
+const shown = (text, unit) => (text === undefined || text === null ? "–" : text !== "" && Number.isFinite(Number(text)) ? scaledNumber(Number(text), unit) : text);
 
 export async function batchSections(data) {
   const batch = data.batch;
@@ -33,7 +35,7 @@ export async function batchSections(data) {
   ];
   const cases_ = section("table", "Cases", h("p", { class: "note" }, "The filter holds for the plots below as well."), sortedTable(table, { caption: "Cases", changed, mark }));
   return [cases_, ...sections, section("origin", "Where the batch comes from",
-    plainTable(null, [...provenanceOf(batch), ...rowsOf(Object.fromEntries(Object.entries(batch).filter(([key]) => !["name", "about", "cases", "provenance", "version", "commit", "statistics"].includes(key))))],
+    plainTable(null, [...provenanceOf(batch), ...rowsOf(Object.fromEntries(Object.entries(batch).filter(([key]) => !["name", "about", "cases", "provenance", "version", "commit", "statistics", "units"].includes(key))))],
       "Provenance of the batch", { class: "pairs" }))];
 }
 
@@ -85,7 +87,7 @@ function smallMultiples(cases, curves, units, keys, state, keyUnits) {
   if (columns.length === 0) return h("p", { class: "note" }, "The cases have no probes.");
   const chosen = { y: columns[0], x: "time", how: "grid" };
   const place = h("div");
-  const label = (one) => (one.values && keys.length > 0 ? keys.map((key) => `${words(key)} ${isNumber(one.values[key]) ? scaledNumber(one.values[key], keyUnits[key]) : one.values[key] ?? "–"}`).join(", ") : one.name);
+  const label = (one) => (one.values && keys.length > 0 ? keys.map((key) => `${words(key)} ${shown(one.values[key], keyUnits[key])}`).join(", ") : one.name);
   const draw = () => {
     const some = cases.map((one, i) => ({ one, table: curves[i] })).filter(({ one, table }) => table?.get(chosen.y) && table.get(chosen.x) && (!state.left || state.left.has(one.name)));
     const x = { name: words(chosen.x), unit: chosen.x === "time" ? "s" : units[chosen.x], loose: chosen.x !== "time" };
