@@ -14,6 +14,7 @@
 #include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/stepper.hpp"
+#include "framework/stepping/straight_ways.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
 
@@ -37,6 +38,7 @@ class Minimization {
   bool start(const Step& step, const VecX* guess, Attempt& attempt, VecX& q);
   void minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt);
   std::string failure(const Attempt& attempt) const;
+  void look_for_what_is_passed(const VecX& x, Verdict& verdict);
 
   World& world_;
   const SceneConfig& scene_;
@@ -47,6 +49,9 @@ class Minimization {
   std::optional<IterateCheck> check_;
   FeasibleSteps steps_;
   ScriptFollower follower_;
+  std::optional<StraightWays> straight_;
+  VecX from_;     // 3n [m]: where the latest step starts
+  double h_ = 0;  // s: likewise
 };
 
 Minimization::Minimization(const StepperContext& context, const StepObservers& observers)
@@ -55,6 +60,7 @@ Minimization::Minimization(const StepperContext& context, const StepObservers& o
       check_(solver_.checks_iterates() ? std::optional<IterateCheck>(std::in_place, world_, clock_) : std::nullopt),
       steps_(world_, clock_, check_ ? &*check_ : nullptr),
       follower_(world_, solver_, clock_, steps_) {
+  if (world_.contact) straight_.emplace(world_);
   steps_.observe([this](const VecX& x, const VecX& p, double feasible) {
     if (observers_.steps) observers_.steps(x, p, feasible);
   });
@@ -66,6 +72,8 @@ void Minimization::begin(bool new_unknowns) {
 }
 
 void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt) {
+  from_ = step.state.x;
+  h_ = step.h;
   if (check_) check_->begin(step.state.step + 1, "the first guess");
   convergence_.begin_step(step.potential, step.h, step.prediction.inertia);
   VecX q;
@@ -165,8 +173,20 @@ Verdict Minimization::verdict(const Attempt& attempt) {
     const auto hits = find_intersections(world_.contact->surface().mesh, attempt.x, world_.contact->colliding(), 1);
     v.intersections = static_cast<int>(hits.size());
     if (!hits.empty()) v.wrong = "the surfaces intersect";
+    else look_for_what_is_passed(attempt.x, v);
   }
   return v;
+}
+
+void Minimization::look_for_what_is_passed(const VecX& x, Verdict& verdict) {
+  const auto blocked = straight_->blocked(from_, x);
+  if (!blocked) return;
+  verdict.wrong = fmt::format(
+      "'{}' went around '{}', which is in its way: {:.3g} m or more, at {:.3g} m/s, and the smaller one of them is {:.3g} m long",
+      world_.bodies[blocked->body].name, world_.bodies[blocked->obstacle].name, blocked->way, blocked->way / h_, blocked->size);
+  verdict.remedy = "take a smaller time.step or a larger time.max_halvings";
+  verdict.parts = blocked->parts;
+  verdict.tolerable = true;
 }
 
 class IncrementalPotentialStepper : public Stepper {

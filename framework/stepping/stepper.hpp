@@ -55,6 +55,8 @@ struct Verdict {
   std::string wrong;   // "" if the attempt may be kept
   std::string remedy;  // what users can do about it
   int intersections = 0, inverted_tets = 0;  // that were found: for records
+  int parts = 2;           // into how many the step is cut if it is refused; a power of two
+  bool tolerable = false;  // of the smallest steps that are tried, it may be kept all the same: what is wrong is warned of
 };
 
 // Who is told of what while a step is solved.

@@ -12,7 +12,9 @@ void TimeConfig::fields(Fields& f) {
                     "it again; none unless given")
       .positive();
   f.integer("max_halvings", max_halvings,
-            "how often a failed step may be halved before the run gives up").range(0, 30);
+            "how often a failed step may be halved before the run gives up; and one in which a body that goes further than its own size went "
+            "around what is in its way, before that is kept and told")
+      .range(0, 30);
 }
 
 }  // namespace tack

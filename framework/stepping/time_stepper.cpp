@@ -155,6 +155,11 @@ Verdict TimeStepper::judge(const Attempt& attempt) {
   return verdict;
 }
 
+std::string TimeStepper::verdict(const Attempt& attempt) {
+  const Verdict verdict = judge(attempt);
+  return verdict.tolerable ? "" : verdict.wrong;
+}
+
 void TimeStepper::check_wall_limit(const std::string& wrong) const {
   if (!clock_.deadline().run_passed()) return;
   throw SimulationError(fmt::format("step {} at t = {} s: the run's wall time is used up (time.wall_limit: {} s){}",
@@ -290,12 +295,18 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
                        *scene_.contact->lagging.until), "lagged friction"});
 }
 
+double TimeStepper::smallest_tried() const { return time_.step * std::pow(0.5, time_.max_halvings); }
+
+// Whether what is wrong is kept and told of, because no smaller steps are tried.
+bool TimeStepper::tolerates(double h, const Verdict& verdict) const { return verdict.tolerable && h < smallest_tried() * (1 + 1e-9); }
+
 // After an attempt of size h that was refused.
 void TimeStepper::halve(double h, const Verdict& verdict) {
-  if (h < time_.step * std::pow(0.5, time_.max_halvings) * (1 + 1e-9))
+  if (h < smallest_tried() * (1 + 1e-9))
     throw SimulationError(fmt::format("step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h,
                                       verdict.wrong, verdict.remedy));
   state_.h_next = h / 2;
+  for (int parts = 4; parts <= verdict.parts && state_.h_next > smallest_tried() * (1 + 1e-9); parts *= 2) state_.h_next /= 2;
   ++halvings_;
   warn_({fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
                      state_.time, verdict.wrong, state_.h_next, std::lround(time_.step / state_.h_next)), "halved step"});
@@ -317,11 +328,14 @@ StepReport TimeStepper::advance() {
       return {};
     }
     const Verdict verdict = judge(attempt);
-    if (!verdict.wrong.empty()) {
+    const bool tolerated = tolerates(h, verdict);
+    if (!verdict.wrong.empty() && !tolerated) {
       check_wall_limit(verdict.wrong);
       halve(h, verdict);
     } else if (keep(attempt, h, r)) {
       warn_of(attempt, r);
+      if (tolerated)
+        warn_({fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, verdict.wrong, verdict.remedy), "tolerated step"});
       break;
     }
   }

@@ -38,7 +38,7 @@ class TimeStepper {
   Step open(double h);
   // Opens and solves it; `guess`: its start (3n), feasible and with the scripted vertices at their places.
   Attempt solve(double h, const VecX* guess = nullptr);
-  std::string verdict(const Attempt& attempt) { return judge(attempt).wrong; }  // "" if the attempt may be kept
+  std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
   // The incremental potential of the latest step over beta h^2, at x (3n) [J].
   double potential_at(const VecX& x);
@@ -57,6 +57,8 @@ class TimeStepper {
   void refine(double h);
   bool keep(const Attempt& attempt, double h, StepReport& report);
   void warn_of(const Attempt& attempt, const StepReport& report);
+  double smallest_tried() const;
+  bool tolerates(double h, const Verdict& verdict) const;
   void halve(double h, const Verdict& verdict);
 
   World& world_;
