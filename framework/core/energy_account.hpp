@@ -1,6 +1,7 @@
 // What the balance of energy carries from step to step (energy_balance.hpp).
 #pragma once
 
+#include "framework/core/energy_at_play.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -14,7 +15,10 @@ struct EnergyAccount {
 
   double unexplained = 0;  // energy that nothing put in, from the first step on [J]
   double lowest = 0;       // its smallest value since the last gain that was told of [J]
-  double at_play = 0;      // the largest kinetic, elastic and contact energy so far [J]
+  EnergyAtPlay at_play;    // so far
+  double bottom = 0;       // the smallest value of all of `unexplained` [J]
+  int grown_steps = 0;     // steps behind us in all of which it was far above that
+  bool told = false;       // that it was for long
 };
 
 }  // namespace tack

@@ -37,6 +37,9 @@ VecX vector_of(const Json& json) {
 // Whether files of earlier programs are without a field, which is then what it is by default.
 enum class Since { first, later };
 
+template <class Field>
+constexpr bool is_record = std::is_same_v<Field, EnergyAccount> || std::is_same_v<Field, EnergyAtPlay>;
+
 template <class Account, class Act>
   requires std::is_same_v<std::remove_const_t<Account>, EnergyAccount>
 void for_each_field(Account& a, const Act& act) {
@@ -48,10 +51,24 @@ void for_each_field(Account& a, const Act& act) {
   act("gradient", a.gradient, Since::first);
   act("lowest", a.lowest, Since::first);
   act("unexplained", a.unexplained, Since::first);
-  act("at_play", a.at_play, Since::first);
   act("friction", a.friction, Since::later);
   act("plastic", a.plastic, Since::later);
   act("damping", a.damping, Since::later);
+  act("moved", a.at_play, Since::later);
+  act("bottom", a.bottom, Since::later);
+  act("grown_steps", a.grown_steps, Since::later);
+  act("told", a.told, Since::later);
+}
+
+template <class AtPlay, class Act>
+  requires std::is_same_v<std::remove_const_t<AtPlay>, EnergyAtPlay>
+void for_each_field(AtPlay& a, const Act& act) {
+  act("kinetic", a.kinetic, Since::first);
+  act("dissipated", a.dissipated, Since::first);
+  act("elastic", a.elastic, Since::first);
+  act("contact", a.contact, Since::first);
+  act("gravity", a.gravity, Since::first);
+  act("work", a.work, Since::first);
 }
 
 template <class S, class Act>
@@ -101,7 +118,7 @@ template <class Record>
 Json fields_to_json(const Record& record) {
   Json json = Json::object();
   for_each_field(record, [&]<class Field>(const char* key, const Field& field, Since) {
-    if constexpr (std::is_same_v<Field, EnergyAccount>) {
+    if constexpr (is_record<Field>) {
       json[key] = fields_to_json(field);
     } else if constexpr (std::is_same_v<Field, VecX> || std::is_same_v<Field, History>) {
       json[key] = to_json(field);
@@ -126,7 +143,7 @@ template <class Field>
 void read(const Json& json, const char* key, Field& field) {
   if constexpr (std::is_same_v<Field, VecX>) {
     field = vector_of(json.at(key));
-  } else if constexpr (std::is_same_v<Field, EnergyAccount>) {
+  } else if constexpr (is_record<Field>) {
     read_fields(json.at(key), field);
   } else if constexpr (std::is_same_v<Field, History>) {
     read_history(json.at(key), field);

@@ -64,7 +64,13 @@ OrderedJson totals_json(const RunSummary& s) {
 OrderedJson energy_json(const RunSummary& s) {
   OrderedJson json = OrderedJson::object();
   EnergyFlows::for_each(s.flows, [&](const char* name, double sum) { json[name] = finite(sum); });
+  json["at_play"] = finite(s.losses.at_play);
+  OrderedJson& causes = json["causes"] = OrderedJson::object();
+  EnergyLosses::for_each(s.losses, [&](const char* name, const EnergyLosses::Cause& cause) {
+    causes[name] = {{"lost", finite(cause.lost)}, {"made", finite(cause.made)}, {"sum", finite(cause.sum)}, {"in_contact", finite(cause.in_contact)}};
+  });
   json["damped_steps"] = s.damped_steps;
+  json["refined_steps"] = s.refined_steps;
   json["gains"] = s.energy_gains;
   return json;
 }
@@ -146,6 +152,8 @@ void RunSummary::add(const StepReport& report) {
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
   flows += report.flows;
+  losses.add(report);
+  refined_steps += report.flows.refined ? 1 : 0;
   damped_steps += report.flows.damped ? 1 : 0;
   energy_gains += report.flows.gained ? 1 : 0;
 }

@@ -4,7 +4,8 @@
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], max_affine_strain, intersections,
 // inverted_tets, energy {work_loads, work_script, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
-// dissipated_numerics [J] (stepping/energy_balance.hpp), damped_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
+// dissipated_numerics, at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator, repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
+// damped_steps, refined_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], warnings [{text, times}] (the first of a kind, and how often there was one), expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
 // Numbers that are not finite are null.
 #pragma once
@@ -18,6 +19,7 @@
 
 #include "framework/contact/adhesion_summary.hpp"
 #include "framework/core/warning.hpp"
+#include "framework/output/energy_losses.hpp"
 #include "framework/output/expectations.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/stepping/step_report.hpp"
@@ -54,6 +56,8 @@ struct RunSummary {
   int inverted_tets = 0;
   EnergyFlows flows;     // sums [J]
   int damped_steps = 0;  // that implicit Euler did again, because energy would have grown
+  int refined_steps = 0; // that are smaller than the scene's, because larger ones made or lost energy
+  EnergyLosses losses;
   int energy_gains = 0;  // steps in which energy had grown noticeably, and nothing put it in
   std::vector<AdhesionSummary> adhesion;
   std::vector<WarningCount> warnings;

@@ -27,6 +27,21 @@ void for_each_total(Summary& s, const Act& act) {
   act("inverted_tets", s.inverted_tets);
   EnergyFlows::for_each(s.flows, act);
   act("damped_steps", s.damped_steps);
+  act("refined_steps", s.refined_steps);
+  act("energy_at_play", s.losses.at_play);
+  act("energy_moving", s.losses.moving);
+  act("energy_noise", s.losses.noise);
+  EnergyLosses::for_each(s.losses, [&](const std::string& cause, auto& c) {
+    const auto part = [&](const char* name, auto& number) { act(fmt::format("energy_{}_{}", cause, name), number); };
+    part("lost", c.lost);
+    part("made", c.made);
+    part("losing", c.losing);
+    part("making", c.making);
+    part("sum", c.sum);
+    part("in_contact", c.in_contact);
+    part("bin", c.when.width);
+    for (std::size_t i = 0; i < c.when.sums.size(); ++i) act(fmt::format("energy_{}_in_bin_{}", cause, i), c.when.sums[i]);
+  });
   act("energy_gains", s.energy_gains);
   for (int i = 0; i < phase_count; ++i) act(fmt::format("seconds_{}", phase_names[i]), s.phases[i]);
 }

@@ -262,6 +262,7 @@ void RecordedRun::finish(const Recorder& recorder) {
     }
   }
   finish_dump();
+  for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator)) warn(warning);
   add_up_phases();
   for (const double s : summary_.phases) summary_.wall_seconds += s;
   write_summary(folder_.summary(), summary_);

@@ -17,6 +17,10 @@ namespace {
 
 constexpr double tolerated_gain = 0.01;   // of the energy at play
 constexpr double tolerated_loss = 0.005;  // of it, in a step
+// What has moved little so far may be next to nothing of what is going to: energy that has grown is told early only if it
+// is that part of what is at play in as many steps on end.
+constexpr double growth = 0.1;
+constexpr int growing_steps = 16;
 
 EnergyAccount account_of(const EnergyBalance::Energies& energies) {
   EnergyAccount account;
@@ -152,8 +156,23 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   flows.numerics = before + flows.loads + flows.script - dissipated - flows.areas - stored(end);
   end.unexplained = start_.unexplained;
   end.lowest = start_.lowest;
+  end.bottom = start_.bottom;
+  end.grown_steps = start_.grown_steps;
+  end.told = start_.told;
   end.at_play = start_.at_play;
-  flows.gained = watch(end, state, flows);
+  end.at_play.kinetic = std::max({end.at_play.kinetic, start_.kinetic, end.kinetic});
+  end.at_play.dissipated = end.friction + end.plastic + end.damping;
+  EnergyAtPlay::move(end.at_play.elastic, end.elastic - start_.elastic);
+  EnergyAtPlay::move(end.at_play.contact, end.contact - start_.contact);
+  EnergyAtPlay::move(end.at_play.gravity, end.gravity - start_.gravity);
+  EnergyAtPlay::move(end.at_play.work, flows.loads + flows.script - released_);
+  flows.in_contact = start_.contact != 0 || end.contact != 0;
+  flows.jerk = jerk_;
+  flows.noise = solver_noise();
+  flows.at_play = end.at_play.most();
+  flows.moving = end.at_play.kinetic;
+  flows.gained = watch(end, flows);
+  warn_of_growth(end, state, flows);
   state.energy = std::move(end);
   return flows;
 }
@@ -166,24 +185,28 @@ double EnergyBalance::solver_noise() const {
 
 // Growth counts from the lowest point, so that what was lost before is no credit. A script that starts with a
 // jerk acts with the force of the end of the step, and that is no gain.
-bool EnergyBalance::watch(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
+bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
   account.unexplained -= flows.numerics + flows.areas + jerk_;
   account.lowest = std::min(account.lowest, account.unexplained);
-  account.at_play = std::max(account.at_play,
-                             account.kinetic + std::abs(account.elastic) + std::abs(account.contact));
-  const double gain = account.unexplained - account.lowest;
-  // What friction and damping took is known to first order of the step only.
-  const bool gained = gain > tolerated_gain * (account.at_play + account.friction + account.damping) + solver_noise();
+  account.bottom = std::min(account.bottom, account.unexplained);
   // What has just set out has next to nothing that it could lose.
-  lost_ = 2 * start_.kinetic >= account.at_play && flows.numerics > tolerated_loss * (account.at_play + account.friction + account.damping) + solver_noise();
-  warning_.clear();
-  if (!gained) return false;
-  warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of what is at play, and "
-                         "nothing put it in (steps.csv: {}); refine time.step, or take another time.integrator",
-                         state.step, state.time, gain, 100 * gain / account.at_play,
-                         -flows.numerics > -flows.areas ? "dissipated_numerics" : "dissipated_areas");
+  lost_ = 2 * start_.kinetic >= flows.at_play && flows.numerics > tolerated_loss * flows.at_play + flows.noise;
+  // What friction and damping took, which is at play as well, is known to first order of the step only.
+  if (account.unexplained - account.lowest <= tolerated_gain * flows.at_play + flows.noise) return false;
   account.lowest = account.unexplained;
   return true;
+}
+
+void EnergyBalance::warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
+  const double gain = account.unexplained - account.bottom;
+  account.grown_steps = gain > growth * flows.at_play + flows.noise ? account.grown_steps + 1 : 0;
+  warning_.clear();
+  if (account.told || account.grown_steps < growing_steps) return;
+  account.told = true;
+  warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of the most that was at play so far, and "
+                         "nothing put it in (steps.csv: {})",
+                         state.step, state.time, gain, 100 * gain / flows.at_play,
+                         -flows.numerics > -flows.areas ? "dissipated_numerics" : "dissipated_areas");
 }
 
 }  // namespace tack

@@ -46,8 +46,8 @@ class EnergyBalance {
   // script may move vertices, in this or another step.
   EnergyFlows close(State& state, const Energies& energies, double h, bool script_moves,
                     IncrementalPotential& potential);
-  // What is to be told of the step, or "": that energy has grown by more than a hundredth of what is at
-  // play and nothing put it in.
+  // What is to be told of the step, or "": that for steps on end there has been a tenth more energy than nothing but
+  // faults put in. Once in a run; what is less, or passes, is for its end (output/energy_losses.hpp).
   const std::string& warning() const { return warning_; }
   // Whether time integration lost more than half a hundredth of it in the step.
   bool lost() const { return lost_; }
@@ -58,7 +58,8 @@ class EnergyBalance {
   double load_work(const State& state, const VecX& way, double h) const;
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
   double script_work(const VecX& way, const VecX& gradient, const VecX& x);
-  bool watch(EnergyAccount& account, const State& state, const EnergyFlows& flows);
+  bool watch(EnergyAccount& account, const EnergyFlows& flows);
+  void warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows);
   double solver_noise() const;
 
   const World& world_;
@@ -67,7 +68,7 @@ class EnergyBalance {
   double released_ = 0;         // J: the energy that a change of who is held brought along
   std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known
   EnergyFlows taken_;  // what end() found to be dissipated
-  double jerk_ = 0;  // J: by how much the script's work is more with its forces at the end of the step
+  double jerk_ = 0;  // J: EnergyFlows::jerk
   std::string warning_;
   bool lost_ = false;
 };

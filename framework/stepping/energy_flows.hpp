@@ -6,9 +6,14 @@ namespace tack {
 struct EnergyFlows {
   double loads = 0, script = 0;                                  // work done from outside
   double friction = 0, adhesion = 0, plastic = 0, damping = 0, areas = 0, numerics = 0;  // dissipated
-  bool damped = false;  // done again by the integrator's fallback, because energy would have grown
-  bool refined = false; // smaller than the scene's step, because a larger one made or lost energy
-  bool gained = false;  // energy has grown noticeably, and nothing put it in
+  double jerk = 0;     // by how much the script's work is more with its forces at the end of the step, with which implicit steps begin
+  double noise = 0;    // what the solver's tolerance may change it by
+  double at_play = 0;  // the most that has moved in the run so far (core/energy_at_play.hpp)
+  double moving = 0;   // its kinetic part
+  bool in_contact = false;  // whether anything was in contact at its start or end
+  bool damped = false;      // done again by the integrator's fallback, because energy would have grown
+  bool refined = false;     // smaller than the scene's step, because a larger one made or lost energy
+  bool gained = false;      // energy has grown noticeably, and nothing put it in
 
   EnergyFlows& operator+=(const EnergyFlows& o) {
     loads += o.loads, script += o.script, friction += o.friction;

@@ -17,6 +17,11 @@ double contact_change(const State& s, double whole) {
   return change < now ? change / now : (change > 0 ? 1 : 0);
 }
 
+std::string makes_energy(bool contact) {
+  return contact ? "surfaces moved by much of the range of contact or adhesion in a step: refine time.step"
+                 : "what turns or deforms is too fast for the step: refine time.step";
+}
+
 bool same_step(const State& s, double h) { return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h; }
 
 class ImplicitEuler : public TimeIntegrator {
@@ -25,6 +30,11 @@ class ImplicitEuler : public TimeIntegrator {
   void update(const State& old, const VecX& x, const VecX&, double h, VecX& v, VecX& a) const override {
     v = (x - old.x) / h;
     a = (v - old.v) / h;
+  }
+  bool damps() const override { return true; }
+  std::string energy_advice(bool made, bool contact) const override {
+    if (made) return makes_energy(contact);
+    return "implicit Euler damps what moves and vibrates, in proportion to the step: time.integrator: newmark, or refine time.step";
   }
 };
 
@@ -48,6 +58,12 @@ class Bdf2 : public TimeIntegrator {
     return {3 / (2 * h), (4 * s.x - s.x_before) / 3};
   }
   bool follows_contact() const override { return true; }
+  bool damps() const override { return true; }
+  std::string energy_advice(bool made, bool contact) const override {
+    if (made) return makes_energy(contact);
+    return contact ? "BDF2 is implicit Euler, which damps, for a step after each sudden change of contact: refine time.step, or time.integrator: newmark"
+                   : "BDF2 damps what is fast for its steps: refine time.step, or time.integrator: newmark";
+  }
 
  private:
   static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s, bdf2_change) < 1; }
@@ -78,6 +94,11 @@ class Newmark : public TimeIntegrator {
   EndVelocity end_velocity(const State& s, double h) const override { return {2 / h, s.x + h / 2 * s.v}; }
   bool follows_contact() const override { return true; }
   const TimeIntegrator* fallback() const override { return &euler_; }
+  std::string energy_advice(bool made, bool contact) const override {
+    if (made) return makes_energy(contact);
+    return contact ? "an impact that does not last for many steps keeps a part of its speed only: refine time.step until it does"
+                   : "what turns or vibrates is too fast for the step: refine time.step";
+  }
   // A jump in a script's velocity would ring on for ever.
   void update_held(const State& old, const VecX& x, double h, const std::vector<int>& held, VecX& v,
                    VecX& a) const override {
@@ -106,6 +127,8 @@ class QuasiStatic : public TimeIntegrator {
   void update(const State& old, const VecX&, const VecX&, double, VecX& v, VecX& a) const override {
     v = a = VecX::Zero(old.x.size());
   }
+  bool damps() const override { return true; }
+  std::string energy_advice(bool, bool contact) const override { return makes_energy(contact); }
 };
 
 TACK_REGISTER(TimeIntegrator, ImplicitEuler, "implicit_euler",

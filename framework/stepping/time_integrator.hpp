@@ -3,6 +3,8 @@
 // where contact and friction may have a factor of their own.
 #pragma once
 
+#include <string>
+
 #include "framework/assembly/term_scales.hpp"
 #include "framework/config/registry.hpp"
 #include "framework/core/state.hpp"
@@ -33,6 +35,10 @@ class TimeIntegrator : public Component {
   // What repeats a step in which energy has grown noticeably, and nothing put it in (energy_balance.hpp);
   // null: the step is kept.
   virtual const TimeIntegrator* fallback() const { return nullptr; }
+  // Whether it brings to rest what nothing drives.
+  virtual bool damps() const { return false; }
+  // Why it made or lost energy, mostly in steps with contact or without, and what cures that.
+  virtual std::string energy_advice(bool /*made*/, bool /*contact*/) const { return "refine time.step"; }
   // Corrects them for vertices that do not follow from forces, if the above carries velocities over
   // from step to step.
   virtual void update_held(const State& /*old*/, const VecX& /*x*/, double /*h*/,

@@ -12,6 +12,7 @@
 #include "geometry/interrupt.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "framework/stepping/energy_advice.hpp"
 #include "framework/stepping/lagged_impulse.hpp"
 #include "framework/stepping/time_config.hpp"
 #include "geometry/errors.hpp"
@@ -43,6 +44,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
       held_(world.script, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
+  refined_ = state_.parts > 1;
   const Unlimited unlimited(clock_, time_);
   world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
@@ -284,7 +286,9 @@ void TimeStepper::refine(double h) {
 }
 
 void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
-  if (r.flows.gained && !std::exchange(told_of_gain_, true)) warn_({balance_.warning(), "energy"});
+  if (!balance_.warning().empty())
+    warn_({fmt::format("{}: {}", balance_.warning(),
+                       -r.flows.areas > -r.flows.numerics ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact)), "energy"});
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
     warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});

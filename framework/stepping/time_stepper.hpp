@@ -73,7 +73,7 @@ class TimeStepper {
   const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
   double acting_ = 0;  // for how long contact acts on velocities in the present step [s]; 0: nothing needs to know
   HistoryArray owed_friction_;  // to be remembered of the present step (lagged_impulse.hpp)
-  bool told_of_gain_ = false, told_of_strain_ = false;
+  bool told_of_strain_ = false;
   std::optional<StepPotential> potential_;
   std::unique_ptr<Stepper> stepper_;
   int halvings_ = 0;  // of the present step

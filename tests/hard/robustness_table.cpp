@@ -129,7 +129,8 @@ std::string robustness_page(const std::vector<HardRow>& rows) {
          "\n## What ended those that gave up\n\n" + who_gave_up(rows) +
          "\n## What is hard in each\n\nEnergy lost: what contact areas and time integration took with the default "
          "solver, implicit Euler's damping\nand the impacts that it does not resolve, of the largest energy in the run. "
-         "Gains: steps in which energy grew by\nmore than a hundredth that nothing put in, each told by a warning.\n" +
+         "Gains: steps in which energy grew by\nmore than a hundredth of what had been at play up to then, and nothing put it in. What was made or lost "
+         "by more\nthan 3% of what was at play in the run is told at its end ([results.md](results.md#energy-that-was-made-or-lost)).\n" +
          what_is_hard(rows);
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("what a run warns of stands in its summary, also of a run that is gone
   };
   const std::string told = recorded({});
   INFO(told);
-  const auto whole = read_json(folder.path() / "results/summary.json")["warnings"];
+  const auto summary = read_json(folder.path() / "results/summary.json"), whole = summary["warnings"], energy = summary["energy"];
   int lines = 0, counted = 0;
   for (size_t at = 0; (at = told.find("warning: ", at)) != told.npos; ++at) ++lines;
   for (const auto& w : whole) {
@@ -60,13 +60,18 @@ TEST_CASE("what a run warns of stands in its summary, also of a run that is gone
   CHECK(whole.size() > 0);
   CHECK(counted > static_cast<int>(whole.size()));  // more than one step was halved
   CHECK(contains(told, std::to_string(whole.size()) + " warning"));
+  // At its end, of the impact.
+  CHECK(contains(whole.back()["text"].get<std::string>(), "energy: time integration lost"));
+  CHECK(energy["causes"]["integrator"]["lost"].get<double>() > 0.03 * energy["at_play"].get<double>());
   RunSettings part;
   part.steps = 6;  // past the first checkpoint
   recorded(part);
   part = {};
   part.resume = true;
   recorded(part);
-  CHECK(read_json(folder.path() / "results/summary.json")["warnings"] == whole);
+  const auto resumed = read_json(folder.path() / "results/summary.json");
+  CHECK(resumed["warnings"] == whole);
+  CHECK(resumed["energy"] == energy);
 }
 
 TEST_CASE("a run leaves its specification as it is", "[run]") {

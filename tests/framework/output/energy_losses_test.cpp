@@ -1,0 +1,139 @@
+// What is told at the end of a run of the energy that it made or lost.
+#include "framework/output/energy_losses.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framework/output/summary.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/test_run.hpp"
+
+using namespace tack;
+
+namespace {
+
+const auto newmark = Registry<TimeIntegrator>::make("newmark"), euler = Registry<TimeIntegrator>::make("implicit_euler");
+
+// Step k of 10 ms of a run in which up to 2 J, 1 J of it kinetic, are at play.
+StepReport step(int k, double areas, double numerics) {
+  StepReport r;
+  r.step = k;
+  r.time = 0.01 * k;
+  r.step_size = 0.01;
+  r.flows.areas = areas;
+  r.flows.numerics = numerics;
+  r.flows.at_play = k < 3 ? 1e-3 : 2;
+  r.flows.moving = k < 3 ? 1e-3 : 1;
+  r.flows.noise = 1e-9;
+  return r;
+}
+
+}  // namespace
+
+TEST_CASE("losses: what is little of what was at play in the run is not told, however much it was at first", "[losses]") {
+  EnergyLosses losses;
+  losses.add(step(1, -1e-3, 0));  // all that is at play
+  for (int k = 2; k <= 20; ++k) losses.add(step(k, 0, k % 2 ? 0.05 : -0.05));  // which comes back
+  CHECK(losses.at_play == 2);
+  CHECK(losses.told(*newmark).empty());
+}
+
+TEST_CASE("losses: cause, amount and time are told, the largest first", "[losses]") {
+  EnergyLosses losses;
+  for (int k = 1; k <= 40; ++k) losses.add(step(k, k == 7 ? -0.1 : 0, k > 30 ? 0.02 : 0.0001));
+  const auto told = losses.told(*newmark);
+  REQUIRE(told.size() == 2);
+  INFO(told[0].text << "\n" << told[1].text);
+  CHECK(contains(told[0].text, "time integration lost 0.203 J, 10% of the most that was at play (2 J), most of it from t = 0.3 to 0.39 s: what turns"));
+  CHECK(contains(told[1].text, "areas of contact made 0.1 J, 5% of the most that was at play (2 J), most of it from t = 0.06 to 0.07 s: covered areas"));
+  CHECK(losses.areas.sum == Approx(-0.1));
+}
+
+TEST_CASE("losses: repeated steps, contact and scripts that set in with a jerk are told apart", "[losses]") {
+  EnergyLosses losses;
+  for (int k = 1; k <= 4; ++k) {
+    StepReport r = step(k, 0, 0.1);
+    r.flows.refined = k == 1;
+    r.flows.damped = k == 2;
+    r.flows.in_contact = k == 3;
+    losses.add(r);
+  }
+  CHECK(losses.repeated.lost == Approx(0.2));
+  CHECK(losses.integrator.lost == Approx(0.2));
+  CHECK(losses.integrator.in_contact == Approx(0.1));
+  StepReport jerk = step(5, 0, -0.5);
+  jerk.flows.jerk = 0.5;
+  losses.add(jerk);
+  CHECK(losses.integrator.made == 0);
+}
+
+TEST_CASE("losses: where hardly anything moves, integrators that damp may", "[losses]") {
+  EnergyLosses losses;
+  for (int k = 1; k <= 4; ++k) losses.add(step(k, 0, 0.5));
+  CHECK(losses.told(*newmark).size() == 1);
+  CHECK(losses.told(*euler).size() == 1);
+  losses.moving = 0.1;
+  CHECK(losses.told(*newmark).size() == 1);
+  CHECK(losses.told(*euler).empty());
+}
+
+TEST_CASE("losses: a run's sums go on where its checkpoint was", "[losses]") {
+  RunSummary whole, first, second;
+  for (int k = 1; k <= 200; ++k) {
+    const StepReport r = step(k, k % 3 - 1.1, 0.1 * k);
+    whole.add(r);
+    (k <= 90 ? first : second).add(r);
+    if (k == 90) set_totals(second, totals_of(first));
+  }
+  CHECK(totals_of(second) == totals_of(whole));
+  REQUIRE(whole.losses.told(*newmark).size() == 2);
+  for (int i : {0, 1}) CHECK(second.losses.told(*newmark)[i].text == whole.losses.told(*newmark)[i].text);
+}
+
+TEST_CASE("losses: a histogram of time grows with the run", "[losses]") {
+  TimeHistogram when;
+  for (int k = 0; k < 1000; ++k) when.add(0.01 * (k + 0.5), 0.01, k >= 500 && k < 548 ? -1 : 0.001);
+  CHECK(when.width == Approx(0.16));
+  double sum = 0;
+  for (const double s : when.sums) sum += s;
+  CHECK(sum == Approx(-48 + 0.952));
+  const auto [from, to] = when.densest(-40);
+  CHECK(from == Approx(4.96).margin(0.17));
+  CHECK(to == Approx(5.48).margin(0.17));
+  CHECK(when.densest(1).second == Approx(64 * 0.16));  // there is none
+}
+
+// What every run has to say nothing of, and what each must.
+TEST_CASE("losses: a run is judged by what was at play in all of it", "[losses]") {
+  const auto told = [](const std::string& yaml, double duration) {
+    TestRun run(yaml);
+    RunSummary summary;
+    while (run.state().time < duration * (1 - 1e-9)) summary.add(run.step());
+    std::string text;
+    for (const Warning& w : summary.losses.told(*run.config.time.integrator)) text += w.text + "\n";
+    for (const std::string& w : run.warnings)
+      if (contains(w, "energy")) text += w + "\n";
+    return text;
+  };
+  const std::string solver = "solver: {type: projected_newton, tolerance: 1e-4}\n";
+  const std::string floor = "  - {name: floor, shape: {type: box, size: [0.5, 0.02, 0.5]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n";
+  const std::string block = "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.055, 0]},\n"
+                            "     velocity: [0, -1, 0], energies: [{type: neo_hookean, young: 10 MPa}]}\n";
+  SECTION("an impact that no step resolves") {
+    const std::string text = told("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "objects:\n" + floor + block + "contact: {distance: 1 mm}\n", 0.02);
+    INFO(text);
+    CHECK(contains(text, "time integration lost"));
+    CHECK(contains(text, "an impact that does not last for many steps"));
+  }
+  SECTION("a block in free flight") {
+    CHECK(told("time: {step: 2 ms, duration: 1, integrator: newmark}\n" + solver + "gravity: [0, -9.81, 0]\nobjects:\n" + block, 0.02) == "");
+  }
+  // It meets the range of adhesion with next to no energy, and leaves with all of it.
+  SECTION("plates that meet and part") {
+    CHECK(told("time: {step: 10 ms, duration: 1}\n" + solver + "objects:\n" + floor +
+                   "  - {name: plate, shape: {type: box, size: [0.02, 0.005, 0.02], cells: [3, 1, 3]}, place: {translate: [0, 8.5 mm, 0]},\n"
+                   "     energies: [{type: neo_hookean, young: 20 MPa}],\n"
+                   "     motion: [{type: keyframes, select: {type: face, direction: [0, 1, 0]}, frames: [{time: 0, translation: [0, 0, 0]},\n"
+                   "     {time: 0.5, translation: [0, -5.2 mm, 0]}, {time: 1, translation: [0, 0, 0]}]}]}\n"
+                   "contact:\n  distance: 0.05 mm\n  pairs: [{between: [floor, plate], adhesion: {type: fang, peak_traction: 1 kPa, peak_distance: 1 mm, range: 2 mm}}]\n", 1) == "");
+  }
+}
