@@ -17,6 +17,7 @@ namespace {
 
 // Below round-off of positions nothing is told apart any more.
 constexpr double smallest_error = 1e-17;
+constexpr double far_from_points = 1e3;  // where a line would leave them no room
 
 Curve& curve_of(Plot& plot, const std::string& title) {
   for (Curve& c : plot.curves)
@@ -124,7 +125,13 @@ Plot work_precision(const std::vector<CompareRow>& all) {
   add_notes(plot, fmt::format("no tolerance at which {} solved:", problems > 1 ? "all problems were" : "it was"), unsolved);
   add_notes(plot, "not at all tolerances:", partly);
   add_notes(plot, "no point, as the error is below the floor:", noise);
-  plot.uprights = floors(rows, by_step);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Curve& c : plot.curves)
+    for (const auto& [error, seconds] : c.points) least = std::min(least, error);
+  for (LevelLine& floor : floors(rows, by_step)) {
+    if (floor.at > least / far_from_points) plot.uprights.push_back(std::move(floor));
+    else plot.notes.push_back(fmt::format("the floor of errors lies at {:.1g}, further left", floor.at));
+  }
   return plot;
 }
 

@@ -30,8 +30,8 @@ constexpr double label_distance = 0.05;  // of the picture's height
 constexpr double near_right = 0.85;      // where a curve that is named at its end has to end
 constexpr size_t longest_label = 34;     // characters
 constexpr double most_without_decades = 80;  // largest over smallest number of a logarithmic axis, with its margins
-constexpr size_t most_beside = 16, names_in_a_row = 3;  // of a legend
-constexpr int plain_height = 480, row_height = 17, axis_height = 52;  // pixels; the last of ticks and label
+constexpr size_t most_beside = 16, longest_of_three = 16;                   // of a legend; characters
+constexpr int plain_height = 480, row_height = 20, axis_height = 64;  // pixels; the last of ticks and label
 
 // In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
 // as well: what follows would be run. Control characters have no place in a picture anyway.
@@ -166,7 +166,7 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
     const bool beside = s.curves.size() <= most_beside;
     out += s.curves.size() < 2 ? "unset key\n" : beside ? "set key outside right noenhanced samplen 3\n" : "";
     if (!beside) {  // between the axis and the notes
-      const size_t rows = (s.curves.size() + names_in_a_row - 1) / names_in_a_row;
+      const size_t in_a_row = longest > longest_of_three ? 2 : 3, rows = (s.curves.size() + in_a_row - 1) / in_a_row;
       const int names = 10 + static_cast<int>(rows + plot.notes.size()) * row_height;
       below = names;
       out += fmt::format("set key at screen 0.02, screen {:.4f} left top Left reverse noenhanced samplen 3 maxrows {}\nset bmargin at screen {:.4f}\n",

@@ -78,6 +78,11 @@ TEST_CASE("errors below what the references are apart are noise: no ranking, no 
   REQUIRE(plot.uprights.size() == 1);
   CHECK(plot.uprights[0].at == Approx(3e-6));  // of the size
   CHECK(plot.notes == std::vector<std::string>{"no point, as the error is below the floor: a at 0.0001 m/s, b at 0.0001 m/s"});
+  // Far left of all points its line would leave them no room.
+  std::vector<CompareRow> far = {with("a", 1e-2, 1, 5e-4), with("b", 1e-2, 2, 4e-3)};
+  plot = work_precision(far);
+  CHECK(plot.uprights.empty());
+  CHECK(plot.notes == std::vector<std::string>{"the floor of errors lies at 3e-06, further left"});
   // Where nothing is above the floor, nothing is ranked, and the reason stands there.
   some = {with("a", 1e-2, 1, 1e-7), with("b", 1e-2, 2, 1e-8)};
   const std::string noisy = compare_report({}, {{reference}, some, "", {}}, {}, 0);
