@@ -85,6 +85,7 @@ void EnergyBalance::end(const VecX& x) {
     taken_.friction = world_.friction->dissipated(x, TangentialPart::friction);
     taken_.adhesion = world_.friction->dissipated(x, TangentialPart::adhesion);
   }
+  if (world_.rim) taken_.rim = -world_.rim->value(x);
   for (const auto& term : world_.elastic_terms) taken_.plastic += term->dissipated(x);
   for (const auto& term : world_.damping_terms) taken_.damping += term->dissipated(x);
 }

@@ -14,6 +14,7 @@
 //             energy at the end of a step, account for,
 //   numerics  the rest: what the integrator lost or, below zero, made. Of implicit Euler in a linear
 //             problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.
+// Of what contact's energy changes by, the forces of covered areas did `rim`: what adheres pulls what it covers in.
 // Gravity is a potential here, loads are work. Normal adhesion is a potential: what detaching dissipates is
 // what its energy rises by, until areas that come back at zero gap give it back.
 #pragma once
