@@ -37,7 +37,7 @@ void EnergyLosses::add(const StepReport& report) {
   moving = std::max(moving, flows.moving);
   noise += flows.noise * flows.noise;
   areas.add(report, flows.areas, 0);
-  (flows.damped || flows.refined ? repeated : integrator).add(report, flows.numerics, flows.jerk);
+  (flows.damped ? repeated : integrator).add(report, flows.numerics, flows.jerk);
 }
 
 std::vector<Warning> EnergyLosses::told(const TimeIntegrator& rule) const {

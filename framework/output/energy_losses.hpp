@@ -29,8 +29,8 @@ struct EnergyLosses {
     void add(const StepReport& report, double dissipated, double jerk);
   };
   Cause areas;       // contact's areas, taken anew
-  Cause integrator;  // the rule of time integration in steps of the scene's size
-  Cause repeated;    // in steps that were done again: in smaller ones or with implicit Euler
+  Cause integrator;  // the rule of time integration
+  Cause repeated;    // implicit Euler, in steps that were done again with it
 
   double at_play = 0, moving = 0;  // J (core/energy_at_play.hpp); its kinetic part
   double noise = 0;    // what the solver's tolerance may have changed it by, squared and summed up [J^2]

@@ -187,11 +187,12 @@ double EnergyBalance::solver_noise() const {
 // Growth counts from the lowest point, so that what was lost before is no credit. A script that starts with a
 // jerk acts with the force of the end of the step, and that is no gain.
 bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
+  const double lowest = account.lowest;
   account.unexplained -= flows.numerics + flows.areas + jerk_;
   account.lowest = std::min(account.lowest, account.unexplained);
   account.bottom = std::min(account.bottom, account.unexplained);
-  // What has just set out has next to nothing that it could lose.
-  lost_ = 2 * start_.kinetic >= flows.at_play && flows.numerics > tolerated_loss * flows.at_play + flows.noise;
+  // What has just set out has next to nothing that it could lose; and what comes and goes, as Newmark's energy of vibrations does, is not lost.
+  lost_ = 2 * start_.kinetic >= flows.at_play && lowest - account.unexplained > tolerated_loss * flows.at_play + flows.noise;
   // What friction and damping took, which is at play as well, is known to first order of the step only.
   if (account.unexplained - account.lowest <= tolerated_gain * flows.at_play + flows.noise) return false;
   account.lowest = account.unexplained;

@@ -50,7 +50,7 @@ class EnergyBalance {
   // What is to be told of the step, or "": that for steps on end there has been a tenth more energy than nothing but
   // faults put in. Once in a run; what is less, or passes, is for its end (output/energy_losses.hpp).
   const std::string& warning() const { return warning_; }
-  // Whether time integration lost more than half a hundredth of it in the step.
+  // Whether time integration lost more than half a hundredth of it in the step, below all that there was before.
   bool lost() const { return lost_; }
 
  private:

@@ -96,7 +96,7 @@ class Newmark : public TimeIntegrator {
   const TimeIntegrator* fallback() const override { return &euler_; }
   std::string energy_advice(bool made, bool contact) const override {
     if (made) return makes_energy(contact);
-    return contact ? "an impact that does not last for many steps keeps a part of its speed only: refine time.step until it does"
+    return contact ? "contact that comes and goes within a few steps gives back a part of the energy only: refine time.step until it lasts for many"
                    : "what turns or vibrates is too fast for the step: refine time.step";
   }
   // A jump in a script's velocity would ring on for ever.

@@ -258,11 +258,12 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   }
   r = report(attempt, h);
   r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
-  const bool smaller = r.contacts == 0 && h > smallest_refined() * (1 + 1e-9);
-  if (undo && (r.flows.gained || (smaller && balance_.lost()))) {
+  const bool free = r.contacts == 0;
+  const bool finer = h > smallest_refined() * (1 + 1e-9) && (free || resolves_impact(h));
+  if (undo && (r.flows.gained || (finer && balance_.lost()))) {
     state_ = *std::move(undo);
     world_.participants.remember(state_.history);
-    if (smaller) refine(h);
+    if (finer) refine(h, free);
     else integrator_ = integrator_->fallback();
     return false;
   }
@@ -276,11 +277,18 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
 // Where energy is to be kept, no steps are smaller for its sake than this [s].
 double TimeStepper::smallest_refined() const { return time_.step * std::pow(0.5, std::min(most_refinements, time_.max_halvings)); }
 
-// After a step of size h that made or lost energy. A rotation that is too fast for the step lasts: the steps that
+// Whether the smallest steps are short enough for the impact in the present one, of size h: the fastest vertex crosses the
+// range of contact in two or more of them. Others would be smaller for nothing.
+bool TimeStepper::resolves_impact(double h) const {
+  return 2 * (state_.x - state_.x_before).lpNorm<Eigen::Infinity>() * smallest_refined() / h <= scene_.contact->contact_distance;
+}
+
+// After a step of size h that made or lost energy. An impact passes. A rotation that is too fast for the step lasts: the steps that
 // follow are smaller, too.
-void TimeStepper::refine(double h) {
+void TimeStepper::refine(double h, bool lasting) {
   state_.h_next = h / 2;
   refined_ = true;
+  if (!lasting) return;
   state_.parts = std::max(state_.parts, static_cast<int>(std::lround(time_.step / state_.h_next)));
   state_.calm_steps = 0;
 }

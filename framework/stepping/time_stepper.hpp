@@ -54,7 +54,8 @@ class TimeStepper {
   void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;
   StepReport report(const Attempt& attempt, double h) const;
   double smallest_refined() const;
-  void refine(double h);
+  bool resolves_impact(double h) const;
+  void refine(double h, bool lasting);
   bool keep(const Attempt& attempt, double h, StepReport& report);
   void warn_of(const Attempt& attempt, const StepReport& report);
   double smallest_tried() const;
