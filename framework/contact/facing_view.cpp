@@ -61,8 +61,8 @@ void FacingViewer::consider(const Viewpoint& from, int triangle, double nearer) 
   Vec3 normal;
   double height;
   if (!turn(from, triangle, normal, height) || height * height >= nearer) return;
-  const double area = area_towards(from, normal), thin = from.vertex >= 0 ? held_.thin(from.vertex, normal) : 0;
-  if (!(area > 0 || thin > 0)) return;
+  const double area = area_towards(from, normal);
+  if (!(area > 0)) return;
   const Triangle& t = mesh_.triangles[triangle];
   const Vec3 t0 = vertex(held_.x(), t[0]), t1 = vertex(held_.x(), t[1]), t2 = vertex(held_.x(), t[2]);
   const PointTriangleType type = point_triangle_type(from.position, t0, t1, t2);
@@ -73,7 +73,7 @@ void FacingViewer::consider(const Viewpoint& from, int triangle, double nearer) 
   const bool goes_on = type == PointTriangleType::P_T || (feature < 3 ? topology.smooth_vertex(t[feature])
                                                                      : topology.smooth_edge(triangle, feature - 3));
   const double beyond = goes_on ? 0 : std::sqrt(std::max(0.0, squared - height * height));
-  seen_.push_back({normal, area, thin, squared, beyond, triangle});
+  seen_.push_back({normal, area, squared, beyond, triangle});
 }
 
 // Faces that meet in the closest point are equally near: the one that the point faces most leads.
@@ -84,10 +84,10 @@ FacingView FacingViewer::pieces() {
     for (const Seen& s : seen_) nearest = std::min(nearest, s.squared);
     const Seen* leader = nullptr;
     for (const Seen& s : seen_)
-      if (s.squared <= nearest * (1 + same_distance) && (!leader || s.area + s.thin > leader->area + leader->thin)) leader = &s;
+      if (s.squared <= nearest * (1 + same_distance) && (!leader || s.area > leader->area)) leader = &s;
     const Vec3 normal = leader->normal;
-    view.pieces[view.count++] = {normal, leader->area, leader->thin, std::sqrt(leader->squared), held_.cell(leader->triangle),
-                                 leader->beyond, leader->triangle};
+    view.pieces[view.count++] = {normal, leader->area, std::sqrt(leader->squared), held_.cell(leader->triangle), leader->beyond,
+                                 leader->triangle};
     std::erase_if(seen_, [&](const Seen& s) { return s.normal.dot(normal) > one_piece; });
   }
   return view;

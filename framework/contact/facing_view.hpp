@@ -19,7 +19,6 @@ namespace tack {
 struct SeenPiece {
   Vec3 normal;      // unit, of that triangle, towards the point
   double area;      // of the point, towards it [m^2]
-  double thin;      // likewise, of the rods and particles of the point (held_surface.hpp) [m^2]
   double distance;  // m
   double cell;      // area per vertex of what is seen, there [m^2]
   double beyond;    // how far the point lies beyond a crease or the boundary of the surface [m]; 0: above it
@@ -71,7 +70,7 @@ class FacingViewer {
  private:
   struct Seen {
     Vec3 normal;
-    double area, thin, squared, beyond;
+    double area, squared, beyond;
     int triangle;
   };
   // Its normal towards the point; false if it does not face it.

@@ -34,6 +34,7 @@ class HeldSurface {
   const Vec3& normal(int triangle) const { return normals_[triangle]; }  // zero without area
   double area(int triangle) const { return areas_[triangle]; }           // m^2
   const SurfaceTopology& topology() const { return topology_; }
+  double rod_width(int object) const { return rod_width_[object]; }  // m
 
   double whole(int vertex_index) const;  // a third of the area around it [m^2]
   double thin(int vertex_index) const;                 // of rods and particles, from where it is largest [m^2]

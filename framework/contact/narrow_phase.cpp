@@ -60,10 +60,18 @@ class PointSearch : StencilSearch {
 
   void search(const PointPiece& piece) {
     triangles_.clear();
+    shares_.clear();
     for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) {
       const int candidate = pieces_.triangles[i], t = candidates_.point_triangle[candidate][1];
       const double stray = strays_.vertex(piece.point) + strays_.triangle(t);
-      if (candidates_.distances.point_triangle[candidate] - stray < piece.range) triangles_.push_back(mesh_.triangles[t]);
+      if (!(candidates_.distances.point_triangle[candidate] - stray < piece.range)) continue;
+      triangles_.push_back(mesh_.triangles[t]);
+      if (piece.share_begin >= 0) shares_.push_back(pieces_.shares[piece.share_begin + i - piece.triangle_begin]);
+    }
+    if (piece.share_begin >= 0) {
+      for (const PointFeature& f : features_.reduce(x_, vertex(x_, piece.point), triangles_, shares_, piece.range))
+        add(piece.point, f, piece.law, piece.area * f.multiplicity);
+      return;
     }
     if (triangles_.empty() && piece.edge_begin == piece.edge_end && piece.other_begin == piece.other_end) return;
     edges_.clear();
@@ -87,6 +95,7 @@ class PointSearch : StencilSearch {
   const Candidates& candidates_;
   const Strays& strays_;
   const PointPieces& pieces_;
+  std::vector<TriangleShare> shares_;
   std::vector<Edge> edges_;
 };
 
@@ -170,7 +179,8 @@ NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, 
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const int own = surface_.mesh.vertex_object[group.point];
-  return pairs_.point(own, group.object).law >= 0 && (pairs_.presses(own, group.object) || held_.topology().thin(group.point));
+  return pairs_.point(own, group.object).law >= 0 && pairs_.presses(own, group.object) &&
+         !held_.topology().triangles_at(group.point).empty();
 }
 
 // Takes the views of the groups that have none in this step yet.

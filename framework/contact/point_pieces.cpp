@@ -1,19 +1,24 @@
 #include "framework/contact/point_pieces.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
+#include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
+#include "geometry/distance/point_triangle.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
+constexpr double little = 0.1;  // of the area of a rod or particle: what has less is guarded against as well
+
 // Makes the pieces of one chunk of groups.
 class PieceMaker {
  public:
-  explicit PieceMaker(const PieceRequest& r) : r_(r), mesh_(r.surface.mesh), viewer_(mesh_, r.held) {}
+  explicit PieceMaker(const PieceRequest& r) : r_(r), mesh_(r.surface.mesh), viewer_(mesh_, r.held), thin_viewer_(mesh_, r.held) {}
 
   void add(int g) {
     const PointGroup& group = r_.groups.groups[g];
@@ -24,9 +29,11 @@ class PieceMaker {
       add_all(group, {role.law, role.range, role.share * whole(group.point)});
       return;
     }
-    const bool integrates = r_.sides.integrates(own, group.object), thin = topology().thin(group.point);
-    if (integrates || thin) add_pressure(group, role, integrates);
-    else add_guard(group, guard_of(role), whole(group.point));
+    if (!topology().triangles_at(group.point).empty()) {
+      if (r_.sides.integrates(own, group.object)) add_pressure(group, role);
+      else add_guard(group, guard_of(role), r_.held.whole(group.point));
+    }
+    if (topology().thin(group.point) && group.triangle_end > group.triangle_begin) add_thin(group, role);
     if (has_rods_or_particles(group)) add_rods_and_particles(group, role);
   }
   PointPieces take() { return std::move(out_); }
@@ -62,7 +69,7 @@ class PieceMaker {
   void begin(const PointGroup& group, const Acting& acting) {
     const auto end = [](const std::vector<int>& list) { return static_cast<int>(list.size()); };
     const int t = end(out_.triangles), e = end(out_.edges), o = end(out_.others);
-    out_.pieces.push_back({group.point, acting.law, acting.area, acting.range, t, t, e, e, o, o});
+    out_.pieces.push_back({group.point, acting.law, acting.area, acting.range, t, t, -1, e, e, o, o});
   }
   // A piece that acts on nothing, or stands for nothing, is none.
   void end() {
@@ -76,6 +83,7 @@ class PieceMaker {
   }
   void take_back(const PointPiece& piece) {
     out_.triangles.resize(piece.triangle_begin);
+    if (piece.share_begin >= 0) out_.shares.resize(piece.share_begin);
     out_.edges.resize(piece.edge_begin);
     out_.others.resize(piece.other_begin);
     out_.pieces.pop_back();
@@ -156,29 +164,23 @@ class PieceMaker {
     return opposite > 0 ? 1 / (1 + std::pow(own / opposite, 4)) : 0;
   }
 
-  // What the point covers nothing of, or lies beyond the rim of, is only guarded against. Rods and particles have no
-  // area of their own beyond a rim.
-  static double pressure_area(const SeenPiece& piece, const PairRole& role, bool integrates, double part) {
-    const double area = integrates ? piece.area : 0;
-    const double slack = rim_slack * std::sqrt(area + piece.thin);
-    const double thin = piece.beyond > slack ? 0 : piece.thin;
-    return (role.by_size && piece.beyond > slack ? 0 : part * area) + thin;
+  // What the point covers nothing of, or lies beyond the rim of, is only guarded against.
+  static double pressure_area(const SeenPiece& piece, const PairRole& role, double part) {
+    return role.by_size && piece.beyond > rim_slack * std::sqrt(piece.area) ? 0 : part * piece.area;
   }
 
-  // integrates: the side of the pair; else only what the point is of rods and particles.
-  void add_pressure(const PointGroup& group, const PairRole& role, bool integrates) {
+  void add_pressure(const PointGroup& group, const PairRole& role) {
     const auto known = std::lower_bound(r_.views.begin(), r_.views.end(), group.key(),
                                         [](const GroupView& v, const std::array<int, 2>& key) { return v.key() < key; });
     const FacingView& view = known->view;
-    const PairRole& pressure = integrates ? role : r_.pairs.thin(mesh_.vertex_object[group.point], group.object);
     const Guard guard = guard_of(role);
     std::array<double, FacingView::most> areas{}, parts{};
     for (int k = 0; k < view.count; ++k) {
       parts[k] = share(role, group.point, view.pieces[k]);
-      areas[k] = pressure_area(view.pieces[k], role, integrates, parts[k]);
+      areas[k] = pressure_area(view.pieces[k], role, parts[k]);
     }
     const Viewpoint from = viewer_.vertex_view(group.point);
-    const double reach = std::max(pressure.range, guard.law >= 0 ? guard.range : 0);
+    const double reach = std::max(role.range, guard.law >= 0 ? guard.range : 0);
     near_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
       if (!reaches(i, reach)) continue;
@@ -186,13 +188,13 @@ class PieceMaker {
       near_.push_back({i, piece >= 0 && areas[piece] > 0 ? piece : -1});
     }
     for (int k = 0; k < view.count; ++k) {
-      add_piece(group, {pressure.law, pressure.range, areas[k]}, k);
+      add_piece(group, {role.law, role.range, areas[k]}, k);
       // What presses little must not come through, either.
-      const double rest = integrates ? (role.by_size ? (1 - parts[k]) * r_.held.whole(group.point) : 0) : r_.held.whole(group.point);
+      const double rest = role.by_size ? (1 - parts[k]) * r_.held.whole(group.point) : 0;
       if (guard.law >= 0 && rest > 0) add_piece(group, {guard.law, guard.range, rest}, k);
     }
     if (guard.law < 0) return;
-    begin(group, {guard.law, guard.range, whole(group.point)});
+    begin(group, {guard.law, guard.range, r_.held.whole(group.point)});
     for (const NearTriangle& t : near_)
       if (t.piece < 0 && reaches(t.candidate, guard.range) &&
           !at_rest(group, mesh_.triangles[triangle(t.candidate)], guard.range))
@@ -200,11 +202,79 @@ class PieceMaker {
     end();
   }
 
+  // What a vertex has of rods and particles. Where it has little of its area towards something, it guards.
+  void add_thin(const PointGroup& group, const PairRole& role) {
+    const PairRole& pressure = r_.pairs.thin(mesh_.vertex_object[group.point], group.object);
+    const double area = r_.held.thin(group.point);
+    triangles_.clear();
+    for (int i = group.triangle_begin; i < group.triangle_end; ++i) triangles_.push_back(triangle(i));
+    std::vector<TriangleShare>& shares = thin_viewer_.look(group.point, triangles_, pressure.range);
+    share_out(group.point, pressure.range, shares);
+    add_shares(group, {pressure.law, pressure.range, area}, shares, [&](int, const TriangleShare& s) { return s.share; });
+    const Guard guard = guard_of(role);
+    if (guard.law < 0) return;
+    add_shares(group, {guard.law, guard.range, area}, shares, [&](int i, const TriangleShare& s) {
+      if (s.share >= little || at_rest(group, mesh_.triangles[triangle(i)], guard.range)) return 0.0;
+      const double part = s.share / little;
+      return 1 - part * part * (3 - 2 * part);
+    });
+  }
+  // Where a point is near in several places, these share what it has in about one direction: around a rod, of shadow w, there is
+  // room for pi w, around a particle for four of its cross-sections. Each place f has N_f = sum_g m_g max(0, u_f . u_g) beside it, of
+  // unit vectors u to the point and multiplicities m that fade in the outer half of the range; the mean of N_f divides.
+  void share_out(int point, double range, std::vector<TriangleShare>& shares) {
+    const VecX& x = r_.held.x();
+    const Vec3 p = vertex(x, point);
+    near_triangles_.clear();
+    for (const int t : triangles_) near_triangles_.push_back(mesh_.triangles[t]);
+    places_.clear();
+    for (const PointFeature& f : features_.reduce(x, p, near_triangles_, shares, range)) {
+      const Vec3 way = p - closest_on(x, f, p);
+      const double fade = std::clamp(2 * (1 - way.norm() / range), 0.0, 1.0);
+      places_.emplace_back(f.multiplicity * fade * fade * (3 - 2 * fade), way.normalized());
+    }
+    double sum = 0, crowd = 0;
+    for (const auto& [own, u] : places_) {
+      sum += own;
+      for (const auto& [other, v] : places_) crowd += own * other * std::max(0.0, u.dot(v));
+    }
+    if (sum > 0 && crowd > sum)
+      for (TriangleShare& s : shares) s.share *= sum / crowd;
+  }
+  static Vec3 closest_on(const VecX& x, const PointFeature& f, const Vec3& p) {
+    const Vec3 a = vertex(x, f.vertices[0]);
+    if (f.count() == 1) return a;
+    const Vec3 along = (Vec3(vertex(x, f.vertices[1])) - a).normalized();
+    if (f.count() == 2) return a + along.dot(p - a) * along;
+    const Vec3 normal = along.cross(Vec3(vertex(x, f.vertices[2])) - a).normalized();
+    return p - normal.dot(p - a) * normal;
+  }
+  template <class Share>
+  void add_shares(const PointGroup& group, const Acting& acting, const std::vector<TriangleShare>& shares, const Share& share) {
+    begin(group, acting);
+    const int first = static_cast<int>(out_.shares.size());
+    out_.pieces.back().share_begin = first;
+    for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
+      if (!reaches(i, acting.range)) continue;
+      TriangleShare s = shares[i - group.triangle_begin];
+      s.share = share(i, s);
+      if (!(s.share > 0)) continue;
+      out_.triangles.push_back(i);
+      out_.shares.push_back(s);
+    }
+    end();
+  }
+
   const PieceRequest& r_;
   const CollisionMesh& mesh_;
   FacingViewer viewer_;
+  ThinViewer thin_viewer_;
   PointPieces out_;
   std::vector<NearTriangle> near_;  // of a group
+  std::vector<int> triangles_;      // likewise
+  std::vector<Triangle> near_triangles_;
+  PointFeatures features_;
+  std::vector<std::pair<double, Vec3>> places_;  // where a point is near
 };
 
 }  // namespace
@@ -222,12 +292,14 @@ PointPieces make_pieces(const PieceRequest& request) {
     const auto append = [](const std::vector<int>& list, std::vector<int>& to) {
       to.insert(to.end(), list.begin(), list.end());
     };
+    const int shares = static_cast<int>(all.shares.size());
     const auto shift = [](const std::vector<int>& before, int& begin, int& end) {
       begin += static_cast<int>(before.size());
       end += static_cast<int>(before.size());
     };
     for (PointPiece p : chunk.pieces) {
       shift(all.triangles, p.triangle_begin, p.triangle_end);
+      if (p.share_begin >= 0) p.share_begin += shares;
       shift(all.edges, p.edge_begin, p.edge_end);
       shift(all.others, p.other_begin, p.other_end);
       all.pieces.push_back(p);
@@ -235,6 +307,7 @@ PointPieces make_pieces(const PieceRequest& request) {
     append(chunk.triangles, all.triangles);
     append(chunk.edges, all.edges);
     append(chunk.others, all.others);
+    all.shares.insert(all.shares.end(), chunk.shares.begin(), chunk.shares.end());
   }
   return all;
 }

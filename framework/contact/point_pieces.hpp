@@ -1,5 +1,5 @@
 // The quadrature points of a list of candidates, each with the triangles that it acts on: what carries
-// pressure, piece by piece (facing_view.hpp), and what is only guarded against. Made once per list of
+// pressure, piece by piece (facing_view.hpp; of rods and particles by shares, thin_view.hpp), and what is only guarded against. Made once per list of
 // candidates, so that looking for active stencils only touches what can become one.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "framework/contact/pair_table.hpp"
 #include "framework/contact/point_groups.hpp"
 #include "framework/contact/rod_overlaps.hpp"
+#include "framework/contact/thin_view.hpp"
 
 namespace tack {
 
@@ -19,6 +20,7 @@ struct PointPiece {
   double area;   // share of the point's area [m^2]
   double range;  // of the law [m]
   int triangle_begin, triangle_end;  // into PointPieces::triangles
+  int share_begin;                   // into PointPieces::shares, one per triangle; -1: all of them count in full
   int edge_begin, edge_end;          // into PointPieces::edges
   int other_begin, other_end;        // into PointPieces::others
 };
@@ -26,6 +28,7 @@ struct PointPiece {
 struct PointPieces {
   std::vector<PointPiece> pieces;
   std::vector<int> triangles;  // into Candidates::point_triangle
+  std::vector<TriangleShare> shares;
   std::vector<int> edges;      // of the mesh: rods
   std::vector<int> others;     // global vertices: particles
 };

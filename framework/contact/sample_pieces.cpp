@@ -15,7 +15,7 @@ SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const
     const Viewpoint from = viewer.inner_view(s.triangle, point_inside(held.x(), own, s.inside), s.area);
     FacingView view;
     view.count = 1;
-    view.pieces[0] = {s.normal, s.area, 0, 0, 0, 0, -1};
+    view.pieces[0] = {s.normal, s.area, 0, 0, 0, -1};
     near(own, &s.inside, kept[i]);
     std::erase_if(kept[i], [&](int t) {
       return mesh.vertex_object[mesh.triangles[t][0]] != s.object || viewer.piece_of(from, view, t) < 0;
