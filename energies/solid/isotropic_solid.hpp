@@ -31,6 +31,7 @@ class SolidEnergy : public Energy {
     add_tet_mass(body, rest, density_, mass);
   }
   std::optional<double> young() const override { return young_; }
+  std::optional<double> poisson() const override { return poisson_; }
 
  protected:
   Lame lame() const { return tack::lame(young_, poisson_); }

@@ -7,7 +7,9 @@
 #include "framework/app/commands.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
+#include "framework/scene/bent_solids.hpp"
 #include "framework/scene/derivative_check.hpp"
+#include "framework/scene/element_warnings.hpp"
 #include "framework/scene/law_check.hpp"
 #include "framework/scene/resolution.hpp"
 
@@ -61,6 +63,8 @@ int check_command(const SceneOptions& options) {
   probes_of(built);
   print_contents(world);
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
+  for (const std::string& line : BentSolids(experiment, world).expected()) fmt::print("{}\n", line);
+  for (const std::string& line : element_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
   const LawCheck laws = check_laws(world);

@@ -12,6 +12,7 @@
 #include "framework/experiment/tolerances.hpp"
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/next_due.hpp"
+#include "framework/scene/element_warnings.hpp"
 #include "framework/scene/law_check.hpp"
 #include "framework/scene/resolution.hpp"
 #include "geometry/errors.hpp"
@@ -62,7 +63,8 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
     : settings_(settings), dump_(settings.dump_problems),
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
       probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
-      log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
+      log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress),
+      bent_(experiment_, world_) {
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings;
   else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world_);
   phases_before_ = summary_.phases;
@@ -71,6 +73,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   summary_.provenance.plugins = loaded_plugins();
   summary_.dofs = world_.dofs.size();
   summary_.adhesion = world_.adhesion;
+  if (!world_.adhesion.empty()) adhesion_.emplace(experiment_, world_);
   if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
@@ -108,8 +111,8 @@ void RecordedRun::tell_beginning() {
                                 world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world_.start_notes) progress_.message(line);
   const LawCheck laws = check_laws(world_);
-  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world_), weak_wells(world_), resolution_warnings(experiment_, world_),
-                            doubtful_tolerances(experiment_, world_)})
+  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world_), weak_wells(world_), element_warnings(experiment_, world_),
+                            resolution_warnings(experiment_, world_), doubtful_tolerances(experiment_, world_)})
     for (const std::string& line : lines) warn(line);
 }
 
@@ -151,6 +154,8 @@ void RecordedRun::simulate(Recorder& recorder) {
     recorder.step(simulation_.state(), report);
     tell_lost_probes();
     summary_.add(report);
+    bent_.look(simulation_.state().x);
+    if (adhesion_) adhesion_->look(simulation_.state().x, report.step_size);
     tell_linear_solver();
     progress_.step(report);
     write_checkpoint();
@@ -162,6 +167,13 @@ void RecordedRun::tell_lost_probes() {
   for (const std::string& what : probes_.take_lost())
     warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
                      simulation_.state().time));
+}
+
+// What elements turned out to be too coarse for.
+void RecordedRun::tell_resolution() {
+  for (const std::string& line : bent_.bent()) warn(line);
+  if (!adhesion_) return;
+  for (const std::string& line : adhesion_->coarse()) warn(line);
 }
 
 // Once it has seen a system, and again when it has changed its mind.
@@ -263,6 +275,7 @@ void RecordedRun::finish(const Recorder& recorder) {
   }
   finish_dump();
   for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator)) warn(warning);
+  tell_resolution();
   add_up_phases();
   for (const double s : summary_.phases) summary_.wall_seconds += s;
   write_summary(folder_.summary(), summary_);

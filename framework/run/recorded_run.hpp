@@ -14,6 +14,8 @@
 #include "framework/profile/profiler.hpp"
 #include "framework/run/problem_dump.hpp"
 #include "framework/run/simulation.hpp"
+#include "framework/scene/adhesion_resolution.hpp"
+#include "framework/scene/bent_solids.hpp"
 
 namespace tack {
 
@@ -42,6 +44,7 @@ class RecordedRun {
   void simulate(Recorder& recorder);
   void tell_linear_solver();
   void tell_lost_probes();
+  void tell_resolution();
   void prepare_dump();
   void finish_dump();
   StateFile state_file(StateFile::Kind kind, const State& state) const;
@@ -68,6 +71,8 @@ class RecordedRun {
   RunSummary summary_;
   PhaseClock::Seconds phases_before_{};  // of the run that is resumed
   std::optional<Profiler> profiler_;
+  BentSolids bent_;
+  std::optional<AdhesionResolution> adhesion_;  // if anything adheres
   double next_checkpoint_ = 0;  // s
 };
 

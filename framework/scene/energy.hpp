@@ -28,7 +28,9 @@ class Energy : public Component {
   virtual void add_mass(const Body& /*body*/, const VecX& /*rest*/, VecX& /*mass*/) const {}
   // The stiffness that adhesion and barrier are scaled by [Pa].
   virtual std::optional<double> young() const { return std::nullopt; }
-  // That of a sheet or a rod, per width [N m]; 0 if it does not resist bending.
+  // Poisson's ratio of what fills volumes.
+  virtual std::optional<double> poisson() const { return std::nullopt; }
+  // The bending stiffness of a sheet or a rod, per width [N m]; 0 if it does not resist bending.
   virtual double bending_stiffness(const Body& /*body*/) const { return 0; }
 
  private:

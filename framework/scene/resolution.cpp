@@ -5,12 +5,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/contact/surface_topology.hpp"
+#include "framework/scene/copied_lines.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/mesh/quality.hpp"
@@ -98,10 +98,7 @@ class Warnings {
       }
     for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
     start();
-    std::vector<std::string> texts;
-    for (const Line& line : lines_)
-      texts.push_back(line.more == 0 ? line.text : fmt::format("{} (and so it is for {} more copies of '{}')", line.text, line.more, line.group));
-    return texts;
+    return lines_.texts();
   }
 
  private:
@@ -183,35 +180,13 @@ class Warnings {
   // One warning of a kind is enough for an object, however many it adheres to, and for all copies of one (fill.hpp).
   bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
 
-  void tell(int object, const char* kind, std::string line) {
-    const std::string group = copies_of(scene_.objects[object]);
-    if (!group.empty()) {
-      const auto [found, first] = line_of_.emplace(std::pair(group, kind), lines_.size());
-      if (!first) {
-        ++lines_[found->second].more;
-        return;
-      }
-    }
-    lines_.push_back({std::move(line), group});
-  }
-
-  // The entry that it is a copy of: the last of its groups, of which it has the name and a number; else "".
-  static std::string copies_of(const ObjectConfig& object) {
-    if (object.groups.empty() || !object.name.starts_with(object.groups.back() + "_")) return "";
-    return object.groups.back();
-  }
-
-  struct Line {
-    std::string text, group;
-    int more = 0;  // copies of the same that it also holds for
-  };
+  void tell(int object, const char* kind, std::string line) { lines_.tell(scene_.objects[object], kind, std::move(line)); }
 
   const SceneConfig& scene_;
   World& world_;
   std::set<std::pair<int, std::string>> told_;
   std::vector<SurfaceMeasure> measures_;
-  std::map<std::pair<std::string, std::string>, size_t> line_of_;  // by group and kind
-  std::vector<Line> lines_;
+  CopiedLines lines_;
 };
 
 }  // namespace

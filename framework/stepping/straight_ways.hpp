@@ -1,6 +1,6 @@
 // Whether the straight ways of a step are free. No state on the way of a minimiser intersects, but its way is no trajectory: what moves
 // by more than its own size in a step may have been led around an obstacle that it should have hit. So where two parts moved,
-// as wholes, against each other by more than a quarter of the smaller one's size, continuous collision detection looks along the straight
+// as wholes, against each other by more than half the smaller one's size, continuous collision detection looks along the straight
 // way from where the step starts to where it ends. What it meets is passed if the parts have moved on by more than that from there. Smaller
 // ways are not looked at, nor what deforms as far as it moves: whoever slides, rolls, or is wrapped, does so on ways that are bent.
 #pragma once
@@ -18,13 +18,13 @@ struct BlockedWay {
   int body = 0, obstacle = 0;  // of the world; the body is the one that moved further
   double way = 0;              // of all of the one against all of the other, at least [m]
   double size = 0;             // of the smaller one [m]
-  // Into how many parts the step must be cut so that none of them is longer than a quarter of that; a power of two.
+  // Into how many parts the step must be cut so that none of them is longer than half of that; a power of two.
   int parts = 2;
 };
 
 class StraightWays {
  public:
-  static constexpr double tolerated = 0.25;  // of the smaller one's size
+  static constexpr double tolerated = 0.5;   // of the smaller one's size
 
   // The world must have contact.
   explicit StraightWays(const World& world);

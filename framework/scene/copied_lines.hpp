@@ -1,0 +1,52 @@
+// Sentences about objects, of which all copies of one (fill.hpp) share a single one of a kind.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/scene/scene_config.hpp"
+
+namespace tack {
+
+class CopiedLines {
+ public:
+  void tell(const ObjectConfig& object, const char* kind, std::string line) {
+    const std::string group = copies_of(object);
+    if (!group.empty()) {
+      const auto [found, first] = line_of_.emplace(std::pair(group, kind), lines_.size());
+      if (!first) {
+        ++lines_[found->second].more;
+        return;
+      }
+    }
+    lines_.push_back({std::move(line), group});
+  }
+
+  std::vector<std::string> texts() const {
+    std::vector<std::string> texts;
+    for (const Line& line : lines_)
+      texts.push_back(line.more == 0 ? line.text : fmt::format("{} (and so it is for {} more copies of '{}')", line.text, line.more, line.group));
+    return texts;
+  }
+
+ private:
+  // The entry that it is a copy of: the last of its groups, of which it has the name and a number; else "".
+  static std::string copies_of(const ObjectConfig& object) {
+    if (object.groups.empty() || !object.name.starts_with(object.groups.back() + "_")) return "";
+    return object.groups.back();
+  }
+
+  struct Line {
+    std::string text, group;
+    int more = 0;  // copies of the same that it also holds for
+  };
+
+  std::map<std::pair<std::string, std::string>, size_t> line_of_;  // by group and kind
+  std::vector<Line> lines_;
+};
+
+}  // namespace tack
