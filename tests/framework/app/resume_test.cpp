@@ -126,12 +126,13 @@ output: {checkpoint_interval: 0.03 s, frame_interval: 0.05 s}
 TEST_CASE("what integrators remember of contact, and the balance of energy, survive a resume") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());
-  for (const std::string integrator : {"bdf2", "newmark"}) {
+  // Past the checkpoint of 0.03 s; Newmark's steps are smaller around the impact.
+  for (const auto& [integrator, steps] : {std::pair<std::string, std::string>("bdf2", "5"), {"newmark", "30"}}) {
     INFO(integrator);
     const std::string set = "time.integrator=" + integrator;
     const std::string whole = integrator + "_whole", parts = integrator + "_parts";
     REQUIRE(run(folder.path(), {"-o", whole, "--set", set}).exit_code == 0);
-    REQUIRE(run(folder.path(), {"-o", parts, "--steps", "5", "--set", set}).exit_code == 0);
+    REQUIRE(run(folder.path(), {"-o", parts, "--steps", steps, "--set", set}).exit_code == 0);
     REQUIRE(run(folder.path(), {"-o", parts, "--resume", "--set", set}).exit_code == 0);
     CHECK(file_text(folder.path() / parts / "probes.csv") == file_text(folder.path() / whole / "probes.csv"));
     const CsvTable a = read_csv(folder.path() / whole / "steps.csv"), b = read_csv(folder.path() / parts / "steps.csv");
