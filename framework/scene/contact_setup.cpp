@@ -9,6 +9,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/scene/build_world.hpp"
+#include "framework/scene/hulls.hpp"
 #include "framework/scene/local_mesh.hpp"
 #include "framework/scene/pair_configs.hpp"
 #include "framework/scene/refined_surface.hpp"
@@ -35,7 +36,7 @@ std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, dou
 }
 
 // Appends a body's surface to the collision mesh.
-SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactSurface& all) {
+SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hull, ContactSurface& all) {
   const Mesh mesh = body.surface_triangles.empty() ? local_mesh(body, rest) : surface_mesh(body, rest);
   const Surface surface = extract_surface(mesh);
   const auto areas = vertex_areas(mesh, surface);
@@ -54,8 +55,8 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, ContactS
   for (const Edge& e : surface.edges) all.mesh.edges.push_back({global(e[0]), global(e[1])});
   for (const Triangle& t : surface.triangles) all.mesh.triangles.push_back({global(t[0]), global(t[1]), global(t[2])});
   all.edge_area.insert(all.edge_area.end(), edges.begin(), edges.end());
-  // A refined surface is one of tets, or a sheet; an affine body that is a mesh of triangles encloses a volume.
-  const bool closed = !body.frame.empty() || (!body.surface_triangles.empty() && !body.tets.empty());
+  // A refined surface is one of tets, or a sheet; a hull and an affine body that is a mesh of triangles enclose a volume.
+  const bool closed = hull || !body.frame.empty() || (!body.surface_triangles.empty() && !body.tets.empty());
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
     all.two_sided.push_back(!closed && t >= surface.first_sheet);
   return size;
@@ -312,8 +313,9 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   if (!scene.contact) return;
   ContactSurface surface;
   std::vector<SurfaceSize> sizes;
+  const std::vector<char> hulls = find_hulls(world);
   for (size_t i = 0; i < world.bodies.size(); ++i)
-    sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, surface));
+    sizes.push_back(add_surface(world.bodies[i], static_cast<int>(i), world.rest, hulls[i], surface));
   std::sort(surface.mesh.vertices.begin(), surface.mesh.vertices.end());
   surface.rest = world.rest;
   surface.mesh.vertex_movable.resize(world.rest.size() / 3);
