@@ -1,6 +1,7 @@
 #include "framework/contact/friction_term.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "framework/contact/slip.hpp"
 #include "geometry/parallel.hpp"
@@ -47,9 +48,9 @@ void FrictionTerm::begin_step(const StepStart& start) {
   h_ = start.h;
 }
 
-double FrictionTerm::residual(const VecX& x) const {
+double FrictionTerm::residual(const VecX& x, const LaggedContacts& lagged) const {
   const VecX held = forces(x, TangentialPart::all);
-  const VecX now = forces_of(lagged_at(x), x, TangentialPart::all, std::nullopt);
+  const VecX now = forces_of(lagged, x, TangentialPart::all, std::nullopt);
   double largest = 0, difference = 0;
   for (int v = 0; v < x.size() / 3; ++v) {
     largest = std::max({largest, vertex(held, v).norm(), vertex(now, v).norm()});
@@ -59,23 +60,37 @@ double FrictionTerm::residual(const VecX& x) const {
 }
 
 template <int K>
-std::array<int, 2> FrictionTerm::objects_of(const LaggedContact<K>& c) const {
+FrictionTerm::Objects FrictionTerm::objects_of(const LaggedContact<K>& c) const {
   const auto& object = system_.surface().mesh.vertex_object;
   const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
   return {std::min(a, b), std::max(a, b)};
 }
 
-FrictionTerm::PairForces FrictionTerm::normal_forces() const {
+FrictionTerm::PairForces FrictionTerm::normal_forces(const LaggedContacts& all) const {
   PairForces sums;
   auto sum = sums.end();  // most contacts are of the same two objects as the one before
-  for_each_arity(contacts_, [&](const auto& contacts) {
+  for_each_arity(all, [&](const auto& contacts) {
     for (const auto& c : contacts) {
-      const std::array<int, 2> objects = objects_of(c);
+      if (system_.pairs().tangential(c.law).mu == 0) continue;
+      const Objects objects = objects_of(c);
       if (sum == sums.end() || sum->first != objects) sum = sums.try_emplace(objects, 0.0).first;
       sum->second += c.normal_force;
     }
   });
   return sums;
+}
+
+void FrictionTerm::hold(const LaggedContacts& now, const std::set<Objects>& between) {
+  const auto take = [&](auto& held, const auto& anew) {
+    const auto meant = [&](const auto& c) { return between.contains(objects_of(c)); };
+    std::erase_if(held, meant);
+    std::copy_if(anew.begin(), anew.end(), std::back_inserter(held), meant);
+  };
+  take(contacts_.twos, now.twos);
+  take(contacts_.threes, now.threes);
+  take(contacts_.fours, now.fours);
+  take(contacts_.fives, now.fives);
+  take(contacts_.sixes, now.sixes);
 }
 
 void FrictionTerm::scale_normal_forces(const PairForces& factors) {

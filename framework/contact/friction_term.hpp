@@ -12,6 +12,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/lagged_contacts.hpp"
@@ -30,12 +31,19 @@ class FrictionTerm : public Term, public ResidualView {
   // Takes magnitudes and tangents at x, where the contact system must be.
   bool lags() const override { return true; }
   void lag(const VecX& x) override { contacts_ = lagged_at(x); }
-  // What lag(x) would change: the largest difference of a vertex's force at x, over the largest
+  // What lag(x) would hold.
+  LaggedContacts lagged_at(const VecX& x) const;
+  // Holds `now` between these objects, and nothing else anew.
+  using Objects = std::array<int, 2>;  // two, ascending
+  void hold(const LaggedContacts& now, const std::set<Objects>& between);
+  // What holding `now` would change: the largest difference of a vertex's force at x, over the largest
   // force.
-  double residual(const VecX& x) const;
-  // The sums of the normal forces of each two objects as they are held [N].
-  using PairForces = std::map<std::array<int, 2>, double>;
-  PairForces normal_forces() const;
+  double residual(const VecX& x, const LaggedContacts& now) const;
+  double residual(const VecX& x) const { return residual(x, lagged_at(x)); }
+  // The sums of the normal forces of each two objects that rub [N].
+  using PairForces = std::map<Objects, double>;
+  PairForces normal_forces(const LaggedContacts& contacts) const;
+  PairForces normal_forces() const { return normal_forces(contacts_); }
   // Multiplies those that are held by a factor for each two objects, one where none is given.
   void scale_normal_forces(const PairForces& factors);
 
@@ -64,9 +72,8 @@ class FrictionTerm : public Term, public ResidualView {
   const LaggedContacts& contacts() const { return contacts_; }
 
  private:
-  LaggedContacts lagged_at(const VecX& x) const;
   template <int K>
-  std::array<int, 2> objects_of(const LaggedContact<K>& c) const;
+  Objects objects_of(const LaggedContact<K>& c) const;
   VecX forces_of(const LaggedContacts& contacts, const VecX& x, TangentialPart part,
                  std::optional<ObjectPair> only) const;
 

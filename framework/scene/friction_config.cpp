@@ -19,7 +19,7 @@ void TangentialAdhesionConfig::fields(Fields& f) {
 void LaggingConfig::fields(Fields& f) {
   f.integer("iterations", iterations,
             "how often a step is solved, each time with the normal forces and tangents of the solution "
-            "before; 1: those of the start of the step").at_least(1);
+            "before; 1: those of the start of the step, except in the first steps of objects that begin in contact").at_least(1);
   f.optional_number("until", until, units::none,
                     "ends these iterations once tangential forces change by less, relative to the largest of "
                     "them; not reaching it is a warning").positive();

@@ -12,6 +12,7 @@
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/feasible_steps.hpp"
+#include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/straight_ways.hpp"
@@ -36,7 +37,7 @@ class Minimization {
  private:
   VecX first_guess(const Step& step);
   bool start(const Step& step, const VecX* guess, Attempt& attempt, VecX& q);
-  void minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt);
+  void minimize_lagged(const MinimizerProblem& problem, LaggedImpulses* impulses, VecX& q, Attempt& attempt);
   std::string failure(const Attempt& attempt) const;
   void look_for_what_is_passed(const VecX& x, Verdict& verdict);
 
@@ -89,7 +90,7 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
     problem.bend = [&](const VecX& from, VecX& p, double loss) {
       return world_.affine->bend(world_.dofs, from, p, loss / step.potential.scale());
     };
-  minimize_lagged(problem, q, attempt);
+  minimize_lagged(problem, step.impulses, q, attempt);
 }
 
 // A feasible q with the scripted vertices at their places; false if they do not get there.
@@ -127,7 +128,7 @@ VecX Minimization::first_guess(const Step& step) {
 }
 
 // The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.
-void Minimization::minimize_lagged(const MinimizerProblem& problem, VecX& q, Attempt& attempt) {
+void Minimization::minimize_lagged(const MinimizerProblem& problem, LaggedImpulses* impulses, VecX& q, Attempt& attempt) {
   const auto minimize = [&] {
     const MinimizerResult before = attempt.result;
     attempt.result = solver_.minimize(problem, q);
@@ -143,9 +144,14 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, VecX& q, Att
   for (attempt.lag_iterations = 1;; ++attempt.lag_iterations) {
     if (attempt.result.status != MinimizerStatus::converged) return;
     world_.participants.move_to(attempt.x);
-    attempt.friction_residual = world_.friction->residual(attempt.x);
+    const LaggedContacts now = world_.friction->lagged_at(attempt.x);
+    attempt.friction_residual = world_.friction->residual(attempt.x, now);
     attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
     const bool reached = lagging.until && attempt.lag_converged;
+    if (impulses && impulses->settle(now)) {
+      minimize();
+      continue;
+    }
     if (reached || attempt.lag_iterations >= lagging.iterations) return;
     world_.participants.lag(attempt.x);
     minimize();

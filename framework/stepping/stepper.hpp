@@ -13,6 +13,7 @@
 namespace tack {
 
 class HeldVertices;
+class LaggedImpulses;
 class StepPotential;
 struct SceneConfig;
 struct TimeConfig;
@@ -36,6 +37,7 @@ struct Step {
   VecX places;  // 3n [m]: where it starts, and what the script moves where it ends
   const HeldVertices& held;
   StepPotential& potential;  // its incremental potential, begun at `places`
+  LaggedImpulses* impulses = nullptr;  // what friction is given, if it lags by a step; null: nobody has to know
 
   bool scripted() const { return places != state.x; }  // whether the script moves anything in it
 };

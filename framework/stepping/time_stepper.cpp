@@ -13,7 +13,6 @@
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/energy_advice.hpp"
-#include "framework/stepping/lagged_impulse.hpp"
 #include "framework/stepping/time_config.hpp"
 #include "geometry/errors.hpp"
 
@@ -36,6 +35,15 @@ class Unlimited {
   const TimeConfig& time_;
 };
 
+std::vector<double> masses_of_bodies(const World& world) {
+  std::vector<double> masses;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    masses.push_back(0);
+    for (const int v : world.vertices_of(static_cast<int>(i))) masses.back() += world.mass(v);
+  }
+  return masses;
+}
+
 }  // namespace
 
 TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver,
@@ -48,6 +56,8 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   const Unlimited unlimited(clock_, time_);
   world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
+  if (world.friction && scene.contact->lagging.iterations == 1)
+    impulses_.emplace(*world.friction, masses_of_bodies(world), solver.velocity_tolerance());
   hold(state_.h_next);
 }
 
@@ -115,11 +125,11 @@ double TimeStepper::potential_at(const VecX& x) {
   return potential_->value() / potential_->scale();
 }
 
-// For how long contact's forces act on velocities in a step [s]; 0 if nothing has to know: friction that is solved for
-// with its own normal forces owes nothing.
-double TimeStepper::acting_time(const TimeIntegrator::Prediction& prediction, double h) const {
-  if (!world_.friction || !prediction.inertia || scene_.contact->lagging.iterations > 1) return 0;
-  return prediction.contact_scale * integrator_->end_velocity(state_, h).rate;
+// Contact's forces act on velocities for a time that depends on the integrator.
+void TimeStepper::lag_impulses(Step& step) {
+  if (!impulses_ || !step.prediction.inertia) return;
+  impulses_->begin(state_, step.h, step.prediction.contact_scale * integrator_->end_velocity(state_, step.h).rate);
+  step.impulses = &*impulses_;
 }
 
 Step TimeStepper::open(double h) {
@@ -128,8 +138,7 @@ Step TimeStepper::open(double h) {
   std::optional<EndVelocity> velocity;
   if (!world_.damping_terms.empty()) velocity = integrator_->end_velocity(state_, h);
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr});
-  acting_ = acting_time(step.prediction, h);
-  if (acting_ > 0) owed_friction_ = carry_friction(*world_.friction, state_, h, acting_);
+  lag_impulses(step);
   held_.place(state_.time + h, step.places);
   balance_.begin(state_, step.scripted());
   potential_->begin_step(step.places, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
@@ -202,8 +211,8 @@ void TimeStepper::commit(const VecX& x, double h) {
   world_.participants.commit(x, state_.history);
   world_.participants.remember(state_.history);
   state_.h_before = h;
-  state_.acted_before = acting_;
-  if (acting_ > 0) state_.history[owed_friction_name] = owed_friction_;
+  state_.acted_before = impulses_ ? impulses_->acting() : 0;
+  if (state_.acted_before > 0) state_.history[owed_friction_name] = impulses_->remembered();
   state_.time += h;
   ++state_.step;
 }
@@ -300,6 +309,15 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
     warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
+  if (impulses_ && impulses_->difference()) {
+    const LaggedImpulses::Difference& d = *impulses_->difference();
+    warn_({fmt::format("step {} at t = {:.6g} s: friction between '{}' and '{}'{} has acted as if they had pressed each other with {:.3g} N s so "
+                       "far, where it was {:.3g} N s: its normal forces lag by a step; refine time.step, or iterate them "
+                       "(contact.lagging: {{iterations: 20, until: 1e-3}})",
+                       state_.step, state_.time, world_.bodies[d.objects[0]].name, world_.bodies[d.objects[1]].name,
+                       d.others > 0 ? fmt::format(" (and between {} other two)", d.others) : "", d.given, d.normal),
+           "friction impulse"});
+  }
   if (!attempt.lag_converged)
     warn_({fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
                        "{:.2g} of the largest (contact.lagging.until: {:.2g})",

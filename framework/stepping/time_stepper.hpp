@@ -12,6 +12,7 @@
 #include "framework/scene/step_potential.hpp"
 #include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/step_report.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/time_config.hpp"
@@ -49,7 +50,7 @@ class TimeStepper {
   void check_wall_limit(const std::string& wrong) const;
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
-  double acting_time(const TimeIntegrator::Prediction& prediction, double h) const;
+  void lag_impulses(Step& step);
   VecX contact_accelerations(const VecX& x) const;
   void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;
   StepReport report(const Attempt& attempt, double h) const;
@@ -72,8 +73,7 @@ class TimeStepper {
   HeldVertices held_;
   EnergyBalance balance_;
   const TimeIntegrator* integrator_;  // the scene's, or its fallback while a step is repeated
-  double acting_ = 0;  // for how long contact acts on velocities in the present step [s]; 0: nothing needs to know
-  HistoryArray owed_friction_;  // to be remembered of the present step (lagged_impulse.hpp)
+  std::optional<LaggedImpulses> impulses_;  // of friction; none if it does not lag by a step
   bool told_of_strain_ = false;
   std::optional<StepPotential> potential_;
   std::unique_ptr<Stepper> stepper_;

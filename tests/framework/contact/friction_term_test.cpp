@@ -132,3 +132,30 @@ TEST_CASE("friction term: what lagging anew would change", "[friction]") {
   CHECK(residual == Approx(difference / largest));
   CHECK(c.term().residual(c.x) == 0);
 }
+
+TEST_CASE("friction term: two objects are held anew, or by other normal forces, and the others are not", "[friction]") {
+  Cluster c(0.5, 7e-4);
+  const auto between = [&](int a, int b, TangentialPart part = TangentialPart::all) { return c.term().forces(c.x, part, ObjectPair{a, b}); };
+  const auto differ = [](const VecX& f, const VecX& g) { return (f - g).norm() / f.norm(); };
+  const VecX before01 = between(0, 1), before12 = between(1, 2);
+  c.system().move_to(c.x);
+  const LaggedContacts now = c.term().lagged_at(c.x);
+  c.term().hold(now, {{0, 1}});
+  const VecX anew01 = between(0, 1);
+  CHECK(differ(anew01, before01) > 1e-3);
+  CHECK(differ(before12, between(1, 2)) <= 1e-14);
+
+  const FrictionTerm::PairForces held = c.term().normal_forces(), own = c.term().normal_forces(now);
+  CHECK(held.at({0, 1}) == Approx(own.at({0, 1})));
+  CHECK(std::abs(held.at({1, 2}) - own.at({1, 2})) > 1e-3 * own.at({1, 2}));
+  c.term().lag(c.x);
+  CHECK(differ(anew01, between(0, 1)) <= 1e-14);
+  CHECK(differ(before12, between(1, 2)) > 1e-3);
+
+  const VecX friction = between(0, 1, TangentialPart::friction), adhesion = between(0, 1, TangentialPart::adhesion), other = between(1, 2);
+  c.term().scale_normal_forces({{{0, 1}, 0.25}});
+  CHECK(differ(0.25 * friction, between(0, 1, TangentialPart::friction)) <= 1e-14);
+  CHECK(differ(adhesion, between(0, 1, TangentialPart::adhesion)) <= 1e-14);
+  CHECK(differ(other, between(1, 2)) <= 1e-14);
+  CHECK(c.term().normal_forces().at({0, 1}) == Approx(0.25 * own.at({0, 1})));
+}

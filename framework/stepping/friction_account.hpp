@@ -1,0 +1,31 @@
+// What friction that lags by a step was given and owes of the normal impulses between two objects (lagged_impulses.hpp).
+#pragma once
+
+#include <array>
+#include <map>
+
+#include "framework/core/history.hpp"
+
+namespace tack {
+
+struct FrictionAccount {
+  double owed = 0;    // before the impulse of the last step counts [N s]
+  double normal = 0;  // impulse of the step before that [N s]
+  double given = 0;   // to friction in the last step, over mu [N s]
+  double calm_force = 0, calm_time = 0;  // the normal force within a quarter of which it has stayed [N], and for how long [s]
+  bool settling = false;  // friction is still the one of the first normal forces, which no step has found
+  // Since the contact was made: sums of what was given, and of normal impulses but that of the last step, and the largest of
+  // those [N s]; whether it was told that they differ.
+  double all_given = 0, all_normal = 0, largest = 0;
+  bool told = false;
+};
+
+using FrictionAccounts = std::map<std::array<int, 2>, FrictionAccount>;  // by the two objects, ascending
+
+// Not of any object: a scene that starts from another one's state owes nothing.
+inline constexpr const char* owed_friction_name = "owed friction";
+
+FrictionAccounts accounts_of(const History& history);
+HistoryArray array_of(const FrictionAccounts& accounts);
+
+}  // namespace tack
