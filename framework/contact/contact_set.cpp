@@ -48,7 +48,9 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
         double& least = of_a == of_b ? gaps.of_all : gaps.between_objects;
         double filled = pairs.largest_offset() > 0 ? pairs.offset(of_a, of_b) : 0;
         if (clearance[i] - filled >= least) continue;
-        const double distance = std::sqrt(squared_distance(corners(x, a), corners(x, b)));
+        const double squared = squared_distance(corners(x, a), corners(x, b)), wanted = least + filled;
+        if (wanted > 0 && squared >= wanted * wanted) continue;
+        const double distance = std::sqrt(squared);
         if (filled > 0 && distance - filled < least && rest_neighbours(surface, a, b, pairs.edge(of_a, of_b).range)) filled = 0;
         least = std::min(least, distance - filled);
       }

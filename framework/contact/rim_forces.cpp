@@ -49,10 +49,13 @@ class PairForces {
     const double strength = energy(covered.distance);
     if (strength == 0 || std::abs(whole) < least_cosine / 2 * twice.norm()) return;
     const double half = -strength * covered.area / whole / 2;  // the sign with it
-    const std::array<Vec3, 3> slope = slopes(corners(held_.x(), mesh_.triangles[covered.leader]));
+    if (covered.leader != leader_) {  // corners of a triangle mostly have the same
+      leader_ = covered.leader;
+      leader_slopes_ = slopes(corners(held_.x(), mesh_.triangles[leader_]));
+    }
     for (int i = 0; i < 3; ++i) {
       act(mesh_.triangles[covered.triangle][i], half * (own[(i + 1) % 3] - own[(i + 2) % 3]).cross(normal));
-      act(mesh_.triangles[covered.leader][i], -half * twice.dot(slope[i]) * normal);
+      act(mesh_.triangles[covered.leader][i], -half * twice.dot(leader_slopes_[i]) * normal);
     }
   }
 
@@ -80,6 +83,8 @@ class PairForces {
   VecX& sum_;
   std::vector<char>& touched_;
   std::vector<int> order_;  // those touched, once each
+  int leader_ = -1;         // of the slopes
+  std::array<Vec3, 3> leader_slopes_;
 };
 
 }  // namespace
