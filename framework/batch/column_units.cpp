@@ -4,6 +4,7 @@
 
 #include "framework/config/parse.hpp"
 #include "framework/config/units.hpp"
+#include "framework/core/phase_clock.hpp"
 #include "framework/output/probe.hpp"
 
 namespace tack {
@@ -38,6 +39,7 @@ std::string unit_of(const StatisticQuery& query, const Units& probes) {
 
 Units column_units(const Experiment& experiment, const Value& resolved, const Variant& variant, const std::vector<BatchStatistic>& statistics) {
   Units units{{"wall_seconds", "s"}, {"process_seconds", "s"}, {"cpu_seconds", "s"}, {"memory_mb", "MB"}, {"min_distance", "m"}, {"min_gap", "m"}};
+  for (const auto& phase : phase_names) units[fmt::format("seconds_{}", phase)] = "s";
   for (const Variant::Shown& shown : variant.shown)
     if (const Value* value = shown.key.empty() ? nullptr : value_at(resolved, shown.key); value && value->is_scalar())
       units[shown.column] = unit_in(value->comment);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <sstream>
 
 #include "framework/config/nearest.hpp"
@@ -32,30 +33,36 @@ std::vector<std::string> split_path(const std::string& path, const SourceMark& o
   return segments;
 }
 
-Value& by_index(Value& list, std::size_t index, const SourceMark& origin) {
-  if (index < list.items.size()) return list.items[index];
-  throw InputError(fmt::format("{}: there is no entry {}; the list has {}, counted from 0",
-                               origin.text(), index, list.items.size()));
-}
-
-Value& by_name(Value& list, const std::string& name, const SourceMark& origin) {
-  std::vector<std::string> names;
-  for (Value& item : list.items) {
-    const Value* item_name = item.find("name");
-    if (!item_name || !item_name->is_scalar()) continue;
-    if (item_name->text == name) return item;
-    names.push_back(item_name->text);
-  }
-  throw InputError(fmt::format("{}: no list entry is named '{}'{}", origin.text(), name,
-                               suggestion(name, names, "names")));
-}
-
-Value& in_list(Value& list, const std::string& segment, const SourceMark& origin) {
+std::optional<std::size_t> as_index(const std::string& segment) {
   std::size_t index = 0;
   const char* end = segment.data() + segment.size();
   const auto [stop, status] = std::from_chars(segment.data(), end, index);
-  const bool is_index = status == std::errc() && stop == end;
-  return is_index ? by_index(list, index, origin) : by_name(list, segment, origin);
+  return status == std::errc() && stop == end ? std::optional(index) : std::nullopt;
+}
+
+const std::string* own_name(const Value& item) {
+  const Value* name = item.find("name");
+  return name && name->is_scalar() ? &name->text : nullptr;
+}
+
+// By its number, or by its name; nullptr if there is none.
+const Value* entry_of(const Value& list, const std::string& segment) {
+  if (const auto index = as_index(segment)) return *index < list.items.size() ? &list.items[*index] : nullptr;
+  for (const Value& item : list.items)
+    if (const std::string* name = own_name(item); name && *name == segment) return &item;
+  return nullptr;
+}
+
+Value& in_list(Value& list, const std::string& segment, const SourceMark& origin) {
+  if (const Value* entry = entry_of(list, segment)) return list.items[static_cast<std::size_t>(entry - list.items.data())];
+  if (const auto index = as_index(segment))
+    throw InputError(fmt::format("{}: there is no entry {}; the list has {}, counted from 0",
+                                 origin.text(), *index, list.items.size()));
+  std::vector<std::string> names;
+  for (const Value& item : list.items)
+    if (const std::string* name = own_name(item)) names.push_back(*name);
+  throw InputError(fmt::format("{}: no list entry is named '{}'{}", origin.text(), segment,
+                               suggestion(segment, names, "names")));
 }
 
 Value& in_map(Value& map, const std::string& key, const SourceMark& origin) {
@@ -98,18 +105,8 @@ void set_at(Value& root, const std::string& path, Value value) {
 const Value* value_at(const Value& root, const std::string& path) {
   const Value* node = &root;
   std::istringstream stream(path);
-  for (std::string segment; node && std::getline(stream, segment, '.');) {
-    if (!node->is_sequence()) {
-      node = node->find(segment);
-      continue;
-    }
-    const Value* entry = nullptr;
-    for (size_t i = 0; i < node->items.size() && !entry; ++i) {
-      const Value* name = node->items[i].find("name");
-      if (segment == std::to_string(i) || (name && name->is_scalar() && name->text == segment)) entry = &node->items[i];
-    }
-    node = entry;
-  }
+  for (std::string segment; node && std::getline(stream, segment, '.');)
+    node = node->is_sequence() ? entry_of(*node, segment) : node->find(segment);
   return node;
 }
 

@@ -38,7 +38,6 @@ std::set<double> numbers_in(const CsvTexts& table, const std::string& column) {
 bool wide(const std::set<double>& numbers) { return !numbers.empty() && *numbers.begin() > 0 && *numbers.rbegin() / *numbers.begin() > 10; }
 
 std::string unit_of(const std::string& column, const std::map<std::string, std::string>& units) {
-  if (column.starts_with("seconds_")) return "s";
   const auto found = units.find(column);
   return found == units.end() ? "" : found->second;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/held_surface.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/world.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double tolerated_change = 0.25;  // of the range
 constexpr double most_of_it = 0.5;            // of the impulse
-constexpr double least_cosine = 0.1;          // of a face that looks at the other surface
 
 // From the other surface to the point.
 Vec3 separation(const Vec3& p, const std::array<Vec3, 1>& q) { return p - q[0]; }

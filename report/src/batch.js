@@ -45,7 +45,6 @@ function fromCases(cases, keys) {
 }
 
 function plotAgainst(table, keys, column, state, statistics, units) {
-  const unitOf = (name) => (name.startsWith("seconds_") ? "s" : units[name]);
   const numeric = table.columns.filter((name, c) => c > 0 && table.rows.some((row) => isNumber(row[c])));
   const results = numeric.filter((name) => !keys.includes(name));
   if (keys.length === 0 || results.length === 0) return h("p", { class: "note" }, "There is no key that was varied, or no number to plot.");
@@ -61,12 +60,12 @@ function plotAgainst(table, keys, column, state, statistics, units) {
     const groups = cb < 0 ? [null] : unique(rows.map((row) => row[cb])).sort((a, b) => (isNumber(a) && isNumber(b) ? a - b : String(a).localeCompare(String(b))));
     const series = groups.map((value, index) => {
       const some = rows.filter((row) => cb < 0 || row[cb] === value).sort((a, b) => at(a[cx]) - at(b[cx]));
-      return { label: cb < 0 ? words(chosen.y) : `${words(chosen.by)} = ${isNumber(value) ? scaledNumber(value, unitOf(chosen.by)) : value ?? "none"}`, index, points: true, line: new Set(some.map((row) => row[cx])).size === some.length, x: some.map((row) => at(row[cx])), y: some.map((row) => row[cy]) };
+      return { label: cb < 0 ? words(chosen.y) : `${words(chosen.by)} = ${isNumber(value) ? scaledNumber(value, units[chosen.by]) : value ?? "none"}`, index, points: true, line: new Set(some.map((row) => row[cx])).size === some.length, x: some.map((row) => at(row[cx])), y: some.map((row) => row[cy]) };
     });
     place.replaceChildren(chart({
       title: `${words(chosen.y)} against ${words(chosen.x)}`, height: 340, series,
       note: texts.length > 0 ? `${words(chosen.x)}: ${texts.map((text, i) => `${i + 1} is ${text}`).join(", ")}` : undefined,
-      x: { name: words(chosen.x), unit: unitOf(chosen.x), loose: true, log: chosen.logX }, y: { name: words(chosen.y), unit: unitOf(chosen.y), log: chosen.logY },
+      x: { name: words(chosen.x), unit: units[chosen.x], loose: true, log: chosen.logX }, y: { name: words(chosen.y), unit: units[chosen.y], log: chosen.logY },
     }));
   };
   state.listeners.push(draw);

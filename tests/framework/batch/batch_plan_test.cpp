@@ -49,6 +49,7 @@ TEST_CASE("cases are all combinations of what varies, named after it", "[batch]"
   CHECK(plan.units.at("objects.block.energies.0.young") == "Pa");
   CHECK(plan.units.count("mu") == 0);
   CHECK(plan.units.at("wall_seconds") == "s");
+  CHECK(plan.units.at("seconds_assembly") == "s");
   // A resolved scene is a scene, and stays what it is.
   const LoadedExperiment again = parse_experiment(plan.cases[2].scene, "again");
   CHECK(contains(plan.cases[2].scene, "young: 2000000"));

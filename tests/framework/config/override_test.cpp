@@ -79,3 +79,14 @@ TEST_CASE("option --set is reported as what was given") {
              Catch::EndsWith("\n--set time.step=3 mm: step: expects a time (s), got '3 mm', "
                              "which is a length"));
 }
+
+TEST_CASE("a value is found where the same path sets it", "[config]") {
+  Value root = parse_string("list: [{name: '1', a: 5}, {name: other, a: 6}]\nplain: {b: 7}\n", "test");
+  for (const std::string path : {"list.0.a", "list.1.a", "list.other.a", "plain.b"}) {
+    INFO(path);
+    set_at(root, path, Value::scalar("new " + path));
+    REQUIRE(value_at(root, path));
+    CHECK(value_at(root, path)->text == "new " + path);
+  }
+  for (const std::string path : {"list.2.a", "list.none.a", "list.0.b", "plain.b.c", "none"}) CHECK(value_at(root, path) == nullptr);
+}
