@@ -1,4 +1,4 @@
-// Friction and tangential adhesion as least squares: the slip u of a contact with energy E(y), y = |u|,
+// Friction and tangential adhesion as least squares: the slip u of a contact point with energy E(y), y = |u|,
 // has the two residuals R u, R = sqrt(2 E) / y. R is smooth at y = 0, where R^2 = E'/y, and
 //     d(R u)/du = R across u,  E' / sqrt(2 E) = (E'/y) / R along it.
 #include <cmath>
@@ -37,22 +37,17 @@ std::vector<ResidualBatch> FrictionTerm::residual_batches() const {
 }
 
 bool FrictionTerm::residuals(const VecX& x, double* r, double* jacobian) const {
-  const auto write = [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
-    const int count = static_cast<int>(contacts.size());
+  for_each_arity(points_, [&]<int K>(const std::vector<ContactPoint<K>>& points) {
+    const int count = static_cast<int>(points.size());
     for_each(count, [&](int n) {
-      const Slip<K> slip(contacts[n], x, start_);
-      const SlipSample s = slip.sample(system_.pairs().tangential(contacts[n].law), h_, TangentialPart::all);
+      const Slip<K> slip(points[n], x, start_);
+      const SlipSample s = slip.sample(system_.pairs().tangential(points[n].law), h_, TangentialPart::all);
       contact_residuals(slip, s, r + static_cast<size_t>(rows) * n,
                         jacobian ? jacobian + static_cast<size_t>(rows) * 3 * K * n : nullptr);
     });
     r += static_cast<size_t>(rows) * count;
     if (jacobian) jacobian += static_cast<size_t>(rows) * 3 * K * count;
-  };
-  write(contacts_.twos);
-  write(contacts_.threes);
-  write(contacts_.fours);
-  write(contacts_.fives);
-  write(contacts_.sixes);
+  });
   return true;
 }
 

@@ -9,24 +9,14 @@
 namespace tack {
 namespace {
 
-// Calls body(contacts) for each arity, in batch order.
-template <class Contacts, class Body>
-void for_each_arity(Contacts& contacts, const Body& body) {
-  body(contacts.twos);
-  body(contacts.threes);
-  body(contacts.fours);
-  body(contacts.fives);
-  body(contacts.sixes);
-}
-
-// The sum of number(slip, its law) over contacts.
+// The sum of number(slip, its law) over points.
 template <int K, class Number>
-double sum_over(const std::vector<LaggedContact<K>>& contacts, const PairTable& pairs, const VecX& x,
+double sum_over(const std::vector<ContactPoint<K>>& points, const PairTable& pairs, const VecX& x,
                 const VecX& start, const Number& number) {
-  return sum_chunks(static_cast<int>(contacts.size()), [&](int first, int last) {
+  return sum_chunks(static_cast<int>(points.size()), [&](int first, int last) {
     double sum = 0;
     for (int i = first; i < last; ++i)
-      sum += number(Slip<K>(contacts[i], x, start), pairs.tangential(contacts[i].law));
+      sum += number(Slip<K>(points[i], x, start), pairs.tangential(points[i].law));
     return sum;
   });
 }
@@ -39,8 +29,8 @@ FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& norma
     wanted_.push_back(system.pairs().tangential(static_cast<int>(law)).acts());
 }
 
-LaggedContacts FrictionTerm::lagged_at(const VecX& x) const {
-  return lag_contacts({system_, normal_.laws(LawPart::barrier), wanted_, x});
+ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
+  return contact_points({system_, normal_.laws(LawPart::barrier), wanted_, x});
 }
 
 void FrictionTerm::begin_step(const StepStart& start) {
@@ -48,9 +38,9 @@ void FrictionTerm::begin_step(const StepStart& start) {
   h_ = start.h;
 }
 
-double FrictionTerm::residual(const VecX& x, const LaggedContacts& lagged) const {
+double FrictionTerm::residual(const VecX& x, const ContactPoints& points) const {
   const VecX held = forces(x, TangentialPart::all);
-  const VecX now = forces_of(lagged, x, TangentialPart::all, std::nullopt);
+  const VecX now = forces_of(points, x, TangentialPart::all, std::nullopt);
   double largest = 0, difference = 0;
   for (int v = 0; v < x.size() / 3; ++v) {
     largest = std::max({largest, vertex(held, v).norm(), vertex(now, v).norm()});
@@ -59,51 +49,36 @@ double FrictionTerm::residual(const VecX& x, const LaggedContacts& lagged) const
   return largest > 0 ? difference / largest : 0;
 }
 
-template <int K>
-FrictionTerm::Objects FrictionTerm::objects_of(const LaggedContact<K>& c) const {
-  const auto& object = system_.surface().mesh.vertex_object;
-  const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
-  return {std::min(a, b), std::max(a, b)};
-}
-
-FrictionTerm::PairForces FrictionTerm::normal_forces(const LaggedContacts& all) const {
+FrictionTerm::PairForces FrictionTerm::normal_forces(const ContactPoints& points) const {
   PairForces sums;
-  auto sum = sums.end();  // most contacts are of the same two objects as the one before
-  for_each_arity(all, [&](const auto& contacts) {
-    for (const auto& c : contacts) {
-      if (system_.pairs().tangential(c.law).mu == 0) continue;
-      const Objects objects = objects_of(c);
-      if (sum == sums.end() || sum->first != objects) sum = sums.try_emplace(objects, 0.0).first;
-      sum->second += c.normal_force;
-    }
+  auto sum = sums.end();  // most points are of the same two objects as the one before
+  for_each_record(points, [&](const auto& c) {
+    if (system_.pairs().tangential(c.law).mu == 0) return;
+    const Objects objects = c.objects();
+    if (sum == sums.end() || sum->first != objects) sum = sums.try_emplace(objects, 0.0).first;
+    sum->second += c.normal_force;
   });
   return sums;
 }
 
-void FrictionTerm::hold(const LaggedContacts& now, const std::set<Objects>& between) {
-  const auto take = [&](auto& held, const auto& anew) {
-    const auto meant = [&](const auto& c) { return between.contains(objects_of(c)); };
+void FrictionTerm::hold(const ContactPoints& now, const std::set<Objects>& between) {
+  const auto meant = [&](const auto& c) { return between.contains(c.objects()); };
+  for_each_arity(points_, [&]<int K>(std::vector<ContactPoint<K>>& held) {
     std::erase_if(held, meant);
-    std::copy_if(anew.begin(), anew.end(), std::back_inserter(held), meant);
-  };
-  take(contacts_.twos, now.twos);
-  take(contacts_.threes, now.threes);
-  take(contacts_.fours, now.fours);
-  take(contacts_.fives, now.fives);
-  take(contacts_.sixes, now.sixes);
+    std::copy_if(now.of<K>().begin(), now.of<K>().end(), std::back_inserter(held), meant);
+  });
 }
 
 void FrictionTerm::scale_normal_forces(const PairForces& factors) {
-  for_each_arity(contacts_, [&](auto& contacts) {
-    for (auto& c : contacts)
-      if (const auto factor = factors.find(objects_of(c)); factor != factors.end()) c.normal_force *= factor->second;
+  for_each_record(points_, [&](auto& c) {
+    if (const auto factor = factors.find(c.objects()); factor != factors.end()) c.normal_force *= factor->second;
   });
 }
 
 double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {
   double sum = 0;
-  for_each_arity(contacts_, [&](const auto& contacts) {
-    sum += sum_over(contacts, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
+  for_each_arity(points_, [&](const auto& points) {
+    sum += sum_over(points, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
       return slip.sample(law, h_, part).value;
     });
   });
@@ -112,8 +87,8 @@ double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {
 
 double FrictionTerm::dissipated(const VecX& x, TangentialPart part) const {
   double sum = 0;
-  for_each_arity(contacts_, [&](const auto& contacts) {
-    sum += sum_over(contacts, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
+  for_each_arity(points_, [&](const auto& points) {
+    sum += sum_over(points, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
       return slip.sample(law, h_, part).slope_over_y * slip.y * slip.y;
     });
   });
@@ -122,25 +97,24 @@ double FrictionTerm::dissipated(const VecX& x, TangentialPart part) const {
 
 std::vector<StencilBatch> FrictionTerm::batches() const {
   std::vector<StencilBatch> batches;
-  for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
+  for_each_arity(points_, [&]<int K>(const std::vector<ContactPoint<K>>& points) {
     auto& vertices = batch_vertices_[batches.size()];
     vertices.clear();
-    for (const auto& c : contacts)
-      vertices.insert(vertices.end(), c.vertices.begin(), c.vertices.end());
-    batches.push_back({K, static_cast<int>(contacts.size()), vertices.data()});
+    for (const auto& c : points) vertices.insert(vertices.end(), c.vertices.begin(), c.vertices.end());
+    batches.push_back({K, static_cast<int>(points.size()), vertices.data()});
   });
   return batches;
 }
 
 void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gradient,
                                double* hessian) const {
-  for_each_arity(contacts_, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
+  for_each_arity(points_, [&]<int K>(const std::vector<ContactPoint<K>>& points) {
     constexpr int slots = 9 * hessian_blocks(K);
-    const int count = static_cast<int>(contacts.size());
+    const int count = static_cast<int>(points.size());
     for_each(count, [&](int n) {
-      const Slip<K> slip(contacts[n], x, start_);
-      const auto& c = contacts[n].coefficients;
-      const TangentialLaw& law = system_.pairs().tangential(contacts[n].law);
+      const Slip<K> slip(points[n], x, start_);
+      const auto& c = points[n].coefficients;
+      const TangentialLaw& law = system_.pairs().tangential(points[n].law);
       const SlipSample s = slip.sample(law, h_, TangentialPart::all);
       const Vec3 slope = slip.slope(s);
       for (int i = 0; i < K; ++i)
@@ -156,14 +130,12 @@ void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gra
   });
 }
 
-VecX FrictionTerm::forces_of(const LaggedContacts& lagged, const VecX& x, TangentialPart part,
+VecX FrictionTerm::forces_of(const ContactPoints& points, const VecX& x, TangentialPart part,
                              std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
-  const auto& object = system_.surface().mesh.vertex_object;
-  for_each_arity(lagged, [&]<int K>(const std::vector<LaggedContact<K>>& contacts) {
-    for (const LaggedContact<K>& c : contacts) {
-      const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
-      if (only && !((a == only->a && b == only->b) || (a == only->b && b == only->a))) continue;
+  for_each_arity(points, [&]<int K>(const std::vector<ContactPoint<K>>& list) {
+    for (const ContactPoint<K>& c : list) {
+      if (only && !c.between(only->a, only->b)) continue;
       const Slip<K> slip(c, x, start_);
       const Vec3 slope = slip.slope(slip.sample(system_.pairs().tangential(c.law), h_, part));
       for (int i = 0; i < K; ++i) vertex(force, c.vertices[i]) -= c.coefficients[i] * slope;
@@ -174,7 +146,7 @@ VecX FrictionTerm::forces_of(const LaggedContacts& lagged, const VecX& x, Tangen
 
 VecX FrictionTerm::forces(const VecX& x, TangentialPart part,
                           std::optional<ObjectPair> only) const {
-  return forces_of(contacts_, x, part, only);
+  return forces_of(points_, x, part, only);
 }
 
 Vec3 FrictionTerm::force_between(const VecX& x, TangentialPart part, ObjectPair pair) const {

@@ -1,11 +1,11 @@
 // Friction and tangential adhesion of a time step (the paper, sections 3.1 and 4.3):
 //     P_t(x) = sum_k mu lambda_k f0(|u_k|) + mu_a lambda_a,k f_t0(|u_k|),    u_k = T_k^T (x - x^n)
-// with the slip laws of tangential_law.hpp, over contacts whose magnitudes, closest points and
-// tangents are held (lagged_contacts.hpp): those of the start of the step, or of the latest solution
+// with the slip laws of tangential_law.hpp, over contact points (contact_points.hpp) whose magnitudes, closest
+// points and tangents are held: those of the start of the step, or of the latest solution
 // when the step is solved again. The slip always counts from the start of the step, and eps h
 // follows h.
 //
-// The Hessian of a contact is c c^T (x) T H T^T (slip.hpp): its only nonzero eigenvalues are |c|^2
+// The Hessian of a point is c c^T (x) T H T^T (slip.hpp): its only nonzero eigenvalues are |c|^2
 // times those of H, so projecting is in closed form.
 #pragma once
 
@@ -15,7 +15,7 @@
 #include <set>
 
 #include "framework/contact/contact_term.hpp"
-#include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/tangential_law.hpp"
 #include "framework/core/residual_view.hpp"
 
@@ -26,24 +26,24 @@ class FrictionTerm : public Term, public ResidualView {
   // Both must outlive the term.
   FrictionTerm(const ContactSystem& system, const ContactTerm& normal);
 
-  void forget() override { contacts_ = {}; }
+  void forget() override { points_ = {}; }
   void begin_step(const StepStart& start) override;
   // Takes magnitudes and tangents at x, where the contact system must be.
   bool lags() const override { return true; }
-  void lag(const VecX& x) override { contacts_ = lagged_at(x); }
+  void lag(const VecX& x) override { points_ = lagged_at(x); }
   // What lag(x) would hold.
-  LaggedContacts lagged_at(const VecX& x) const;
+  ContactPoints lagged_at(const VecX& x) const;
   // Holds `now` between these objects, and nothing else anew.
   using Objects = std::array<int, 2>;  // two, ascending
-  void hold(const LaggedContacts& now, const std::set<Objects>& between);
+  void hold(const ContactPoints& now, const std::set<Objects>& between);
   // What holding `now` would change: the largest difference of a vertex's force at x, over the largest
   // force.
-  double residual(const VecX& x, const LaggedContacts& now) const;
+  double residual(const VecX& x, const ContactPoints& now) const;
   double residual(const VecX& x) const { return residual(x, lagged_at(x)); }
   // The sums of the normal forces of each two objects that rub [N].
   using PairForces = std::map<Objects, double>;
-  PairForces normal_forces(const LaggedContacts& contacts) const;
-  PairForces normal_forces() const { return normal_forces(contacts_); }
+  PairForces normal_forces(const ContactPoints& points) const;
+  PairForces normal_forces() const { return normal_forces(points_); }
   // Multiplies those that are held by a factor for each two objects, one where none is given.
   void scale_normal_forces(const PairForces& factors);
 
@@ -63,18 +63,16 @@ class FrictionTerm : public Term, public ResidualView {
   double dissipated(const VecX& x) const override { return dissipated(x, TangentialPart::all); }
   // Force times slip since the start of the step: what a part dissipates on the way to x [J].
   double dissipated(const VecX& x, TangentialPart part) const;
-  // The force of a part on every vertex (3n) [N]; with a pair, of its contacts only.
+  // The force of a part on every vertex (3n) [N]; with a pair, of its points only.
   VecX forces(const VecX& x, TangentialPart part,
               std::optional<ObjectPair> only = std::nullopt) const;
   // The force that object b exerts on object a [N].
   Vec3 force_between(const VecX& x, TangentialPart part, ObjectPair pair) const;
 
-  const LaggedContacts& contacts() const { return contacts_; }
+  const ContactPoints& points() const { return points_; }
 
  private:
-  template <int K>
-  Objects objects_of(const LaggedContact<K>& c) const;
-  VecX forces_of(const LaggedContacts& contacts, const VecX& x, TangentialPart part,
+  VecX forces_of(const ContactPoints& points, const VecX& x, TangentialPart part,
                  std::optional<ObjectPair> only) const;
 
   const ContactSystem& system_;
@@ -82,8 +80,8 @@ class FrictionTerm : public Term, public ResidualView {
   std::vector<char> wanted_;  // per law of the pair table: it acts along surfaces
   VecX start_;                // x^n
   double h_ = 0;              // s
-  LaggedContacts contacts_;
-  mutable std::array<std::vector<int>, 5> batch_vertices_;
+  ContactPoints points_;
+  mutable std::array<std::vector<int>, contact_arity_count> batch_vertices_;
 };
 
 }  // namespace tack

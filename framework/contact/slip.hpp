@@ -1,9 +1,9 @@
-// The slip u = T^T sum_i c_i (x_i - x_i^n) of one lagged contact [m], and its part of the potential,
+// The slip u = T^T sum_i c_i (x_i - x_i^n) of one contact point [m], and its part of the potential,
 //     E = mu lambda f0(y) + mu_a lambda_a f_t0(y),   y = |u|,
 // with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T.
 #pragma once
 
-#include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/tangential_law.hpp"
 #include "framework/core/projection.hpp"
 
@@ -11,13 +11,8 @@ namespace tack {
 
 template <int K>
 struct Slip {
-  Slip(const LaggedContact<K>& contact, const VecX& x, const VecX& start) : c(contact) {
-    Vec3 moved = Vec3::Zero();
-    for (int i = 0; i < K; ++i)
-      moved += c.coefficients[i] * (vertex(x, c.vertices[i]) - vertex(start, c.vertices[i]));
-    u = c.tangents.transpose() * moved;
-    y = u.norm();
-  }
+  Slip(const ContactPoint<K>& point, const VecX& x, const VecX& start)
+      : c(point), u(c.tangents.transpose() * c.moved(x, start)), y(u.norm()) {}
 
   // E [J], E'/y [N/m] and E'' [N/m].
   SlipSample sample(const TangentialLaw& law, double h, TangentialPart part) const {
@@ -48,7 +43,7 @@ struct Slip {
            (along - across) * direction * direction.transpose();
   }
 
-  const LaggedContact<K>& c;
+  const ContactPoint<K>& c;
   Vec2 u;    // m
   double y;  // m
 };

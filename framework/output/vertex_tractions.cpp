@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "framework/contact/contact_term.hpp"
-#include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/contact_points.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
@@ -27,17 +27,11 @@ std::vector<char> pressing_laws(const PairTable& pairs) {
 // What each vertex has of the contacts [m^2].
 VecX contact_areas(const World& world, const VecX& x) {
   VecX areas = VecX::Zero(x.size());  // in the first of three, as forces are collected
-  const LaggedContacts contacts =
-      lag_contacts({*world.contact, world.contact_term->laws(LawPart::barrier), pressing_laws(world.contact->pairs()), x});
-  const auto add = [&](const auto& list) {
-    for (const auto& c : list)
-      for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
-  };
-  add(contacts.twos);
-  add(contacts.threes);
-  add(contacts.fours);
-  add(contacts.fives);
-  add(contacts.sixes);
+  const ContactPoints points = contact_points(
+      {*world.contact, world.contact_term->laws(LawPart::barrier), pressing_laws(world.contact->pairs()), x});
+  for_each_record(points, [&](const auto& c) {
+    for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
+  });
   world.collect_on_meshes(areas);
   return areas(Eigen::seq(0, Eigen::last, 3));
 }

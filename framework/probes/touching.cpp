@@ -3,7 +3,7 @@
 #include <tuple>
 
 #include "framework/contact/contact_term.hpp"
-#include "framework/contact/lagged_contacts.hpp"
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/stencil_distance.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
@@ -32,27 +32,14 @@ class SlidingSpeed : public Probe {
   Unit unit() const override { return units::velocity; }
   std::vector<double> sample(const World& world, const State& state) override {
     if (state.h_before == 0) return {0};
-    const LaggedContacts contacts = lag_contacts(
+    const ContactPoints points = contact_points(
         {*world.contact, world.contact_term->laws(LawPart::barrier), wanted_, state.x});
-    const auto& object = world.contact->surface().mesh.vertex_object;
     double area = 0, sum = 0;
-    const auto add = [&](const auto& list) {
-      for (const auto& c : list) {
-        const int a = object[c.vertices[0]], b = object[c.vertices[c.first_vertices]];
-        if (std::minmax(a, b) != std::minmax(a_, b_)) continue;
-        Vec3 moved = Vec3::Zero();
-        for (size_t i = 0; i < c.vertices.size(); ++i)
-          moved += c.coefficients[i] *
-                   (vertex(state.x, c.vertices[i]) - vertex(state.x_before, c.vertices[i]));
-        area += c.area;
-        sum += c.area * (c.tangents.transpose() * moved).norm() / state.h_before;
-      }
-    };
-    add(contacts.twos);
-    add(contacts.threes);
-    add(contacts.fours);
-    add(contacts.fives);
-    add(contacts.sixes);
+    for_each_record(points, [&](const auto& c) {
+      if (!c.between(a_, b_)) return;
+      area += c.area;
+      sum += c.area * (c.tangents.transpose() * c.moved(state.x, state.x_before)).norm() / state.h_before;
+    });
     return {area > 0 ? sum / area : 0};
   }
 

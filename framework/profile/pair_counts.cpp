@@ -50,15 +50,8 @@ void count_stencils(const ContactSystem& contact, Counter& counter) {
   });
 }
 
-void count_friction(const LaggedContacts& lagged, Counter& counter) {
-  const auto count = [&](const auto& contacts) {
-    for (const auto& c : contacts) ++counter.of(c.vertices[0], c.vertices[c.first_vertices]).friction;
-  };
-  count(lagged.twos);
-  count(lagged.threes);
-  count(lagged.fours);
-  count(lagged.fives);
-  count(lagged.sixes);
+void count_friction(const ContactPoints& points, Counter& counter) {
+  for_each_record(points, [&](const auto& c) { ++counter.of(c.vertices[0], c.vertices[c.own]).friction; });
 }
 
 }  // namespace
@@ -77,7 +70,7 @@ std::map<ObjectIds, PairCount> count_pairs(const ContactSystem& contact, const F
   Counter counter(contact.surface().mesh);
   count_candidates(contact.surface().mesh, contact.candidates(), counter);
   count_stencils(contact, counter);
-  if (friction) count_friction(friction->contacts(), counter);
+  if (friction) count_friction(friction->points(), counter);
   return counter.take();
 }
 

@@ -16,7 +16,7 @@ struct PairCount {
   long samples = 0;   // of points inside triangles (coverage.hpp)
   long guards = 0;    // of points that only guard
   long edges = 0;     // of pairs of edges
-  long friction = 0;  // contacts that friction or tangential adhesion holds
+  long friction = 0;  // contact points that friction or tangential adhesion holds
 
   long stencils() const { return points + samples + guards + edges; }  // `contacts` of steps.csv
   PairCount& operator+=(const PairCount& other);

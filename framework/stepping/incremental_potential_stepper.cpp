@@ -144,7 +144,7 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, LaggedImpuls
   for (attempt.lag_iterations = 1;; ++attempt.lag_iterations) {
     if (attempt.result.status != MinimizerStatus::converged) return;
     world_.participants.move_to(attempt.x);
-    const LaggedContacts now = world_.friction->lagged_at(attempt.x);
+    const ContactPoints now = world_.friction->lagged_at(attempt.x);
     attempt.friction_residual = world_.friction->residual(attempt.x, now);
     attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
     const bool reached = lagging.until && attempt.lag_converged;

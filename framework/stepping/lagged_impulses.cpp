@@ -69,7 +69,7 @@ void LaggedImpulses::begin(const State& state, double h, double acting) {
   if (!factors.empty()) friction_.scale_normal_forces(factors);
 }
 
-bool LaggedImpulses::settle(const LaggedContacts& now) {
+bool LaggedImpulses::settle(const ContactPoints& now) {
   const FrictionTerm::PairForces forces = friction_.normal_forces(now);
   ++solves_;
   std::set<std::array<int, 2>> settling;

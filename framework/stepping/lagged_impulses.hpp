@@ -37,7 +37,7 @@ class LaggedImpulses {
   void begin(const State& state, double h, double acting);
   // After a solve of the step that friction would follow with `now`: whether it has to be solved again, with what friction
   // then holds.
-  bool settle(const LaggedContacts& now);
+  bool settle(const ContactPoints& now);
   // To be remembered of the step once it is kept, and for how long contact acted in it.
   HistoryArray remembered() const { return array_of(accounts_); }
   double acting() const { return acting_; }

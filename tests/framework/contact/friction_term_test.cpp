@@ -48,9 +48,9 @@ TEST_CASE("friction term: gradient and Hessian are those of the value", "[fricti
   for (const double slip : slips) {
     INFO("slip " << slip);
     Cluster c(0.5, slip);
-    CHECK(c.term().contacts().twos.size() > 0);
-    CHECK(c.term().contacts().threes.size() > 0);
-    CHECK(c.term().contacts().fours.size() > 20);
+    CHECK(c.term().points().of<2>().size() > 0);
+    CHECK(c.term().points().of<3>().size() > 0);
+    CHECK(c.term().points().of<4>().size() > 20);
     const VecX gradient = dense_gradient(c.term(), c.x);
     const MatX hessian = dense_hessian(c.term(), c.x, Projection::none);
     const VecX slopes = gradient_by_differences([&](const VecX& y) { return c.term().value(y); }, c.x, 1e-8);
@@ -139,7 +139,7 @@ TEST_CASE("friction term: two objects are held anew, or by other normal forces, 
   const auto differ = [](const VecX& f, const VecX& g) { return (f - g).norm() / f.norm(); };
   const VecX before01 = between(0, 1), before12 = between(1, 2);
   c.system().move_to(c.x);
-  const LaggedContacts now = c.term().lagged_at(c.x);
+  const ContactPoints now = c.term().lagged_at(c.x);
   c.term().hold(now, {{0, 1}});
   const VecX anew01 = between(0, 1);
   CHECK(differ(anew01, before01) > 1e-3);

@@ -1,0 +1,44 @@
+#include "framework/contact/contact_points.hpp"
+
+#include <Eigen/Geometry>
+
+#include "geometry/distance/closest_parameters.hpp"
+#include "geometry/distance/edge_edge_mollifier.hpp"
+
+namespace tack {
+namespace {
+
+ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactStencil<4>& s, double eps_x) {
+  const auto& v = s.vertices;
+  const auto& object = request.system.surface().mesh.vertex_object;
+  const auto [a0, a1, b0, b1] = corners(request.x, v);
+  const Vec2 at = edge_edge_parameters(a0, a1, b0, b1);
+  const std::array<double, 4> c{1 - at.x(), at.x(), at.y() - 1, -at.y()};
+  const Vec3 separation = c[0] * a0 + c[1] * a1 + c[2] * b0 + c[3] * b1;
+  const double gap = separation.norm();
+  const Vec3 normal = separation / gap;
+  const double area = s.weight * edge_edge_mollifier(a0, a1, b0, b1, eps_x);
+  const double force = -area * request.pressing[s.law].at(gap).slope;
+  return {v, c, normal, tangents_of(normal), gap, area, force, 2, -1, object[v[0]], object[v[2]], s.law};
+}
+
+}  // namespace
+
+TangentBasis tangents_of(const Vec3& normal) {
+  TangentBasis basis;
+  basis.col(0) = normal.unitOrthogonal();
+  basis.col(1) = normal.cross(basis.col(0));
+  return basis;
+}
+
+ContactPoints contact_points(const ContactPointsRequest& request) {
+  ContactPoints out;
+  add_points_of_features(request, out);
+  const ContactSet& set = request.system.contacts();
+  for (size_t i = 0; i < set.edge_edge.size(); ++i)
+    if (request.wanted[set.edge_edge[i].law])
+      out.of<4>().push_back(edge_point(request, set.edge_edge[i], set.mollifier_threshold[i]));
+  return out;
+}
+
+}  // namespace tack

@@ -1,0 +1,160 @@
+// From the features that points see to one contact point for each direction (contact_points.hpp).
+#include <algorithm>
+
+#include "framework/contact/contact_points.hpp"
+#include "framework/contact/stencil_distance.hpp"
+#include "geometry/distance/closest_parameters.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// One feature that a point sees.
+struct Feature {
+  int point, object, law;              // the vertex or sample, what it sees
+  int own;                             // vertices that the point is made of: 1, or 3 of a sample
+  std::array<int, 3> own_vertices;
+  Vec3 own_coefficients;
+  std::array<int, 3> vertices;         // of the feature; -1 from its end on
+  std::array<double, 3> coefficients;  // of the closest point
+  Vec3 normal;                         // unit, from the feature to the point
+  double gap, weight;                  // m, m^2
+  double force;                        // along the normal [N]; negative for negative weights
+
+  int arity() const { return own + 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
+};
+// Where it counts, by which features are sorted: (own, point, object, law), then the number of the feature. Vertices before samples.
+using Place = std::array<int, 5>;
+
+// c: the point, then the corners of the feature, which are the vertices of the stencil from `first` on.
+template <size_t K, size_t N>
+void fill_feature(const std::array<Vec3, K>& c, const std::array<int, N>& vertices, const PairLaw& barrier,
+                  Feature& f) {
+  constexpr size_t first = N - K + 1;
+  f.vertices = {-1, -1, -1};
+  f.coefficients = {1, 0, 0};
+  for (size_t i = 1; i < K; ++i) f.vertices[i - 1] = vertices[first + i - 1];
+  if constexpr (K == 3) {
+    const double u = project_onto_line(c[0], c[1], c[2]).u;
+    f.coefficients = {1 - u, u, 0};
+  } else if constexpr (K == 4) {
+    const PlaneProjection at = project_onto_triangle(c[0], c[1], c[2], c[3]);
+    f.coefficients = {1 - at.u - at.v, at.u, at.v};
+  }
+  Vec3 separation = c[0];
+  for (size_t i = 1; i < K; ++i) separation -= f.coefficients[i - 1] * c[i];
+  f.gap = separation.norm();
+  f.normal = separation / f.gap;
+  f.force = -f.weight * barrier.at(f.gap).slope;
+}
+
+class Merging {
+ public:
+  Merging(const ContactPointsRequest& request, ContactPoints& out)
+      : object_(request.system.surface().mesh.vertex_object), request_(request), out_(out) {
+    const ContactSet& set = request.system.contacts();
+    take(set.point_point);
+    take(set.point_edge);
+    take(set.point_triangle);
+    take(set.sample_point);
+    take(set.sample_edge);
+    take(set.sample_triangle);
+    std::vector<Place> places;
+    places.reserve(features_.size());
+    for (const Feature& f : features_) places.push_back({f.own, f.point, f.object, f.law, static_cast<int>(places.size())});
+    std::sort(places.begin(), places.end());
+    std::vector<const Feature*> group;
+    for (size_t i = 0; i < places.size(); ++i) {
+      group.push_back(&features_[places[i].back()]);
+      if (i + 1 < places.size() && std::equal(places[i].begin(), places[i].end() - 1, places[i + 1].begin())) continue;
+      split(group);
+      group.clear();
+    }
+  }
+
+ private:
+  template <class Stencil>
+  void take(const std::vector<Stencil>& stencils) {
+    const size_t before = features_.size();
+    std::vector<int> chosen;
+    for (size_t i = 0; i < stencils.size(); ++i)
+      if (request_.wanted[stencils[i].law]) chosen.push_back(static_cast<int>(i));
+    features_.resize(before + chosen.size());
+    for_each(static_cast<int>(chosen.size()), [&](int i) {
+      const Stencil& s = stencils[chosen[i]];
+      Feature& f = features_[before + i];
+      take_point(s, f);
+      f.law = s.law;
+      f.weight = s.weight;
+      f.object = object_[s.vertices[f.own]];
+      fill_feature(corners(request_.x, s), s.vertices, request_.pressing[s.law], f);
+    });
+  }
+  template <int K>
+  static void take_point(const ContactStencil<K>& s, Feature& f) {
+    f.point = s.vertices[0];
+    f.own = 1;
+    f.own_vertices = {s.vertices[0], -1, -1};
+    f.own_coefficients = Vec3::UnitX();
+  }
+  template <int K>
+  static void take_point(const SampleStencil<K>& s, Feature& f) {
+    f.point = s.sample;
+    f.own = 3;
+    f.own_vertices = {s.vertices[0], s.vertices[1], s.vertices[2]};
+    f.own_coefficients = s.inside;
+  }
+
+  // The features of one place: the strongest that is left, with all that agree with it, is a contact point.
+  void split(std::vector<const Feature*>& group) {
+    if (group.size() > 1)
+      std::stable_sort(group.begin(), group.end(), [](const Feature* a, const Feature* b) {
+        return a->force != b->force ? a->force > b->force : a->gap < b->gap;
+      });
+    for (auto first = group.begin(); first != group.end();) {
+      const Feature& strongest = **first;
+      auto next = std::next(first);
+      if (next != group.end())
+        next = std::stable_partition(next, group.end(), [&](const Feature* f) { return f->normal.dot(strongest.normal) > 0; });
+      double force = 0, area = 0;
+      for (auto f = first; f != next; ++f) {
+        force += (*f)->force * (*f)->normal.dot(strongest.normal);
+        area += (*f)->weight;
+      }
+      if (force > 0 || area > 0)
+        with_arity(strongest.arity(), [&]<int K>() { add<K>(strongest, std::max(force, 0.0), std::max(area, 0.0)); });
+      first = next;
+    }
+  }
+
+  template <int K>
+  void add(const Feature& f, double force, double area) {
+    ContactPoint<K>& c = out_.of<K>().emplace_back();
+    for (int i = 0; i < K; ++i) {
+      const int j = i - f.own;
+      c.vertices[i] = j < 0 ? f.own_vertices[i] : f.vertices[j];
+      c.coefficients[i] = j < 0 ? f.own_coefficients[i] : -f.coefficients[j];
+    }
+    c.normal = f.normal;
+    c.tangents = tangents_of(f.normal);
+    c.gap = f.gap;
+    c.area = area;
+    c.normal_force = force;
+    c.own = f.own;
+    c.point = f.point;
+    c.object = object_[f.own_vertices[0]];
+    c.opposite = f.object;
+    c.law = f.law;
+  }
+
+  const std::vector<int>& object_;
+  const ContactPointsRequest& request_;
+  ContactPoints& out_;
+  std::vector<Feature> features_;
+};
+
+}  // namespace
+
+void add_points_of_features(const ContactPointsRequest& request, ContactPoints& out) { Merging(request, out); }
+
+}  // namespace tack
