@@ -11,7 +11,7 @@
 
 namespace tack {
 
-class FangAdhesion : public NormalLawOf<FangAdhesion, AdhesionLaw> {
+class FangAdhesion : public NormalLawOf<FangAdhesion, NormalAdhesion> {
  public:
   enum class Form { plain, squared };
 

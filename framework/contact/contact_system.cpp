@@ -35,6 +35,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
                              PhaseClock& clock)
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
+  range_ = std::max(range_, pairs_.bond_reach());
   edge_range_ = pairs_.largest_edge_range();
   for (const auto& [a, b] : pairs_.classes().examples())
     if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).range);
@@ -93,6 +94,14 @@ void ContactSystem::commit(const VecX&, History& history) const {
   sides.values.assign(sides.keys.size(), 1);
 }
 
+const Coverage& ContactSystem::coverage() const { return narrow_phase_->coverage(); }
+
+const HeldSurface& ContactSystem::held() const { return narrow_phase_->held(); }
+
+void ContactSystem::triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const {
+  broad_phase_->triangles_near(t, &inside, out);
+}
+
 const RimForces& ContactSystem::rim_forces() const { return narrow_phase_->rim_forces(); }
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
@@ -114,6 +123,7 @@ void ContactSystem::begin_step(const StepStart& start) {
   const PhaseScope scope(clock_, Phase::narrow_phase);
   if (renewed) narrow_phase_->take(candidates());
   narrow_phase_->set_turned_before(turned_before_);
+  narrow_phase_->hold_sides(held_sides_);
   narrow_phase_->begin_step(candidates(), x);
 }
 

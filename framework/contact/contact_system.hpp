@@ -13,6 +13,8 @@
 namespace tack {
 
 class BroadPhase;
+class Coverage;
+class HeldSurface;
 class NarrowPhase;
 class RimForces;
 
@@ -35,6 +37,13 @@ class ContactSystem : public StepParticipant {
   void commit(const VecX& x, History& history) const override;
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
   void begin_step(const StepStart& start) override;
+  // Of the present step: what of each surface lies opposite another, and the surfaces as they were at its start.
+  const Coverage& coverage() const;
+  const HeldSurface& held() const;
+  // These pairs (ascending) keep the sides that integrate, from the next step on.
+  void hold_sides(IntegrationSides::Pairs pairs) { held_sides_ = std::move(pairs); }
+  // Triangles that may come within range of a point inside a triangle (global vertices).
+  void triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const;
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x) override;
   // Makes sure that the candidates hold every pair that may touch on the way from x to x + p.
@@ -67,6 +76,7 @@ class ContactSystem : public StepParticipant {
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   std::optional<IntegrationSides::Pairs> turned_before_;
+  IntegrationSides::Pairs held_sides_;
   ContactSet contacts_;
 };
 

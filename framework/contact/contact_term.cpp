@@ -84,7 +84,7 @@ std::vector<PairLaw> parts_of(const std::vector<PairLaw>& laws, bool adhesion) {
   for (const PairLaw& law : laws) {
     PairLaw part(law.offset());
     for (const auto& term : law.laws())
-      if ((dynamic_cast<const AdhesionLaw*>(term.get()) != nullptr) == adhesion) part.add(term);
+      if ((dynamic_cast<const NormalAdhesion*>(term.get()) != nullptr) == adhesion) part.add(term);
     parts.push_back(std::move(part));
   }
   return parts;

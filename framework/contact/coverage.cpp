@@ -101,6 +101,7 @@ void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::ve
                           std::vector<Found>& found) const {
   const CollisionMesh& mesh = surface_.mesh;
   const double reach = 2 * pairs_.point(a, b).range;
+  const bool bonds = pairs_.point(a, b).bonds;
   Aabb box;
   for (int t = first_triangle_[b]; t < first_triangle_[b + 1]; ++t)
     for (const int v : mesh.triangles[t]) box.include(Vec3(vertex(held_.x(), v)));
@@ -116,12 +117,17 @@ void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::ve
       if (!own.overlaps(box)) continue;
       const auto at = corners(views, t, b);
       if (covered(views, t, at)) {
+        double area_of_all = 0;
+        bool close_by = false;
         for (int i = 0; i < 3; ++i) {
           const SeenPiece& piece = views[at[i].view].view.pieces[at[i].piece];
           const double area = held_.area(t) / 3 * held_.cosine(t, piece.normal);
+          area_of_all += area;
+          close_by = close_by || piece.distance < reach;
           found[c].shares.push_back({at[i], area});
           if (piece.distance < reach) found[c].parts.parts.push_back({t, piece.triangle, area, piece.distance});
         }
+        if (bonds && close_by) found[c].parts.whole.push_back({t, area_of_all});
         continue;
       }
       close.clear();
@@ -173,10 +179,11 @@ void Coverage::weigh(const IntegrationSides& sides, const NearTriangles& near, s
   std::vector<std::vector<Found>> all;
   for (const auto& [a, b] : near_objects(sides)) {
     weigh_pair(a, b, near, views, all.emplace_back());
-    parts_.push_back({a, b, {}, {}});
+    parts_.push_back({a, b, {}, {}, {}});
     for (const Found& found : all.back()) {
       parts_.back().parts.insert(parts_.back().parts.end(), found.parts.parts.begin(), found.parts.parts.end());
       parts_.back().rims.insert(parts_.back().rims.end(), found.parts.rims.begin(), found.parts.rims.end());
+      parts_.back().whole.insert(parts_.back().whole.end(), found.parts.whole.begin(), found.parts.whole.end());
     }
   }
   for (GroupView& group : views)

@@ -23,11 +23,18 @@ struct RimPart {
   double length;  // as seen along the normal of `other` [m]; negative where what is covered lies on its far side
 };
 
+// A triangle all of which lies opposite, and is near.
+struct CoveredTriangle {
+  int triangle;
+  double area;  // towards what is opposite [m^2]
+};
+
 // Of points of object a opposite object b.
 struct CoveredParts {
   int a, b;
   std::vector<CoveredPart> parts;
   std::vector<RimPart> rims;
+  std::vector<CoveredTriangle> whole;  // of pairs that bond
 };
 
 }  // namespace tack

@@ -16,7 +16,7 @@ bool IntegrationSides::first_integrates(std::pair<int, int> pair, const Both& ca
   const bool finer = pairs_.finer(pair.first, pair.second);
   if (before_) {
     const bool was_first = finer != holds(*before_, pair);
-    if ((was_first ? first : second).area >= nearly_as_much * std::max(first.area, second.area)) return was_first;
+    if (holds(held_, pair) || (was_first ? first : second).area >= nearly_as_much * std::max(first.area, second.area)) return was_first;
   }
   const double much = as_much * std::max(first.area, second.area);
   if (first.area < much) return false;

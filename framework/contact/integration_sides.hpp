@@ -43,6 +43,8 @@ class IntegrationSides {
   // none.
   const Pairs& turned() const { return turned_; }
   void set_before(std::optional<Pairs> before) { before_ = std::move(before); }
+  // These keep their sides, whatever they capture: what their areas have become lasts longer than a step (framework/bond).
+  void hold(Pairs pairs) { held_ = std::move(pairs); }
   // Whether the points of a do, against b.
   bool integrates(int a, int b) const {
     if (!pairs_.point(a, b).automatic) return pairs_.presses(a, b);
@@ -58,6 +60,7 @@ class IntegrationSides {
   std::map<std::pair<int, int>, Both> captures_;  // of pairs that are close; the others capture nothing
   Pairs turned_;
   std::optional<Pairs> before_;
+  Pairs held_;
 };
 
 }  // namespace tack

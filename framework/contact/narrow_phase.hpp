@@ -31,6 +31,9 @@ class NarrowPhase {
   // The stencils closer than their law's range.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const;
   const RimForces& rim_forces() const { return rim_forces_; }  // of this step
+  const Coverage& coverage() const { return coverage_; }       // likewise
+  const HeldSurface& held() const { return held_; }
+  void hold_sides(IntegrationSides::Pairs pairs) { sides_.hold(std::move(pairs)); }
 
  private:
   bool may_integrate(const PointGroup& group) const;

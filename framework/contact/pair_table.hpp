@@ -36,6 +36,7 @@ struct PairRole {
   bool finer = false;        // pressure only if this side has the finer surface
   bool by_size = false;      // both sides press, with shares by the sizes of their cells; beyond a rim, nothing does
   bool covered = false;      // only where the other surface lies opposite: stated tractions end at its rim
+  bool bonds = false;        // what is covered bonds (framework/bond)
 };
 
 // Over classes of objects: what is set for two objects holds for all that are of their classes.
@@ -91,6 +92,9 @@ class PairTable {
   }
   double offset(int a, int b) const { return offset_[classes_.index(a, b)]; }
   double largest_offset() const { return largest_offset_; }
+  // Beyond the laws: how far places may be apart that bond, offsets included [m].
+  void set_bond_reach(double reach) { bond_reach_ = std::max(bond_reach_, reach); }
+  double bond_reach() const { return bond_reach_; }
 
   bool any_automatic() const {
     return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.automatic; });
@@ -109,7 +113,7 @@ class PairTable {
   std::vector<TangentialLaw> tangential_;  // per law
   std::vector<PairRole> point_, edge_, thin_;
   std::vector<double> offset_;  // m
-  double largest_edge_range_ = 0, largest_offset_ = 0;  // m
+  double largest_edge_range_ = 0, largest_offset_ = 0, bond_reach_ = 0;  // m
 };
 
 }  // namespace tack

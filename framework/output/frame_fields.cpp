@@ -2,6 +2,7 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/friction_term.hpp"
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/core/state.hpp"
 #include "framework/output/vertex_gaps.hpp"
@@ -48,6 +49,7 @@ VecX values_of(const std::string& name, const World& world, const State& state) 
   const LawPart part = name.starts_with("adhesion") ? LawPart::adhesion : LawPart::all;
   VecX forces = friction ? world.friction->forces(state.x, TangentialPart::all) : world.contact_term->forces(state.x, part);
   if (world.rim && !friction) forces += world.rim->forces(state.x, part);
+  if (world.bonds && !friction) forces += world.bonds->forces(state.x, part);
   forces = collected(world, std::move(forces));
   if (name.ends_with("force")) return forces;
   if (friction) return tangential_tractions(world, state.x, forces);

@@ -20,7 +20,7 @@ std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
     const double gap = 1.05 * range * i / law_samples, traction = law.at(law.offset() + gap).slope;
     double adhesion = 0;
     for (const auto& part : law.laws())
-      if (dynamic_cast<const AdhesionLaw*>(part.get())) adhesion += part->at(gap).slope;
+      if (dynamic_cast<const NormalAdhesion*>(part.get())) adhesion += part->at(gap).slope;
     if (traction < -steepest * peak) continue;
     rows += fmt::format("{},{},{},{},{}\n", csv_cell(pair), gap, traction, traction - adhesion, adhesion);
   }

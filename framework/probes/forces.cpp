@@ -1,5 +1,6 @@
 // Probes of forces: contact and adhesion between objects, and the reaction of what is held.
 #include "framework/assembly/term_gradient.hpp"
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/pair_force.hpp"
@@ -32,6 +33,7 @@ class ContactForce : public PairForce<LawPart> {
   Vec3 value(const World& world, const State& state) override {
     Vec3 sum = force(*world.contact_term, world, state.x);
     if (world.rim) sum += force(*world.rim, world, state.x);
+    if (world.bonds) sum += force(*world.bonds, world, state.x);
     return sum;
   }
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/contact/too_close.hpp"
@@ -345,6 +346,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->rim) world->terms.push_back(world->rim.get());
+  if (world->bonds) world->terms.push_back(world->bonds.get());
   if (world->friction) world->terms.push_back(world->friction.get());
   if (world->contact) world->participants.add(world->contact.get());
   for (const Body& body : world->bodies)
@@ -355,6 +357,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->participants.add(term);
   if (world->contact_term) world->participants.add(world->contact_term.get());
   if (world->rim) world->participants.add(world->rim.get());
+  if (world->bonds) world->participants.add(world->bonds.get());
   if (world->friction) world->participants.add(world->friction.get());
   return world;
 }

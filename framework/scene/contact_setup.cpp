@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/scene/build_world.hpp"
@@ -105,7 +106,7 @@ class PairBuilder {
  public:
   PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<SurfaceSize>& sizes, World& world)
       : scene_(scene), contact_(*scene.contact), root_(root), world_(world), classes_(classes_of(scene, world)),
-        configs_(scene, root, classes_), table_(classes_, cells_of(sizes)), colliding_(classes_) {
+        configs_(scene, root, classes_), table_(classes_, cells_of(sizes)), colliding_(classes_), bonds_(classes_) {
     table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   }
 
@@ -131,6 +132,7 @@ class PairBuilder {
   }
 
   PairTable& table() { return table_; }
+  BondTable& bonds() { return bonds_; }
   const CollidingObjects& colliding() const { return colliding_; }
 
  private:
@@ -173,6 +175,7 @@ class PairBuilder {
   struct LawIds {
     int pressure, guard;
     int summary = -1;  // of world.adhesion; -1: without adhesion
+    int bond = -1;     // of the bond table; -1: without bonds
   };
 
   LawIds laws_of(int a, int b, int config) {
@@ -186,11 +189,16 @@ class PairBuilder {
     const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
     PairLaw pressure(offset), guard(offset);
     std::shared_ptr<NormalLaw> adhesion;
+    std::shared_ptr<BondLaw> bond;
     try {
-      if (pair && pair->adhesion) {
-        adhesion = pair->adhesion->clone();
+      if (pair && pair->bonds()) {
+        bond = dynamic_cast<const BondLaw&>(*pair->adhesion).clone();
+        bond->prepare(materials);
+        materials.adhesion_peak = bond->peak_traction();
+      } else if (pair && pair->adhesion) {
+        adhesion = dynamic_cast<const NormalAdhesion&>(*pair->adhesion).clone();
         adhesion->prepare(materials);
-        materials.adhesion_peak = static_cast<const AdhesionLaw&>(*adhesion).peak_traction();
+        materials.adhesion_peak = dynamic_cast<const AdhesionLaw&>(*adhesion).peak_traction();
       }
       const BarrierLaw& barrier = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
       std::shared_ptr<NormalLaw> full = barrier.clone(), close = barrier.clone();
@@ -206,13 +214,18 @@ class PairBuilder {
     if (adhesion) {
       pressure.add(adhesion);
       if (table_.plain_sums) guard.add(adhesion);
-      report(a, b, static_cast<const AdhesionLaw&>(*adhesion), pressure);
+      report(a, b, dynamic_cast<const AdhesionLaw&>(*adhesion), pressure);
     }
     const TangentialLaw along = tangential_of(pair, materials.adhesion_peak);
     TangentialLaw along_guard = along;
     if (!table_.plain_sums) along_guard.mu_a = 0;  // guards do not adhere
+    int rule = -1;
+    if (bond) {
+      rule = bonds_.add(rule_of(*pair, bond, pressure, config));
+      report(a, b, *bond);
+    }
     const LawIds ids{table_.add_law(pressure, along), table_.add_law(guard, along_guard),
-                     adhesion ? static_cast<int>(world_.adhesion.size()) - 1 : -1};
+                     adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule};
     laws_.emplace(key, ids);
     return ids;
   }
@@ -229,8 +242,33 @@ class PairBuilder {
                                adhesion.peak_traction()});
   }
 
+  void set_bond(int a, int b, int rule, int config) {
+    bonds_.set(a, b, rule);
+    if (table_.plain_sums)
+      throw configs_.error(config, "bonds stand for areas, and contact.weights: pair counts close pairs instead; take it away, or choose an adhesion of the gap");
+  }
+
+  // Bonds are there without the barrier, and hold from the gap that they are made at, or from touching.
+  void report(int a, int b, const BondLaw& bond) {
+    world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}},
+                               bond.work_of_adhesion(), bond.work_of_adhesion(), 0, bond.peak_traction()});
+  }
+
+  BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law, const PairLaw& barrier, int config) {
+    const double distance = pair.bond_distance.value_or(contact_.contact_distance);
+    if (distance > 2 * contact_.contact_distance)
+      throw configs_.error(config, fmt::format("bond_distance is {:.6g} m, and contact sees twice its distance, {:.6g} m; lower it, or raise contact.distance",
+                                               distance, 2 * contact_.contact_distance));
+    using Bonding = PairConfig::Bonding;
+    const bool on_contact = pair.bond == Bonding::on_contact || (pair.bond == Bonding::automatic && law->bonds_on_contact());
+    table_.set_bond_reach(distance + barrier.offset());
+    const std::string type(law->type());
+    return {std::move(law), type, on_contact, distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
+  }
+
   void set_roles(int a, int b, int config) {
     const LawIds ids = laws_of(a, b, config);
+    if (ids.bond >= 0) set_bond(a, b, ids.bond, config);
     const double range = table_.laws()[ids.pressure].range(), guard_range = table_.laws()[ids.guard].range();
     const PairRole guard{ids.guard, 1, guard_range, false};
     // An edge pair's area is half the mean of its two edges' (they count the surface twice).
@@ -242,6 +280,7 @@ class PairBuilder {
     }
     PairRole pressure{ids.pressure, 1, range, true, ids.guard, guard_range};
     pressure.covered = a != b && config >= 0 && contact_.pairs[config].adhesion;
+    pressure.bonds = ids.bond >= 0;
     const std::string& side = config >= 0 ? contact_.pairs[config].integrate : PairConfig().integrate;
     pressure.by_size = a != b && side == "automatic" && !pressure.covered;
     // Both may be of the group that is named.
@@ -270,6 +309,7 @@ class PairBuilder {
   PairConfigs configs_;
   PairTable table_;
   CollidingObjects colliding_;
+  BondTable bonds_;
   std::map<std::tuple<int, double, double, double>, LawIds> laws_;
 };
 
@@ -325,11 +365,13 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
   surface.mesh.vertex_group = rigid_groups(world);
   PairBuilder builder(scene, root, sizes, world);
   builder.build();
+  BondTable bonds = std::move(builder.bonds());
   check_range(builder.table(), root, world.rest);
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
   if (world.contact->pairs().any_covered()) world.rim = std::make_unique<RimTerm>(*world.contact);
+  if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/scene/world.hpp"
@@ -31,6 +32,7 @@ std::vector<std::pair<std::string, double>> energies_by_term(const World& world,
     const double rim = world.rim ? world.rim->value(state.x) : 0;
     all.emplace_back("adhesion", world.contact_term->part_value(state.x, LawPart::adhesion) + rim);
   }
+  if (world.bonds) all.emplace_back("bonds", world.bonds->value(state.x));
   if (world.friction) {
     all.emplace_back("friction", world.friction->part_value(state.x, TangentialPart::friction));
     all.emplace_back("tangential_adhesion", world.friction->part_value(state.x, TangentialPart::adhesion));

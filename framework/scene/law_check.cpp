@@ -95,16 +95,16 @@ void check_end(const NormalLaw& law, const Sampled& sampled, LawCheck& check) {
   const double slope = std::abs(end.slope) / sampled.largest_slope(), value = std::abs(end.value) / sampled.largest_value();
   if (slope > largest_jump)
     check.doubtful.push_back(fmt::format("{}: its traction jumps from {:.4g} Pa to 0 at its range, {:.4g} m ({:.2g}% of the largest): steps beside it do not "
-                                         "converge, and the jump does work; let it fall to 0, or state a longer range", law.type(), end.slope, law.range(), 100 * slope));
+                                         "converge, and the jump does work; let it fall to 0, or state a longer range", law.name(), end.slope, law.range(), 100 * slope));
   if (value > largest_jump)
     check.doubtful.push_back(fmt::format("{}: its energy jumps from {:.4g} J/m^2 to 0 at its range, {:.4g} m ({:.2g}% of the largest): whoever comes or goes there "
-                                         "gains or loses that; subtract its value at the range, or state a longer range", law.type(), end.value, law.range(), 100 * value));
+                                         "gains or loses that; subtract its value at the range, or state a longer range", law.name(), end.value, law.range(), 100 * value));
 }
 
-void check_statements(const AdhesionLaw& law, const Sampled& sampled, LawCheck& check) {
+void check_statements(const NormalAdhesion& law, const Sampled& sampled, LawCheck& check) {
   const auto compare = [&](const char* what, const char* unit, double stated, double found) {
     if (std::abs(stated - found) <= largest_misstatement * std::max(std::abs(stated), std::abs(found))) return;
-    check.doubtful.push_back(fmt::format("{}: states {} of {:.4g} {}, and has {:.4g}; reports and tangential adhesion go by what it states", law.type(), what, stated,
+    check.doubtful.push_back(fmt::format("{}: states {} of {:.4g} {}, and has {:.4g}; reports and tangential adhesion go by what it states", law.name(), what, stated,
                                          unit, found));
   };
   double at = 0;
@@ -114,7 +114,7 @@ void check_statements(const AdhesionLaw& law, const Sampled& sampled, LawCheck& 
 }
 
 // Of a pair: whether the barrier leaves what the adhesion promises.
-void check_peak(const AdhesionLaw& law, const PairLaw& pair, LawCheck& check) {
+void check_peak(const NormalAdhesion& law, const PairLaw& pair, LawCheck& check) {
   double contact_distance = 0, at = 0, felt = 0;
   for (const auto& part : pair.laws())
     if (dynamic_cast<const BarrierLaw*>(part.get())) contact_distance = std::max(contact_distance, part->range());
@@ -123,7 +123,7 @@ void check_peak(const AdhesionLaw& law, const PairLaw& pair, LawCheck& check) {
   for (int i = 0; i < places; ++i) felt = std::max(felt, pair.at(pair.offset() + law.range() * (i + 0.5) / places).slope);
   if (felt >= least_felt * peak) return;
   check.doubtful.push_back(fmt::format("{}: its traction peaks at {:.4g} m, within the contact distance of {:.4g} m, where the barrier pushes: surfaces feel {:.4g} of "
-                                       "{:.4g} Pa; move the peak out, or lower contact.distance", law.type(), at, contact_distance, felt, peak));
+                                       "{:.4g} Pa; move the peak out, or lower contact.distance", law.name(), at, contact_distance, felt, peak));
 }
 
 void add(std::vector<std::string>& list, const std::vector<std::string>& more, const std::string& names) {
@@ -136,16 +136,16 @@ LawCheck check_law(const NormalLaw& law) {
   LawCheck check;
   const Sampled sampled(law);
   if (!sampled.finite()) {
-    check.wrong.push_back(fmt::format("{}: its values or derivatives are not finite everywhere within its range of {:.4g} m", law.type(), law.range()));
+    check.wrong.push_back(fmt::format("{}: its values or derivatives are not finite everywhere within its range of {:.4g} m", law.name(), law.range()));
     return check;
   }
   double at = 0;
   if (const auto study = sampled.study(false, at); study.wrong)
-    check.wrong.push_back(fmt::format("{}: its traction is not the derivative of its energy, off by {:.1e} of it, most at {:.4g} m", law.type(), study.error, at));
+    check.wrong.push_back(fmt::format("{}: its traction is not the derivative of its energy, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
   if (const auto study = sampled.study(true, at); study.wrong)
-    check.wrong.push_back(fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.type(), study.error, at));
+    check.wrong.push_back(fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
   check_end(law, sampled, check);
-  if (const auto* adhesion = dynamic_cast<const AdhesionLaw*>(&law)) check_statements(*adhesion, sampled, check);
+  if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(&law)) check_statements(*adhesion, sampled, check);
   return check;
 }
 
@@ -153,7 +153,7 @@ LawCheck check_pair(const PairLaw& pair) {
   LawCheck all;
   for (const auto& part : pair.laws()) {
     LawCheck check = check_law(*part);
-    if (const auto* adhesion = dynamic_cast<const AdhesionLaw*>(part.get())) check_peak(*adhesion, pair, check);
+    if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(part.get())) check_peak(*adhesion, pair, check);
     all.wrong.insert(all.wrong.end(), check.wrong.begin(), check.wrong.end());
     all.doubtful.insert(all.doubtful.end(), check.doubtful.begin(), check.doubtful.end());
   }

@@ -1,5 +1,7 @@
 #include "framework/scene/scene_config.hpp"
 
+#include "framework/bond/bond_law.hpp"
+
 namespace tack {
 
 void NamedSelection::fields(Fields& f) {
@@ -41,6 +43,8 @@ void ObjectConfig::fields(Fields& f) {
   f.vector("spin", spin, units::angular_velocity, "initial angular velocity of what is free of it, about its centre of mass");
 }
 
+bool PairConfig::bonds() const { return dynamic_cast<const BondLaw*>(adhesion.get()) != nullptr; }
+
 void PairConfig::fields(Fields& f) {
   f.texts("between", between, "two names, of an object or of a group of them, or \"*\" for all; the same object twice for contact of it with "
           "itself. Where several entries fit, two objects hold before an object and a group, an object and \"*\", two groups, a "
@@ -49,6 +53,17 @@ void PairConfig::fields(Fields& f) {
   f.flag("contact", contact, "false: the two may pass through each other");
   f.component("barrier", barrier, "repulsion of this pair, instead of the common one");
   f.component("adhesion", adhesion, "attraction; pairs that are not named do not adhere");
+  f.choice("bond", bond,
+           {{"automatic", Bonding::automatic, "as the law has it: on_contact of one that heals, at_start of others"},
+            {"at_start", Bonding::at_start, "what lies opposite the other at the start of a run; what has parted does not bond again"},
+            {"on_contact", Bonding::on_contact, "whatever comes to lie opposite the other, wherever there is no bond (any more)"}},
+           "of an adhesion by bonds: when they are made");
+  f.optional_number("bond_distance", bond_distance, units::length,
+                    "the largest gap at which bonds are made; the contact distance unless given, at most twice that").positive();
+  f.choice("unstressed", unstressed,
+           {{"as_bonded", Unstressed::as_bonded, "at the gap at which it was made"},
+            {"touching", Unstressed::touching, "where the surfaces touch: the law's opening is the gap"}},
+           "of an adhesion by bonds: from where the opening of a bond counts");
   f.optional_object("friction", friction, "friction of this pair, instead of the common one");
   f.optional_object("tangential_adhesion", tangential_adhesion,
                     "resistance to sliding within reach of the adhesion, which it needs");
@@ -61,9 +76,16 @@ void PairConfig::fields(Fields& f) {
     return between.size() == 2 ? "" : "expects two names";
   });
   f.check("tangential_adhesion", [this]() -> std::string {
+    if (tangential_adhesion && bonds()) return "is no part of an adhesion by bonds, whose laws resist slip themselves; drop it";
     return !tangential_adhesion || adhesion
                ? "" : "takes its strength from the pair's adhesion, and there is none; give one";
   });
+  const auto of_bonds = [this](bool given) -> std::string {
+    return !given || bonds() ? "" : "is of an adhesion by bonds, and this pair has none: drop it, or choose such an adhesion (tack list adhesion)";
+  };
+  f.check("bond", [this, of_bonds] { return of_bonds(bond != Bonding::automatic); });
+  f.check("bond_distance", [this, of_bonds] { return of_bonds(bond_distance.has_value()); });
+  f.check("unstressed", [this, of_bonds] { return of_bonds(unstressed != Unstressed::as_bonded); });
 }
 
 void ContactConfig::fields(Fields& f) {

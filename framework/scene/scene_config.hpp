@@ -68,13 +68,19 @@ struct ObjectConfig {
 };
 
 struct PairConfig {
+  enum class Bonding { automatic, at_start, on_contact };
+  enum class Unstressed { as_bonded, touching };
   std::vector<std::string> between;
   bool contact = true;
   std::unique_ptr<BarrierLaw> barrier;
   std::unique_ptr<AdhesionLaw> adhesion;
   std::optional<FrictionConfig> friction;
   std::optional<TangentialAdhesionConfig> tangential_adhesion;
+  Bonding bond = Bonding::automatic;
+  std::optional<double> bond_distance;  // m
+  Unstressed unstressed = Unstressed::as_bonded;
   std::string integrate = "automatic";
+  bool bonds() const;  // whether its adhesion is one by bonds
   void fields(Fields& f);
 };
 

@@ -8,6 +8,7 @@
 #include "framework/config/nearest.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
+#include "framework/bond/bond_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "geometry/errors.hpp"
 

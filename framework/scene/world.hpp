@@ -17,6 +17,7 @@
 
 namespace tack {
 
+class BondTerm;
 class ContactSystem;
 class ContactTerm;
 class DampingTerm;
@@ -51,6 +52,7 @@ struct World {
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
   std::unique_ptr<RimTerm> rim;            // null if no pair adheres by covered areas
+  std::unique_ptr<BondTerm> bonds;         // null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
   StepParticipants participants;  // contact and the terms

@@ -6,6 +6,7 @@
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/assembly/term_gradient.hpp"
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/core/damping_terms.hpp"
@@ -55,9 +56,11 @@ void EnergyBalance::open(const State& state) {
   start_.open = true;
   start_.contact = *contact_;
   for (const auto& term : world_.elastic_terms) start_.elastic += term->value(state.x);
+  if (world_.bonds) start_.elastic += world_.bonds->value(state.x);
   start_.gradient = VecX::Zero(state.x.size());
   for (const auto& term : world_.elastic_terms) add_term_gradient(*term, state.x, start_.gradient);
   if (world_.contact_term) add_term_gradient(*world_.contact_term, state.x, start_.gradient);
+  if (world_.bonds) add_term_gradient(*world_.bonds, state.x, start_.gradient);
   if (world_.rim) world_.rim->add_linear_gradient(start_.gradient);
   add_inertia_and_weight(state, start_.gradient);
 }
@@ -84,6 +87,10 @@ void EnergyBalance::end(const VecX& x) {
   if (world_.friction) {
     taken_.friction = world_.friction->dissipated(x, TangentialPart::friction);
     taken_.adhesion = world_.friction->dissipated(x, TangentialPart::adhesion);
+  }
+  if (world_.bonds) {
+    taken_.adhesion += world_.bonds->dissipated(x);
+    taken_.healing = -world_.bonds->healed(x);
   }
   if (world_.rim) taken_.rim = -world_.rim->value(x);
   for (const auto& term : world_.elastic_terms) taken_.plastic += term->dissipated(x);
@@ -154,7 +161,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   end.damping = start_.damping + flows.damping;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
-  flows.numerics = before + flows.loads + flows.script - dissipated - flows.areas - stored(end);
+  flows.numerics = before + flows.loads + flows.script + flows.healing - dissipated - flows.areas - stored(end);
   end.unexplained = start_.unexplained;
   end.lowest = start_.lowest;
   end.bottom = start_.bottom;

@@ -1,12 +1,13 @@
 // Where the energy of each step came from and went. Of the free vertices' kinetic energy and gravity and
 // of all elastic and contact energies, E, a step changes
-//     E' - E = loads + script - friction - adhesion - plastic - damping - areas - numerics,
+//     E' - E = loads + script + healing - friction - adhesion - plastic - damping - areas - numerics,
 //   loads     the work of external loads, with the mean of their forces at both ends,
 //   script    that of the forces which hold or move scripted vertices: the mean of the elastic and contact
 //             forces at both ends, and friction and damping, times their displacement; and the energy that vertices
 //             bring along when they are released, or take along when they are seized,
+//   healing   what bonds that heal under pressure put into what they store,
 //   friction  what sliding dissipated: force times slip, which is never negative,
-//   adhesion  the same of tangential adhesion,
+//   adhesion  the same of tangential adhesion, and what bonds dissipate when they give way,
 //   plastic   work of plastic flow, stress times plastic strain: also what hardening takes, which nothing gives back,
 //   damping   what the damping of objects took: C v . v h with the step's mean velocities, never negative,
 //   areas     what contact lost (or, below zero, gained) when its areas were taken anew at the start of the

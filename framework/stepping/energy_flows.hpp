@@ -6,6 +6,7 @@ namespace tack {
 struct EnergyFlows {
   double loads = 0, script = 0;                                  // work done from outside
   double rim = 0;  // that of the forces by which covered areas change (contact/rim_term.hpp): within, energy_adhesion falls by it
+  double healing = 0;  // what bonds that heal put into what is stored (framework/bond)
   double friction = 0, adhesion = 0, plastic = 0, damping = 0, areas = 0, numerics = 0;  // dissipated
   double jerk = 0;     // by how much the script's work is more with its forces at the end of the step, with which implicit steps begin
   double noise = 0;    // what the solver's tolerance may change it by
@@ -17,7 +18,7 @@ struct EnergyFlows {
   bool gained = false;      // energy has grown noticeably, and nothing put it in
 
   EnergyFlows& operator+=(const EnergyFlows& o) {
-    loads += o.loads, script += o.script, rim += o.rim, friction += o.friction;
+    loads += o.loads, script += o.script, rim += o.rim, healing += o.healing, friction += o.friction;
     adhesion += o.adhesion, plastic += o.plastic, damping += o.damping;
     areas += o.areas, numerics += o.numerics;
     return *this;
@@ -28,6 +29,7 @@ struct EnergyFlows {
     act("work_loads", flows.loads);
     act("work_script", flows.script);
     act("work_rim", flows.rim);
+    act("work_healing", flows.healing);
     act("dissipated_friction", flows.friction);
     act("dissipated_adhesion", flows.adhesion);
     act("dissipated_plastic", flows.plastic);

@@ -14,13 +14,14 @@ constexpr int count = 1024;
 // Parameters under which laws usually are complete, tried in this order.
 constexpr std::array parameters = {", critical_strain: 0.5", ", peak_traction: 1 kPa", ""};
 
-// Null if the law needs other parameters.
+// Null if the law needs other parameters, or is none of the gap.
 template <class Kind>
-std::unique_ptr<Kind> prepared(const std::string& name) {
+std::shared_ptr<NormalLaw> prepared(const std::string& name) {
   for (const char* more : parameters) {
     try {
-      auto law = bind_component<Kind>(parse_string(fmt::format("{{type: {}{}}}", name, more), "bench"));
-      law->prepare({1e-3, 1e5, 0});
+      std::shared_ptr<Kind> component = bind_component<Kind>(parse_string(fmt::format("{{type: {}{}}}", name, more), "bench"));
+      const auto law = std::dynamic_pointer_cast<NormalLaw>(component);
+      if (law) law->prepare({1e-3, 1e5, 0});
       return law;
     } catch (const InputError&) {
     }

@@ -18,13 +18,13 @@ const nlohmann::json& tables() {
   return data;
 }
 
-std::unique_ptr<AdhesionLaw> fang(const std::string& settings, const PairMaterials& pair) {
+std::unique_ptr<NormalAdhesion> fang(const std::string& settings, const PairMaterials& pair) {
   auto law = component<AdhesionLaw>("{type: fang, " + settings + "}");
   law->prepare(pair);
-  return law;
+  return std::unique_ptr<NormalAdhesion>(dynamic_cast<NormalAdhesion*>(law.release()));
 }
 
-std::unique_ptr<AdhesionLaw> tabulated_fang(const std::string& form) {
+std::unique_ptr<NormalAdhesion> tabulated_fang(const std::string& form) {
   const auto& t = tables().at("normal_adhesion_" + form);
   return fang(fmt::format("form: {}, young: {}, critical_strain: {}, peak_distance: {}, range: {}", form,
                           t.at("young").get<double>(), t.at("critical_strain").get<double>(),

@@ -96,7 +96,7 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   const std::vector<std::string> columns = {
       "step", "time", "step_size", "halvings", "newton_iterations", "linear_solves", "linear_iterations",
       "line_search_evaluations", "contacts", "candidates", "min_distance", "min_gap", "energy_kinetic",
-      "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "work_loads", "work_script", "work_rim",
+      "energy_neo_hookean", "energy_gravity", "energy_barrier", "energy_adhesion", "work_loads", "work_script", "work_rim", "work_healing",
       "dissipated_friction", "dissipated_adhesion", "dissipated_plastic", "dissipated_damping", "dissipated_areas", "dissipated_numerics", "residual",
       "unbalanced_force", "tolerated_force", "converged", "lag_iterations", "friction_residual", "wall_seconds", "seconds_other", "seconds_assembly", "seconds_projection",
       "seconds_factorize", "seconds_solve", "seconds_broad_phase", "seconds_narrow_phase", "seconds_ccd",

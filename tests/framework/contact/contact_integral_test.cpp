@@ -46,8 +46,9 @@ const std::string sticks = ", adhesion: {type: fang, young: 1e4, critical_strain
 // phi' of barrier and adhesion at a distance [Pa].
 double traction(double distance, bool adhesive = true) {
   const auto barrier = bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t"));
-  const auto adhesion = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
-  for (NormalLaw* law : {static_cast<NormalLaw*>(barrier.get()), static_cast<NormalLaw*>(adhesion.get())})
+  const auto fang = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
+  auto* const adhesion = dynamic_cast<NormalLaw*>(fang.get());
+  for (NormalLaw* law : {static_cast<NormalLaw*>(barrier.get()), adhesion})
     law->prepare({dhat, 1e5, 0});
   return barrier->at(distance).slope + (adhesive ? adhesion->at(distance).slope : 0);
 }

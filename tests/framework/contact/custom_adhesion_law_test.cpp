@@ -24,7 +24,8 @@ LoadedExperiment scene_with(const std::string& adhesion) {
 }
 
 std::unique_ptr<NormalLaw> prepared_law() {
-  auto law = scene_with(documented).experiment.contact->pairs[0].adhesion->clone();
+  const LoadedExperiment scene = scene_with(documented);
+  auto law = dynamic_cast<const NormalAdhesion&>(*scene.experiment.contact->pairs[0].adhesion).clone();
   law->prepare({.contact_distance = 1e-3});
   return law;
 }
@@ -87,7 +88,7 @@ TEST_CASE("the law's peak and work are those of its curve") {
     peak = std::max(peak, slope);
     work += slope * 4e-3 / n;
   }
-  const auto& adhesion = static_cast<const AdhesionLaw&>(*law);
+  const auto& adhesion = dynamic_cast<const AdhesionLaw&>(*law);
   CHECK(peak == Approx(adhesion.peak_traction()).epsilon(1e-6));
   CHECK(work == Approx(adhesion.work_of_adhesion()).epsilon(1e-6));
 }

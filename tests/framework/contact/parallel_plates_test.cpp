@@ -56,12 +56,9 @@ Pull pull(const Plates& plates, LawPart part = LawPart::all) {
 }
 
 double slope(const std::string& kind, double gap) {
-  std::unique_ptr<NormalLaw> law;
-  if (kind == "barrier") {
-    law = bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t"));
-  } else {
-    law = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
-  }
+  const auto barrier = bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t"));
+  const auto adhesion = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
+  NormalLaw* const law = kind == "barrier" ? barrier.get() : dynamic_cast<NormalLaw*>(adhesion.get());
   law->prepare({dhat, 1e5, 0});
   return law->at(gap).slope;
 }

@@ -29,7 +29,7 @@ StepReport report(int step, double time) {
   r.min_distance = 1e-4;
   r.min_gap = 2e-4;
   r.energies = {{"kinetic", 0.5}, {"barrier", 1e-3}};
-  r.flows = {1, 2, 9, 3, 4, 5, 6, 7, 8};
+  r.flows = {1, 2, 9, 10, 3, 4, 5, 6, 7, 8};
   r.lag_iterations = 3;
   r.friction_residual = 0.0625;
   r.wall_seconds = 0.125;
@@ -39,17 +39,17 @@ StepReport report(int step, double time) {
 
 const std::string header =
     "step,time,step_size,halvings,newton_iterations,linear_solves,linear_iterations,line_search_evaluations,contacts,"
-    "candidates,min_distance,min_gap,energy_kinetic,energy_barrier,work_loads,work_script,work_rim,dissipated_friction,"
+    "candidates,min_distance,min_gap,energy_kinetic,energy_barrier,work_loads,work_script,work_rim,work_healing,dissipated_friction,"
     "dissipated_adhesion,dissipated_plastic,dissipated_damping,dissipated_areas,dissipated_numerics,residual,unbalanced_force,tolerated_force,converged,"
     "lag_iterations,friction_residual,wall_seconds,"
     "seconds_other,seconds_assembly,seconds_projection,seconds_factorize,seconds_solve,"
     "seconds_broad_phase,seconds_narrow_phase,seconds_ccd,seconds_line_search,seconds_check,"
     "seconds_io\n";
 const std::string first =
-    "1,0.01,0.01,1,4,5,11,6,7,80,0.0001,0.0002,0.5,0.001,1,2,9,3,4,5,6,7,8,0.25,0.5,2,1,3,0.0625,0.125,"
+    "1,0.01,0.01,1,4,5,11,6,7,80,0.0001,0.0002,0.5,0.001,1,2,9,10,3,4,5,6,7,8,0.25,0.5,2,1,3,0.0625,0.125,"
     "0,1,2,3,4,5,6,7,8,9,10\n";
 const std::string second =
-    "2,0.02,0.01,1,4,5,11,6,7,80,0.0001,0.0002,0.5,0.001,1,2,9,3,4,5,6,7,8,0.25,0.5,2,0,3,0.0625,0.125,"
+    "2,0.02,0.01,1,4,5,11,6,7,80,0.0001,0.0002,0.5,0.001,1,2,9,10,3,4,5,6,7,8,0.25,0.5,2,0,3,0.0625,0.125,"
     "0,1,2,3,4,5,6,7,8,9,10\n";
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr double e = 2.718281828459045, strength = 1000, peak = 1e-3;  // Pa, m
 
 // Traction s (d / p) exp(1 - d / p) (Xu and Needleman 1993), cut at so many p; with `shift`, its energy ends at zero.
-class Exponential : public NormalLawOf<Exponential, AdhesionLaw> {
+class Exponential : public NormalLawOf<Exponential, NormalAdhesion> {
  public:
   explicit Exponential(double cut, bool shift = false) : cut_(cut), shift_(shift ? (1 + cut) * std::exp(-cut) : 0) {}
   void fields(Fields&) override {}

@@ -1,0 +1,46 @@
+// A bond: a place on one surface, the anchor on another where it was closest when they bonded, and an area. With the coefficients c
+// of the two, r = sum_i c_i x_i leads from the anchor to the place; n is the unit normal of the anchor's triangle towards the place,
+// held in a step, and
+//     d = n . r - rest,   u = r - (n . r) n     the opening and the slip since they bonded [m].
+// Both are places of the material: nothing is added up from step to step, and a rigid motion of the two changes nothing.
+#pragma once
+
+#include <array>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct Bond {
+  static constexpr int most = 6;  // vertices
+
+  int rule = 0;           // of the bond table
+  int a = 0, b = 0;       // the objects of the place and of the anchor
+  int triangle = -1;      // of the contact surface that the place is in; -1: it is the vertex vertices[0]
+  int anchor = 0;         // the anchor's triangle
+  int leading = 3;        // how many of the vertices are the place's: 3 or 1; three more are the anchor's
+  std::array<int, most> vertices{};
+  std::array<double, most> c{};
+  double area = 0;        // m^2
+  double rest = 0;        // n . r of the unstressed bond [m]
+  double side = 1;        // -1: the place is behind the anchor's triangle, on a sheet
+  Vec3 normal = Vec3::Zero();
+
+  int count() const { return leading + 3; }
+};
+
+struct Opening {
+  double d;  // m; below zero where the surfaces are closer than as they bonded
+  double s;  // |u|^2 [m^2]
+  Vec3 u;    // m
+};
+
+inline Opening opening_of(const Bond& bond, const VecX& x) {
+  Vec3 r = Vec3::Zero();
+  for (int i = 0; i < bond.count(); ++i) r += bond.c[i] * vertex(x, bond.vertices[i]);
+  const double along = bond.normal.dot(r);
+  const Vec3 u = r - along * bond.normal;
+  return {along - bond.rest, u.squaredNorm(), u};
+}
+
+}  // namespace tack

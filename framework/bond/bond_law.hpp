@@ -1,0 +1,137 @@
+// A bond law: energy per area phi(d, s; m, h) [J/m^2] of a bond between a place on one surface and a place on another that stick to
+// each other: d >= 0 [m], how far they have come apart along the normal since they bonded; s = |u|^2 [m^2], u across it; m, what the
+// bond remembers. It is the incremental potential of a step of size h [s]: the least, over all that m may become in the step, of the
+// energy stored then and what the change dissipates (Ortiz and Stainier 1999, The variational formulation of viscoplastic
+// constitutive updates). With h = 0 nothing changes: phi is the energy that is stored, 0 of a new bond where it was made.
+// s, not |u|, is the argument: the force across, 2 phi_s u, needs no division by |u|.
+//
+// To add one, derive from BondLawOf<MyLaw>, list the parameters in fields(), give the peak and the work, say what is remembered, and
+//     struct Memory { double damage = 0; };  // of a new bond; doubles only
+//     template <class T> T energy(const T& d, const T& s, const Memory& m, double h) const;
+//     Memory after(const Memory& m, const BondPlace& at) const;  // a step that ends there
+//     double loss(const Memory& before, const Memory& after, const BondPlace& at) const;  // what that dissipated [J/m^2]
+//     bool gone(const Memory& m, const BondPlace& at) const;     // whether it is a bond no longer
+// and, where that is not all,
+//     Memory begin(bool on_contact) const;                       // of a new bond: at the start of a run, or when surfaces met
+//     Memory heal(const Memory& m, const BondPlace& at) const;   // what a pressure makes of it, after the step
+// then TACK_REGISTER it in the same file, as an AdhesionLaw.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+#include "framework/assembly/dual22.hpp"
+#include "framework/contact/adhesion_law.hpp"
+
+namespace tack {
+
+// Where a bond is at the end of a step.
+struct BondPlace {
+  double d = 0, s = 0;  // m, m^2
+  double h = 0;         // the size of the step [s]
+  double pressure = 0;  // of the barrier between the two surfaces there [Pa]
+};
+
+struct BondSample {
+  double value = 0;                  // phi [J/m^2]
+  double by_d = 0, by_s = 0;         // the traction [Pa]; half the traction across, by |u| [Pa/m]
+  double by_dd = 0, by_ds = 0, by_ss = 0;
+};
+
+// What a step did to a bond, per area [J/m^2].
+struct BondChange {
+  double dissipated = 0;
+  double healed = 0;  // what healing took from what is stored; below zero, what it put in
+  bool gone = false;
+};
+
+class BondLaw : public AdhesionLaw {
+ public:
+  virtual std::unique_ptr<BondLaw> clone() const = 0;
+  // Whether bonds are made, unless the pair says, whenever surfaces meet, and not at the start of a run alone.
+  virtual bool bonds_on_contact() const { return false; }
+
+  // A memory is so many numbers.
+  virtual int width() const = 0;
+  virtual void fresh(bool on_contact, double* memory) const = 0;
+  // Adds phi and its derivatives of n bonds, their memories one after the other.
+  virtual void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const = 0;
+  virtual void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const = 0;
+  // What the memory becomes by a step, healing after it; of a bond that is gone, what it stored is dissipated.
+  virtual BondChange advance(const BondPlace& at, double* memory) const = 0;
+
+  BondSample at(double d, double s, const double* memory, double h) const {
+    BondSample sample;
+    add_samples(1, &d, &s, memory, h, &sample);
+    return sample;
+  }
+  double stored(double d, double s, const double* memory) const {
+    double value = 0;
+    add_values(1, &d, &s, memory, 0, &value);
+    return value;
+  }
+};
+
+// Supplies all that follows from the formula.
+template <class Law>
+class BondLawOf : public BondLaw {
+ public:
+  std::unique_ptr<BondLaw> clone() const override { return std::make_unique<Law>(law()); }
+  AdhesionTraits traits() const override { return {.reversible = false, .remembers = width() > 0, .normal = true, .tangential = true}; }
+  int width() const override {
+    using Memory = typename Law::Memory;
+    return std::is_empty_v<Memory> ? 0 : sizeof(Memory) / sizeof(double);
+  }
+  void fresh(bool on_contact, double* memory) const override {
+    if constexpr (requires { law().begin(on_contact); })
+      store(law().begin(on_contact), memory);
+    else
+      store(typename Law::Memory{}, memory);
+  }
+  void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const override {
+    for (int i = 0; i < n; ++i) {
+      const Dual22 e = law().energy(Dual22::first(d[i]), Dual22::second(s[i]), load(memory + i * width()), h);
+      out[i].value += e.v;
+      out[i].by_d += e.a;
+      out[i].by_s += e.b;
+      out[i].by_dd += e.aa;
+      out[i].by_ds += e.ab;
+      out[i].by_ss += e.bb;
+    }
+  }
+  void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const override {
+    for (int i = 0; i < n; ++i) out[i] += law().energy(d[i], s[i], load(memory + i * width()), h);
+  }
+  BondChange advance(const BondPlace& at, double* memory) const override {
+    const auto before = load(memory);
+    auto now = law().after(before, at);
+    BondChange change{law().loss(before, now, at)};
+    if constexpr (requires { law().heal(now, at); }) {
+      const auto healed = law().heal(now, at);
+      change.healed = law().energy(at.d, at.s, now, 0.0) - law().energy(at.d, at.s, healed, 0.0);
+      now = healed;
+    }
+    store(now, memory);
+    change.gone = law().gone(now, at);
+    if (change.gone) change.dissipated += law().energy(at.d, at.s, now, 0.0);
+    return change;
+  }
+
+ private:
+  const Law& law() const { return static_cast<const Law&>(*this); }
+  static auto load(const double* memory) {
+    using Memory = typename Law::Memory;
+    static_assert(std::is_trivially_copyable_v<Memory> && (std::is_empty_v<Memory> || sizeof(Memory) % sizeof(double) == 0));
+    Memory m;
+    if constexpr (!std::is_empty_v<Memory>) std::memcpy(static_cast<void*>(&m), memory, sizeof m);
+    return m;
+  }
+  template <class Memory>
+  static void store(const Memory& m, double* memory) {
+    if constexpr (!std::is_empty_v<Memory>) std::memcpy(memory, &m, sizeof m);
+  }
+};
+
+}  // namespace tack

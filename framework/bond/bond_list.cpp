@@ -1,0 +1,149 @@
+#include "framework/bond/bond_list.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+const std::string prefix = "contact/bonds/", begun_name = "contact/bonds_begun";
+
+// triangle (of the object; -1: the vertex of the key), u, v; triangle of the anchor, u, v; area, rest, side; normal
+constexpr int place_width = 12;
+
+std::array<int, 2> key_of(const Bond& bond) { return {bond.vertices[0], bond.b}; }
+
+}  // namespace
+
+BondList::BondList(const ContactSurface& surface, const BondTable& table) : surface_(&surface), table_(&table) {
+  const auto& object = surface.mesh.vertex_object;
+  const int objects = object.empty() ? 0 : *std::max_element(object.begin(), object.end()) + 1;
+  first_triangle_.assign(objects + 1, 0);
+  for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[object[t[0]] + 1];
+  std::partial_sum(first_triangle_.begin(), first_triangle_.end(), first_triangle_.begin());
+}
+
+void BondList::clear() {
+  bonds_.clear();
+  memory_.clear();
+  memory_at_.clear();
+}
+
+void BondList::add(const Bond& bond, const double* memory) {
+  bonds_.push_back(bond);
+  memory_at_.push_back(memory_.size());
+  memory_.insert(memory_.end(), memory, memory + table_->rules()[bond.rule].law->width());
+}
+
+void BondList::sort() {
+  std::vector<int> order(bonds_.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+    const Bond &p = bonds_[i], &q = bonds_[j];
+    return std::tuple(p.leading, p.rule, key_of(p), p.triangle) < std::tuple(q.leading, q.rule, key_of(q), q.triangle);
+  });
+  BondList sorted(*this);
+  sorted.clear();
+  for (const int i : order) sorted.add(bonds_[i], memory(i));
+  bonds_ = std::move(sorted.bonds_);
+  memory_ = std::move(sorted.memory_);
+  memory_at_ = std::move(sorted.memory_at_);
+}
+
+void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& key) const {
+  const auto& [own, u, v] = std::tie(entry[0], entry[1], entry[2]);
+  const std::vector<int>& object = surface_->mesh.vertex_object;
+  const auto refuse = [] {
+    throw InputError("what is remembered of bonds does not fit the objects; it is of another scene: begin the run anew");
+  };
+  const int vertices = static_cast<int>(object.size()), objects = static_cast<int>(first_triangle_.size()) - 1;
+  if (key[0] < 0 || key[0] >= vertices || key[1] < 0 || key[1] >= objects) refuse();
+  bond.a = object[key[0]];
+  bond.b = key[1];
+  bond.rule = table_->between(bond.a, bond.b);
+  const auto triangle_of = [&](int of, double number) {
+    const int t = first_triangle_[of] + static_cast<int>(number);
+    if (!(number >= 0) || t >= first_triangle_[of + 1]) refuse();
+    return t;
+  };
+  if (own < 0) {
+    bond.leading = 1;
+    bond.vertices[0] = key[0];
+    bond.c[0] = 1;
+  } else {
+    bond.triangle = triangle_of(bond.a, own);
+    const Triangle& t = surface_->mesh.triangles[bond.triangle];
+    std::copy(t.begin(), t.end(), bond.vertices.begin());
+    bond.c = {1 - u - v, u, v};
+  }
+  bond.anchor = triangle_of(bond.b, entry[3]);
+  const Triangle& t = surface_->mesh.triangles[bond.anchor];
+  std::copy(t.begin(), t.end(), bond.vertices.begin() + bond.leading);
+  const std::array<double, 3> c = {1 - entry[4] - entry[5], entry[4], entry[5]};
+  for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -c[i];
+  bond.area = entry[6];
+  bond.rest = entry[7];
+  bond.side = entry[8];
+  bond.normal = {entry[9], entry[10], entry[11]};
+}
+
+bool BondList::read(const History& history) {
+  clear();
+  for (auto it = history.lower_bound(prefix); it != history.end() && it->first.starts_with(prefix); ++it) {
+    const HistoryArray& array = it->second;
+    const std::string type = it->first.substr(prefix.size());
+    for (int i = 0; i < array.entries(); ++i) {
+      Bond bond;
+      const double* entry = &array.values[static_cast<size_t>(i) * array.width];
+      place(bond, entry, array.keys[i]);
+      // Of pairs that bond otherwise here, nothing is remembered.
+      if (bond.rule < 0 || table_->rules()[bond.rule].type != type) continue;
+      if (array.width != place_width + table_->rules()[bond.rule].law->width())
+        throw InputError(fmt::format("bonds of the law '{}' are remembered by {} numbers, and it has {}; it is another law of that name: begin the run anew", type,
+                                     array.width - place_width, table_->rules()[bond.rule].law->width()));
+      add(bond, entry + place_width);
+    }
+  }
+  sort();
+  return history.contains(begun_name);
+}
+
+void BondList::write(History& history) const {
+  history[begun_name] = {1, {1}, {}};
+  std::set<std::string> types;
+  for (const BondRule& rule : table_->rules()) types.insert(rule.type);
+  for (const std::string& type : types) {
+    std::vector<int> of_type;
+    int width = place_width;
+    for (int i = 0; i < size(); ++i)
+      if (table_->rules()[bonds_[i].rule].type == type) of_type.push_back(i);
+    for (const BondRule& rule : table_->rules())
+      if (rule.type == type) width = place_width + rule.law->width();
+    std::stable_sort(of_type.begin(), of_type.end(), [&](int i, int j) { return key_of(bonds_[i]) < key_of(bonds_[j]); });
+    HistoryArray& array = history[prefix + type] = {width, {}, {}};
+    for (const int i : of_type) {
+      const Bond& b = bonds_[i];
+      const bool in_triangle = b.triangle >= 0;
+      array.keys.push_back(key_of(b));
+      const int anchor = b.anchor - first_triangle_[b.b], own = in_triangle ? b.triangle - first_triangle_[b.a] : -1;
+      array.values.insert(array.values.end(), {double(own), in_triangle ? b.c[1] : 0.0, in_triangle ? b.c[2] : 0.0, double(anchor), -b.c[b.leading + 1],
+                                               -b.c[b.leading + 2], b.area, b.rest, b.side, b.normal.x(), b.normal.y(), b.normal.z()});
+      array.values.insert(array.values.end(), memory(i), memory(i) + width - place_width);
+    }
+  }
+}
+
+std::vector<std::pair<int, int>> BondList::pairs() const {
+  std::set<std::pair<int, int>> found;
+  for (const Bond& b : bonds_) found.insert(std::minmax(b.a, b.b));
+  return {found.begin(), found.end()};
+}
+
+}  // namespace tack

@@ -1,0 +1,243 @@
+#include "framework/bond/bond_term.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "framework/bond/bond_sites.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// The gradient by r and the Hessian, per area.
+Vec3 traction(const BondSample& s, const Bond& bond, const Opening& o) { return s.by_d * bond.normal + 2 * s.by_s * o.u; }
+
+Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projection projection) {
+  const Vec3& n = bond.normal;
+  const double slip = std::sqrt(o.s), across = projected(2 * s.by_s, projection);
+  const Vec3 t = slip > 0 ? Vec3(o.u / slip) : n.unitOrthogonal();
+  // In n and t.
+  double nn = s.by_dd, nt = 2 * s.by_ds * slip, tt = 4 * s.by_ss * o.s + 2 * s.by_s;
+  if (projection != Projection::none) {
+    const double mean = (nn + tt) / 2, half = (nn - tt) / 2, radius = std::hypot(half, nt);
+    const double high = projected(mean + radius, projection), low = projected(mean - radius, projection);
+    // f(A) of a symmetric 2x2 matrix: the mean of f at both eigenvalues, and half their difference along A's deviator.
+    const double spread = radius > 0 ? (high - low) / (2 * radius) : 0, middle = (high + low) / 2;
+    nn = middle + spread * half, tt = middle - spread * half, nt *= spread;
+  }
+  return nn * n * n.transpose() + nt * (n * t.transpose() + t * n.transpose()) + (tt - across) * t * t.transpose() +
+         across * (Mat3::Identity() - n * n.transpose());
+}
+
+// Where surfaces are closer than as they bonded, the barrier acts along the normal.
+void shut(BondSample& s) { s.by_d = s.by_dd = s.by_ds = 0; }
+
+}  // namespace
+
+BondTerm::BondTerm(ContactSystem& system, BondTable table)
+    : Term("bonds"), system_(system), table_(std::move(table)), list_(system.surface(), table_), remembered_(list_) {}
+
+void BondTerm::remember(const History& history) {
+  h_ = 0;
+  begun_ = remembered_.read(history);
+  system_.hold_sides(remembered_.pairs());
+  list_ = remembered_;
+  make_blocks();
+}
+
+void BondTerm::begin_step(const StepStart& start) {
+  h_ = start.h;
+  list_ = remembered_;
+  make_bonds(start.x);
+  make_blocks();
+}
+
+// A place that bonds is not to bond again while it does, also if what is covered has changed since: a triangle in which there are
+// bonds makes no other ones, but for what is left of its points of Gauss' rule.
+void BondTerm::make_bonds(const VecX& x) {
+  const bool any_on_contact = std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& r) { return r.on_contact; });
+  if (begun_ && !any_on_contact) return;
+  std::map<std::pair<int, int>, std::vector<const Bond*>> bonded;  // by triangle and other object
+  for (const Bond& b : remembered_.bonds())
+    if (b.triangle >= 0) bonded[{b.triangle, b.b}].push_back(&b);
+  const auto before = remembered_.pairs();
+  std::vector<BondSite> sites = bond_sites(system_, table_);
+  const std::vector<int>& object = system_.surface().mesh.vertex_object;
+  std::erase_if(sites, [&](const BondSite& site) {
+    const int a = object[system_.surface().mesh.triangles[site.triangle][0]];
+    const bool on_contact = table_.rules()[table_.between(a, site.object)].on_contact;
+    const std::pair<int, int> pair = std::minmax(a, site.object);
+    if (!on_contact && (begun_ || std::binary_search(before.begin(), before.end(), pair))) return true;
+    const auto here = bonded.find({site.triangle, site.object});
+    if (here == bonded.end()) return false;
+    return !site.whole || std::any_of(here->second.begin(), here->second.end(), [&](const Bond* b) {
+      double least = 1;
+      for (int i = 0; i < 3; ++i) least = std::min(least, std::abs(b->c[i] - 2.0 / 3));
+      const bool at_point = least < 1e-9;  // of Gauss' rule
+      return !at_point || (Vec3(b->c[0], b->c[1], b->c[2]) - site.inside).norm() < 1e-9;
+    });
+  });
+  std::vector<std::optional<Bond>> made(sites.size());
+  for_each(static_cast<int>(sites.size()), [&](int i) { made[i] = make_bond(sites[i], system_, table_, x); });
+  std::vector<double> memory;
+  for (const auto& bond : made) {
+    if (!bond) continue;
+    const BondRule& rule = table_.rules()[bond->rule];
+    memory.assign(rule.law->width(), 0.0);
+    rule.law->fresh(begun_, memory.data());
+    list_.add(*bond, memory.data());
+  }
+  list_.sort();
+}
+
+void BondTerm::make_blocks() {
+  blocks_.clear();
+  const std::vector<Bond>& bonds = list_.bonds();
+  for (int i = 0; i < list_.size(); ++i) {
+    const bool fits = !blocks_.empty() && blocks_.back().last - blocks_.back().first < most_in_block &&
+                      bonds[i].rule == bonds[blocks_.back().first].rule && bonds[i].leading == bonds[blocks_.back().first].leading;
+    if (!fits) blocks_.push_back({i, i});
+    blocks_.back().last = i + 1;
+  }
+  for (auto& vertices : batch_vertices_) vertices.clear();
+  for (const Bond& b : bonds) {
+    auto& vertices = batch_vertices_[b.leading == 1 ? 0 : 1];
+    vertices.insert(vertices.end(), b.vertices.begin(), b.vertices.begin() + b.count());
+  }
+}
+
+void BondTerm::lag(const VecX& x) {
+  const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
+  for_each(list_.size(), [&](int i) {
+    Bond& b = list_.bonds()[i];
+    const auto [t0, t1, t2] = corners(x, triangles[b.anchor]);
+    b.normal = b.side * (t1 - t0).cross(t2 - t0).normalized();
+  });
+}
+
+double BondTerm::value(const VecX& x) const {
+  return sum_chunks(static_cast<int>(blocks_.size()), [&](int begin, int end) {
+    double sum = 0;
+    for (int k = begin; k < end; ++k) {
+      const auto [first, last] = blocks_[k];
+      std::array<double, most_in_block> d, s, phi{};
+      for (int i = first; i < last; ++i) {
+        const Opening o = opening_of(list_.bonds()[i], x);
+        d[i - first] = std::max(o.d, 0.0);
+        s[i - first] = o.s;
+      }
+      table_.rules()[list_.bonds()[first].rule].law->add_values(last - first, d.data(), s.data(), list_.memory(first), h_, phi.data());
+      for (int i = first; i < last; ++i) sum += list_.bonds()[i].area * phi[i - first];
+    }
+    return sum;
+  });
+}
+
+std::vector<StencilBatch> BondTerm::batches() const {
+  return {{4, static_cast<int>(batch_vertices_[0].size()) / 4, batch_vertices_[0].data()},
+          {6, static_cast<int>(batch_vertices_[1].size()) / 6, batch_vertices_[1].data()}};
+}
+
+void BondTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  const size_t fours = batch_vertices_[0].size() / 4;
+  const auto slot = [&](size_t i, size_t of_four, size_t of_six) { return i < fours ? of_four * i : of_four * fours + of_six * (i - fours); };
+  for_each(static_cast<int>(blocks_.size()), [&](int k) {
+    const auto [first, last] = blocks_[k];
+    std::array<double, most_in_block> d, s;
+    std::array<Opening, most_in_block> openings;
+    std::array<BondSample, most_in_block> samples{};
+    for (int i = first; i < last; ++i) {
+      openings[i - first] = opening_of(list_.bonds()[i], x);
+      d[i - first] = std::max(openings[i - first].d, 0.0);
+      s[i - first] = openings[i - first].s;
+    }
+    table_.rules()[list_.bonds()[first].rule].law->add_samples(last - first, d.data(), s.data(), list_.memory(first), h_, samples.data());
+    for (int i = first; i < last; ++i) {
+      const Bond& bond = list_.bonds()[i];
+      const Opening& o = openings[i - first];
+      BondSample& sample = samples[i - first];
+      if (o.d < 0) shut(sample);
+      const int n = bond.count();
+      const Vec3 slope = bond.area * traction(sample, bond, o);
+      double* g = gradient + slot(i, 3 * 4, 3 * 6);
+      for (int v = 0; v < n; ++v, g += 3) Eigen::Map<Vec3>{g} = bond.c[v] * slope;
+      if (!hessian) continue;
+      const Mat3 block = bond.area * curvature(sample, bond, o, projection);
+      double* out = hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6));
+      for (int v = 0; v < n; ++v)
+        for (int w = 0; w <= v; ++w, out += 9) Eigen::Map<Mat3>{out} = bond.c[v] * bond.c[w] * block;
+    }
+  });
+}
+
+BondPlace BondTerm::place_of(const Bond& bond, const VecX& x) const {
+  const Opening o = opening_of(bond, x);
+  const PairLaw& barrier = table_.rules()[bond.rule].barrier;
+  return {std::max(o.d, 0.0), o.s, h_, std::max(0.0, -barrier.at(o.d + bond.rest).slope)};
+}
+
+BondTerm::Changes BondTerm::changes(const VecX& x) const {
+  Changes sum;
+  std::vector<double> memory;
+  for (int i = 0; i < list_.size(); ++i) {
+    const Bond& bond = list_.bonds()[i];
+    const BondLaw& law = *table_.rules()[bond.rule].law;
+    memory.assign(list_.memory(i), list_.memory(i) + law.width());
+    const BondChange change = law.advance(place_of(bond, x), memory.data());
+    sum.dissipated += bond.area * change.dissipated;
+    sum.healed += bond.area * change.healed;
+  }
+  return sum;
+}
+
+double BondTerm::dissipated(const VecX& x) const { return changes(x).dissipated; }
+
+double BondTerm::healed(const VecX& x) const { return changes(x).healed; }
+
+void BondTerm::commit(const VecX& x, History& history) const {
+  BondList kept(list_);
+  kept.clear();
+  std::vector<double> memory;
+  for (int i = 0; i < list_.size(); ++i) {
+    const Bond& bond = list_.bonds()[i];
+    const BondLaw& law = *table_.rules()[bond.rule].law;
+    memory.assign(list_.memory(i), list_.memory(i) + law.width());
+    if (!law.advance(place_of(bond, x), memory.data()).gone) kept.add(bond, memory.data());
+  }
+  kept.write(history);
+}
+
+template <class Act>
+void BondTerm::for_each_force(const VecX& x, const Act& act) const {
+  for (int i = 0; i < list_.size(); ++i) {
+    const Bond& bond = list_.bonds()[i];
+    const Opening o = opening_of(bond, x);
+    BondSample sample = table_.rules()[bond.rule].law->at(std::max(o.d, 0.0), o.s, list_.memory(i), h_);
+    if (o.d < 0) shut(sample);
+    act(bond, Vec3(-bond.area * traction(sample, bond, o)));
+  }
+}
+
+VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
+  VecX force = VecX::Zero(x.size());
+  if (part == LawPart::barrier) return force;
+  for_each_force(x, [&](const Bond& b, const Vec3& pull) {
+    if (only && !((b.a == only->a && b.b == only->b) || (b.a == only->b && b.b == only->a))) return;
+    for (int i = 0; i < b.count(); ++i) vertex(force, b.vertices[i]) += b.c[i] * pull;
+  });
+  return force;
+}
+
+Vec3 BondTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {
+  Vec3 sum = Vec3::Zero();
+  if (part == LawPart::barrier) return sum;
+  for_each_force(x, [&](const Bond& b, const Vec3& pull) {
+    if (b.a == pair.a && b.b == pair.b) sum += pull;
+    else if (b.a == pair.b && b.b == pair.a) sum -= pull;
+  });
+  return sum;
+}
+
+}  // namespace tack

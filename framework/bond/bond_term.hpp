@@ -1,0 +1,70 @@
+// The potential of bonds, P = sum_k w_k phi(d_k, |u_k|^2; m_k, h) (bond.hpp, bond_law.hpp), with
+//     gradient by x_i:  w c_i f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w c_i c_j H,
+//     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
+// which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. Where d < 0 the barrier acts, and bonds
+// resist slip alone. One term for both directions: what one does to the memory counts for the other.
+// Bonds are history: a step begins with those that are remembered and the new ones that the start of the step allows, and what it
+// made of them is remembered when it is kept.
+#pragma once
+
+#include "framework/bond/bond_list.hpp"
+#include "framework/contact/contact_term.hpp"
+#include "framework/core/term.hpp"
+
+namespace tack {
+
+class BondTerm : public Term {
+ public:
+  // The system must outlive it, and be told of steps before it.
+  BondTerm(ContactSystem& system, BondTable table);
+
+  void remember(const History& history) override;
+  void begin_step(const StepStart& start) override;
+  bool lags() const override { return true; }  // normals
+  void lag(const VecX& x) override;
+  void commit(const VecX& x, History& history) const override;
+
+  // Between steps, of what is stored.
+  double value(const VecX& x) const override;
+  std::vector<StencilBatch> batches() const override;
+  bool dynamic() const override { return true; }
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+
+  // Of the step to x: what debonding dissipates, and what healing takes from what is stored (below zero: puts in) [J].
+  double dissipated(const VecX& x) const override;
+  double healed(const VecX& x) const;
+
+  // The forces of bonds, which are adhesion, on every vertex (3n) [N]; with a pair, of its bonds only.
+  VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
+  // That object b exerts on object a [N].
+  Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
+
+  const BondList& list() const { return list_; }
+  const BondTable& table() const { return table_; }
+
+ private:
+  // Bonds of one rule and one number of vertices, a few.
+  struct Block {
+    int first, last;
+  };
+  static constexpr int most_in_block = 32;
+  void make_blocks();
+  void make_bonds(const VecX& x);
+  BondPlace place_of(const Bond& bond, const VecX& x) const;
+  template <class Act>
+  void for_each_force(const VecX& x, const Act& act) const;
+  struct Changes {
+    double dissipated = 0, healed = 0;
+  };
+  Changes changes(const VecX& x) const;
+
+  ContactSystem& system_;
+  BondTable table_;
+  BondList list_, remembered_;
+  bool begun_ = false;
+  double h_ = 0;  // 0 between steps
+  std::vector<Block> blocks_;
+  std::array<std::vector<int>, 2> batch_vertices_;  // of bonds of 4 vertices, and of 6
+};
+
+}  // namespace tack

@@ -1,0 +1,37 @@
+// Adhesion of two surfaces, of either sort: a law of the gap between them (NormalAdhesion, normal_law.hpp), or one of bonds between
+// places on them that remember (BondLaw, framework/bond/bond_law.hpp).
+#pragma once
+
+#include "framework/config/registry.hpp"
+
+namespace tack {
+
+// What a law may know about the pair of objects that it is used for.
+struct PairMaterials {
+  double contact_distance = 0;  // dhat_b of the paper [m]
+  double softer_young = 0;      // the smaller Young's modulus of the two sides [Pa]; 0 if neither has one
+  double adhesion_peak = 0;     // peak traction of the pair's adhesion [Pa]; 0 without adhesion
+  double softer_stiffness = 0;  // as softer_young, an affine body having a hundredth of its stiffness [Pa]; 0: as that
+};
+
+// What a law of adhesion is, for lists of them.
+struct AdhesionTraits {
+  bool reversible = true;   // what has come apart and comes back adheres as before
+  bool remembers = false;   // its traction depends on what was
+  bool normal = true, tangential = false;  // along which it acts
+};
+
+class AdhesionLaw : public Component {
+ public:
+  static constexpr const char* kind_name = "adhesion";
+  static constexpr const char* kind_doc = "Attraction of two surfaces: along the normal by the gap, or by bonds that remember.";
+
+  // Called once, before use: fills what is left to defaults. Throws InputError for a parameter that
+  // does not go with the pair.
+  virtual void prepare(const PairMaterials& materials) = 0;
+  virtual double peak_traction() const = 0;     // the largest along the normal [Pa]
+  virtual double work_of_adhesion() const = 0;  // to part what adheres along the normal [J/m^2]
+  virtual AdhesionTraits traits() const { return {}; }
+};
+
+}  // namespace tack
