@@ -43,6 +43,7 @@ class RccAdhesion : public BondLawOf<RccAdhesion> {
     const double lost = before.beta - after.beta;
     return work_ * lost + viscosity_ * lost * lost / at.h;
   }
+  double intensity(const Memory& m) const { return m.beta; }
   bool gone(const Memory& m, const BondPlace&) const { return m.beta < 0.01; }
 
  private:

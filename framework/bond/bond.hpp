@@ -27,6 +27,7 @@ struct Bond {
   Vec3 normal = Vec3::Zero();
 
   int count() const { return leading + 3; }
+  bool between(int first, int second) const { return (a == first && b == second) || (a == second && b == first); }
 };
 
 struct Opening {

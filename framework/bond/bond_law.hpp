@@ -14,6 +14,7 @@
 // and, where that is not all,
 //     Memory begin(bool on_contact) const;                       // of a new bond: at the start of a run, or when surfaces met
 //     Memory heal(const Memory& m, const BondPlace& at) const;   // what a pressure makes of it, after the step
+//     double intensity(const Memory& m) const;                   // of a whole bond 1, of one without strength 0: for records
 // then TACK_REGISTER it in the same file, as an AdhesionLaw.
 #pragma once
 
@@ -59,6 +60,8 @@ class BondLaw : public AdhesionLaw {
   // Adds phi and its derivatives of n bonds, their memories one after the other.
   virtual void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const = 0;
   virtual void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const = 0;
+  // 1 of a whole bond, 0 of one without strength.
+  virtual double intensity_of(const double* memory) const = 0;
   // What the memory becomes by a step, healing after it; of a bond that is gone, what it stored is dissipated.
   virtual BondChange advance(const BondPlace& at, double* memory) const = 0;
 
@@ -103,6 +106,12 @@ class BondLawOf : public BondLaw {
   }
   void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const override {
     for (int i = 0; i < n; ++i) out[i] += law().energy(d[i], s[i], load(memory + i * width()), h);
+  }
+  double intensity_of(const double* memory) const override {
+    if constexpr (requires { law().intensity(load(memory)); })
+      return law().intensity(load(memory));
+    else
+      return 1;
   }
   BondChange advance(const BondPlace& at, double* memory) const override {
     const auto before = load(memory);

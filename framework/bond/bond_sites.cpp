@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <span>
 
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/coverage.hpp"
 #include "framework/contact/held_surface.hpp"
 #include "geometry/distance/closest_feature.hpp"
@@ -15,11 +16,11 @@ namespace {
 
 constexpr double rounding = 1e-9;  // of the distance: surfaces may be placed just so far apart
 
-}  // namespace
-
-std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table) {
-  std::vector<BondSite> sites;
-  const std::vector<int>& object = system.surface().mesh.vertex_object;
+void add_triangles(const ContactSystem& system, const BondTable& table, std::vector<BondSite>& sites) {
+  const CollisionMesh& mesh = system.surface().mesh;
+  const auto add = [&](int t, const Vec3& inside, int object, double area, bool whole) {
+    sites.push_back({t, inside, mesh.triangles[t][0], -1, object, area, whole});
+  };
   for (const CoveredParts& pair : system.coverage().parts()) {
     if (table.between(pair.a, pair.b) < 0) continue;
     const double share = system.pairs().point(pair.a, pair.b).share;
@@ -27,31 +28,68 @@ std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& t
       for (int i = 0; i < 3; ++i) {
         Vec3 inside = Vec3::Constant(1.0 / 6);
         inside[i] = 2.0 / 3;
-        sites.push_back({t.triangle, inside, pair.b, share * t.area / 3, true});
+        add(t.triangle, inside, pair.b, share * t.area / 3, true);
       }
   }
   for (const ContactSample& s : system.coverage().samples()) {
-    const int a = object[system.surface().mesh.triangles[s.triangle][0]];
-    if (table.between(a, s.object) < 0) continue;
-    sites.push_back({s.triangle, s.inside, s.object, system.pairs().point(a, s.object).share * s.area, false});
+    const int a = mesh.vertex_object[mesh.triangles[s.triangle][0]];
+    if (table.between(a, s.object) >= 0) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).share * s.area, false);
   }
+}
+
+// Of the triangles at all these vertices, the one that faces the normal most; -1: none.
+int triangle_at(const SurfaceTopology& topology, const HeldSurface& held, const CollisionMesh& mesh, std::span<const int> vertices, const Vec3& normal) {
+  int found = -1;
+  double most = 0;
+  for (const int t : topology.triangles_at(vertices[0])) {
+    const Triangle& corners = mesh.triangles[t];
+    const bool all = std::all_of(vertices.begin(), vertices.end(), [&](int v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); });
+    const double facing = topology.two_sided(t) ? std::abs(held.normal(t).dot(normal)) : held.normal(t).dot(normal);
+    if (all && facing > most) most = facing, found = t;
+  }
+  return found;
+}
+
+void add_vertices(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x, std::vector<BondSite>& sites) {
+  const HeldSurface& held = system.held();
+  std::vector<char> wanted(barriers.size(), 0);
+  const PairTable& pairs = system.pairs();
+  for (const auto& [a, b] : pairs.classes().examples())
+    if (table.between(a, b) >= 0) wanted[pairs.thin(a, b).law] = 1;
+  const ContactPoints points = contact_points({system, barriers, wanted, x});
+  for_each_record(points, [&](const auto& point) {
+    if (point.kind() != PointKind::vertex || !(point.area > 0) || table.between(point.object, point.opposite) < 0) return;
+    if (point.object != point.opposite && !held.topology().thin(point.point)) return;
+    const std::span<const int> faced(point.vertices.begin() + 1, point.vertices.end());
+    const int anchor = triangle_at(held.topology(), held, system.surface().mesh, faced, point.normal);
+    if (anchor >= 0) sites.push_back({-1, Vec3::UnitX(), point.point, anchor, point.opposite, point.area, false});
+  });
+}
+
+}  // namespace
+
+std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x) {
+  std::vector<BondSite> sites;
+  add_triangles(system, table, sites);
+  add_vertices(system, table, barriers, x, sites);
   return sites;
 }
 
 std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system, const BondTable& table, const VecX& x) {
   const CollisionMesh& mesh = system.surface().mesh;
-  const Triangle& own = mesh.triangles[site.triangle];
   Bond bond;
   bond.triangle = site.triangle;
-  bond.a = mesh.vertex_object[own[0]];
+  bond.leading = site.triangle < 0 ? 1 : 3;
+  bond.a = mesh.vertex_object[site.vertex];
   bond.b = site.object;
   bond.rule = table.between(bond.a, bond.b);
   const BondRule& rule = table.rules()[bond.rule];
   const double offset = system.pairs().offset(bond.a, bond.b);
-  const Vec3 p = point_inside(x, own, site.inside);
+  const Vec3 p = site.triangle < 0 ? Vec3(vertex(x, site.vertex)) : point_inside(x, mesh.triangles[site.triangle], site.inside);
 
   std::vector<int> near;
-  system.triangles_near(own, site.inside, near);
+  if (site.anchor >= 0) near.push_back(site.anchor);
+  else system.triangles_near(mesh.triangles[site.triangle], site.inside, near);
   double closest = std::numeric_limits<double>::infinity();
   for (const int t : near) {
     if (mesh.vertex_object[mesh.triangles[t][0]] != bond.b) continue;
@@ -67,9 +105,13 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   const Vec3 n = (t1 - t0).cross(t2 - t0).normalized();
   bond.side = n.dot(p - t0) < 0 ? -1 : 1;
   bond.normal = bond.side * n;
-  std::copy(own.begin(), own.end(), bond.vertices.begin());
-  std::copy(anchor.begin(), anchor.end(), bond.vertices.begin() + 3);
-  bond.c = {site.inside[0], site.inside[1], site.inside[2], at.u + at.v - 1, -at.u, -at.v};
+  for (int i = 0; i < bond.leading; ++i) {
+    bond.vertices[i] = bond.leading == 1 ? site.vertex : mesh.triangles[site.triangle][i];
+    bond.c[i] = site.inside[i];
+  }
+  std::copy(anchor.begin(), anchor.end(), bond.vertices.begin() + bond.leading);
+  const Vec3 closest_point(1 - at.u - at.v, at.u, at.v);
+  for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -closest_point[i];
   bond.area = site.area;
   bond.rest = rule.from_touching ? offset : std::abs(n.dot(p - t0));
   return bond;

@@ -36,8 +36,8 @@ void shut(BondSample& s) { s.by_d = s.by_dd = s.by_ds = 0; }
 
 }  // namespace
 
-BondTerm::BondTerm(ContactSystem& system, BondTable table)
-    : Term("bonds"), system_(system), table_(std::move(table)), list_(system.surface(), table_), remembered_(list_) {}
+BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table)
+    : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), table_), remembered_(list_) {}
 
 void BondTerm::remember(const History& history) {
   h_ = 0;
@@ -49,9 +49,7 @@ void BondTerm::remember(const History& history) {
 
 void BondTerm::begin_step(const StepStart& start) {
   h_ = start.h;
-  list_ = remembered_;
-  make_bonds(start.x);
-  make_blocks();
+  begins_ = true;
 }
 
 // A place that bonds is not to bond again while it does, also if what is covered has changed since: a triangle in which there are
@@ -59,18 +57,18 @@ void BondTerm::begin_step(const StepStart& start) {
 void BondTerm::make_bonds(const VecX& x) {
   const bool any_on_contact = std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& r) { return r.on_contact; });
   if (begun_ && !any_on_contact) return;
-  std::map<std::pair<int, int>, std::vector<const Bond*>> bonded;  // by triangle and other object
-  for (const Bond& b : remembered_.bonds())
-    if (b.triangle >= 0) bonded[{b.triangle, b.b}].push_back(&b);
+  std::map<std::array<int, 3>, std::vector<const Bond*>> bonded;  // by triangle, or else vertex, and other object
+  const auto whose = [](int triangle, int vertex, int other) { return std::array{triangle, triangle < 0 ? vertex : -1, other}; };
+  for (const Bond& b : remembered_.bonds()) bonded[whose(b.triangle, b.vertices[0], b.b)].push_back(&b);
   const auto before = remembered_.pairs();
-  std::vector<BondSite> sites = bond_sites(system_, table_);
+  std::vector<BondSite> sites = bond_sites(system_, table_, normal_.laws(LawPart::barrier), x);
   const std::vector<int>& object = system_.surface().mesh.vertex_object;
   std::erase_if(sites, [&](const BondSite& site) {
-    const int a = object[system_.surface().mesh.triangles[site.triangle][0]];
+    const int a = object[site.vertex];
     const bool on_contact = table_.rules()[table_.between(a, site.object)].on_contact;
     const std::pair<int, int> pair = std::minmax(a, site.object);
     if (!on_contact && (begun_ || std::binary_search(before.begin(), before.end(), pair))) return true;
-    const auto here = bonded.find({site.triangle, site.object});
+    const auto here = bonded.find(whose(site.triangle, site.vertex, site.object));
     if (here == bonded.end()) return false;
     return !site.whole || std::any_of(here->second.begin(), here->second.end(), [&](const Bond* b) {
       double least = 1;
@@ -109,6 +107,12 @@ void BondTerm::make_blocks() {
 }
 
 void BondTerm::lag(const VecX& x) {
+  if (begins_) {
+    begins_ = false;
+    list_ = remembered_;
+    make_bonds(x);
+    make_blocks();
+  }
   const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
   for_each(list_.size(), [&](int i) {
     Bond& b = list_.bonds()[i];
@@ -209,34 +213,38 @@ void BondTerm::commit(const VecX& x, History& history) const {
   kept.write(history);
 }
 
-template <class Act>
-void BondTerm::for_each_force(const VecX& x, const Act& act) const {
-  for (int i = 0; i < list_.size(); ++i) {
+std::vector<Vec3> BondTerm::pulls(const VecX& x) const {
+  std::vector<Vec3> pulls(list_.size());
+  for_each(list_.size(), [&](int i) {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
     BondSample sample = table_.rules()[bond.rule].law->at(std::max(o.d, 0.0), o.s, list_.memory(i), h_);
     if (o.d < 0) shut(sample);
-    act(bond, Vec3(-bond.area * traction(sample, bond, o)));
-  }
+    pulls[i] = -bond.area * traction(sample, bond, o);
+  });
+  return pulls;
 }
 
 VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
   if (part == LawPart::barrier) return force;
-  for_each_force(x, [&](const Bond& b, const Vec3& pull) {
-    if (only && !((b.a == only->a && b.b == only->b) || (b.a == only->b && b.b == only->a))) return;
-    for (int i = 0; i < b.count(); ++i) vertex(force, b.vertices[i]) += b.c[i] * pull;
-  });
+  const std::vector<Vec3> pulled = pulls(x);
+  for (int k = 0; k < list_.size(); ++k) {
+    const Bond& b = list_.bonds()[k];
+    if (only && !b.between(only->a, only->b)) continue;
+    for (int i = 0; i < b.count(); ++i) vertex(force, b.vertices[i]) += b.c[i] * pulled[k];
+  }
   return force;
 }
 
 Vec3 BondTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {
   Vec3 sum = Vec3::Zero();
   if (part == LawPart::barrier) return sum;
-  for_each_force(x, [&](const Bond& b, const Vec3& pull) {
-    if (b.a == pair.a && b.b == pair.b) sum += pull;
-    else if (b.a == pair.b && b.b == pair.a) sum -= pull;
-  });
+  const std::vector<Vec3> pulled = pulls(x);
+  for (int k = 0; k < list_.size(); ++k) {
+    const Bond& b = list_.bonds()[k];
+    if (b.between(pair.a, pair.b)) sum += b.a == pair.a ? pulled[k] : Vec3(-pulled[k]);
+  }
   return sum;
 }
 

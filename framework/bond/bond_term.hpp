@@ -15,12 +15,12 @@ namespace tack {
 
 class BondTerm : public Term {
  public:
-  // The system must outlive it, and be told of steps before it.
-  BondTerm(ContactSystem& system, BondTable table);
+  // Both must outlive it, and be told of steps before it.
+  BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table);
 
   void remember(const History& history) override;
   void begin_step(const StepStart& start) override;
-  bool lags() const override { return true; }  // normals
+  bool lags() const override { return true; }  // normals, and at the start of a step the bonds
   void lag(const VecX& x) override;
   void commit(const VecX& x, History& history) const override;
 
@@ -34,6 +34,8 @@ class BondTerm : public Term {
   double dissipated(const VecX& x) const override;
   double healed(const VecX& x) const;
 
+  // The force of each bond of the list on its place; on the anchor acts the opposite [N].
+  std::vector<Vec3> pulls(const VecX& x) const;
   // The forces of bonds, which are adhesion, on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
   // That object b exerts on object a [N].
@@ -51,17 +53,17 @@ class BondTerm : public Term {
   void make_blocks();
   void make_bonds(const VecX& x);
   BondPlace place_of(const Bond& bond, const VecX& x) const;
-  template <class Act>
-  void for_each_force(const VecX& x, const Act& act) const;
   struct Changes {
     double dissipated = 0, healed = 0;
   };
   Changes changes(const VecX& x) const;
 
   ContactSystem& system_;
+  const ContactTerm& normal_;
   BondTable table_;
   BondList list_, remembered_;
-  bool begun_ = false;
+  bool begun_ = false;   // the run has: bonds of the start are made
+  bool begins_ = false;  // a step
   double h_ = 0;  // 0 between steps
   std::vector<Block> blocks_;
   std::array<std::vector<int>, 2> batch_vertices_;  // of bonds of 4 vertices, and of 6

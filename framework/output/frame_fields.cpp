@@ -5,6 +5,7 @@
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/core/state.hpp"
+#include "framework/output/bond_fields.hpp"
 #include "framework/output/vertex_gaps.hpp"
 #include "framework/output/vertex_tractions.hpp"
 #include "framework/scene/world.hpp"
@@ -23,6 +24,8 @@ const std::vector<FrameFieldInfo>& frame_fields() {
       {"adhesion_pressure", "Pa", "likewise of adhesion alone, positive where it pulls", false},
       {"friction_traction", "Pa", "magnitude of the friction force per area of the contact", false},
       {"gap", "m", "to the nearest of what is within reach of contact; not a number where nothing is", false},
+      {"bond_intensity", "", "of bonds: 1 where all are whole; not a number where there are none", false},
+      {"bond_traction", "Pa", "magnitude of the force of bonds per area", false},
       {"cauchy_stress", "Pa", "xx, yy, zz, xy, yz, xz, of all energies of the element together; of sheets, in their middle", true},
       {"von_mises_stress", "Pa", "of the same", true},
       {"stretches", "", "principal ones, largest first: three of a tet, two of a triangle, one of an edge", true},
@@ -43,6 +46,10 @@ VecX values_of(const std::string& name, const World& world, const State& state) 
   if (name == "displacement") return state.x - world.rest;
   if (name == "mass") return world.mass;
   if (!world.contact_term) return {};
+  if (name.starts_with("bond_")) {
+    if (!world.bonds) return {};
+    return name == "bond_intensity" ? bond_intensities(world) : bond_tractions(world, state.x);
+  }
   if (name == "gap") return vertex_gaps(*world.contact, state.x);
   const bool friction = name.starts_with("friction");
   if (friction && !world.friction) return {};

@@ -242,7 +242,12 @@ class PairBuilder {
                                adhesion.peak_traction()});
   }
 
+  bool has_surface(int object) const { return !world_.bodies[object].triangles.empty() || !world_.bodies[object].surface_triangles.empty(); }
+
   void set_bond(int a, int b, int rule, int config) {
+    if (!has_surface(a) && !has_surface(b))
+      throw configs_.error(config, fmt::format("neither '{}' nor '{}' has a surface: bonds are anchored in triangles; choose an adhesion of the gap for rods and "
+                                               "particles among each other (tack list adhesion)", world_.bodies[a].name, world_.bodies[b].name));
     bonds_.set(a, b, rule);
     if (table_.plain_sums)
       throw configs_.error(config, "bonds stand for areas, and contact.weights: pair counts close pairs instead; take it away, or choose an adhesion of the gap");
@@ -371,7 +376,7 @@ void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& cloc
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
   if (world.contact->pairs().any_covered()) world.rim = std::make_unique<RimTerm>(*world.contact);
-  if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, std::move(bonds));
+  if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
 }

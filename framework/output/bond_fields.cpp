@@ -1,0 +1,47 @@
+#include "framework/output/bond_fields.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "framework/bond/bond_term.hpp"
+
+namespace tack {
+namespace {
+
+// Calls act(vertex, share of the bond's area, bond number).
+template <class Act>
+void for_each_share(const BondList& list, const Act& act) {
+  for (int k = 0; k < list.size(); ++k) {
+    const Bond& b = list.bonds()[k];
+    for (int i = 0; i < b.count(); ++i) act(b.vertices[i], b.area * std::abs(b.c[i]), k);
+  }
+}
+
+VecX areas_of(const BondList& list, Eigen::Index vertices) {
+  VecX areas = VecX::Zero(vertices);
+  for_each_share(list, [&](int v, double area, int) { areas(v) += area; });
+  return areas;
+}
+
+}  // namespace
+
+VecX bond_intensities(const World& world) {
+  const BondList& list = world.bonds->list();
+  const VecX areas = areas_of(list, world.rest.size() / 3);
+  VecX sum = VecX::Zero(areas.size());
+  for_each_share(list, [&](int v, double area, int k) {
+    sum(v) += area * world.bonds->table().rules()[list.bonds()[k].rule].law->intensity_of(list.memory(k));
+  });
+  for (Eigen::Index v = 0; v < sum.size(); ++v) sum(v) = areas(v) > 0 ? sum(v) / areas(v) : std::numeric_limits<double>::quiet_NaN();
+  return sum;
+}
+
+VecX bond_tractions(const World& world, const VecX& x) {
+  const VecX areas = areas_of(world.bonds->list(), world.rest.size() / 3), forces = world.bonds->forces(x, LawPart::adhesion);
+  VecX tractions = VecX::Zero(areas.size());
+  for (Eigen::Index v = 0; v < areas.size(); ++v)
+    if (areas(v) > 0) tractions(v) = vertex(forces, static_cast<int>(v)).norm() / areas(v);
+  return tractions;
+}
+
+}  // namespace tack

@@ -1,0 +1,78 @@
+// Probes of bonds: how many there are between two objects, and how whole they are.
+#include <algorithm>
+#include <tuple>
+
+#include "framework/bond/bond_term.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/probes/vertex_set.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class BondsProbe : public Probe {
+ public:
+  enum class Quantity { count, area, intact_area, mean_intensity, least_intensity, opening, slip };
+
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    between_.fields(f);
+    f.choice("quantity", quantity_,
+             {{"count", Quantity::count, "how many there are"},
+              {"area", Quantity::area, "that they stand for [m^2]"},
+              {"intact_area", Quantity::intact_area, "the same, each by its intensity [m^2]"},
+              {"mean_intensity", Quantity::mean_intensity, "1: all are whole; 0 without any"},
+              {"least_intensity", Quantity::least_intensity, "of the weakest; 0 without any"},
+              {"opening", Quantity::opening, "the mean along the normal since they bonded; 0 without any [m]"},
+              {"slip", Quantity::slip, "likewise across [m]"}},
+             "what of them");
+  }
+  void prepare(const World& world) override {
+    require_contact(world, name_);
+    std::tie(a_, b_) = between_.prepare(world, name_);
+    if (!world.bonds || world.bonds->table().between(a_, b_) < 0)
+      throw InputError("probe '" + name_ + "': '" + world.bodies[a_].name + "' and '" + world.bodies[b_].name +
+                       "' have no adhesion by bonds; give the pair one (tack list adhesion), or take the probe away");
+  }
+  Unit unit() const override {
+    if (quantity_ == Quantity::area || quantity_ == Quantity::intact_area) return units::area;
+    return quantity_ == Quantity::opening || quantity_ == Quantity::slip ? units::length : units::none;
+  }
+  std::vector<double> sample(const World& world, const State& state) override {
+    const BondTerm& bonds = *world.bonds;
+    double count = 0, area = 0, intact = 0, opened = 0, slipped = 0, least = 1;
+    for (int i = 0; i < bonds.list().size(); ++i) {
+      const Bond& bond = bonds.list().bonds()[i];
+      if (!bond.between(a_, b_)) continue;
+      const double intensity = bonds.table().rules()[bond.rule].law->intensity_of(bonds.list().memory(i));
+      const Opening o = opening_of(bond, state.x);
+      ++count;
+      area += bond.area;
+      intact += bond.area * intensity;
+      opened += bond.area * o.d;
+      slipped += bond.area * o.u.norm();
+      least = std::min(least, intensity);
+    }
+    const double over = area > 0 ? area : 1;
+    switch (quantity_) {
+      case Quantity::count: return {count};
+      case Quantity::area: return {area};
+      case Quantity::intact_area: return {intact};
+      case Quantity::mean_intensity: return {intact / over};
+      case Quantity::least_intensity: return {count > 0 ? least : 0};
+      case Quantity::opening: return {opened / over};
+      default: return {slipped / over};
+    }
+  }
+
+ private:
+  ObjectNames between_;
+  Quantity quantity_ = Quantity::count;
+  int a_ = -1, b_ = -1;
+};
+
+TACK_REGISTER(Probe, BondsProbe, "bonds", "The bonds of an adhesion that remembers between two objects: how many, how whole, how far opened.", "");
+
+}  // namespace
+}  // namespace tack
