@@ -77,6 +77,8 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   summary_.dofs = world_.dofs.size();
   summary_.adhesion = world_.adhesion;
   if (!world_.adhesion.empty()) adhesion_.emplace(experiment_, world_);
+  const TimeConfig& time = experiment_.time;
+  if (world_.contact && !time.integrator->predict(world_.start, time.step).inertia) approach_.emplace(experiment_, world_);
   if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
@@ -160,6 +162,7 @@ void RecordedRun::simulate(Recorder& recorder) {
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
       bent_.look(simulation_.state().x);
       if (adhesion_) adhesion_->look(simulation_.state().x, report.step_size);
+      if (approach_) approach_->look(simulation_.state().x);
     }
     tell_linear_solver();
     progress_.step(report);
@@ -177,8 +180,10 @@ void RecordedRun::tell_lost_probes() {
 // What elements turned out to be too coarse for.
 void RecordedRun::tell_resolution() {
   for (const std::string& line : bent_.bent()) warn(line);
-  if (!adhesion_) return;
-  for (const std::string& line : adhesion_->coarse()) warn(line);
+  if (adhesion_)
+    for (const std::string& line : adhesion_->coarse()) warn(line);
+  if (approach_)
+    for (const std::string& line : approach_->soft()) warn(line);
 }
 
 // Once it has seen a system, and again when it has changed its mind.

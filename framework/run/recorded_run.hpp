@@ -16,6 +16,7 @@
 #include "framework/run/simulation.hpp"
 #include "framework/scene/adhesion_resolution.hpp"
 #include "framework/scene/bent_solids.hpp"
+#include "framework/scene/contact_approach.hpp"
 
 namespace tack {
 
@@ -73,6 +74,7 @@ class RecordedRun {
   std::optional<Profiler> profiler_;
   BentSolids bent_;
   std::optional<AdhesionResolution> adhesion_;  // if anything adheres
+  std::optional<ContactApproach> approach_;     // with contact, if forces are in balance
   double next_checkpoint_ = 0;  // s
 };
 
