@@ -14,16 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* file_name = "libtack_meshing.so";
+constexpr OwnLibrary own{"libtack_meshing.so", "tack_meshing_functions", TACK_MESHING_INTERFACE, "tack_meshing", "meshes cannot be made"};
 std::atomic<bool> failed{false};
 
 const MeshingFunctions& opened() {
   try {
-    return *static_cast<const MeshingFunctions*>(own_library(file_name, "tack_meshing_functions", TACK_MESHING_INTERFACE));
-  } catch (const InputError& error) {
+    return *static_cast<const MeshingFunctions*>(open_library(own));
+  } catch (const InputError&) {
     failed = true;
-    throw InputError(fmt::format("meshes cannot be made: {}; run `./tack`, which builds it, or `cmake --build --preset release --target "
-                                 "tack_meshing`", error.what()));
+    throw;
   }
 }
 
@@ -40,7 +39,7 @@ bool meshing_library_failed() { return failed; }
 
 std::string meshing_library_stamp() {
   std::error_code none;
-  const fs::path path = own_library_path(file_name);
+  const fs::path path = own_library_path(own.file);
   if (!fs::exists(path, none)) return "";
   return fmt::format("{} {}", fs::file_size(path, none), fs::last_write_time(path, none).time_since_epoch().count());
 }

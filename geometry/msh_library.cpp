@@ -1,8 +1,5 @@
 #include "geometry/msh_library.hpp"
 
-#include <fmt/format.h>
-
-#include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
 #include "geometry/io/precheck.hpp"
 #include "geometry/mesh/cleanup.hpp"
@@ -12,17 +9,10 @@
 namespace tack {
 namespace {
 
-const MshFunctions& opened() {
-  try {
-    return *static_cast<const MshFunctions*>(own_library("libtack_msh.so", "tack_msh_functions", TACK_MSH_INTERFACE));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format(".msh files cannot be read or written: {}; run `./tack`, which builds it, or `cmake --build --preset release "
-                                 "--target tack_msh`", error.what()));
-  }
-}
+constexpr OwnLibrary own{"libtack_msh.so", "tack_msh_functions", TACK_MSH_INTERFACE, "tack_msh", ".msh files cannot be read or written"};
 
 const MshFunctions& library() {
-  static const MshFunctions& functions = opened();
+  static const MshFunctions& functions = *static_cast<const MshFunctions*>(open_library(own));
   return functions;
 }
 

@@ -19,14 +19,27 @@ fs::path own_library_path(const std::string& name) {
   return fs::exists(installed, none) ? installed : root / "bin" / name;
 }
 
-const void* own_library(const std::string& name, const char* table, const char* interface) {
-  const std::string path = own_library_path(name).string();
-  void* library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) throw InputError(fmt::format("the library for it is not built or broken ({})", ::dlerror()));
-  const void* functions = ::dlsym(library, table);
-  if (!functions || std::strcmp(*static_cast<const char* const*>(functions), interface) != 0)
+namespace {
+
+const void* functions_of(const OwnLibrary& library) {
+  const std::string path = own_library_path(library.file).string();
+  void* opened = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (!opened) throw InputError(fmt::format("the library for it is not built or broken ({})", ::dlerror()));
+  const void* functions = ::dlsym(opened, library.table);
+  if (!functions || std::strcmp(*static_cast<const char* const*>(functions), library.interface) != 0)
     throw InputError(path + " is of another build");
   return functions;
+}
+
+}  // namespace
+
+const void* open_library(const OwnLibrary& library) {
+  try {
+    return functions_of(library);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}; run `./tack`, which builds it, or `cmake --build --preset release --target {}`", library.without,
+                                 error.what(), library.target));
+  }
 }
 
 }  // namespace tack

@@ -8,8 +8,15 @@ namespace tack {
 
 std::filesystem::path own_library_path(const std::string& name);
 
-// Opens it, for good, and returns its table of functions. The table begins with a text that has to be `interface`. Throws InputError
-// without a remedy: not built, broken, or of another build.
-const void* own_library(const std::string& name, const char* table, const char* interface);
+struct OwnLibrary {
+  const char* file;       // "libtack_msh.so"
+  const char* table;      // of its functions; it begins with a text that has to be `interface`
+  const char* interface;
+  const char* target;     // that builds it
+  const char* without;    // what cannot be done without it: ".msh files cannot be read or written"
+};
+
+// Opens it, for good, and returns its table of functions. Throws InputError, with the remedy: not built, broken, or of another build.
+const void* open_library(const OwnLibrary& library);
 
 }  // namespace tack

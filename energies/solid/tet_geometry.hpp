@@ -5,6 +5,7 @@
 
 #include "framework/scene/body.hpp"
 #include "geometry/pack.hpp"
+#include "geometry/tet_edges.hpp"
 
 namespace tack {
 
@@ -14,13 +15,6 @@ struct TetRest {
   Eigen::Matrix<T, 3, 3> shape;  // row a-1: grad N_a, a = 1, 2, 3 [1/m]; grad N_0 is minus their sum
   T volume;                      // [m^3]
 };
-
-// From the first vertex to the others.
-inline Mat3 edges_of(const Tet& tet, const VecX& x) {
-  Mat3 edges;
-  for (int a = 0; a < 3; ++a) edges.col(a) = vertex(x, tet[a + 1]) - vertex(x, tet[0]);
-  return edges;
-}
 
 // Throws InputError naming the body and the tet if one is not positively oriented.
 std::vector<TetRest<double>> tet_rest_data(const Body& body, const VecX& rest);

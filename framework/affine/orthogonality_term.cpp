@@ -8,15 +8,10 @@
 #include "framework/assembly/stencil_blocks.hpp"
 #include "framework/assembly/symmetric_eigen.hpp"
 #include "geometry/parallel.hpp"
+#include "geometry/tet_edges.hpp"
 
 namespace tack {
 namespace {
-
-Mat3 edges_of(const Tet& t, const VecX& x) {
-  Mat3 edges;
-  for (int k = 0; k < 3; ++k) edges.col(k) = vertex(x, t[k + 1]) - vertex(x, t[0]);
-  return edges;
-}
 
 Mat3 strain_of(const Mat3& a) { return 0.5 * (a.transpose() * a - Mat3::Identity()); }
 

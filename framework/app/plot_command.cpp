@@ -23,7 +23,7 @@ constexpr size_t most_runs = 28;  // that curves can be told apart of
 PlottedRun run_of(const fs::path& folder, const std::string& name) {
   PlottedRun run = plotted_run(folder, name);
   try {
-    run.units = probe_units(folder / "scene.yaml").get<std::map<std::string, std::string>>();
+    run.units = probe_units(folder / "scene.yaml");
   } catch (const InputError&) {
   }
   return run;

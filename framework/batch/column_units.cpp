@@ -5,7 +5,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/config/units.hpp"
 #include "framework/core/phase_clock.hpp"
-#include "framework/output/probe.hpp"
+#include "framework/output/probe_units.hpp"
 
 namespace tack {
 namespace {
@@ -19,20 +19,12 @@ std::string unit_in(const std::string& comment) {
   return comment.substr(from, comment.size() - 1 - from);
 }
 
-// Of the columns of probes.csv.
-Units probe_units(const Experiment& experiment) {
-  Units units{{"time", "s"}};
-  for (const auto& probe : experiment.probes)
-    for (const std::string& column : probe->columns()) units[column] = probe->unit().si;
-  return units;
-}
-
 std::string unit_of(const StatisticQuery& query, const Units& probes) {
   const auto of = [&](const std::string& column) {
     const auto found = probes.find(column);
     return Unit{found == probes.end() ? std::string_view("1") : std::string_view(found->second), ""};
   };
-  return query.statistic == Statistic::integral ? product_unit(of(query.probe), of(query.along)) : std::string(of(query.probe).si);
+  return unit_of(query.statistic, of(query.probe), of(query.along));
 }
 
 }  // namespace
@@ -43,7 +35,8 @@ Units column_units(const Experiment& experiment, const Value& resolved, const Va
   for (const Variant::Shown& shown : variant.shown)
     if (const Value* value = shown.key.empty() ? nullptr : value_at(resolved, shown.key); value && value->is_scalar())
       units[shown.column] = unit_in(value->comment);
-  const Units probes = probe_units(experiment);
+  Units probes = probe_units(experiment.probes);
+  probes["time"] = "s";
   for (const BatchStatistic& s : statistics) units[s.column()] = unit_of(s.resolved(), probes);
   if (statistics.empty())
     for (const auto& [column, unit] : probes)

@@ -104,10 +104,9 @@ Unit unit_of(const std::string& column, const std::vector<std::string>& columns,
 }  // namespace
 
 void check_units(const Expectation& e, const std::vector<std::string>& columns, const std::vector<Unit>& units) {
-  Unit unit = unit_of(e.query.probe, columns, units);
-  const Unit along = unit_of(e.query.along, columns, units);
-  const std::string product = product_unit(unit, along);
-  if (e.query.statistic == Statistic::integral) unit = {product, "integral"};
+  const Unit probe = unit_of(e.query.probe, columns, units), along = unit_of(e.query.along, columns, units);
+  const std::string si = unit_of(e.query.statistic, probe, along);
+  const Unit unit{si, e.query.statistic == Statistic::integral ? "integral" : probe.quantity};
   const auto check = [&](const char* key, const auto& test) {
     try {
       test();

@@ -150,6 +150,10 @@ std::string_view to_string(Statistic statistic) {
   return "";
 }
 
+std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along) {
+  return statistic == Statistic::integral ? product_unit(probe, along) : std::string(probe.si);
+}
+
 StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series) {
   const Samples samples = samples_of(query, series);
   if (std::string problem = problem_with(samples, query); !problem.empty()) {

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/config/units.hpp"
 #include "framework/output/probes_csv.hpp"
 
 namespace tack {
@@ -36,6 +37,9 @@ struct StatisticValue {
   double value;
   std::string problem;
 };
+
+// The SI unit of a statistic of a column, along another, that have those.
+std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along);
 
 // Throws InputError, with the nearest name, if the series lacks a column.
 StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series);

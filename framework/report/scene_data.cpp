@@ -2,6 +2,7 @@
 
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/load_experiment.hpp"
+#include "framework/output/probe_units.hpp"
 #include "framework/scene/rod_section.hpp"
 #include "geometry/errors.hpp"
 
@@ -57,10 +58,8 @@ Json scene_data(const std::filesystem::path& scene) {
           {"expect", std::move(expect)}};
 }
 
-Json probe_units(const std::filesystem::path& scene) {
-  Json units = Json::object();
-  for (const Json& probe : probes_of(parse_experiment(read_file(scene, largest_text), scene.string()))) units[probe["column"]] = probe["unit"];
-  return units;
+std::map<std::string, std::string> probe_units(const std::filesystem::path& scene) {
+  return probe_units(parse_experiment(read_file(scene, largest_text), scene.string()).experiment.probes);
 }
 
 }  // namespace tack

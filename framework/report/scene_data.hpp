@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace tack {
 
@@ -10,7 +12,7 @@ namespace tack {
 // scene that this program does not know.
 nlohmann::ordered_json scene_data(const std::filesystem::path& scene);
 
-// {column: unit} of its probes.
-nlohmann::ordered_json probe_units(const std::filesystem::path& scene);
+// The units of its probes, by column (output/probe_units.hpp).
+std::map<std::string, std::string> probe_units(const std::filesystem::path& scene);
 
 }  // namespace tack

@@ -38,17 +38,18 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
 }  // namespace
 
 AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& world)
-    : scene_(scene), world_(world), topology_(world.contact->surface()), pulled_(world.contact_term->laws(LawPart::adhesion).size()) {}
+    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawPart::adhesion).size()) {}
 
 // Means over the triangles at a vertex of a mesh that look at the other surface.
 AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n, const VecX& x) const {
   const CollisionMesh& mesh = world_.contact->surface().mesh;
+  const SurfaceTopology& topology = world_.contact->held().topology();
   Element sum;
   double weight = 0;
-  for (const int t : topology_.triangles_at(v)) {
+  for (const int t : topology.triangles_at(v)) {
     double facing = 0;
     const auto c = corners(x, mesh.triangles[t]);
-    sum.gap_change += gap_change_across(c, topology_.two_sided(t), n, facing) * facing;
+    sum.gap_change += gap_change_across(c, topology.two_sided(t), n, facing) * facing;
     sum.size += std::sqrt(2 * triangle_area(c[0], c[1], c[2])) * facing;
     weight += facing;
   }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "framework/contact/surface_topology.hpp"
+#include "geometry/types.hpp"
 
 namespace tack {
 
@@ -40,7 +40,6 @@ class AdhesionResolution {
 
   const SceneConfig& scene_;
   const World& world_;
-  SurfaceTopology topology_;
   std::vector<Pulled> pulled_;  // per law
 };
 

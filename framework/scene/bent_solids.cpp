@@ -11,7 +11,8 @@
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/extent.hpp"
 #include "framework/scene/world.hpp"
-#include "geometry/mesh/quality.hpp"
+#include "geometry/mesh/thickness.hpp"
+#include "geometry/tet_edges.hpp"
 
 namespace tack {
 namespace {
@@ -24,20 +25,11 @@ constexpr double bends = 0.8;        // share of bending
 constexpr const char* by_cells = "with 1, 2, 4, 8 cells across a bar bends by 0.22, 0.50, 0.79, 0.93 of what it should "
                                  "(0.04, 0.10, 0.29, 0.58 at a Poisson's ratio of 0.49)";
 
-Mat3 edges_of(const Tet& tet, const VecX& x) {
-  Mat3 edges;
-  for (int a = 0; a < 3; ++a) edges.col(a) = vertex(x, tet[a + 1]) - vertex(x, tet[0]);
-  return edges;
-}
-
+// Of what is filled with tets: triangles of its own have none.
 double thickness_of(const Body& body, const VecX& rest) {
-  double volume = 0, area = 0;
-  for (const Tet& t : body.tets) volume += edges_of(t, rest).determinant() / 6;
-  for (const Triangle& t : body.triangles) {
-    const auto [a, b, c] = corners(rest, t);
-    area += triangle_area(a, b, c);
-  }
-  return area > 0 ? 2 * volume / area : 0;
+  Thickness thickness;
+  for (size_t i = 0; i + body.sheet.size() < body.triangles.size(); ++i) thickness.add(corners(rest, body.triangles[i]));
+  return thickness.thickness();
 }
 
 // From one side to the other: twice the edges from the innermost vertex to the surface, and one.

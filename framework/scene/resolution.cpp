@@ -14,6 +14,7 @@
 #include "framework/scene/scene_config.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/mesh/quality.hpp"
+#include "geometry/mesh/thickness.hpp"
 
 namespace tack {
 namespace {
@@ -36,7 +37,7 @@ std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t object
     all[mesh.vertex_object[a]].gap_change += (vertex(x, a) - vertex(x, b)).norm() * *angle / 2;
     ++smooth[mesh.vertex_object[a]];
   });
-  std::vector<double> volume(objects, 0), area(objects, 0);
+  std::vector<Thickness> thickness(objects);
   std::vector<char> sheet(objects, 0);
   std::vector<double> length(objects, 0);
   std::vector<int> edges(objects, 0);
@@ -48,17 +49,14 @@ std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t object
   for (size_t i = 0; i < mesh.triangles.size(); ++i) {
     const Triangle& t = mesh.triangles[i];
     const int object = mesh.vertex_object[t[0]];
-    const auto [a, b, c] = corners(x, t);
-    const Vec3 twice = (b - a).cross(c - a);
-    volume[object] += a.dot(twice) / 6;
-    area[object] += twice.norm() / 2;
+    thickness[object].add(corners(x, t));
     ++triangles[object];
     if (surface.two_sided[i]) sheet[object] = 1;
   }
   for (size_t i = 0; i < objects; ++i) {
-    all[i].size = triangles[i] > 0 ? std::sqrt(2 * area[i] / triangles[i]) : edges[i] > 0 ? length[i] / edges[i] : 0;
+    all[i].size = triangles[i] > 0 ? std::sqrt(2 * thickness[i].area() / triangles[i]) : edges[i] > 0 ? length[i] / edges[i] : 0;
     all[i].gap_change /= std::max(smooth[i], 1);
-    if (!sheet[i] && area[i] > 0) all[i].thickness = 2 * volume[i] / area[i];
+    if (!sheet[i]) all[i].thickness = thickness[i].thickness();
   }
   return all;
 }

@@ -215,7 +215,7 @@ void EnergyBalance::warn_of_growth(EnergyAccount& account, const State& state, c
   warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of the most that was at play so far, and "
                          "nothing put it in (steps.csv: {})",
                          state.step, state.time, gain, 100 * gain / flows.at_play,
-                         -flows.numerics > -flows.areas ? "dissipated_numerics" : "dissipated_areas");
+                         flows.made_by_areas() ? "dissipated_areas" : "dissipated_numerics");
 }
 
 }  // namespace tack

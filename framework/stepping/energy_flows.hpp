@@ -17,6 +17,9 @@ struct EnergyFlows {
   bool refined = false;     // smaller than the scene's step, because a larger one made or lost energy
   bool gained = false;      // energy has grown noticeably, and nothing put it in
 
+  // Of what was made of energy, whether areas of contact made more than time integration.
+  bool made_by_areas() const { return areas < numerics; }
+
   EnergyFlows& operator+=(const EnergyFlows& o) {
     loads += o.loads, script += o.script, rim += o.rim, healing += o.healing, friction += o.friction;
     adhesion += o.adhesion, plastic += o.plastic, damping += o.damping;

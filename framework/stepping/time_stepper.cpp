@@ -305,7 +305,7 @@ void TimeStepper::refine(double h, bool lasting) {
 void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
   if (!balance_.warning().empty())
     warn_({fmt::format("{}: {}", balance_.warning(),
-                       -r.flows.areas > -r.flows.numerics ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact)), "energy"});
+                       r.flows.made_by_areas() ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact)), "energy"});
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
     warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
