@@ -68,6 +68,7 @@ int check_command(const SceneOptions& options) {
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
   const LawCheck laws = check_laws(world);
+  for (const std::string& line : laws.notes) fmt::print("{}\n", line);
   for (const std::string& line : laws.doubtful) fmt::print("warning: {}\n", line);
   for (const std::string& line : laws.wrong) fmt::print("{}  WRONG: see its formula\n", line);
   const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.wrong.empty();

@@ -81,6 +81,8 @@ class Fields {
                          std::string doc);
   // In SI whatever its unit, which is kept to be checked once the dimension is known (Quantity::check).
   Field& optional_quantity(std::string key, std::optional<Quantity>& target, std::string doc);
+  // A map of names to such numbers.
+  Field& quantities(std::string key, std::map<std::string, Quantity>& target, std::string doc);
   Field& integer(std::string key, int& target, std::string doc);
   Field& optional_integer(std::string key, std::optional<int>& target, std::string doc);
   Field& flag(std::string key, bool& target, std::string doc);

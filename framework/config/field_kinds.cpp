@@ -109,6 +109,25 @@ Field& Fields::optional_quantity(std::string key, std::optional<Quantity>& targe
   return add(std::move(key), std::move(doc), nullable(simple_shape(Form::number, units::any)), read, write);
 }
 
+Field& Fields::quantities(std::string key, std::map<std::string, Quantity>& target, std::string doc) {
+  const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
+    if (!v.is_map()) return reader.unexpected(v, field);
+    target.clear();
+    for (const Value::Entry& e : v.entries) {
+      double number = 0;
+      if (reader.number(e.value, units::any, field.bounds, field.key + " '" + e.key + "'", number)) target[e.key] = {number, e.value.text};
+    }
+  };
+  const auto write = [&target] {
+    Value named = Value::map();
+    for (const auto& [name, quantity] : target) named.set(name, Value::number(quantity.si));
+    return named;
+  };
+  Shape shape = list_shape(simple_shape(Form::number, units::any));
+  shape.form = Form::map;
+  return add(std::move(key), std::move(doc), std::move(shape), read, write);
+}
+
 Field& Fields::integer(std::string key, int& target, std::string doc) {
   const auto read = [&target](const Value& v, const Field& field, Reader& reader) {
     reader.integer(v, field, target);

@@ -54,7 +54,7 @@ class Schema {
     if (f.filled) schema["minItems"] = 1;
     schema["description"] = description(f);
     const Shape& leaf = f.shape.entry ? *f.shape.entry : f.shape;
-    const bool has_default = !f.mandatory && leaf.form != Form::object &&
+    const bool has_default = !f.mandatory && f.shape.form != Form::map && leaf.form != Form::object &&
                              leaf.form != Form::component && leaf.form != Form::any;
     const Value v = has_default ? f.write() : Value();
     if (!v.is_null()) schema["default"] = typed_value(v, f.shape);

@@ -194,7 +194,8 @@ std::string unit_noun(const Unit& unit) {
 }
 
 std::string unit_noun_plural(const Unit& unit) {
-  return unit.plain() || unit.si.empty() ? plural(unit.quantity)
+  if (unit.si.empty()) return "numbers with their units";
+  return unit.plain() ? plural(unit.quantity)
                       : fmt::format("{} ({})", plural(unit.quantity), unit.si);
 }
 

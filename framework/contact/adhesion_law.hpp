@@ -2,6 +2,9 @@
 // places on them that remember (BondLaw, framework/bond/bond_law.hpp).
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "framework/config/registry.hpp"
 
 namespace tack {
@@ -32,6 +35,9 @@ class AdhesionLaw : public Component {
   virtual double peak_traction() const = 0;     // the largest along the normal [Pa]
   virtual double work_of_adhesion() const = 0;  // to part what adheres along the normal [J/m^2]
   virtual AdhesionTraits traits() const { return {}; }
+  // What there is to say of the law as it was prepared, a line; "": nothing. And what makes it worth less than it seems.
+  virtual std::string note() const { return ""; }
+  virtual std::vector<std::string> doubts() const { return {}; }
 };
 
 }  // namespace tack

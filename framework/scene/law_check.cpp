@@ -13,6 +13,7 @@ namespace tack {
 namespace {
 
 constexpr int places = 400;              // in the range
+constexpr int closer = 50;               // to either side, between two of them
 constexpr double tolerance = 1e-4;       // of derivatives, relative
 constexpr double largest_jump = 1e-3;    // of the largest traction and of the largest energy
 constexpr double largest_misstatement = 0.01;
@@ -44,6 +45,11 @@ class Sampled {
     double largest = 0;
     for (int i = 0; i < places; ++i)
       if (samples_[i].slope > largest) largest = samples_[i].slope, at = gaps_(i);
+    const double centre = at, width = largest > 0 ? law_.range() / places : 0;  // peaks of a long range lie between places
+    for (int i = -closer; i <= closer; ++i) {
+      const double d = centre + width * i / closer, slope = d > 0 ? law_.at(d).slope : 0;
+      if (slope > largest) largest = slope, at = d;
+    }
     return largest;
   }
   double largest_slope() const {
@@ -145,7 +151,12 @@ LawCheck check_law(const NormalLaw& law) {
   if (const auto study = sampled.study(true, at); study.wrong)
     check.wrong.push_back(fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
   check_end(law, sampled, check);
-  if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(&law)) check_statements(*adhesion, sampled, check);
+  if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(&law)) {
+    check_statements(*adhesion, sampled, check);
+    const std::vector<std::string> doubts = adhesion->doubts();
+    check.doubtful.insert(check.doubtful.end(), doubts.begin(), doubts.end());
+    if (const std::string note = adhesion->note(); !note.empty()) check.notes.push_back(note);
+  }
   return check;
 }
 
@@ -156,6 +167,7 @@ LawCheck check_pair(const PairLaw& pair) {
     if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(part.get())) check_peak(*adhesion, pair, check);
     all.wrong.insert(all.wrong.end(), check.wrong.begin(), check.wrong.end());
     all.doubtful.insert(all.doubtful.end(), check.doubtful.begin(), check.doubtful.end());
+    all.notes.insert(all.notes.end(), check.notes.begin(), check.notes.end());
   }
   return all;
 }
@@ -168,6 +180,7 @@ LawCheck check_laws(const World& world) {
     const LawCheck check = check_pair(table.laws()[table.thin(a, b).law]);
     add(all.wrong, check.wrong, pair.names());
     add(all.doubtful, check.doubtful, pair.names());
+    add(all.notes, check.notes, pair.names());
   }
   return all;
 }

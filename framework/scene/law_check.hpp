@@ -13,6 +13,7 @@ struct World;
 
 struct LawCheck {
   std::vector<std::string> wrong;     // derivatives that are not those of the values
+  std::vector<std::string> notes;     // what laws say of themselves
   std::vector<std::string> doubtful;  // what a simulation can go on with, but does not give what the law promises
 };
 

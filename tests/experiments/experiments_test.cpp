@@ -56,6 +56,11 @@ void check_experiment(const std::string& file) {
 TEST_CASE("experiment debonding/pull") { check_experiment("debonding/pull.yaml"); }
 TEST_CASE("experiment debonding/pull_squared") { check_experiment("debonding/pull_squared.yaml"); }
 TEST_CASE("experiment debonding/peel") { check_experiment("debonding/peel.yaml"); }
+TEST_CASE("experiment laws/xu_needleman") { check_experiment("laws/xu_needleman.yaml"); }
+TEST_CASE("experiment laws/dugdale") { check_experiment("laws/dugdale.yaml"); }
+TEST_CASE("experiment laws/lennard_jones") { check_experiment("laws/lennard_jones.yaml"); }
+TEST_CASE("experiment laws/table") { check_experiment("laws/table.yaml"); }
+TEST_CASE("experiment laws/expression") { check_experiment("laws/expression.yaml"); }
 TEST_CASE("experiment critical_strain at 0.01") { check_experiment("critical_strain/strain_01.yaml"); }
 TEST_CASE("experiment critical_strain at 0.03") { check_experiment("critical_strain/strain_03.yaml"); }
 TEST_CASE("experiment critical_strain at 0.05") { check_experiment("critical_strain/strain_05.yaml"); }

@@ -2,8 +2,8 @@
 
 namespace tack::detail {
 
-std::vector<std::string> settings_of(const Fields& fields) {
-  std::vector<std::string> settings = {""};
+std::vector<Setting> settings_of(const Fields& fields) {
+  std::vector<Setting> settings = {{}};
   for (const Field& field : fields.all()) {
     std::vector<std::string> values;
     if (field.shape.form == Shape::Form::choice) {
@@ -12,12 +12,20 @@ std::vector<std::string> settings_of(const Fields& fields) {
       values.push_back(field.write().text);
     }
     if (values.empty()) continue;
-    std::vector<std::string> longer;
-    for (const auto& start : settings)
-      for (const auto& value : values) longer.push_back(start + ", " + field.key + ": " + value);
+    std::vector<Setting> longer;
+    for (const Setting& start : settings)
+      for (const auto& value : values) longer.push_back(start), longer.back().emplace_back(field.key, value);
     settings = longer;
   }
   return settings;
+}
+
+std::string flow_map(const std::string& type, const Setting& setting, const std::map<std::string, std::string>& extra) {
+  std::string yaml = "{type: " + type;
+  for (const auto& [key, value] : setting)
+    if (!extra.contains(key)) yaml += ", " + key + ": " + value;
+  for (const auto& [key, value] : extra) yaml += ", " + key + ": " + value;
+  return yaml + "}";
 }
 
 bool applies(const std::map<std::string, std::string>& extra, const Fields& fields) {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/config/bind.hpp"
@@ -20,9 +21,13 @@ struct ComponentVariant {
 
 namespace detail {
 
-// "young: 1e5, form: plain" with each combination of options; a required field takes the value
-// that a fresh instance has.
-std::vector<std::string> settings_of(const Fields& fields);
+using Setting = std::vector<std::pair<std::string, std::string>>;  // keys and values
+
+// With each combination of options; a required field takes the value that a fresh instance has.
+std::vector<Setting> settings_of(const Fields& fields);
+
+// "{type: fang, form: plain, young: 1e5}"; what the extra has too is taken from it.
+std::string flow_map(const std::string& type, const Setting& setting, const std::map<std::string, std::string>& extra);
 
 // The keys of an extra setting are all fields of the component.
 bool applies(const std::map<std::string, std::string>& extra, const Fields& fields);
@@ -37,13 +42,11 @@ std::vector<ComponentVariant> variants(const std::vector<std::map<std::string, s
   const Kind& kind = Registry<Base>::kind();
   for (const std::string& name : kind.names()) {
     const Fields fields = kind.prototype(name);
-    for (const std::string& setting : detail::settings_of(fields)) {
+    for (const detail::Setting& setting : detail::settings_of(fields)) {
       const size_t before = all.size();
       for (const auto& extra : extras) {
         if (!detail::applies(extra, fields)) continue;
-        std::string yaml = "{type: " + name + setting;
-        for (const auto& [key, value] : extra) yaml += ", " + key + ": " + value;
-        yaml += "}";
+        const std::string yaml = detail::flow_map(name, setting, extra);
         try {
           bind_component<Base>(parse_string(yaml, "test.yaml"));
           all.push_back({name, yaml});
@@ -51,7 +54,7 @@ std::vector<ComponentVariant> variants(const std::vector<std::map<std::string, s
           // these fields do not go together; another extra must
         }
       }
-      INFO(kind.name() << " '" << name << "'" << setting << " binds with none of the extra settings");
+      INFO(kind.name() << " " << detail::flow_map(name, setting, {}) << " binds with none of the extra settings");
       REQUIRE(all.size() > before);
     }
   }

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tiny_scene.hpp"
 
@@ -107,14 +109,26 @@ TEST_CASE("a peak within the contact distance is told, one beyond is not", "[law
   const LawCheck within = check(3 * peak);
   CHECK(within.wrong.empty());
   REQUIRE(within.doubtful.size() == 1);
-  CHECK_THAT(within.doubtful[0], Contains("its traction peaks at 0.001012 m, within the contact distance of 0.003 m"));
+  CHECK_THAT(within.doubtful[0], Contains("its traction peaks at 0.001 m, within the contact distance of 0.003 m"));
   const LawCheck beyond = check(0.9 * peak);
   CHECK(beyond.wrong.empty());
   CHECK(beyond.doubtful.empty());
 }
 
+TEST_CASE("a peak between the places that are looked at is found, and what laws say of themselves is told", "[law_check]") {
+  const auto narrow = bind_component<AdhesionLaw>(parse_string("{type: lennard_jones, work_of_adhesion: 1, range: 0.3 m}", "test.yaml"));
+  narrow->prepare({.contact_distance = 1e-3});  // places are 0.75 equilibrium gaps apart
+  const LawCheck check = check_law(dynamic_cast<const NormalAdhesion&>(*narrow));
+  CHECK(check.wrong.empty());
+  CHECK(check.doubtful.empty());
+  REQUIRE(check.notes.size() == 1);
+  CHECK_THAT(check.notes[0], Contains("of its work would be done beyond its range, 0.3 m"));
+}
+
 TEST_CASE("the laws of scenes are checked with the names of their pairs", "[law_check]") {
-  for (const char* right : {"{type: documented, strength: 2 kPa, range: 4 mm}", "{type: fang, critical_strain: 0.001}", "{type: fang, form: squared, critical_strain: 0.001}"}) {
+  for (const char* right : {"{type: documented, strength: 2 kPa, range: 4 mm}", "{type: fang, critical_strain: 0.001}", "{type: fang, form: squared, critical_strain: 0.001}",
+                            "{type: xu_needleman, peak_traction: 1 kPa}", "{type: dugdale, peak_traction: 1 kPa}", "{type: lennard_jones, peak_traction: 1 kPa}",
+                            "{type: table, file: '" TACK_TEST_DATA "/laws/six_rows.csv'}", "{type: expression, traction: 1e12 * d * (4e-3 - d)^2, range: 4 mm}"}) {
     const std::string scene = tiny_scene_with("{type: fang, critical_strain: 0.001}", right);
     const LawCheck all = check_laws(*TestScene(scene.substr(scene.find("time:"))).world);
     INFO(right);

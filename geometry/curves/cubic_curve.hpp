@@ -1,0 +1,60 @@
+// A function of one variable by cubic pieces between knots, of given values and slopes (cubic Hermite): it has a continuous first
+// derivative, and its integral, taken exactly, a second one.
+#pragma once
+
+#include <vector>
+
+namespace tack {
+
+class CubicCurve {
+ public:
+  struct Sample {
+    double value = 0;
+    double slope = 0;
+    double integral = 0;  // from the first knot to here
+    double rest = 0;      // from here to the last knot, to all digits where that is little
+  };
+  struct Point {
+    double x = 0, value = 0;
+  };
+
+  CubicCurve() = default;
+  // One value and slope per x. Throws std::logic_error without two knots, and unless x ascends and all is finite.
+  CubicCurve(const std::vector<double>& x, const std::vector<double>& values, const std::vector<double>& slopes);
+
+  // Through the values, monotone between any two of them: where they rise the curve does, and it has their extrema alone (PCHIP: Fritsch
+  // and Butland 1984, at the ends as Moler 2004, Numerical computing with MATLAB, 3.6). Throws as above.
+  static CubicCurve monotone(const std::vector<double>& x, const std::vector<double>& values);
+
+  // Beyond the ends the values there go on, without an end.
+  Sample at(double x) const;
+
+  double first() const { return pieces_.front().x; }
+  double last() const { return pieces_.back().x; }
+  double total() const { return pieces_.back().integral; }  // from the first knot to the last
+  int knots() const { return static_cast<int>(pieces_.size()); }
+
+  // Where it is largest, from a place on: the first such place.
+  Point largest(double from) const;
+  Point largest() const { return largest(first()); }
+  Point least() const;
+
+ private:
+  // From its knot on: y + m t + c t^2 + k t^3 with t = x - knot; the last one is a knot alone.
+  struct Piece {
+    double x = 0, y = 0, m = 0, c = 0, k = 0;
+    double c_end = 0;  // c, seen from the other end
+    double integral = 0, rest = 0;
+  };
+  // Calls act(x, value) at the ends and the extrema of the piece.
+  template <class Act>
+  void for_each_extreme(int piece, const Act& act) const;
+  int piece_at(double x) const;
+  void find_starts();
+
+  std::vector<Piece> pieces_;
+  std::vector<int> starts_;  // the piece that equal parts of the whole begin in
+  double parts_per_x_ = 0;
+};
+
+}  // namespace tack

@@ -1,0 +1,88 @@
+#include "framework/config/quantity_table.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/framework/config/toy.hpp"
+#include "tests/support/program.hpp"
+
+using namespace tack;
+using Catch::Contains;
+using toy::message_of;
+
+namespace {
+
+const std::vector<QuantityColumn> wanted = {{"gap", units::length, "gap_column"}, {"traction", units::pressure, "traction_column"}};
+
+class Table {
+ public:
+  explicit Table(const std::string& text) { write_file(path(), text); }
+  std::string path() const { return (folder_.path() / "law.csv").string(); }
+  QuantityTable read() const { return read_quantities(path(), wanted); }
+  std::string error() const { return message_of([&] { read(); }); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+void check_rows(const std::string& text) {
+  INFO(text);
+  const QuantityTable table = Table(text).read();
+  REQUIRE(table.rows() == 2);
+  CHECK(table.columns[0][0] == Approx(1e-6).epsilon(1e-14));
+  CHECK(table.columns[0][1] == Approx(2.5e-6).epsilon(1e-14));
+  CHECK(table.columns[1][0] == Approx(3e3).epsilon(1e-14));
+  CHECK(table.columns[1][1] == 0);
+}
+
+}  // namespace
+
+TEST_CASE("columns with units, however a program has written them", "[config]") {
+  check_rows("gap [um],traction [kPa]\n1,3\n2.5,0\n");
+  check_rows("gap [um], traction [kPa]\r\n1, 3\r\n2.5, 0\r\n");          // line ends of Windows
+  check_rows("gap [um],traction [kPa]\r1,3\r2.5,0\r");                   // and of old Macintoshes
+  check_rows("\xef\xbb\xbfgap [um],traction [kPa]\n1,3\n2.5,0\n");        // a byte order mark
+  check_rows("gap [um],traction [kPa]\n1,3\n2.5,0");                     // no line end
+  check_rows("gap [um],traction [kPa]\n1,3\n2.5,0\n\n\n  \n,\n");        // empty lines
+  check_rows("# measured\n\ngap [um],traction [kPa]\n# first\n1,3\n2.5,0\n");
+  check_rows("gap (\xc2\xb5m);traction (N/mm^2)\n1;0.003\n2.5;0\n");      // semicolons, a micro sign
+  check_rows("gap\ttraction\num\tkPa\n1\t3\n2.5\t0\n");                  // units in a line of their own
+  check_rows("gap,traction\n[um],[kPa]\n1,3\n2.5,0\n");
+  check_rows("gap,traction\n1e-6,+3e3\n2.5e-6,0\n");                     // SI
+  check_rows("time [s],Traction [kPa],GAP [um],note\n0,3,1,a\n1,0,2.5,\"b, c\"\n");  // other columns, another order
+  check_rows("\"gap [um]\",\"traction [kPa]\"\n\"1\",\"3\"\n2.5,0,,\n");   // quotes, empty cells behind
+}
+
+TEST_CASE("rows know their lines", "[config]") {
+  const Table table("# a\ngap [um], traction [kPa]\n\n1, 3\n# b\n2, 4\n");
+  CHECK(table.read().place(0) == table.path() + ":4: ");
+  CHECK(table.read().place(1) == table.path() + ":6: ");
+}
+
+TEST_CASE("twenty thousand rows", "[config]") {
+  std::string text = "gap [nm], traction [MPa]\r\n";
+  for (int i = 0; i < 20000; ++i) text += std::to_string(i) + "," + std::to_string(0.5 * i) + "\r\n";
+  const QuantityTable table = Table(text).read();
+  REQUIRE(table.rows() == 20000);
+  CHECK(table.columns[0].back() == Approx(19999e-9));
+  CHECK(table.columns[1].back() == Approx(9999.5e6));
+}
+
+TEST_CASE("what is wrong with a table is told with file and line", "[config]") {
+  const auto error = [](const std::string& text) { return Table(text).error(); };
+  CHECK_THAT(error(""), Contains("is empty"));
+  CHECK_THAT(error("\n\n"), Contains("is empty"));
+  CHECK_THAT(error("1,2\n3,4\n"), Contains("law.csv:1: the first line has to name the columns"));
+  CHECK_THAT(error("gab [um],traction [kPa]\n"), Contains("law.csv:1: there is no column 'gap' among 'gab', 'traction'; rename one, or say which one it is by gap_column"));
+  CHECK_THAT(error("gap,gap,traction\n"), Contains("two columns are called 'gap'"));
+  CHECK_THAT(error("gap [kg],traction [kPa]\n1,2\n"), Contains("law.csv:1: column 'gap': expects a length (m), got '1 kg', which is a mass"));
+  CHECK_THAT(error("gap,traction\num,kPx\n1,2\n"), Contains("law.csv:2: column 'traction'") && Contains("'kPx' is no known unit"));
+  CHECK_THAT(error("gap [um],traction [kPa]\n1,2\n2,x\n"), Contains("law.csv:3: traction 'x' is no number; mend or remove this line"));
+  CHECK_THAT(error("gap [um];traction [kPa]\n1;2\n2;0,5\n"), Contains("law.csv:3: traction '0,5' has a comma; write numbers with a point"));
+  CHECK_THAT(error("gap [um],traction [kPa]\n1,2\n2,\n"), Contains("law.csv:3: traction '' is empty"));
+  CHECK_THAT(error("gap [um],traction [kPa]\n1,2\n2,inf\n"), Contains("law.csv:3: traction 'inf' is not finite"));
+  CHECK_THAT(error("gap [um],traction [kPa]\n1,2\n2\n"), Contains("law.csv:3: 1 cells, where the first line names 2"));
+  CHECK_THAT(error("gap [um],traction [kPa]\n1,2,3\n"), Contains("law.csv:2: 3 cells"));
+  CHECK_THAT(error("gap [um],\"traction [kPa]\n1,2\n"), Contains("a quote is not closed"));
+  CHECK_THAT(error("\xff\xfeg\0a\0"), Contains("UTF-16"));
+  CHECK_THAT(message_of([] { read_quantities("/nowhere/law.csv", wanted); }), Contains("/nowhere/law.csv: cannot read this file"));
+}
