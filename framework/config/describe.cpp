@@ -75,7 +75,10 @@ std::string list_kinds() {
 std::string list_kind(const std::string& name) {
   const Kind& kind = kind_called(name);
   std::vector<std::pair<std::string, std::string>> table;
-  for (const auto& [key, entry] : kind.entries()) table.emplace_back(key, entry.doc);
+  for (const auto& [key, entry] : kind.entries()) {
+    table.emplace_back(key, entry.doc);
+    if (const std::string traits = entry.factory()->traits_text(); !traits.empty()) table.emplace_back("", "  " + traits);
+  }
   return fmt::format("{}: {}\n{}", kind.name(), kind.doc(), rows(table));
 }
 
@@ -83,6 +86,7 @@ std::string list_component(const std::string& kind_name, const std::string& name
   const Kind& kind = kind_called(kind_name);
   const Kind::Entry& entry = kind.entry(name);
   std::string out = fmt::format("{} '{}': {}\n", kind.name(), entry.name, entry.doc);
+  if (const std::string traits = entry.factory()->traits_text(); !traits.empty()) out += traits + "\n";
   if (!entry.source.empty()) out += fmt::format("source: {}\n", entry.source);
   out += fmt::format("file: {}\n", entry.file);
   if (!entry.plugin.empty()) out += fmt::format("plugin: {}\n", entry.plugin);

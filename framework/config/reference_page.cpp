@@ -57,6 +57,7 @@ void write_kind(const Kind& kind, std::string& out) {
   out += fmt::format("\n## {}\n\n{}\n", kind.name(), kind.doc());
   for (const auto& [name, entry] : kind.entries()) {
     out += fmt::format("\n### {} `{}`\n\n{}\n", kind.name(), name, entry.doc);
+    if (const std::string traits = entry.factory()->traits_text(); !traits.empty()) out += traits + ".\n";
     if (!entry.source.empty()) out += fmt::format("Source: {}.\n", entry.source);
     out += fmt::format("Code: `{}`.\n\n{}", entry.file, parameter_table(kind.prototype(name)));
   }

@@ -29,6 +29,9 @@ struct Component {
   // Lists the parameters; see field.hpp.
   virtual void fields(Fields&) {}
 
+  // What listings say of it besides its sentence, "" for nothing: "irreversible; acts along the normal".
+  virtual std::string traits_text() const { return {}; }
+
   // The registered name of this object's class, "" if it has none. A look-up: not for hot loops.
   std::string_view type() const;
 };

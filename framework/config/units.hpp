@@ -40,6 +40,8 @@ inline constexpr Unit traction_stiffness{"Pa/m", "traction per length"};
 inline constexpr Unit energy{"J", "energy"};
 inline constexpr Unit moment{"N m", "moment"};
 inline constexpr Unit viscosity{"Pa s", "viscosity"};
+inline constexpr Unit surface_viscosity{"J s/m^2", "viscosity of a surface"};
+inline constexpr Unit fluidity{"1/(Pa s)", "rate per pressure"};
 inline constexpr Unit power{"W", "power"};
 // Of a number whose dimension is only known later, and then checked: any unit, to the SI unit of its dimension.
 inline constexpr Unit any{"", "number with its unit"};

@@ -38,6 +38,11 @@ class AdhesionLaw : public Component {
   // What there is to say of the law as it was prepared, a line; "": nothing. And what makes it worth less than it seems.
   virtual std::string note() const { return ""; }
   virtual std::vector<std::string> doubts() const { return {}; }
+  std::string traits_text() const override {
+    const AdhesionTraits t = traits();
+    const char* acts = t.normal && t.tangential ? "along the normal and across" : t.normal ? "along the normal" : "across";
+    return std::string(t.reversible ? "Reversible" : "Irreversible") + (t.remembers ? ", remembers" : ", without memory") + ", acts " + acts;
+  }
 };
 
 }  // namespace tack

@@ -39,6 +39,9 @@ TEST_CASE("units are converted to SI") {
   CHECK(to_si("2 1/s", units::frequency) == 2);
   CHECK(to_si("3 mJ/m^2", units::work_of_adhesion) == Approx(3e-3).epsilon(1e-14));
   CHECK(to_si("1e3 N/m^2", units::pressure) == 1000);
+  CHECK(to_si("2 mJ s/m^2", units::surface_viscosity) == Approx(2e-3).epsilon(1e-14));
+  CHECK(to_si("2 Pa s m", units::surface_viscosity) == 2);
+  CHECK(to_si("0.5 1/(kPa s)", units::fluidity) == Approx(5e-4).epsilon(1e-14));
 }
 
 TEST_CASE("a wrong dimension is named") {
@@ -50,6 +53,8 @@ TEST_CASE("a wrong dimension is named") {
         "expects a length (m), got '30 deg', which is an angle");
   CHECK(error_of("3 %", units::length) == "expects a length (m), got '3 %', which is a number");
   CHECK(error_of("5 mm", units::none) == "expects a number, got '5 mm', which is a length");
+  CHECK(error_of("3 Pa s", units::surface_viscosity) == "expects a viscosity of a surface (J s/m^2), got '3 Pa s', which is a viscosity");
+  CHECK(error_of("3 J s/m^2", units::fluidity) == "expects a rate per pressure (1/(Pa s)), got '3 J s/m^2', which is a viscosity of a surface");
   // The reciprocal of a unit is another dimension.
   CHECK(error_of("10 Hz", units::time) == "expects a time (s), got '10 Hz', which is a frequency");
   CHECK(error_of("3 m^7", units::time) ==
