@@ -62,4 +62,10 @@ inline Dual22 tanh(const Dual22& x) {
   return x.chain(t, s, -2 * t * s);
 }
 
+// For a formula of one measure of both variables that knows its derivatives: f(x) with f, f' and f'' at value_of(x).
+inline double value_of(double x) { return x; }
+inline double value_of(const Dual22& x) { return x.v; }
+inline double chained(double, double f, double, double) { return f; }
+inline Dual22 chained(const Dual22& x, double f, double f1, double f2) { return x.chain(f, f1, f2); }
+
 }  // namespace tack

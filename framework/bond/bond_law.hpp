@@ -11,7 +11,7 @@
 //     Memory after(const Memory& m, const BondPlace& at) const;  // a step that ends there
 //     double loss(const Memory& before, const Memory& after, const BondPlace& at) const;  // what that dissipated [J/m^2]
 //     bool gone(const Memory& m, const BondPlace& at) const;     // whether it is a bond no longer
-// and, where that is not all,
+// (without memory, `struct Memory {};`, the energy is enough) and, where that is not all,
 //     Memory begin(bool on_contact) const;                       // of a new bond: at the start of a run, or when surfaces met
 //     Memory heal(const Memory& m, const BondPlace& at) const;   // what a pressure makes of it, after the step
 //     double intensity(const Memory& m) const;                   // of a whole bond 1, of one without strength 0: for records
@@ -115,15 +115,19 @@ class BondLawOf : public BondLaw {
   }
   BondChange advance(const BondPlace& at, double* memory) const override {
     const auto before = load(memory);
-    auto now = law().after(before, at);
-    BondChange change{law().loss(before, now, at)};
+    auto now = before;
+    BondChange change;
+    if constexpr (!std::is_empty_v<typename Law::Memory>) {
+      now = law().after(before, at);
+      change.dissipated = law().loss(before, now, at);
+    }
     if constexpr (requires { law().heal(now, at); }) {
       const auto healed = law().heal(now, at);
-      change.healed = law().energy(at.d, at.s, now, 0.0) - law().energy(at.d, at.s, healed, 0.0);
+      if (std::memcmp(&healed, &now, sizeof now) != 0) change.healed = law().energy(at.d, at.s, now, 0.0) - law().energy(at.d, at.s, healed, 0.0);
       now = healed;
     }
     store(now, memory);
-    change.gone = law().gone(now, at);
+    if constexpr (!std::is_empty_v<typename Law::Memory> || requires { law().gone(now, at); }) change.gone = law().gone(now, at);
     if (change.gone) change.dissipated += law().energy(at.d, at.s, now, 0.0);
     return change;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/scene/difference_study.hpp"
 #include "framework/scene/world.hpp"
@@ -177,7 +178,13 @@ LawCheck check_laws(const World& world) {
   for (const AdhesionSummary& pair : world.adhesion) {
     const PairTable& table = world.contact->pairs();
     const auto& [a, b] = pair.kinds.front();
-    const LawCheck check = check_pair(table.laws()[table.thin(a, b).law]);
+    LawCheck check = check_pair(table.laws()[table.thin(a, b).law]);
+    if (const int rule = world.bonds ? world.bonds->table().between(a, b) : -1; rule >= 0) {
+      const BondLaw& law = *world.bonds->table().rules()[rule].law;
+      const std::vector<std::string> doubts = law.doubts();
+      check.doubtful.insert(check.doubtful.end(), doubts.begin(), doubts.end());
+      if (const std::string note = law.note(); !note.empty()) check.notes.push_back(note);
+    }
     add(all.wrong, check.wrong, pair.names());
     add(all.doubtful, check.doubtful, pair.names());
     add(all.notes, check.notes, pair.names());

@@ -15,9 +15,9 @@ fail() {
   exit 1
 }
 
-# block TEXT: the first fenced block behind the line of the guide that begins with, or names, TEXT.
+# block TEXT [PAGE]: the first fenced block behind the line of the guide, or page, that begins with, or names, TEXT.
 block() {
-  awk -v text="$1" 'index($0, text) { found = 1 } found && /^```/ { if (inside) exit; inside = 1; next } inside' "$guide"
+  awk -v text="$1" 'index($0, text) { found = 1 } found && /^```/ { if (inside) exit; inside = 1; next } inside' "${2:-$guide}"
 }
 
 # What the program lets others call is its own alone: not Eigen's templates, which gmsh was built with as well.
@@ -54,7 +54,8 @@ grep -q '"adhesion.parabolic"' schema.json || fail "the schema does not know the
 
 # What must be refused, with its place: refused LIBRARY PATTERN
 cd "$scratch/elsewhere"
-cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
+block '## A law that remembers' "$source/docs/extending.md" >fading.cpp
+cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
 cmake --build build >/dev/null
 scene=$scratch/elsewhere/scene.yaml
 refused() {
@@ -84,6 +85,10 @@ refused build/libtaken.so "probe 'gap' is registered in framework/probes/positio
 refused build/libunresolved.so "cannot load the plugin: .*undefined symbol: tack::no_such_function\(int\); it must be linked with what it calls"
 refused build/liblanes.so "undefined symbol: tack::no_such_function\(tack::packs_of_3::Pack\*\); .* link tack::native as well"
 refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.so"
+
+# A law of bonds.
+sed "s|\[build/libmine.so\]|[$scratch/guide/mine/build/libmine.so, build/libfading.so]|; s|{type: parabolic[^}]*}|{type: fading}|" "$scratch/guide/mine/pull.yaml" >"$scene"
+tack run "$scene" -q -o fading --steps 3 && grep -q '"type": "fading"\|type: fading' fading/scene.yaml || fail "a law of bonds from outside"
 
 # Without optimisation, with assertions; and named twice.
 sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"

@@ -35,12 +35,13 @@ bool applies(const std::map<std::string, std::string>& extra, const Fields& fiel
 }  // namespace detail
 
 // `extras`: settings to try on the components that have such fields. A component that no extra
-// makes valid fails the test.
-template <class Base>
+// makes valid fails the test. Of the kind only those that are a Sort.
+template <class Base, class Sort = Base>
 std::vector<ComponentVariant> variants(const std::vector<std::map<std::string, std::string>>& extras = {{}}) {
   std::vector<ComponentVariant> all;
   const Kind& kind = Registry<Base>::kind();
   for (const std::string& name : kind.names()) {
+    if (!dynamic_cast<const Sort*>(Registry<Base>::make(name).get())) continue;
     const Fields fields = kind.prototype(name);
     for (const detail::Setting& setting : detail::settings_of(fields)) {
       const size_t before = all.size();

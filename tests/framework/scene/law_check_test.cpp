@@ -125,6 +125,14 @@ TEST_CASE("a peak between the places that are looked at is found, and what laws 
   CHECK_THAT(check.notes[0], Contains("of its work would be done beyond its range, 0.3 m"));
 }
 
+TEST_CASE("what the envelope of bonds says of itself is told", "[law_check]") {
+  const std::string scene = tiny_scene_with("{type: fang, critical_strain: 0.001}", "{type: damage, envelope: {type: table, file: '" TACK_TEST_DATA "/laws/six_rows.csv'}}");
+  const LawCheck all = check_laws(*TestScene(scene.substr(scene.find("time:"))).world);
+  CHECK((all.wrong.empty() && all.doubtful.empty()));
+  REQUIRE(all.notes.size() == 1);
+  CHECK_THAT(all.notes[0], Contains("6 rows of "));
+}
+
 TEST_CASE("the laws of scenes are checked with the names of their pairs", "[law_check]") {
   for (const char* right : {"{type: documented, strength: 2 kPa, range: 4 mm}", "{type: fang, critical_strain: 0.001}", "{type: fang, form: squared, critical_strain: 0.001}",
                             "{type: xu_needleman, peak_traction: 1 kPa}", "{type: dugdale, peak_traction: 1 kPa}", "{type: lennard_jones, peak_traction: 1 kPa}",

@@ -1,0 +1,57 @@
+// Irreversible damage (damage_law.hpp) whose envelope is any adhesion of the gap, taken as the traction by opening of whole bonds: a table, a formula
+// or one of the laws there are.
+#include "energies/adhesion/damage_law.hpp"
+#include "energies/adhesion/sampled_envelope.hpp"
+#include "framework/config/field.hpp"
+#include "framework/contact/normal_law.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+class EnvelopeAdhesion : public DamageLawOf<EnvelopeAdhesion> {
+ public:
+  void fields(Fields& f) override {
+    f.component("envelope", envelope_,
+                "an adhesion of the gap, its gap being the opening: the traction of what has not been unloaded; it begins with 0").required();
+    f.optional_number("tangential_strength", tangential_strength_, units::pressure,
+                      "tau: the largest traction across; that of the envelope unless given. 0: none").nonnegative();
+    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists damage, the more the faster it grows").nonnegative();
+  }
+  void prepare(const PairMaterials& pair) override {
+    const auto* given = dynamic_cast<const NormalAdhesion*>(envelope_.get());
+    if (!given) throw InputError("adhesion damage: its envelope has to be an adhesion of the gap, as table, expression or fang");
+    const std::unique_ptr<NormalLaw> law = given->clone();
+    PairMaterials opening = pair;
+    opening.contact_distance = 0;  // openings have none
+    law->prepare(opening);
+    const auto& adhesion = dynamic_cast<const AdhesionLaw&>(*law);
+    note_ = adhesion.note();
+    doubts_ = adhesion.doubts();
+    strength_ = adhesion.peak_traction();
+    work_ = adhesion.work_of_adhesion();
+    sampled_ = SampledEnvelope([&](double x) { return law->at(x).slope; }, law->range(), "adhesion damage: envelope");
+    stiffness_ = sampled_.stiffness();
+    const double ratio = tangential_strength_.value_or(strength_) / strength_;
+    across_ = ratio * ratio * stiffness_;
+  }
+  double peak_traction() const override { return strength_; }
+  double work_of_adhesion() const override { return work_; }
+  std::string note() const override { return note_; }
+  std::vector<std::string> doubts() const override { return doubts_; }
+
+  bool mixed() const { return false; }
+  double broken() const { return 1; }
+  const SampledEnvelope& envelope(double) const { return sampled_; }
+
+ private:
+  std::shared_ptr<const AdhesionLaw> envelope_;
+  std::optional<double> tangential_strength_;
+  SampledEnvelope sampled_;
+  double strength_ = 1, work_ = 1;  // Pa, J/m^2
+  std::string note_;
+  std::vector<std::string> doubts_;
+};
+
+TACK_REGISTER(AdhesionLaw, EnvelopeAdhesion, "damage", "Bonds whose traction follows a law of the gap, with damage that stays.", "");
+
+}  // namespace tack

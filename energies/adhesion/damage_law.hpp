@@ -1,0 +1,117 @@
+// Adhesion with irreversible damage D: a bond stores (1 - D) k / 2 with its pull k = K d^2 + K_T |u|^2 [J/m^2], and damage to D
+// dissipates g(D). A step from D has
+//     phi = min over D <= b <= 1 of  (1 - b) k / 2 + g(b) - g(D) + eta / (2 h) (b - D)^2,     d phi / d k = (1 - b) / 2.
+// Without the viscosity eta, g'(b) = k / 2: the traction follows an envelope of the opening lambda = sqrt(k / K), unloads towards the
+// origin and comes back the same way. With it, b solves g'(b) + eta/h (b - D) = k / 2.
+// g belongs to an envelope that a law gives by the opening at which a damage is reached:
+//     struct Envelope {
+//       double end() const;                    // the opening at which D = 1, or infinity
+//       double damage(double opening) const;   // from 0 at an onset on
+//       double growth(double opening) const;   // its derivative [1/m]
+//       double opening(double damage) const;   // its inverse; the onset for 0
+//       double spent(double damage) const;     // g [J/m^2]
+//     };
+//     Envelope envelope(double mixity) const;
+//     bool mixed() const;       // whether the envelope depends on the mixity, the share of K_T |u|^2 in k
+//     double broken() const;    // the damage at which a bond is gone
+// The mixity is held in a step, as that of the last one: with a mixity of the step's own there is no potential. Until a bond has opened
+// so far that it has one, it is elastic. What is remembered is the damage, so that another mixity cannot heal.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/bond/bond_law.hpp"
+
+namespace tack {
+
+struct Damage {
+  double damage = 0;
+  double mixity = -1;  // none yet
+};
+
+template <class Law>
+class DamageLawOf : public BondLawOf<Law> {
+ public:
+  using Memory = Damage;
+
+  template <class T>
+  T energy(const T& d, const T& s, const Memory& m, double h) const {
+    const T pulled = pull(d, s);
+    const double k = value_of(pulled);
+    const Reached to = reach(k, m, h);
+    double phi = (1 - to.damage) * k / 2;
+    if (to.damage > m.damage) phi += spent(m, to.damage) + viscous(m, to.damage, h) / 2;
+    return chained(pulled, phi, (1 - to.damage) / 2, -to.growth / 2);
+  }
+  Memory after(const Memory& m, const BondPlace& at) const {
+    const double k = pull(at.d, at.s);
+    Memory now{reach(k, m, at.h).damage, m.mixity};
+    if (law().mixed()) {
+      const double least = least_opening * law().envelope(0).opening(0.5);
+      if (k > stiffness_ * least * least) now.mixity = across_ * at.s / k;
+    }
+    return now;
+  }
+  double loss(const Memory& before, const Memory& after, const BondPlace& at) const {
+    return after.damage > before.damage ? spent(before, after.damage) + viscous(before, after.damage, at.h) : 0;
+  }
+  bool gone(const Memory& m, const BondPlace&) const { return m.damage >= law().broken(); }
+  double intensity(const Memory& m) const { return 1 - m.damage; }
+
+ protected:
+  double stiffness_ = 1e8, across_ = 1e8;  // K, K_T [Pa/m]
+  double viscosity_ = 0;                   // eta [J s/m^2]
+
+ private:
+  static constexpr double least_opening = 1e-3;  // that has a mixity, of that of half the damage
+
+  struct Reached {
+    double damage;
+    double growth;  // by k
+  };
+
+  const Law& law() const { return static_cast<const Law&>(*this); }
+
+  template <class T>
+  T pull(const T& d, const T& s) const {
+    return T(stiffness_) * d * d + T(across_) * s;
+  }
+  double spent(const Memory& m, double damage) const {
+    const auto envelope = law().envelope(m.mixity);
+    return envelope.spent(damage) - envelope.spent(m.damage);
+  }
+  double viscous(const Memory& m, double damage, double h) const {
+    return viscosity_ > 0 ? viscosity_ / h * (damage - m.damage) * (damage - m.damage) : 0;
+  }
+
+  Reached reach(double k, const Memory& m, double h) const {
+    const Reached held{m.damage, 0};
+    if (h == 0 || m.damage >= 1 || (law().mixed() && m.mixity < 0)) return held;
+    const auto envelope = law().envelope(m.mixity);
+    const double from = envelope.opening(m.damage), lambda = std::sqrt(k / stiffness_), end = envelope.end();
+    if (!(lambda > from)) return held;
+    const double c = viscosity_ > 0 ? viscosity_ / h : 0;
+    if (lambda >= end && stiffness_ * (lambda - end) * (lambda + end) / 2 >= c * (1 - m.damage)) return {1, 0};
+    const double to = c > 0 ? solve(envelope, m.damage, c, from, std::min(lambda, end), lambda) : lambda;
+    const double growth = envelope.growth(to);
+    return {std::clamp(envelope.damage(to), m.damage, 1.0), growth / (2 * (stiffness_ * to + c * growth))};
+  }
+
+  // The opening x in [low, high] at which K (x^2 - lambda^2) / 2 + c (D(x) - D) = 0, which grows with x: Newton's method within bisection.
+  template <class Envelope>
+  double solve(const Envelope& envelope, double damage, double c, double low, double high, double lambda) const {
+    double x = high;
+    for (int i = 0; i < 200; ++i) {
+      const double excess = stiffness_ * (x - lambda) * (x + lambda) / 2 + c * (envelope.damage(x) - damage);
+      (excess > 0 ? high : low) = x;
+      const double newton = x - excess / (stiffness_ * x + c * envelope.growth(x));
+      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+      if (std::abs(next - x) <= 1e-15 * x) return next;
+      x = next;
+    }
+    return x;
+  }
+};
+
+}  // namespace tack

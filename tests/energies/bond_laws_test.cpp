@@ -1,0 +1,195 @@
+// Every adhesion by bonds, with every option, whatever laws exist.
+#include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "framework/config/field.hpp"
+#include "tests/support/bond_laws.hpp"
+#include "tests/support/dense_term.hpp"
+
+using namespace tack;
+
+namespace {
+
+const std::vector<std::map<std::string, std::string>> settings = {
+    {},
+    {{"envelope", "{type: fang, peak_traction: 1e4, peak_distance: 5e-5, range: 2e-4}"}},
+    {{"envelope", "{type: expression, traction: 1e12 * d * exp(-d / 1e-5), range: 2e-4}"}, {"viscosity", "0.02"}},
+    {{"envelope", "{type: table, file: " TACK_TEST_DATA "/laws/six_rows.csv}"}, {"tangential_strength", "5e3"}},
+    {{"tangential_stiffness", "5e7"}},
+    {{"tangential_stiffness", "5e7"}, {"viscosity", "0.02"}},
+    {{"tangential_stiffness", "2e7"}, {"viscosity", "1e-3"}, {"healing", "1e-3"}, {"saturation", "2e3"}},
+    {{"tangential_stiffness", "2e7"}, {"healing", "1e-3"}},
+    {{"tangential_strength", "5e3"}},
+    {{"tangential_strength", "5e3"}, {"viscosity", "0.02"}},
+    {{"tangential_strength", "0"}, {"onset", "1e-5"}},
+    {{"mixity_exponent", "1.5"}, {"tangential_strength", "2e4"}, {"tangential_work", "3"}},
+    {{"tangential_strength", "2e4"}, {"tangential_work", "3"}, {"viscosity", "0.02"}}};
+
+double scale_of(const BondLaw& law) { return law.work_of_adhesion() / law.peak_traction(); }  // m
+
+// As the law has it; 0 if it has none. Half of what viscosity dissipates is in the potential of a step.
+double viscosity_of(const std::string& type, BondLaw& law) {
+  if (type == "rcc_explicit") return 0;  // that of a step is a spring, and all that the update takes is dissipated
+  const Fields fields = fields_of(law);
+  const Field* f = fields.find("viscosity");
+  return f ? std::stod(f->write().text) : 0;
+}
+
+// check(law, type) for every variant.
+template <class Check>
+void for_each_law(const Check& check) {
+  const auto all = variants<AdhesionLaw, BondLaw>(settings);
+  REQUIRE(!all.empty());
+  for (const ComponentVariant& v : all) {
+    const auto law = bond_law(v.yaml);
+    INFO(v.yaml);
+    check(*law, v.type);
+  }
+}
+
+struct Situation {
+  PulledBond bond;
+  double d, u, h;
+};
+
+// A bond with some past, not gone, and a place it is pulled to.
+Situation some_situation(const BondLaw& law, std::mt19937& random) {
+  std::uniform_real_distribution<double> share(0, 1);
+  const double scale = scale_of(law), h = std::pow(10, -4 + 3 * share(random));
+  const auto some = [&] { return scale * std::pow(10, -1.5 + 2 * share(random)); };
+  while (true) {
+    Situation it{PulledBond(law), 0, 0, h};
+    const int past = static_cast<int>(4 * share(random));
+    for (int i = 0; i < past; ++i) it.bond.step(share(random) < 0.2 ? 0 : 0.3 * some(), 0.3 * some(), h);
+    it.d = some(), it.u = some();
+    if (!it.bond.change().gone) return it;
+  }
+}
+
+double jump_of(const BondSample& a, const BondSample& b) {
+  const auto of = [](double p, double q) { return std::abs(p - q) / std::max(1e-300, std::abs(p) + std::abs(q)); };
+  return std::max({of(a.by_dd, b.by_dd), of(a.by_ds, b.by_ds), of(a.by_ss, b.by_ss)});
+}
+
+// Where the force changes most along a ray, looked at ever more closely: what it changes by there.
+double force_jump(const BondLaw& law, const double* memory, double h, double d, double u) {
+  const auto force = [&](double t) {
+    const BondSample s = law.at(t * d, t * t * u * u, memory, h);
+    return Vec2(s.by_d, 2 * s.by_s * t * u);
+  };
+  double low = 0, high = 1, most = 0;
+  for (int parts = 1024; high - low > 1e-12; parts = 4) {
+    const double width = (high - low) / parts, from = low;
+    most = 0;
+    for (int i = 0; i < parts; ++i) {
+      const double at = from + i * width, change = (force(at + width) - force(at)).norm();
+      if (change >= most) most = change, low = at;
+    }
+    high = low + width;
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("bonds: derivatives", "[bonds]") {
+  for_each_law([](const BondLaw& law, const std::string&) {
+    std::mt19937 random(1);
+    int kinks = 0, tried = 400;
+    for (int i = 0; i < tried; ++i) {
+      Situation it = some_situation(law, random);
+      const double d = it.d, s = it.u * it.u, e = 1e-4;
+      const auto at = [&](double p, double q) { return law.at(d * (1 + p), s * (1 + q), it.bond.memory(), it.h); };
+      const BondSample here = at(0, 0);
+      if (jump_of(at(-2 * e, -2 * e), at(2 * e, 2 * e)) > 0.05) {
+        ++kinks;
+        continue;
+      }
+      // By ln d and ln s, all of one unit.
+      const double scale = std::abs(here.value) + law.work_of_adhesion() * 1e-6 + std::abs(here.by_d * d) + std::abs(here.by_s * s) +
+                           std::abs(here.by_dd * d * d) + std::abs(here.by_ds * d * s) + std::abs(here.by_ss * s * s);
+      const auto check = [&](double found, double difference) { CHECK(std::abs(found - difference) <= 1e-6 * scale); };
+      check(here.by_d * d, central_difference([&](double p) { return at(p, 0).value; }, e));
+      check(here.by_s * s, central_difference([&](double q) { return at(0, q).value; }, e));
+      check(here.by_dd * d * d, central_difference([&](double p) { return at(p, 0).by_d * d; }, e));
+      check(here.by_ds * d * s, central_difference([&](double q) { return at(0, q).by_d * d; }, e));
+      check(here.by_ds * d * s, central_difference([&](double p) { return at(p, 0).by_s * s; }, e));
+      check(here.by_ss * s * s, central_difference([&](double q) { return at(0, q).by_s * s; }, e));
+      double value = 0;
+      law.add_values(1, &d, &s, it.bond.memory(), it.h, &value);
+      CHECK(value == Approx(here.value).epsilon(1e-13).margin(1e-13 * law.work_of_adhesion()));
+    }
+    CHECK(kinks < 0.1 * tried);
+  });
+}
+
+TEST_CASE("bonds: forces do not jump", "[bonds]") {
+  for_each_law([](const BondLaw& law, const std::string&) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 10; ++i) {
+      Situation it = some_situation(law, random);
+      CHECK(force_jump(law, it.bond.memory(), it.h, 10 * it.d, 10 * it.u) <= 1e-5 * law.peak_traction());
+    }
+  });
+}
+
+TEST_CASE("bonds: what a step takes from the potential is stored or dissipated", "[bonds]") {
+  for_each_law([](BondLaw& law, const std::string& type) {
+    std::mt19937 random(3);
+    const double viscosity = viscosity_of(type, law);
+    for (int i = 0; i < 400; ++i) {
+      Situation it = some_situation(law, random);
+      const double before = it.bond.intensity(), value = law.at(it.d, it.u * it.u, it.bond.memory(), it.h).value;
+      it.bond.step(it.d, it.u, it.h);
+      const BondChange& change = it.bond.change();
+      const double lost = before - it.bond.intensity(), stored = change.gone ? 0 : law.stored(it.d, it.u * it.u, it.bond.memory());
+      INFO("intensity " << before << " -> " << it.bond.intensity() << ", h " << it.h);
+      CHECK(std::abs(value - stored - (change.dissipated - viscosity * lost * lost / (2 * it.h))) <= 1e-12 * (value + law.work_of_adhesion()));
+      CHECK(change.dissipated >= 0);
+      CHECK(change.healed == 0);
+      CHECK((it.bond.intensity() >= 0 && lost >= 0));
+    }
+  });
+}
+
+TEST_CASE("bonds: new ones store nothing, whole ones have an intensity of 1", "[bonds]") {
+  for_each_law([](const BondLaw& law, const std::string&) {
+    PulledBond bond(law);
+    CHECK(bond.intensity() == 1);
+    for (const double h : {0.0, 1e-3}) CHECK(law.at(0, 0, bond.memory(), h).value == 0);
+    CHECK(bond.step(0, 0, 1e-3).by_d == 0);
+    CHECK((!bond.change().gone && bond.change().dissipated == 0 && bond.intensity() == 1));
+    CHECK(law.clone()->width() == law.width());
+    CHECK(law.traits().remembers == (law.width() > 0));
+  });
+}
+
+TEST_CASE("bonds that remember have at most one direction of negative curvature", "[bonds]") {
+  for_each_law([](const BondLaw& law, const std::string&) {
+    if (!law.traits().remembers) return;
+    std::mt19937 random(4);
+    for (int i = 0; i < 1000; ++i) {
+      Situation it = some_situation(law, random);
+      const BondSample s = law.at(it.d, it.u * it.u, it.bond.memory(), it.h);
+      const double mixed = 2 * s.by_ds * it.u, along = 4 * s.by_ss * it.u * it.u + 2 * s.by_s;
+      const Eigen::Matrix2d hessian = (Eigen::Matrix2d() << s.by_dd, mixed, mixed, along).finished();
+      const auto eigen = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
+      CHECK(s.by_s >= 0);
+      CHECK(eigen[1] >= -1e-12 * std::abs(eigen[0]));
+    }
+  });
+}
+
+TEST_CASE("bonds pulled slowly: peak, work and dissipation are those of the law", "[bonds]") {
+  for_each_law([](const BondLaw& law, const std::string& type) {
+    if (type == "rcc_explicit") return;  // has no slow limit at a given step
+    PulledBond bond(law);
+    const double slowly = 1e6;
+    bond.pull(3 * scale_of(law), 0, 20000, slowly);
+    bond.pull(40 * scale_of(law), 0, 20000, slowly);
+    CHECK(bond.peak() == Approx(law.peak_traction()).epsilon(2e-3));
+    CHECK(bond.work() == Approx(law.work_of_adhesion()).epsilon(6e-3));  // some let go a little before the end
+    CHECK(bond.dissipated() + bond.stored() == Approx(bond.work()).epsilon(1e-3));
+  });
+}

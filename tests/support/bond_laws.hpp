@@ -1,0 +1,68 @@
+// Laws of bonds for tests: every registered one, and one pulled by a script.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/bond/bond_law.hpp"
+#include "tests/support/component_variants.hpp"
+
+namespace tack {
+
+inline std::unique_ptr<BondLaw> bond_law(const std::string& yaml, const PairMaterials& pair = {.contact_distance = 1e-3}) {
+  auto law = component<AdhesionLaw>(yaml);
+  law->prepare(pair);
+  return std::unique_ptr<BondLaw>(&dynamic_cast<BondLaw&>(*law.release()));
+}
+
+// One bond per area, and what is done to it.
+class PulledBond {
+ public:
+  explicit PulledBond(const BondLaw& law, bool on_contact = false) : law_(law), memory_(law.width()) { law.fresh(on_contact, memory_.data()); }
+
+  // A step that ends at the opening d and the slip u; without pressure if it is none.
+  const BondSample& step(double d, double u, double h, double pressure = 0) {
+    sample_ = law_.at(d, u * u, memory_.data(), h);
+    const double across = 2 * sample_.by_s * u;
+    // Steps are those of implicit Euler: the force at the end is that of all the way; the mean of both ends is what was done.
+    work_ += (sample_.by_d + before_[0]) / 2 * (d - d_) + (across + before_[1]) / 2 * (u - u_);
+    work_of_ends_ += sample_.by_d * (d - d_) + across * (u - u_);
+    before_[0] = sample_.by_d, before_[1] = across, d_ = d, u_ = u;
+    change_ = law_.advance({d, u * u, h, pressure}, memory_.data());
+    dissipated_ += change_.dissipated;
+    return sample_;
+  }
+  // In as many steps of size h to d and u.
+  void pull(double d, double u, int steps, double h) {
+    const double from = d_, across = u_;
+    for (int i = 1; i <= steps && !change_.gone; ++i) {
+      step(from + (d - from) * i / steps, across + (u - across) * i / steps, h);
+      peak_ = std::max(peak_, sample_.by_d);
+      peak_across_ = std::max(peak_across_, 2 * sample_.by_s * u_);
+    }
+  }
+
+  double traction() const { return sample_.by_d; }            // Pa
+  double across() const { return before_[1]; }                // Pa
+  double peak() const { return peak_; }                       // of pull() [Pa]
+  double peak_across() const { return peak_across_; }
+  double work() const { return work_; }                       // J/m^2
+  double work_of_ends() const { return work_of_ends_; }       // the force at the end of each step times its way
+  double dissipated() const { return dissipated_; }           // J/m^2
+  double stored() const { return change_.gone ? 0 : law_.stored(d_, u_ * u_, memory_.data()); }
+  double intensity() const { return law_.intensity_of(memory_.data()); }
+  double* memory() { return memory_.data(); }
+  const BondChange& change() const { return change_; }
+
+ private:
+  const BondLaw& law_;
+  std::vector<double> memory_;
+  BondSample sample_;
+  BondChange change_;
+  double before_[2] = {0, 0}, d_ = 0, u_ = 0, work_ = 0, work_of_ends_ = 0, dissipated_ = 0, peak_ = 0, peak_across_ = 0;
+};
+
+}  // namespace tack
