@@ -105,10 +105,9 @@ class DamageLawOf : public BondLawOf<Law> {
     for (int i = 0; i < 200; ++i) {
       const double excess = stiffness_ * (x - lambda) * (x + lambda) / 2 + c * (envelope.damage(x) - damage);
       (excess > 0 ? high : low) = x;
-      const double newton = x - excess / (stiffness_ * x + c * envelope.growth(x));
-      const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-      if (std::abs(next - x) <= 1e-15 * x) return next;
-      x = next;
+      const double newton = x - excess / (stiffness_ * x + c * envelope.growth(x)), least = 1e-15 * x;
+      if (std::abs(newton - x) <= least || high - low <= least) break;
+      x = newton > low && newton < high ? newton : 0.5 * (low + high);
     }
     return x;
   }

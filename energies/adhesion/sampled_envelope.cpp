@@ -6,22 +6,20 @@
 #include <cmath>
 #include <vector>
 
+#include "geometry/curves/cubic_curve.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
-constexpr int places = 4000;
+constexpr int places = 4000;             // of openings, equally far apart
 constexpr double least_start = 1e-6;     // of the peak: what begins with more does not begin at 0
 constexpr double largest_misfit = 0.01;  // of the peak
 
 }  // namespace
 
 SampledEnvelope::SampledEnvelope(const std::function<double(double)>& traction, double end, const char* what) : end_(end) {
-  const auto knots = std::make_shared<Knots>();
-  std::vector<double>&squared = knots->squared, &damage = knots->damage;
-  squared.resize(places + 1), damage.resize(places + 1);
-  std::vector<double> pull(places + 1);
+  std::vector<double> squared(places + 1), damage(places + 1), pull(places + 1);
   double peak = 0;
   const auto at = [&](int i) { return end * i / places; };
   for (int i = 0; i <= places; ++i) {
@@ -40,35 +38,63 @@ SampledEnvelope::SampledEnvelope(const std::function<double(double)>& traction, 
       throw InputError(fmt::format("{}: its traction per opening rises to {:.4g} Pa/m at {:.6g} m: damage only grows, and cannot follow what gets "
                                    "stiffer; let the traction rise linearly, or ever more slowly", what, pull[i] / at(i), at(i)));
   }
-  knots_ = knots;
-  damage_ = std::make_shared<const CubicCurve>(CubicCurve::monotone(squared, damage));
+  const CubicCurve curve = CubicCurve::monotone(squared, damage);
+  std::vector<Piece> pieces(places + 1);
+  for (int i = 0; i <= places; ++i) {
+    Piece& piece = pieces[i];
+    piece.z = squared[i], piece.y = damage[i], piece.m = curve.at(squared[i]).slope;
+    if (i == 0) continue;
+    Piece& before = pieces[i - 1];
+    const double width = piece.z - before.z, mean = (piece.y - before.y) / width;
+    before.c = (3 * mean - 2 * before.m - piece.m) / width;
+    before.k = (before.m + piece.m - 2 * mean) / (width * width);
+    piece.integral = before.integral_to(width);
+  }
+  pieces_ = std::make_shared<const std::vector<Piece>>(std::move(pieces));
+  pieces_per_opening_ = places / end;
 }
 
-double SampledEnvelope::damage(double opening) const { return opening < end_ ? std::clamp(damage_->at(opening * opening).value, 0.0, 1.0) : 1; }
+SampledEnvelope::Place SampledEnvelope::at(double opening) const {
+  const Piece& piece = (*pieces_)[std::min(static_cast<int>(opening * pieces_per_opening_), places - 1)];
+  return {&piece, opening * opening - piece.z};
+}
 
-double SampledEnvelope::growth(double opening) const { return opening < end_ ? 2 * opening * damage_->at(opening * opening).slope : 0; }
+// The farthest place at which there is no more damage than that: Newton's method within bisection.
+SampledEnvelope::Place SampledEnvelope::reached_by(double damage) const {
+  if (damage >= 1) return {&pieces_->back(), 0};
+  const auto above = std::upper_bound(pieces_->begin() + 1, pieces_->end(), damage, [](double value, const Piece& p) { return value < p.y; });
+  const Piece& piece = *(above - 1);
+  double low = 0, high = above->z - piece.z, t = 0;
+  for (int i = 0; i < 100; ++i) {
+    const double excess = piece.value(t) - damage;
+    (excess <= 0 ? low : high) = t;
+    const double newton = t - excess / piece.slope(t), least = 1e-15 * (piece.z + t);
+    if (std::abs(newton - t) <= least || high - low <= least) break;
+    t = newton > low && newton < high ? newton : 0.5 * (low + high);
+  }
+  return {&piece, t};
+}
 
-double SampledEnvelope::opening(double damage) const { return std::sqrt(squared_opening(damage)); }
+double SampledEnvelope::damage(double opening) const {
+  if (!(opening < end_)) return 1;
+  const Place here = at(opening);
+  return std::clamp(here.piece->value(here.t), 0.0, 1.0);
+}
+
+double SampledEnvelope::growth(double opening) const {
+  if (!(opening < end_)) return 0;
+  const Place here = at(opening);
+  return 2 * opening * here.piece->slope(here.t);
+}
+
+double SampledEnvelope::opening(double damage) const {
+  const Place there = reached_by(damage);
+  return std::sqrt(there.piece->z + there.t);
+}
 
 double SampledEnvelope::spent(double damage) const {
-  const double z = squared_opening(damage);
-  return stiffness_ / 2 * (z * damage - damage_->at(z).integral);
-}
-
-// The largest at which there is no more damage than that: Newton's method within bisection, in the piece that has it.
-double SampledEnvelope::squared_opening(double damage) const {
-  if (damage >= 1) return end_ * end_;
-  const auto above = std::upper_bound(knots_->damage.begin(), knots_->damage.end(), damage) - knots_->damage.begin();
-  double low = above > 0 ? knots_->squared[above - 1] : 0, high = knots_->squared[above], z = low;
-  for (int i = 0; i < 200; ++i) {
-    const CubicCurve::Sample s = damage_->at(z);
-    (s.value <= damage ? low : high) = z;
-    const double newton = z - (s.value - damage) / s.slope;
-    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-    if (!(low < next && next < high) || std::abs(next - z) <= 1e-15 * next) return next;
-    z = next;
-  }
-  return z;
+  const Place there = reached_by(damage);
+  return stiffness_ / 2 * ((there.piece->z + there.t) * damage - there.piece->integral_to(there.t));
 }
 
 }  // namespace tack

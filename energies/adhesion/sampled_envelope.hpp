@@ -6,8 +6,6 @@
 #include <memory>
 #include <vector>
 
-#include "geometry/curves/cubic_curve.hpp"
-
 namespace tack {
 
 class SampledEnvelope {
@@ -26,15 +24,24 @@ class SampledEnvelope {
   double spent(double damage) const;
 
  private:
-  double squared_opening(double damage) const;
+  // D = y + m t + c t^2 + k t^3 with t = squared opening - z. Pieces are equally long by opening.
+  struct Piece {
+    double z = 0, y = 0, m = 0, c = 0, k = 0;
+    double integral = 0;  // of D up to here
 
-  struct Knots {
-    std::vector<double> squared, damage;
+    double value(double t) const { return y + t * (m + t * (c + t * k)); }
+    double slope(double t) const { return m + t * (2 * c + 3 * t * k); }
+    double integral_to(double t) const { return integral + t * (y + t * (m / 2 + t * (c / 3 + t * k / 4))); }
   };
+  struct Place {
+    const Piece* piece;
+    double t;
+  };
+  Place at(double opening) const;
+  Place reached_by(double damage) const;
 
-  std::shared_ptr<const CubicCurve> damage_;  // by squared opening [m^2]
-  std::shared_ptr<const Knots> knots_;        // of it
-  double stiffness_ = 0, end_ = 0;
+  std::shared_ptr<const std::vector<Piece>> pieces_;  // the last is its start alone
+  double stiffness_ = 0, end_ = 0, pieces_per_opening_ = 0;
 };
 
 }  // namespace tack
