@@ -7,6 +7,7 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/scene/bond_law_check.hpp"
 #include "framework/scene/difference_study.hpp"
 #include "framework/scene/world.hpp"
 
@@ -133,6 +134,12 @@ void check_peak(const NormalAdhesion& law, const PairLaw& pair, LawCheck& check)
                                        "{:.4g} Pa; move the peak out, or lower contact.distance", law.name(), at, contact_distance, felt, peak));
 }
 
+void append(LawCheck& check, const LawCheck& more) {
+  check.wrong.insert(check.wrong.end(), more.wrong.begin(), more.wrong.end());
+  check.doubtful.insert(check.doubtful.end(), more.doubtful.begin(), more.doubtful.end());
+  check.notes.insert(check.notes.end(), more.notes.begin(), more.notes.end());
+}
+
 void add(std::vector<std::string>& list, const std::vector<std::string>& more, const std::string& names) {
   for (const std::string& line : more) list.push_back(fmt::format("law of {}: {}", names, line));
 }
@@ -166,9 +173,7 @@ LawCheck check_pair(const PairLaw& pair) {
   for (const auto& part : pair.laws()) {
     LawCheck check = check_law(*part);
     if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(part.get())) check_peak(*adhesion, pair, check);
-    all.wrong.insert(all.wrong.end(), check.wrong.begin(), check.wrong.end());
-    all.doubtful.insert(all.doubtful.end(), check.doubtful.begin(), check.doubtful.end());
-    all.notes.insert(all.notes.end(), check.notes.begin(), check.notes.end());
+    append(all, check);
   }
   return all;
 }
@@ -181,8 +186,8 @@ LawCheck check_laws(const World& world) {
     LawCheck check = check_pair(table.laws()[table.thin(a, b).law]);
     if (const int rule = world.bonds ? world.bonds->table().between(a, b) : -1; rule >= 0) {
       const BondLaw& law = *world.bonds->table().rules()[rule].law;
-      const std::vector<std::string> doubts = law.doubts();
-      check.doubtful.insert(check.doubtful.end(), doubts.begin(), doubts.end());
+      append(check, check_law(law));
+      for (const std::string& doubt : law.doubts()) check.doubtful.push_back(doubt);
       if (const std::string note = law.note(); !note.empty()) check.notes.push_back(note);
     }
     add(all.wrong, check.wrong, pair.names());
