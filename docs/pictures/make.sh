@@ -32,4 +32,9 @@ draw results/strengths -- step_seconds=strengths_step_seconds iterations=strengt
 [[ -d results/compare_pull ]] || "$tack" compare experiments/compare/pull.yaml -o results/compare_pull
 cp results/compare_pull/plots/work_precision.svg "$images/pull_work_precision.svg"
 
+laws=$(mktemp -d)
+"$tack" law --type rcc normal_stiffness=1e8 tangential_stiffness=5e7 work_of_adhesion=1 -o "$laws" >/dev/null
+for name in traction unloading; do cp "$laws/$name.svg" "$images/law_rcc_$name.svg"; done
+rm -r "$laws"
+
 node docs/pictures/views.mjs "$tack" build/release/report results/phases/cases "$images"

@@ -19,6 +19,7 @@ class ExplicitRccAdhesion : public RccLawOf<ExplicitRccAdhesion> {
     RccLawOf::fields(f);
     f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists debonding; steps have to be shorter than eta / W").required().positive();
   }
+  double longest_step() const override { return viscosity_ / work_; }
 
   template <class T>
   T energy(const T& d, const T& s, const Memory& m, double) const {

@@ -87,6 +87,16 @@ struct ListOptions {
 // What can be named in a scene file; also writes the reference page and the JSON schemas.
 int list_command(const ListOptions& options);
 
+struct LawOptions {
+  std::vector<std::string> words;  // a scene or the file of an adhesion, and keys of it ("a.b=c")
+  std::string type;                // of an adhesion, instead of a file
+  std::string output;              // folder of pictures and tables; empty: none
+  std::string young, contact_distance, barrier_stiffness, speed, pressure;  // with units; empty: not given
+  std::vector<std::string> plugins;
+};
+// Adhesion laws by themselves: their figures, curves and checks.
+int law_command(const LawOptions& options);
+
 struct MeshOptions {
   std::string operation;            // `info`, `sdf`, or a component of kind mesh_operation
   std::vector<std::string> words;   // files and parameters of the operation ("edge_length=5 mm"), in any order

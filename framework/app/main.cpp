@@ -77,6 +77,7 @@ class CommandLine {
     add_report();
     add_check();
     add_list();
+    add_law();
     add_mesh();
   }
 
@@ -220,6 +221,23 @@ class CommandLine {
     list->callback([this] { exit_code_ = list_command(list_); });
   }
 
+  void add_law() {
+    CLI::App* law = app_.add_subcommand("law", "Show adhesion laws by themselves: curves, figures, what they ask of a scene, checks");
+    law->add_option("words", law_.words,
+                    "a scene, for the laws of its pairs, or the file of an adhesion (type: ..., as below `adhesion:`); and keys of it, or of --type: "
+                    "work_of_adhesion=1J/m^2");
+    law->add_option("--type", law_.type, "a registered law instead of a file: ./tack list adhesion");
+    law->add_option("--set", law_.words, "the same as keys without it: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
+    law->add_option("-o,--output", law_.output, "folder for pictures (SVG, PNG) and tables (CSV)");
+    law->add_option("--young", law_.young, "Young's modulus of the softer side, '10 MPa', for the process zone and the barrier");
+    law->add_option("--speed", law_.speed, "at which surfaces part, '1 mm/s', for the time step and the rate");
+    law->add_option("--pressure", law_.pressure, "under which bonds heal (default: the peak traction)");
+    law->add_option("--contact-distance", law_.contact_distance, "of the barrier (default: 1 mm, or less if the law pulls most below)");
+    law->add_option("--barrier-stiffness", law_.barrier_stiffness, "of the barrier (default: as in scenes)");
+    law->add_option("--plugin", law_.plugins, "a library with laws of your own (repeatable)")->take_all()->allow_extra_args(false);
+    law->callback([this] { exit_code_ = law_command(law_); });
+  }
+
   void add_mesh() {
     CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them (repair, remesh, fill with tets, unite, ...), make them of level sets");
     mesh->add_option("operation", mesh_.operation,
@@ -253,6 +271,7 @@ class CommandLine {
   ReportOptions report_;
   SceneOptions check_;
   ListOptions list_;
+  LawOptions law_;
   MeshOptions mesh_;
   int exit_code_ = exit_done;
 };

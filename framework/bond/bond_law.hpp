@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -53,6 +54,8 @@ class BondLaw : public AdhesionLaw {
   virtual std::unique_ptr<BondLaw> clone() const = 0;
   // Whether bonds are made, unless the pair says, whenever surfaces meet, and not at the start of a run alone.
   virtual bool bonds_on_contact() const { return false; }
+  // Of what is not the minimum over a step but integrated: steps have to be shorter [s].
+  virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 
   // A memory is so many numbers.
   virtual int width() const = 0;

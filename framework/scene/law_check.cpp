@@ -7,6 +7,7 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/contact/law_peak.hpp"
 #include "framework/scene/bond_law_check.hpp"
 #include "framework/scene/difference_study.hpp"
 #include "framework/scene/world.hpp"
@@ -15,7 +16,6 @@ namespace tack {
 namespace {
 
 constexpr int places = 400;              // in the range
-constexpr int closer = 50;               // to either side, between two of them
 constexpr double tolerance = 1e-4;       // of derivatives, relative
 constexpr double largest_jump = 1e-3;    // of the largest traction and of the largest energy
 constexpr double largest_misstatement = 0.01;
@@ -41,18 +41,6 @@ class Sampled {
     (errors[6].array() / scales.array().max(1e-300)).abs().maxCoeff(&at);
     worst = gaps_(at);
     return study;
-  }
-  // The largest pull, and where; 0 of what only pushes.
-  double peak(double& at) const {
-    double largest = 0;
-    for (int i = 0; i < places; ++i)
-      if (samples_[i].slope > largest) largest = samples_[i].slope, at = gaps_(i);
-    const double centre = at, width = largest > 0 ? law_.range() / places : 0;  // peaks of a long range lie between places
-    for (int i = -closer; i <= closer; ++i) {
-      const double d = centre + width * i / closer, slope = d > 0 ? law_.at(d).slope : 0;
-      if (slope > largest) largest = slope, at = d;
-    }
-    return largest;
   }
   double largest_slope() const {
     double largest = 0;
@@ -109,24 +97,23 @@ void check_end(const NormalLaw& law, const Sampled& sampled, LawCheck& check) {
                                          "gains or loses that; subtract its value at the range, or state a longer range", law.name(), end.value, law.range(), 100 * value));
 }
 
-void check_statements(const NormalAdhesion& law, const Sampled& sampled, LawCheck& check) {
+void check_statements(const NormalAdhesion& law, LawCheck& check) {
   const auto compare = [&](const char* what, const char* unit, double stated, double found) {
     if (std::abs(stated - found) <= largest_misstatement * std::max(std::abs(stated), std::abs(found))) return;
     check.doubtful.push_back(fmt::format("{}: states {} of {:.4g} {}, and has {:.4g}; reports and tangential adhesion go by what it states", law.name(), what, stated,
                                          unit, found));
   };
-  double at = 0;
-  compare("a peak traction", "Pa", law.peak_traction(), sampled.peak(at));
+  compare("a peak traction", "Pa", law.peak_traction(), largest_traction(law).traction);
   // To infinity: what it jumps by at its range is not done by its traction.
   compare("a work of adhesion", "J/m^2", law.work_of_adhesion(), law.at(law.range() * (1 - 1e-9)).value - law.at(law.range() * 1e-9).value);
 }
 
 // Of a pair: whether the barrier leaves what the adhesion promises.
 void check_peak(const NormalAdhesion& law, const PairLaw& pair, LawCheck& check) {
-  double contact_distance = 0, at = 0, felt = 0;
+  double contact_distance = 0, felt = 0;
   for (const auto& part : pair.laws())
     if (dynamic_cast<const BarrierLaw*>(part.get())) contact_distance = std::max(contact_distance, part->range());
-  const double peak = Sampled(law).peak(at);
+  const auto [at, peak] = largest_traction(law);
   if (at >= contact_distance) return;
   for (int i = 0; i < places; ++i) felt = std::max(felt, pair.at(pair.offset() + law.range() * (i + 0.5) / places).slope);
   if (felt >= least_felt * peak) return;
@@ -160,7 +147,7 @@ LawCheck check_law(const NormalLaw& law) {
     check.wrong.push_back(fmt::format("{}: its curvature is not the derivative of its traction, off by {:.1e} of it, most at {:.4g} m", law.name(), study.error, at));
   check_end(law, sampled, check);
   if (const auto* adhesion = dynamic_cast<const NormalAdhesion*>(&law)) {
-    check_statements(*adhesion, sampled, check);
+    check_statements(*adhesion, check);
     const std::vector<std::string> doubts = adhesion->doubts();
     check.doubtful.insert(check.doubtful.end(), doubts.begin(), doubts.end());
     if (const std::string note = adhesion->note(); !note.empty()) check.notes.push_back(note);

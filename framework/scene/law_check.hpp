@@ -1,4 +1,4 @@
-// Whether the normal laws of a scene are what contact takes them for: functions that end smoothly at their range, with the derivatives
+// Whether the laws of a scene's contact are what contact takes them for: functions that end smoothly at their range, with the derivatives
 // and totals that they state, and a peak that surfaces can feel.
 #pragma once
 

@@ -58,6 +58,6 @@ TEST_CASE("help and version end with 0") {
   CHECK(run_tack(folder.path(), {"--version"}).exit_code == 0);
   const ProgramResult help = run_tack(folder.path(), {"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* command : {"run", "check", "compare", "batch", "list", "mesh", "tack test"})
+  for (const char* command : {"run", "check", "compare", "batch", "list", "law", "mesh", "tack test"})
     CHECK(contains(help.out, command));
 }

@@ -15,10 +15,10 @@ class Fading : public BondLawOf<Fading> {
   struct Memory {
     double damage = 0;
   };
-  Fading(double slope, double curvature, double loss, double peak) : slope_(slope), curvature_(curvature), loss_(loss), peak_(peak) {}
+  Fading(double slope, double curvature, double loss, double peak, double work = 1) : slope_(slope), curvature_(curvature), loss_(loss), peak_(peak), work_(work) {}
   void prepare(const PairMaterials&) override {}
   double peak_traction() const override { return peak_ * 4 * std::sqrt(1e8 / 27); }
-  double work_of_adhesion() const override { return 1; }
+  double work_of_adhesion() const override { return work_; }
   template <class T>
   T energy(const T& d, const T& s, const Memory& m, double h) const {
     const T pulled = T(1e8) * (d * d + s);
@@ -33,7 +33,7 @@ class Fading : public BondLawOf<Fading> {
   bool gone(const Memory& m, const BondPlace&) const { return m.damage == 1; }
 
  private:
-  double slope_, curvature_, loss_, peak_;
+  double slope_, curvature_, loss_, peak_, work_;
 };
 
 }  // namespace
@@ -54,7 +54,7 @@ TEST_CASE("laws of bonds that are what they state are silent", "[law_check]") {
   CHECK((check.wrong.empty() && check.doubtful.empty()));
 }
 
-TEST_CASE("a law of bonds whose derivatives, losses or peak are not its own is told", "[law_check]") {
+TEST_CASE("a law of bonds whose derivatives, losses, peak or work are not its own is told", "[law_check]") {
   const auto only = [](const Fading& law, const std::string& line, bool doubtful = false) {
     const LawCheck check = check_law(law);
     CHECK(check.wrong.size() == (doubtful ? 0 : 1));
@@ -65,6 +65,7 @@ TEST_CASE("a law of bonds whose derivatives, losses or peak are not its own is t
   only(Fading(1, 0.9, 1, 1), "second derivatives are not those of its tractions");
   only(Fading(1, 1, 0.9, 1), "are not stored afterwards");
   only(Fading(1, 1, 1, 1.1), "states a peak traction of 8468 Pa, and has 7698 when it is pulled slowly", true);
+  only(Fading(1, 1, 1, 1, 1.1), "states a work of adhesion of 1.1 J/m^2, and has 1 when it is pulled slowly", true);
   const LawCheck slope = check_law(Fading(1.01, 1.01, 1, 1));
   REQUIRE(!slope.wrong.empty());
   CHECK_THAT(slope.wrong[0], Contains("tractions are not the derivatives of its energy"));

@@ -1,0 +1,96 @@
+#include "framework/bond/bond_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tack {
+namespace {
+
+constexpr double slowly = 1e12;      // s a step: what viscosity resists is nothing then
+constexpr double next_to_nothing = 1e-3;  // of the largest traction
+constexpr double widest = 1e4;       // times the work over the peak
+constexpr double a_little_more = 1.02;  // so that what ends there is seen to be gone
+constexpr double slow_enough = 0.01;  // times the work over the peak, in the longest step of a law that is integrated
+constexpr double fine_enough = 0.05;  // of its longest step
+constexpr double most_between = 500;  // steps
+
+double size_of(const BondPoint& p) { return std::hypot(p.traction, p.shear); }
+
+// Over which a bond lets go, at least about [m].
+double scale_of(const BondLaw& law) { return law.peak_traction() > 0 ? law.work_of_adhesion() / law.peak_traction() : 0; }
+
+}  // namespace
+
+std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondStep>& way, bool on_contact) {
+  std::vector<BondPoint> points;
+  std::vector<double> memory(law.width());
+  law.fresh(on_contact, memory.data());
+  double time = 0, dissipated = 0;
+  bool gone = false;
+  for (const BondStep& step : way) {
+    const double s = step.slip * step.slip, h = step.time - time;
+    const double d = std::max(step.opening, 0.0);
+    BondPoint p{step.time, step.opening, step.slip};
+    if (gone) {
+      p.intensity = 0;
+    } else {
+      const BondSample sample = law.at(d, s, memory.data(), h);
+      p.traction = step.opening > 0 ? sample.by_d : 0;
+      p.shear = 2 * sample.by_s * step.slip;
+      const BondChange change = law.advance({d, s, h, step.pressure}, memory.data());
+      dissipated += change.dissipated;
+      gone = change.gone;
+      p.intensity = law.intensity_of(memory.data());
+      p.stored = gone ? 0 : law.stored(d, s, memory.data());
+    }
+    p.dissipated = dissipated;
+    time = step.time;
+    points.push_back(p);
+  }
+  return points;
+}
+
+std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& turns, double angle, int points, double speed) {
+  double length = 0, from = 0;
+  for (const double turn : turns) length += std::abs(turn - from), from = turn;
+  const double longest = law.longest_step(), part = length / points;
+  double h = slowly;
+  if (speed > 0) h = part / speed;
+  else if (std::isfinite(longest)) h = part * longest / (slow_enough * scale_of(law));
+  const int between = std::isfinite(longest) ? static_cast<int>(std::clamp(std::ceil(h / (fine_enough * longest)), 1.0, most_between)) : 1;
+  const double sine = std::sin(angle), cosine = std::abs(std::cos(angle)) < 1e-12 ? 0 : std::cos(angle);  // pi/2 is across and nothing else
+  std::vector<BondStep> way;
+  double time = 0;
+  from = 0;
+  for (const double turn : turns) {
+    const int steps = between * std::max(1, static_cast<int>(std::lround(std::abs(turn - from) / part)));
+    for (int i = 1; i <= steps; ++i) {
+      const double at = from + (turn - from) * i / steps;
+      way.push_back({time += h / between, at * cosine, at * sine});
+    }
+    from = turn;
+  }
+  const std::vector<BondPoint> all = follow_bond(law, way);
+  std::vector<BondPoint> kept;
+  for (size_t i = between - 1; i < all.size(); i += between) kept.push_back(all[i]);
+  return kept;
+}
+
+std::vector<BondPoint> part_slowly(const BondLaw& law, double angle, int points) {
+  const double scale = scale_of(law);
+  if (!(scale > 0) || !std::isfinite(scale)) return {};
+  // Ever wider, until the pull has risen and gone; of what is brittle and stiff, ever narrower as well.
+  double far = scale;
+  for (; far < widest * scale; far *= 2) {
+    const auto curve = pull_bond(law, {far}, angle, 400);
+    double most = 0;
+    for (const BondPoint& p : curve) most = std::max(most, size_of(p));
+    if (most > 0 && size_of(curve.back()) < next_to_nothing * most) break;
+  }
+  const auto curve = pull_bond(law, {a_little_more * far}, angle, points);
+  for (const BondPoint& p : curve)
+    if (size_of(p) > 0) return curve;
+  return {};
+}
+
+}  // namespace tack

@@ -1,0 +1,107 @@
+#include "framework/law/law_plots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/plot/axis_unit.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double deepest = 0.5;  // of the peak or the depth: what the barrier pushes with is cut there
+
+Plot plot_of(const std::string& title, const char* along, const char* up, const char* unit) {
+  return {.title = title, .x_label = along, .y_label = up, .x_unit = "m", .y_unit = unit, .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
+}
+
+template <class Y>
+Curve curve_of(const std::string& title, const std::vector<BondPoint>& points, double shown, const Y& y) {
+  Curve curve{title, {}, {}};
+  BondPoint start;
+  start.intensity = points.front().intensity;
+  curve.points.emplace_back(0, y(start));
+  for (const BondPoint& p : points)
+    if (way_of(p) <= shown * (1 + 1e-9)) curve.points.emplace_back(way_of(p), y(p));
+  const BondPoint& last = points.back();
+  if (way_of(last) < shown && last.traction == 0 && last.shear == 0) curve.points.emplace_back(shown, y(last));  // it is gone
+  return curve;
+}
+
+// From where it is unloaded first to where it was last.
+template <class Y>
+Curve between_turns(const BondPath& path, const Y& y) {
+  size_t first = 0, end = 0;
+  double farthest = 0;
+  const auto& p = path.points;
+  for (size_t i = 1; i < p.size(); ++i) {
+    if (way_of(p[i]) > way_of(p[i - 1])) continue;
+    if (first == 0) first = i - 1;
+    if (way_of(p[i - 1]) > farthest) farthest = way_of(p[i - 1]);
+    end = i;
+  }
+  while (end < p.size() && way_of(p[end]) <= farthest * (1 + 1e-9)) ++end;
+  Curve curve{"unloaded and loaded again", {}, {}};
+  for (size_t i = first; i < end; ++i) curve.points.emplace_back(way_of(p[i]), y(p[i]));
+  return curve;
+}
+
+std::string picture_of(double angle) { return angle == 0 ? "unloading" : angle > 1 ? "unloading_across" : "unloading_45"; }
+
+}  // namespace
+
+std::map<std::string, Plot> law_plots(const std::string& title, const GapStudy& study) {
+  Plot traction = plot_of(title, "gap", "traction", "Pa"), energy = plot_of(title, "gap", "energy per area", "J/m^2");
+  traction.curves = {{"adhesion", {}, {}}, {"with the barrier", {}, {}}};
+  energy.curves = traction.curves;
+  double peak = 0, depth = 0;
+  for (const GapPoint& p : study.curve) peak = std::max(peak, p.traction), depth = std::max(depth, -p.energy);
+  for (const GapPoint& p : study.curve) {
+    if (p.gap > study.shown * (1 + 1e-9)) continue;
+    traction.curves[0].points.emplace_back(p.gap, p.traction);
+    energy.curves[0].points.emplace_back(p.gap, p.energy);
+    if (p.pair_traction > -deepest * peak) traction.curves[1].points.emplace_back(p.gap, p.pair_traction);
+    if (p.pair_energy < deepest * depth) energy.curves[1].points.emplace_back(p.gap, p.pair_energy);
+  }
+  return {{"traction", std::move(traction)}, {"energy", std::move(energy)}};
+}
+
+std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy& study) {
+  std::map<std::string, Plot> plots;
+  if (study.slow.empty()) return plots;
+  Plot& traction = plots["traction"] = plot_of(title, "opening or slip", "traction along the way", "Pa");
+  for (const BondPath& p : study.slow)
+    traction.curves.push_back(curve_of(direction_name(p.angle), p.points, study.shown, [&](const BondPoint& at) { return pull_of(at, p.angle); }));
+  const BondPath& first = study.slow.front();
+  const char* along = first.angle == 0 ? "opening" : "way";
+  Plot& energy = plots["energy"] = plot_of(fmt::format("{}, {}", title, direction_name(first.angle)), along, "energy per area", "J/m^2");
+  energy.curves = {curve_of("stored", first.points, study.shown, [](const BondPoint& p) { return p.stored; }),
+                   curve_of("dissipated", first.points, study.shown, [](const BondPoint& p) { return p.dissipated; }),
+                   curve_of("both", first.points, study.shown, [](const BondPoint& p) { return p.stored + p.dissipated; })};
+  if (!study.unloading.empty()) {
+    Plot& intensity = plots["intensity"] = plot_of(title, "opening or slip", "intensity", "1");
+    for (const BondPath& p : study.slow) intensity.curves.push_back(curve_of(direction_name(p.angle), p.points, study.shown, [](const BondPoint& at) { return at.intensity; }));
+  }
+  for (size_t i = 0; i < study.unloading.size(); ++i) {
+    const BondPath& p = study.unloading[i];
+    const auto pull = [&](const BondPoint& at) { return pull_of(at, p.angle); };
+    Plot& plot = plots[picture_of(p.angle)] = plot_of(fmt::format("{}, {}", title, direction_name(p.angle)), p.angle == 0 ? "opening" : p.angle > 1 ? "slip" : "way",
+                                                      "traction along the way", "Pa");
+    plot.curves = {curve_of("loaded once", study.slow[i].points, study.shown, pull), between_turns(p, pull)};
+  }
+  if (!study.rates.empty()) {
+    Plot& rate = plots["rate"] = plot_of(fmt::format("{}, along the normal", title), "opening", "traction", "Pa");
+    rate.curves.push_back(curve_of("slowly", first.points, study.rates_shown, [](const BondPoint& p) { return p.traction; }));
+    for (const BondPath& p : study.rates) rate.curves.push_back(curve_of(with_axis_unit(p.speed, "m/s"), p.points, study.rates_shown, [](const BondPoint& at) { return at.traction; }));
+  }
+  if (!study.healing.empty()) {
+    Plot& healing = plots["healing"] = plot_of(title, "time of pressing", "strength", "Pa");
+    healing.x_unit = "s";
+    healing.log_x = true;
+    for (const HealingCurve& h : study.healing) healing.curves.push_back({"under " + with_axis_unit(h.pressure, "Pa"), h.strength, {}});
+  }
+  return plots;
+}
+
+}  // namespace tack

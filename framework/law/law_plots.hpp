@@ -1,0 +1,21 @@
+// Pictures of a law by itself, by name:
+//   traction, energy      over the gap, alone and with the barrier; over the opening, in each direction, and what is stored and dissipated
+//   intensity             of bonds that remember: over the opening
+//   unloading, unloading_45, unloading_across   loaded, unloaded and loaded again
+//   rate                  slowly and at three speeds
+//   healing               strength by the time of pressing
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "framework/law/bond_study.hpp"
+#include "framework/law/gap_study.hpp"
+#include "framework/plot/plot.hpp"
+
+namespace tack {
+
+std::map<std::string, Plot> law_plots(const std::string& title, const GapStudy& study);
+std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy& study);
+
+}  // namespace tack
