@@ -52,14 +52,23 @@ void refine(const BondLaw& law, double angle, double width, Parting& parting) {
   }
 }
 
-Parting parting_of(const BondLaw& law, const BondPath& slow) {
+// With the point of the peak, which lies between two others.
+Parting parting_of(const BondLaw& law, BondPath& slow) {
   Parting parting;
   for (const BondPoint& p : slow.points)
     if (pull_of(p, slow.angle) > parting.peak) parting.peak = pull_of(p, slow.angle), parting.at = way_of(p);
   parting.lets_go = std::numeric_limits<double>::infinity();
   for (auto p = slow.points.rbegin(); p != slow.points.rend() && !(pull_of(*p, slow.angle) > 0); ++p) parting.lets_go = way_of(*p);
+  if (!std::isfinite(law.longest_step())) {
+    refine(law, slow.angle, way_of(slow.points.front()), parting);
+    BondPoint peak = pull_bond(law, {parting.at}, slow.angle, coarse).back();
+    const auto next = std::find_if(slow.points.begin(), slow.points.end(), [&](const BondPoint& p) { return way_of(p) > parting.at; });
+    if (next != slow.points.begin() && next != slow.points.end()) {
+      peak.time = (std::prev(next)->time + next->time) / 2;
+      slow.points.insert(next, peak);
+    }
+  }
   parting.work = work_along(slow.points, slow.angle);
-  if (!std::isfinite(law.longest_step())) refine(law, slow.angle, way_of(slow.points.front()), parting);
   return parting;
 }
 
@@ -71,7 +80,7 @@ double last_felt(const BondPath& path, double peak) {
 }
 
 // To where parts of its work are done and back, each time farther, and then until it is gone.
-BondPath unloaded(const BondLaw& law, const BondPath& slow, double shown) {
+BondPath unloaded(const BondLaw& law, const BondPath& slow) {
   const double all = work_along(slow.points, slow.angle);
   std::vector<double> turns;
   double work = 0;
@@ -81,9 +90,9 @@ BondPath unloaded(const BondLaw& law, const BondPath& slow, double shown) {
     before = p;
     if (turns.size() < 2 * turned_at.size() && work >= turned_at[turns.size() / 2] * all) turns.insert(turns.end(), {way_of(p), 0.0});
   }
-  if (turns.empty()) turns = {shown, 0};
-  turns.push_back(std::max(shown, turns[turns.size() - 2]));
-  return {"unloading", slow.angle, 0, pull_bond(law, turns, slow.angle, fine)};
+  if (turns.empty()) turns = {slow.shown, 0};
+  turns.push_back(std::max(slow.shown, turns[turns.size() - 2]));
+  return {"unloading", slow.angle, 0, slow.shown, pull_bond(law, turns, slow.angle, fine)};
 }
 
 // The slowest speed at which its work is more by a tenth; 0: there is none.
@@ -105,14 +114,15 @@ double rounded(double value) {
   return std::round(value / digit) * digit;
 }
 
-// Beside the barrier, if bonds are unstressed where surfaces touch: where a whole one balances it, and with how much [m, Pa].
-std::optional<std::pair<double, double>> balance(const StudiedLaw& studied, const std::vector<double>& memory) {
-  double low = 1e-6 * studied.contact_distance, high = studied.contact_distance;
-  const auto bond = [&](double gap) { return studied.bond->at(gap, 0, memory.data(), 0).by_d; };
+// Beside the barrier, if bonds are unstressed where surfaces touch: where a new one balances it, and with how much [m, Pa]; nothing if
+// the barrier pushes more than it holds, up to the opening of its peak.
+std::optional<std::pair<double, double>> balance(const StudiedLaw& studied, double peak_at) {
+  double low = 1e-6 * studied.contact_distance, high = std::min(peak_at, studied.contact_distance);
+  const auto bond = [&](double gap) { return pull_bond(*studied.bond, {gap}, 0, coarse).back().traction; };
   const auto pull = [&](double gap) { return studied.pair.at(gap + studied.pair.offset()).slope + bond(gap); };
-  if (!(pull(low) < 0) || !(pull(high) > 0)) return std::nullopt;
-  for (int i = 0; i < 80; ++i) (pull((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
-  return std::pair(low, bond(low));
+  if (!(pull(high) > 0)) return std::nullopt;
+  for (int i = 0; i < 40; ++i) (pull((low + high) / 2) < 0 ? low : high) = (low + high) / 2;
+  return std::pair(high, bond(high));
 }
 
 }  // namespace
@@ -135,18 +145,20 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
   Fall fall;
   double most_held = 0;  // m
   for (const double angle : directions) {
-    BondPath slow{"slow", angle, 0, part_slowly(law, angle, fine)};
+    BondPath slow{"slow", angle, 0, 0, part_slowly(law, angle, fine)};
     if (slow.points.empty()) {
       f.push_back({"peak " + direction_name(angle), 0, "Pa", "it does not hold that way"});
       continue;
     }
     const Parting parting = parting_of(law, slow);
-    study.shown = std::max(study.shown, 1.15 * last_felt(slow, parting.peak));
-    f.push_back({"peak " + direction_name(angle), parting.peak, "Pa", angle == 0 || angle == directions[2] ? "" : "in that direction"});
-    f.push_back({"opening of the peak " + direction_name(angle), parting.at, "m"});
-    f.push_back({"critical opening " + direction_name(angle), parting.lets_go, "m",
-                 std::isfinite(parting.lets_go) ? "gone from there on" : fmt::format("it fades: a thousandth is left at {}", with_axis_unit(way_of(slow.points.back()), "m"))});
-    f.push_back({"work " + direction_name(angle), parting.work, "J/m^2", std::isfinite(parting.lets_go) ? "of the traction over the way, until it is gone" : "of the traction over the way"});
+    slow.shown = 1.15 * last_felt(slow, parting.peak);
+    const std::string direction = direction_name(angle);
+    const bool ends = std::isfinite(parting.lets_go);
+    f.push_back({"peak " + direction, parting.peak, "Pa", angle == directions[1] ? "in that direction" : ""});
+    f.push_back({"opening of the peak " + direction, parting.at, "m"});
+    f.push_back({"critical opening " + direction, parting.lets_go, "m",
+                 ends ? "gone from there on" : fmt::format("it fades: a thousandth is left at {}", with_axis_unit(way_of(slow.points.back()), "m"))});
+    f.push_back({"work " + direction, parting.work, "J/m^2", ends ? "of the traction over the way, until it is gone" : "of the traction over the way"});
     if (angle == 0) {
       std::vector<std::pair<double, double>> traction;
       for (const BondPoint& p : slow.points) traction.emplace_back(p.opening, p.traction);
@@ -158,22 +170,25 @@ BondStudy study_bond_law(const StudiedLaw& studied, const StudySettings& setting
   f.push_back({"stiffness along the normal", fresh.by_dd, "Pa/m", "of a new bond"});
   f.push_back({"stiffness across", 2 * fresh.by_s, "Pa/m", "of a new bond"});
   f.push_back({"contact distance", studied.contact_distance, "m", "where the barrier begins"});
-  f.push_back({"depth of the well", law.work_of_adhesion(), "J/m^2", "bonds are unstressed where they are made, and surfaces rest there"});
-  if (const auto at = balance(studied, memory))
-    f.push_back({"rest gap", at->first, "m",
-                 at->first < most_held ? fmt::format("with `unstressed: touching`: the barrier and whole bonds balance with {}", with_axis_unit(at->second, "Pa"))
-                                       : "with `unstressed: touching`: beyond the opening of the peak, where the barrier takes bonds apart; lower contact.distance or the barrier's stiffness"});
+  f.push_back({"depth of the well", law.work_of_adhesion(), "J/m^2", "of whole bonds, which are unstressed where they are made: surfaces rest there"});
+  if (most_held > 0) {
+    const auto at = balance(studied, most_held);
+    f.push_back({"rest gap", at ? at->first : std::numeric_limits<double>::infinity(), "m",
+                 at ? fmt::format("with `unstressed: touching`: the barrier and new bonds balance with {}", with_axis_unit(at->second, "Pa"))
+                    : "with `unstressed: touching`: the barrier takes bonds apart; lower contact.distance, or the barrier's stiffness"});
+  }
   add_demands(studied, settings, fall, f);
   if (study.slow.empty()) return study;
   if (law.width() > 0)
-    for (const BondPath& slow : study.slow) study.unloading.push_back(unloaded(law, slow, study.shown));
+    for (const BondPath& slow : study.slow) study.unloading.push_back(unloaded(law, slow));
   if (study.slow.front().angle == 0) {
     const double far = way_of(study.slow.front().points.back()), telling = telling_speed(law, far);
     if (telling > 0) {
       f.push_back({"speed that tells", telling, "m/s", "at which its work is a tenth more"});
       const double first = settings.speed ? *settings.speed / 10 : rounded(telling);
-      for (const double speed : {first, 10 * first, 100 * first}) study.rates.push_back({"rate", 0, speed, pull_bond(law, {4 * far}, 0, 4 * fine, speed)});
-      study.rates_shown = std::max(study.shown, 1.15 * last_felt(study.rates[1], law.peak_traction()));
+      for (const double speed : {first, 10 * first, 100 * first}) study.rates.push_back({"rate", 0, speed, 0, pull_bond(law, {4 * far}, 0, 4 * fine, speed)});
+      const double shown = std::max(study.slow.front().shown, 1.15 * last_felt(study.rates[1], law.peak_traction()));
+      for (BondPath& rate : study.rates) rate.shown = shown;
     }
     study_healing(law, settings.pressure.value_or(law.peak_traction()), far, study.healing, f);
   }

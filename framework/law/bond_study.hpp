@@ -11,6 +11,7 @@ struct BondPath {
   std::string name;  // "slow", "unloading", "rate"
   double angle = 0;  // to the normal [rad]
   double speed = 0;  // m/s; 0: slowly
+  double shown = 0;  // opening beyond which there is little to see [m]
   std::vector<BondPoint> points;
 };
 
@@ -23,7 +24,6 @@ struct HealingCurve {
 struct BondStudy {
   std::vector<BondPath> slow, unloading, rates;  // of directions in which it holds
   std::vector<HealingCurve> healing;             // empty: it does not
-  double shown = 0, rates_shown = 0;             // openings beyond which there is little to see, slowly and at speed [m]
   std::vector<LawFigure> figures;
 };
 

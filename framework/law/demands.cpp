@@ -37,20 +37,25 @@ void add_demands(const StudiedLaw& studied, const StudySettings& settings, const
   if (peak > 0 && work > 0 && std::isfinite(work)) {
     const double per_young = work / (peak * peak);
     if (studied.young > 0) {
-      figures.push_back({"process zone", studied.young * per_young, "m", fmt::format("E W / sigma^2 with E = {}", with_axis_unit(studied.young, "Pa"))});
-      figures.push_back({"mesh size", part_of_zone * studied.young * per_young, "m", "where it peels or tears: a third of the process zone; all of it at most"});
+      const double zone = studied.young * per_young;
+      figures.push_back({"process zone", zone, "m", fmt::format("E W / sigma^2 with E = {}", with_axis_unit(studied.young, "Pa"))});
+      figures.push_back({"mesh size", part_of_zone * zone, "m", "where it peels or tears: a third of the process zone; all of it at most"});
     } else {
       figures.push_back({"process zone per modulus", per_young, "m/Pa", "W / sigma^2; with --young the process zone and the mesh size"});
     }
   }
   if (studied.gap)
-    figures.push_back({"gap change across an element", part_of_range * studied.gap->range(), "m", "at most: a quarter of its range; where surfaces are curved or tilted"});
+    figures.push_back({"gap change across an element", part_of_range * studied.gap->range(), "m",
+                       "at most: a quarter of its range; where surfaces are curved or tilted"});
   if (fall.way() > 0) {
     const bool brittle = fall.way() < at_once * fall.to;
     figures.push_back({"way per step", part_of_fall * (brittle ? fall.to : fall.way()), "m",
                        brittle ? "at most: a tenth of the opening at which it breaks; it breaks at once, which no step resolves"
                                : "at most: a tenth of the way over which the traction falls from 0.9 to 0.1 of its peak"});
-    if (settings.speed) figures.push_back({"time step", figures.back().value / *settings.speed, "s", fmt::format("at most, at {}", with_axis_unit(*settings.speed, "m/s"))});
+    if (settings.speed) {
+      const double step = figures.back().value / *settings.speed;
+      figures.push_back({"time step", step, "s", fmt::format("at most, at {}", with_axis_unit(*settings.speed, "m/s"))});
+    }
   }
   if (studied.bond && std::isfinite(studied.bond->longest_step()))
     figures.push_back({"longest time step", studied.bond->longest_step(), "s", "it is integrated: beyond, it breaks at another force and work"});

@@ -10,6 +10,7 @@
 namespace tack {
 namespace {
 
+constexpr double widest_of_all = 6;  // times the way over which the first lets go
 constexpr double deepest = 0.5;  // of the peak or the depth: what the barrier pushes with is cut there
 
 Plot plot_of(const std::string& title, const char* along, const char* up, const char* unit) {
@@ -70,30 +71,36 @@ std::map<std::string, Plot> law_plots(const std::string& title, const GapStudy& 
 std::map<std::string, Plot> law_plots(const std::string& title, const BondStudy& study) {
   std::map<std::string, Plot> plots;
   if (study.slow.empty()) return plots;
+  // One fades over a long way where another has gone at once: of that there is enough to see.
+  double least = study.slow.front().shown, shown = 0;
+  for (const BondPath& p : study.slow) least = std::min(least, p.shown), shown = std::max(shown, p.shown);
+  shown = std::min(shown, widest_of_all * least);
   Plot& traction = plots["traction"] = plot_of(title, "opening or slip", "traction along the way", "Pa");
   for (const BondPath& p : study.slow)
-    traction.curves.push_back(curve_of(direction_name(p.angle), p.points, study.shown, [&](const BondPoint& at) { return pull_of(at, p.angle); }));
+    traction.curves.push_back(curve_of(direction_name(p.angle), p.points, shown, [&](const BondPoint& at) { return pull_of(at, p.angle); }));
   const BondPath& first = study.slow.front();
   const char* along = first.angle == 0 ? "opening" : "way";
   Plot& energy = plots["energy"] = plot_of(fmt::format("{}, {}", title, direction_name(first.angle)), along, "energy per area", "J/m^2");
-  energy.curves = {curve_of("stored", first.points, study.shown, [](const BondPoint& p) { return p.stored; }),
-                   curve_of("dissipated", first.points, study.shown, [](const BondPoint& p) { return p.dissipated; }),
-                   curve_of("both", first.points, study.shown, [](const BondPoint& p) { return p.stored + p.dissipated; })};
+  energy.curves = {curve_of("stored", first.points, first.shown, [](const BondPoint& p) { return p.stored; }),
+                   curve_of("dissipated", first.points, first.shown, [](const BondPoint& p) { return p.dissipated; }),
+                   curve_of("both", first.points, first.shown, [](const BondPoint& p) { return p.stored + p.dissipated; })};
   if (!study.unloading.empty()) {
     Plot& intensity = plots["intensity"] = plot_of(title, "opening or slip", "intensity", "1");
-    for (const BondPath& p : study.slow) intensity.curves.push_back(curve_of(direction_name(p.angle), p.points, study.shown, [](const BondPoint& at) { return at.intensity; }));
+    for (const BondPath& p : study.slow)
+      intensity.curves.push_back(curve_of(direction_name(p.angle), p.points, shown, [](const BondPoint& at) { return at.intensity; }));
   }
   for (size_t i = 0; i < study.unloading.size(); ++i) {
     const BondPath& p = study.unloading[i];
     const auto pull = [&](const BondPoint& at) { return pull_of(at, p.angle); };
     Plot& plot = plots[picture_of(p.angle)] = plot_of(fmt::format("{}, {}", title, direction_name(p.angle)), p.angle == 0 ? "opening" : p.angle > 1 ? "slip" : "way",
                                                       "traction along the way", "Pa");
-    plot.curves = {curve_of("loaded once", study.slow[i].points, study.shown, pull), between_turns(p, pull)};
+    plot.curves = {curve_of("loaded once", study.slow[i].points, p.shown, pull), between_turns(p, pull)};
   }
   if (!study.rates.empty()) {
     Plot& rate = plots["rate"] = plot_of(fmt::format("{}, along the normal", title), "opening", "traction", "Pa");
-    rate.curves.push_back(curve_of("slowly", first.points, study.rates_shown, [](const BondPoint& p) { return p.traction; }));
-    for (const BondPath& p : study.rates) rate.curves.push_back(curve_of(with_axis_unit(p.speed, "m/s"), p.points, study.rates_shown, [](const BondPoint& at) { return at.traction; }));
+    rate.curves.push_back(curve_of("slowly", first.points, study.rates.front().shown, [](const BondPoint& p) { return p.traction; }));
+    for (const BondPath& p : study.rates)
+      rate.curves.push_back(curve_of(with_axis_unit(p.speed, "m/s"), p.points, p.shown, [](const BondPoint& at) { return at.traction; }));
   }
   if (!study.healing.empty()) {
     Plot& healing = plots["healing"] = plot_of(title, "time of pressing", "strength", "Pa");

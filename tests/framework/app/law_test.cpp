@@ -50,8 +50,8 @@ TEST_CASE("tack law shows every registered law", "[law]") {
 
 TEST_CASE("tack law writes tables and pictures with named axes and units", "[law]") {
   const TemporaryFolder folder;
-  const ProgramResult result = run_tack(folder.path(), {"law", "--type", "rcc", "normal_stiffness=1e8", "work_of_adhesion=1 J/m^2", "viscosity=0.01", "healing=1e-4", "--young",
-                                                        "10 MPa", "--speed", "1 mm/s", "-o", "out"});
+  const ProgramResult result = run_tack(folder.path(), {"law", "--type", "rcc", "normal_stiffness=1e8", "work_of_adhesion=1 J/m^2", "viscosity=0.01",
+                                                        "healing=1e-4", "--young", "10 MPa", "--speed", "1 mm/s", "-o", "out"});
   INFO(result.out << result.err);
   CHECK(contains(result.out, "E W / sigma^2 with E = 10 MPa"));
   CHECK(contains(result.out, "at most, at 1 mm/s"));
@@ -67,16 +67,19 @@ TEST_CASE("tack law writes tables and pictures with named axes and units", "[law
   CHECK(csv_number(figures.rows.front()[1]) == 1e4);
   if (contains(result.out, "gnuplot is not there")) return;
   CHECK(result.exit_code == 0);
-  for (const auto& [name, axes] : {std::pair("traction", std::pair("opening or slip [µm]", "traction along the way [kPa]")), std::pair("energy", std::pair("opening [µm]", "energy per area [J/m²]")),
-                                   std::pair("unloading", std::pair("opening [µm]", "traction along the way [kPa]")), std::pair("rate", std::pair("opening [", "traction [kPa]")),
-                                   std::pair("healing", std::pair("time of pressing [s]", "strength [kPa]")), std::pair("intensity", std::pair("opening or slip [µm]", "intensity"))}) {
+  struct Picture {
+    std::string name, along, up;
+  };
+  for (const auto& [name, along, up] : {Picture{"traction", "opening or slip [µm]", "traction along the way [kPa]"}, Picture{"energy", "opening [µm]", "energy per area [J/m²]"},
+                                        Picture{"unloading", "opening [µm]", "traction along the way [kPa]"}, Picture{"rate", "opening [", "traction [kPa]"},
+                                        Picture{"healing", "time of pressing [s]", "strength [kPa]"}, Picture{"intensity", "opening or slip [µm]", "intensity"}}) {
     INFO(name);
-    const std::string svg = file_text(folder.path() / "out" / (std::string(name) + ".svg"));
+    const std::string svg = file_text(folder.path() / "out" / (name + ".svg"));
     CHECK(svg.starts_with("<?xml"));
     CHECK(contains(svg, "</svg>"));
-    CHECK(contains(svg, axes.first));
-    CHECK(contains(svg, axes.second));
-    CHECK(fs::file_size(folder.path() / "out" / (std::string(name) + ".png")) > 1000);
+    CHECK(contains(svg, along));
+    CHECK(contains(svg, up));
+    CHECK(fs::file_size(folder.path() / "out" / (name + ".png")) > 1000);
   }
 }
 
@@ -94,6 +97,26 @@ TEST_CASE("tack law reads the laws of scenes and of files", "[law]") {
   CHECK(contains(run_tack(folder.path(), {"law", "--set", "work_of_adhesion=2", "law.yaml"}).out, "critical opening along the normal     400 µm"));
 }
 
+TEST_CASE("tack law shows each law of a scene once, and keeps their files apart", "[law]") {
+  const TemporaryFolder folder;
+  std::string scene = tiny_scene_with("contact:\n", R"(  - name: other
+    shape: {type: box, size: [0.2, 0.2, 0.2]}
+    place: {translate: [0.3, 0.1006, 0]}
+    energies: [{type: neo_hookean, young: 2 MPa, poisson: 0.3, density: 1000}]
+contact:
+)");
+  scene.insert(scene.find("    - between: "), "    - {between: [other, floor], adhesion: {type: bilinear, peak_traction: 10 kPa, work_of_adhesion: 1}}\n");
+  write_file(folder.path() / "scene.yaml", scene);
+  const ProgramResult result = run_tack(folder.path(), {"law", "scene.yaml", "-o", "out"});
+  INFO(result.out << result.err);
+  CHECK_THAT(result.out, Catch::Contains("fang of 'floor' - 'block': a law of the gap") && Catch::Contains("bilinear of 'floor' - 'other': a law of bonds"));
+  CHECK_THAT(result.out, Catch::Contains("E W / sigma^2 with E = 1 MPa") && Catch::Contains("E W / sigma^2 with E = 2 MPa"));
+  int tables = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path() / "out"))
+    if (entry.path().extension() == ".csv") ++tables;
+  CHECK(tables == 4);
+}
+
 TEST_CASE("tack law says what is wrong and what may have been meant", "[law]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene);
@@ -105,7 +128,8 @@ TEST_CASE("tack law says what is wrong and what may have been meant", "[law]") {
   };
   CHECK_THAT(error({"law"}), Catch::Contains("which law?") && Catch::Contains("bilinear, bonded, "));
   CHECK_THAT(error({"law", "--type", "fnag"}), Catch::Contains("did you mean 'fang'?"));
-  CHECK_THAT(error({"law", "--type", "rcc", "normal_stifness=1e8"}), Catch::Contains("did you mean 'normal_stiffness'?") && Catch::Contains("missing key 'work_of_adhesion'"));
+  CHECK_THAT(error({"law", "--type", "rcc", "normal_stifness=1e8"}),
+             Catch::Contains("did you mean 'normal_stiffness'?") && Catch::Contains("missing key 'work_of_adhesion'"));
   CHECK_THAT(error({"law", "--type", "rcc"}), Catch::Contains("missing key 'normal_stiffness'"));
   CHECK_THAT(error({"law", "--type", "fang", "peak_traction=1 mm"}), Catch::Contains("expects a pressure (Pa), got '1 mm'"));
   CHECK_THAT(error({"law", "--type", "fang", "peak_traction=1e4", "--young", "5 mm"}), Catch::Contains("--young expects a pressure"));

@@ -129,6 +129,13 @@ TEST_CASE("a law integrated explicitly is parted in steps that are short enough 
   CHECK(figure(study.figures, "work along the normal") == Approx(1).epsilon(0.01));
 }
 
+TEST_CASE("bonds that are unstressed where surfaces touch balance the barrier, or are taken apart by it", "[law]") {
+  const StudiedLaw rcc = law("rcc", {"normal_stiffness=1e8", "work_of_adhesion=1"});
+  const double gap = figure(study_bond_law(rcc, {}).figures, "rest gap");
+  CHECK(-rcc.pair.at(gap).slope == Approx(1e8 * gap));
+  CHECK_FALSE(std::isfinite(figure(study_bond_law(law("bonded", {"peak_traction=1e4"}), {}).figures, "rest gap")));
+}
+
 TEST_CASE("what breaks at once, and what never falls", "[law]") {
   const BondStudy brittle = study_bond_law(law("bonded", {"peak_traction=1e4"}), {});
   CHECK(figure(brittle.figures, "way per step") == Approx(1e-7).epsilon(0.01));
