@@ -55,6 +55,7 @@ void BondTerm::begin_step(const StepStart& start) {
 // A place that bonds is not to bond again while it does, also if what is covered has changed since: a triangle in which there are
 // bonds makes no other ones, but for what is left of its points of Gauss' rule.
 void BondTerm::make_bonds(const VecX& x) {
+  unbonded_.clear();
   const bool any_on_contact = std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& r) { return r.on_contact; });
   if (begun_ && !any_on_contact) return;
   std::map<std::array<int, 3>, std::vector<const Bond*>> bonded;  // by triangle, or else vertex, and other object
@@ -88,6 +89,11 @@ void BondTerm::make_bonds(const VecX& x) {
     list_.add(*bond, memory.data());
   }
   list_.sort();
+  if (begun_) return;
+  std::vector<char> bonds(table_.rules().size(), 0);
+  for (const Bond& b : list_.bonds()) bonds[b.rule] = 1;
+  for (size_t i = 0; i < bonds.size(); ++i)
+    if (!bonds[i] && !table_.rules()[i].on_contact) unbonded_.push_back(static_cast<int>(i));
 }
 
 void BondTerm::make_blocks() {
@@ -235,6 +241,17 @@ VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> onl
     for (int i = 0; i < b.count(); ++i) vertex(force, b.vertices[i]) += b.c[i] * pulled[k];
   }
   return force;
+}
+
+VecX BondTerm::compressions(const VecX& x, LawPart part) const {
+  VecX pressed = VecX::Zero(x.size());
+  if (part == LawPart::barrier) return pressed;
+  const std::vector<Vec3> pulled = pulls(x);
+  for (int k = 0; k < list_.size(); ++k) {
+    const Bond& b = list_.bonds()[k];
+    for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += std::abs(b.c[i]) * pulled[k].dot(b.normal);
+  }
+  return pressed;
 }
 
 Vec3 BondTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {

@@ -38,11 +38,17 @@ class BondTerm : public Term {
   std::vector<Vec3> pulls(const VecX& x) const;
   // The forces of bonds, which are adhesion, on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
+  // As ContactTerm::compressions: below zero, as bonds only pull.
+  VecX compressions(const VecX& x, LawPart part) const;
   // That object b exerts on object a [N].
   Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
 
   const BondList& list() const { return list_; }
+  // The rules by which bonds are made at the start of a run and none was, of its first step.
+  const std::vector<int>& unbonded() const { return unbonded_; }
   const BondTable& table() const { return table_; }
+  const BondLaw& law_of(int bond) const { return *table_.rules()[list_.bonds()[bond].rule].law; }
+  double intensity(int bond) const { return law_of(bond).intensity_of(list_.memory(bond)); }
 
  private:
   // Bonds of one rule and one number of vertices, a few.
@@ -65,6 +71,7 @@ class BondTerm : public Term {
   bool begun_ = false;   // the run has: bonds of the start are made
   bool begins_ = false;  // a step
   double h_ = 0;  // 0 between steps
+  std::vector<int> unbonded_;
   std::vector<Block> blocks_;
   std::array<std::vector<int>, 2> batch_vertices_;  // of bonds of 4 vertices, and of 6
 };

@@ -30,7 +30,7 @@ VecX bond_intensities(const World& world) {
   const VecX areas = areas_of(list, world.rest.size() / 3);
   VecX sum = VecX::Zero(areas.size());
   for_each_share(list, [&](int v, double area, int k) {
-    sum(v) += area * world.bonds->table().rules()[list.bonds()[k].rule].law->intensity_of(list.memory(k));
+    sum(v) += area * world.bonds->intensity(k);
   });
   for (Eigen::Index v = 0; v < sum.size(); ++v) sum(v) = areas(v) > 0 ? sum(v) / areas(v) : std::numeric_limits<double>::quiet_NaN();
   return sum;

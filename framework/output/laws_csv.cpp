@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "framework/bond/bond_curve.hpp"
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/output/csv.hpp"
 #include "framework/scene/world.hpp"
@@ -27,6 +29,13 @@ std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
   return rows;
 }
 
+// Of bonds, parted slowly: by how far they have opened.
+std::string rows_of(const std::string& pair, const BondLaw& law) {
+  std::string rows;
+  for (const BondPoint& p : part_slowly(law, 0, law_samples)) rows += fmt::format("{},{},{},{},{}\n", csv_cell(pair), p.opening, p.traction, 0, p.traction);
+  return rows;
+}
+
 }  // namespace
 
 void write_laws(const std::filesystem::path& path, const World& world) {
@@ -35,6 +44,10 @@ void write_laws(const std::filesystem::path& path, const World& world) {
   for (const AdhesionSummary& pair : world.adhesion) {
     const PairTable& table = world.contact->pairs();
     const auto& [a, b] = pair.kinds.front();
+    if (const int rule = world.bonds ? world.bonds->table().between(a, b) : -1; rule >= 0) {
+      text += rows_of(pair.names(), *world.bonds->table().rules()[rule].law);
+      continue;
+    }
     text += rows_of(pair.names(), table.laws()[table.thin(a, b).law], pair.peak_traction);
   }
   replace_file(path, text);

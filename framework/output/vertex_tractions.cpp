@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/contact_points.hpp"
 #include "framework/scene/world.hpp"
@@ -79,6 +80,7 @@ VecX tractions(const World& world, const VecX& x, const VecX& forces, const VecX
 
 VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, LawPart part) {
   VecX pressed = world.contact_term->compressions(x, part);
+  if (world.bonds) pressed += world.bonds->compressions(x, part);
   world.collect_on_meshes(pressed);
   return tractions(world, x, forces, pressed(Eigen::seq(0, Eigen::last, 3)));
 }

@@ -45,7 +45,7 @@ class BondsProbe : public Probe {
     for (int i = 0; i < bonds.list().size(); ++i) {
       const Bond& bond = bonds.list().bonds()[i];
       if (!bond.between(a_, b_)) continue;
-      const double intensity = bonds.table().rules()[bond.rule].law->intensity_of(bonds.list().memory(i));
+      const double intensity = bonds.intensity(i);
       const Opening o = opening_of(bond, state.x);
       ++count;
       area += bond.area;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/stencil_distance.hpp"
@@ -93,7 +94,7 @@ class ContactArea : public Probe {
   std::vector<double> reach_;  // per law [m]; 0: it does not count
 };
 
-// How many other objects are within reach of an object's adhesion.
+// How many other objects are within reach of an object's adhesion, or hang on bonds.
 class AttachedObjects : public Probe {
  public:
   void fields(Fields& f) override {
@@ -119,10 +120,21 @@ class AttachedObjects : public Probe {
         if (b == index_ && a != index_) held[a] = 1;
       }
     });
+    if (world.bonds) add_bonded(*world.bonds, held);
     return {static_cast<double>(std::count(held.begin(), held.end(), 1))};
   }
 
  private:
+  // By bonds that have some strength: those that begin to form have none.
+  void add_bonded(const BondTerm& bonds, std::vector<char>& held) const {
+    constexpr double least = 0.01;
+    for (int i = 0; i < bonds.list().size(); ++i) {
+      const Bond& bond = bonds.list().bonds()[i];
+      if (bond.a == bond.b || (bond.a != index_ && bond.b != index_)) continue;
+      if (bonds.intensity(i) > least) held[bond.a == index_ ? bond.b : bond.a] = 1;
+    }
+  }
+
   std::string to_;
   int index_ = -1;
   std::vector<char> adhesive_;  // per law
@@ -132,7 +144,7 @@ TACK_REGISTER(Probe, SlidingSpeed, "sliding_speed",
               "Mean speed of one surface along another where they touch or adhere, in the last step [m/s].", "");
 TACK_REGISTER(Probe, ContactArea, "contact_area", "The area over which two objects touch or adhere [m^2].", "");
 TACK_REGISTER(Probe, AttachedObjects, "attached_objects",
-              "How many other objects an object holds within reach of its adhesion.", "");
+              "How many other objects an object holds within reach of its adhesion, or by bonds.", "");
 
 }  // namespace
 }  // namespace tack

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "framework/affine/orthogonality_term.hpp"
+#include "framework/bond/bond_term.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
@@ -309,6 +310,7 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
     warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
+  if (world_.bonds) warn_of_unbonded();
   if (impulses_ && impulses_->difference()) {
     const LaggedImpulses::Difference& d = *impulses_->difference();
     warn_({fmt::format("step {} at t = {:.6g} s: friction between '{}' and '{}'{} has acted as if they had pressed each other with {:.3g} N s so "
@@ -323,6 +325,14 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
                        "{:.2g} of the largest (contact.lagging.until: {:.2g})",
                        state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
                        *scene_.contact->lagging.until), "lagged friction"});
+}
+
+void TimeStepper::warn_of_unbonded() {
+  for (const int rule : world_.bonds->unbonded())
+    for (const AdhesionSummary& pair : world_.adhesion)
+      if (const auto& [a, b] = pair.kinds.front(); world_.bonds->table().between(a, b) == rule)
+        warn_({fmt::format("no bonds were made between {}: nothing of them lies opposite the other within {:.6g} m at the start; move them closer, raise "
+                           "bond_distance, or let them bond when they meet (bond: on_contact)", pair.names(), world_.bonds->table().rules()[rule].distance)});
 }
 
 double TimeStepper::smallest_tried() const { return time_.step * std::pow(0.5, time_.max_halvings); }

@@ -59,6 +59,7 @@ class TimeStepper {
   void refine(double h, bool lasting);
   bool keep(const Attempt& attempt, double h, StepReport& report);
   void warn_of(const Attempt& attempt, const StepReport& report);
+  void warn_of_unbonded();
   double smallest_tried() const;
   bool tolerates(double h, const Verdict& verdict) const;
   void halve(double h, const Verdict& verdict);

@@ -25,6 +25,8 @@ contact:
 {})";
 constexpr const char* adhesion_text =
     "      adhesion: {type: fang, peak_traction: 1 kPa, peak_distance: 1 mm, range: 2 mm}\n";
+constexpr const char* bonds_text =
+    "      adhesion: {type: rcc, normal_stiffness: 1e7 Pa/m, tangential_stiffness: 5e6 Pa/m, work_of_adhesion: 0.1 J/m^2}\n";
 
 constexpr const char* plates_text = R"(
 name: plates
@@ -75,9 +77,8 @@ void Scene::move_to(const VecX& x) {
 }
 
 std::unique_ptr<Scene> sheets(const std::string& weights, Laws laws) {
-  const bool adhesive = laws == Laws::barrier_and_adhesion;
-  return std::make_unique<Scene>(
-      parse_experiment(fmt::format(sheets_text, weights, adhesive ? adhesion_text : ""), "sheets"));
+  const char* adhesion = laws == Laws::barrier_and_adhesion ? adhesion_text : laws == Laws::barrier_and_bonds ? bonds_text : "";
+  return std::make_unique<Scene>(parse_experiment(fmt::format(sheets_text, weights, adhesion), "sheets"));
 }
 
 std::unique_ptr<Scene> plates() { return std::make_unique<Scene>(parse_experiment(plates_text, "plates")); }

@@ -106,8 +106,8 @@ TEST_CASE("steps.csv has the documented columns and no step touches") {
   for (const auto& row : steps.rows) {
     CHECK(row[10] > 0);                 // min_distance
     CHECK(row[10] < 1e-3);              // the block stays within reach of the floor
-    CHECK(row[27] <= row[28]);         // forces balance
-    CHECK(row[29] == 1);               // converged
+    CHECK(row[28] <= row[29]);         // forces balance
+    CHECK(row[30] == 1);               // converged
   }
 }
 
