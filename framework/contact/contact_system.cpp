@@ -4,6 +4,7 @@
 
 #include "framework/contact/narrow_phase.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
+#include "geometry/distance/point_triangle.hpp"
 
 namespace tack {
 namespace {
@@ -54,6 +55,7 @@ void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_gro
 const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
 
 void ContactSystem::remember(const History& history) {
+  narrow_phase_->set_shares_before(shares_of(history, surface_.mesh));
   turned_before_.reset();
   if (const auto* all = remembered(history, former_sides_name, 1, pairs_.objects() * pairs_.objects())) {
     turned_before_.emplace();
@@ -77,7 +79,16 @@ void ContactSystem::remember(const History& history) {
   std::sort(turned_before_->begin(), turned_before_->end());
 }
 
-void ContactSystem::commit(const VecX&, History& history) const {
+// Of shares, those towards triangles that are near now: others are not known to whoever goes on from here.
+void ContactSystem::commit(const VecX& x, History& history) const {
+  ShareMemory shares;
+  for (const RememberedShare& s : narrow_phase_->held_shares()) {
+    const Triangle& t = surface_.mesh.triangles[s.triangle];
+    const auto [a, b, c] = corners(x, t);
+    const double range = pairs_.thin(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).range;
+    if (point_triangle_distance(vertex(x, s.point), a, b, c) < range * range) shares.push_back(s);
+  }
+  remember_shares(shares, surface_.mesh, history);
   history.erase(former_sides_name);
   history.erase(turned_sides_name);
   if (!pairs_.any_automatic()) return;
@@ -110,11 +121,13 @@ int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
 
 void ContactSystem::forget() {
   contacts_ = {};
+  ShareMemory shares = narrow_phase_ ? narrow_phase_->shares_before() : ShareMemory();
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);
   narrow_phase_ = std::make_unique<NarrowPhase>(
       surface_, pairs_, [this](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
         broad_phase_->triangles_near(t, inside, out);
       });
+  narrow_phase_->set_shares_before(std::move(shares));
 }
 
 void ContactSystem::begin_step(const StepStart& start) {

@@ -241,6 +241,7 @@ void NarrowPhase::set_candidates(const Candidates& candidates, const VecX& x) {
 
 void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   held_.hold(x);
+  shares_at_start_ = shares_before_;
   views_.clear();
   look(candidates);
   coverage_.capture(views_, sides_);
@@ -253,7 +254,7 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
 
 void NarrowPhase::make_lists(const Candidates& candidates) {
   if (!pairs_.plain_sums) rods_.find(candidates, held_);
-  pieces_ = make_pieces({surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_});
+  pieces_ = make_pieces({surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, shares_at_start_});
   sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, near_);
 }
 

@@ -26,6 +26,10 @@ class NarrowPhase {
   // IntegrationSides::turned, and those of the step before the next.
   const IntegrationSides::Pairs& turned_sides() const { return sides_.turned(); }
   void set_turned_before(std::optional<IntegrationSides::Pairs> turned) { sides_.set_before(std::move(turned)); }
+  // Of rods and particles: what they have of their areas in this step, and what they had in the step before the next.
+  const ShareMemory& held_shares() const { return pieces_.held; }
+  const ShareMemory& shares_before() const { return shares_before_; }
+  void set_shares_before(ShareMemory shares) { shares_before_ = std::move(shares); }
   // Stencils without a free vertex (non-zero) are left out; empty: every candidate has one.
   void set_free(std::vector<char> free) { free_ = std::move(free); }
   // The stencils closer than their law's range.
@@ -54,6 +58,8 @@ class NarrowPhase {
   PointPieces pieces_;
   SamplePieces sample_pieces_;    // of the coverage's samples
   RodOverlaps rods_;              // of this step
+  ShareMemory shares_before_;     // of the step before the next
+  ShareMemory shares_at_start_;   // of the step before this one
   std::vector<int> edge_pairs_;   // the candidates between edges that may press
 };
 

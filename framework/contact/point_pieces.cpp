@@ -210,6 +210,7 @@ class PieceMaker {
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) triangles_.push_back(triangle(i));
     std::vector<TriangleShare>& shares = thin_viewer_.look(group.point, triangles_, pressure.range);
     share_out(group.point, pressure.range, shares);
+    relax_shares(group.point, triangles_, pressure.range, r_.shares_before, shares, out_.held);
     add_shares(group, {pressure.law, pressure.range, area}, shares, [&](int, const TriangleShare& s) { return s.share; });
     const Guard guard = guard_of(role);
     if (guard.law < 0) return;
@@ -308,6 +309,7 @@ PointPieces make_pieces(const PieceRequest& request) {
     append(chunk.edges, all.edges);
     append(chunk.others, all.others);
     all.shares.insert(all.shares.end(), chunk.shares.begin(), chunk.shares.end());
+    all.held.insert(all.held.end(), chunk.held.begin(), chunk.held.end());
   }
   return all;
 }

@@ -10,6 +10,7 @@
 #include "framework/contact/pair_table.hpp"
 #include "framework/contact/point_groups.hpp"
 #include "framework/contact/rod_overlaps.hpp"
+#include "framework/contact/share_memory.hpp"
 #include "framework/contact/thin_view.hpp"
 
 namespace tack {
@@ -31,6 +32,7 @@ struct PointPieces {
   std::vector<TriangleShare> shares;
   std::vector<int> edges;      // of the mesh: rods
   std::vector<int> others;     // global vertices: particles
+  ShareMemory held;            // what the shares are in this step
 };
 
 // The view of a group, known for the step.
@@ -50,6 +52,7 @@ struct PieceRequest {
   const Candidates& candidates;
   const PointGroups& groups;
   const std::vector<GroupView>& views;  // by key; all groups that integrate are there
+  const ShareMemory& shares_before;     // of the step before
 };
 PointPieces make_pieces(const PieceRequest& request);
 

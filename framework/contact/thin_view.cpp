@@ -19,6 +19,7 @@ constexpr double in_front = 0.5, own_front = 0.15;  // cosines
 constexpr double as_near = 0.3;                    // relative: by how much farther a triangle still leads
 constexpr double flat = 0.1;                        // sine of the angle that a ridge rises by
 constexpr double near_end = 0.9;                    // of the range, where z begins to fall
+constexpr double same_distance = 1e-6;              // relative: triangles that meet where both are nearest
 
 // From 0 at a to 1 at b.
 double rise(double x, double a, double b) {
@@ -98,7 +99,7 @@ std::pair<ThinViewer::Foot, double> ThinViewer::nearer(const Vec3& p, const Foot
   std::pair<Foot, double> best{from, 0};
   const auto look_at = [&](int triangle, double over) {
     const Foot there = foot(p, triangle);
-    if (there.distance < best.first.distance) best = {there, over};
+    if (there.distance < (1 - same_distance) * best.first.distance) best = {there, over};
   };
   if (from.feature >= 6) return best;
   if (from.feature >= 3) {
@@ -226,7 +227,7 @@ std::vector<TriangleShare>& ThinViewer::look(int vertex_index, std::span<const i
     seen_.push_back(see(vertex_index, triangles[i], range));
     if (seen_[i].away < infinity) leaders_.push_back(i);
     const auto [a, b, c] = corners(held_.x(), mesh_.triangles[triangles[i]]);
-    shares_.push_back({0, held_.normal(triangles[i]), (a + b + c) / 3, held_.topology().two_sided(triangles[i])});
+    shares_.push_back({0, held_.normal(triangles[i]), (a + b + c) / 3, held_.topology().two_sided(triangles[i]), seen_[i].distance});
   }
   std::stable_sort(leaders_.begin(), leaders_.end(), [&](int a, int b) { return seen_[a].away < seen_[b].away; });
   if (!leaders_.empty()) find_neighbours(triangles, range);

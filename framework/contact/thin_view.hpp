@@ -1,6 +1,7 @@
 // What a vertex of a rod, or a particle, has of its area towards each triangle of another surface, as the step found
 // them. All of it is continuous in where things are: the law acts on it with the sum of point_features.hpp, for
-// shares, so that nothing jumps when another triangle comes to be the nearest one, or is seen no more.
+// shares, so that nothing jumps when another triangle comes to be the nearest one, or is seen no more. From step to step:
+// share_memory.hpp.
 //
 // A triangle j that the point is in front of leads, with the strength
 //     L_j = thin(n_j) / thin  g(beyond_j)  f(c_j),
@@ -27,6 +28,7 @@ struct TriangleShare {
   double share;  // of the point's area, s_i
   Vec3 normal, centre;
   bool two_sided;
+  double distance;  // of the point [m]
 };
 
 // How far two triangles that meet count as one surface, 0 to 1: not where they make a hollow, of which each has its own side

@@ -101,6 +101,24 @@ TEST_CASE("the far side of a plate is not felt by rods and particles, whatever i
       }
 }
 
+TEST_CASE("over the very edge of a face all of it counts, however numbers are rounded", "[contact][thin]") {
+  RandomMotions random(7);
+  const Pair pair(solid("{type: box, size: [0.01, 0.01, 0.01], cells: [1, 1, 1]}"), false);
+  const PairLaw& law = pair.world.contact->pairs().laws()[pair.world.contact->pairs().thin(0, 1).law];
+  const double gap = 1.2e-3;
+  for (int trial = 0; trial < 100; ++trial) {
+    const Vec3 turn = random.vector();
+    const Mat3 r = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+    VecX x = pair.world.rest;
+    for (const int v : pair.of_body) vertex(x, v) = r * Vec3(vertex(pair.world.rest, v));
+    for (const double aside : {-1e-9, 0.0, 1e-9}) {
+      const Vec3 at(random.uniform(-4e-3, 4e-3), 0.005 + gap, 0.005 + aside);
+      INFO(trial << " " << aside);
+      CHECK(energy(pair.world, pair.placed(x, r * at, Vec3::Zero())) == Approx(M_PI * 1e-6 * law.at(gap).value).epsilon(1e-3));
+    }
+  }
+}
+
 namespace {
 
 // A way around a body in its middle at changing distances, of which `surface` knows the nearest point to one outside.
