@@ -33,13 +33,13 @@ class ByArity {
 
 // Calls body(list) for each arity, ascending: the order of batches. As [&]<int K>(std::vector<Record<K>>& list), it knows K.
 template <class Lists, class Body>
-void for_each_arity(Lists& lists, const Body& body) {
+void for_each_arity(Lists&& lists, const Body& body) {
   [&]<int... I>(std::integer_sequence<int, I...>) { (body(lists.template of<I + smallest_contact_arity>()), ...); }(ContactArities{});
 }
 
 // Calls body(record) for each record of all lists.
 template <class Lists, class Body>
-void for_each_record(Lists& lists, const Body& body) {
+void for_each_record(Lists&& lists, const Body& body) {
   for_each_arity(lists, [&](auto& list) {
     for (auto& record : list) body(record);
   });

@@ -22,7 +22,25 @@ ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactSte
   return {v, c, normal, tangents_of(normal), gap, area, force, 2, -1, object[v[0]], object[v[2]], s.law};
 }
 
+void add_laws_of_area(const PairTable& pairs, int a, int b, std::vector<char>& laws) {
+  for (const PairRole* role : {&pairs.point(a, b), &pairs.point(b, a)})
+    if (role->law >= 0 && (role->facing || pairs.plain_sums)) laws[role->law] = 1;
+  if (const int thin = pairs.thin(a, b).law; thin >= 0) laws[thin] = 1;
+}
+
 }  // namespace
+
+std::vector<char> laws_of_area(const PairTable& pairs) {
+  std::vector<char> laws(pairs.laws().size(), 0);
+  for (const auto& [a, b] : pairs.classes().examples()) add_laws_of_area(pairs, a, b, laws);
+  return laws;
+}
+
+std::vector<char> laws_of_area(const PairTable& pairs, int a, int b) {
+  std::vector<char> laws(pairs.laws().size(), 0);
+  add_laws_of_area(pairs, a, b, laws);
+  return laws;
+}
 
 TangentBasis tangents_of(const Vec3& normal) {
   TangentBasis basis;

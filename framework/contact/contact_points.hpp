@@ -65,6 +65,10 @@ struct ContactPointsRequest {
 };
 ContactPoints contact_points(const ContactPointsRequest& request);
 
+// Which laws of a table stand for an area, of all pairs or between two objects: those of guards do not. Per law.
+std::vector<char> laws_of_area(const PairTable& pairs);
+std::vector<char> laws_of_area(const PairTable& pairs, int a, int b);
+
 // Its parts: a basis of the plane across a unit normal, and vertices and samples (points_of_features.cpp).
 TangentBasis tangents_of(const Vec3& normal);
 void add_points_of_features(const ContactPointsRequest& request, ContactPoints& out);

@@ -14,8 +14,8 @@
 #include <optional>
 #include <set>
 
-#include "framework/contact/contact_term.hpp"
 #include "framework/contact/contact_points.hpp"
+#include "framework/contact/contact_term.hpp"
 #include "framework/contact/tangential_law.hpp"
 #include "framework/core/residual_view.hpp"
 

@@ -18,16 +18,7 @@ bool none_free(const std::vector<char>& free, const std::array<int, K>& vertices
   return !free.empty() && std::none_of(vertices.begin(), vertices.end(), is_free);
 }
 
-// What one chunk finds; chunks are joined in order.
-struct Found {
-  SampleStencils<4> sample_point;
-  SampleStencils<5> sample_edge;
-  SampleStencils<6> sample_triangle;
-  ContactStencils<2> point_point;
-  ContactStencils<3> point_edge;
-  ContactStencils<4> point_triangle;
-  ContactStencils<4> edge_edge;
-};
+using Found = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
 
 // What looks for the stencils of points and of samples.
 class StencilSearch {

@@ -52,13 +52,9 @@ class Merging {
  public:
   Merging(const ContactPointsRequest& request, ContactPoints& out)
       : object_(request.system.surface().mesh.vertex_object), request_(request), out_(out) {
-    const ContactSet& set = request.system.contacts();
-    take(set.point_point);
-    take(set.point_edge);
-    take(set.point_triangle);
-    take(set.sample_point);
-    take(set.sample_edge);
-    take(set.sample_triangle);
+    for_each_kind(request.system.contacts(), [&](auto kind, const auto& stencils, const double*) {
+      if constexpr (!std::is_same_v<decltype(kind), EdgeEdgeKind>) take(stencils);
+    });
     std::vector<Place> places;
     places.reserve(features_.size());
     for (const Feature& f : features_) places.push_back({f.own, f.point, f.object, f.law, static_cast<int>(places.size())});

@@ -14,22 +14,11 @@ namespace {
 
 constexpr double least_share = 0.02;  // of the area around a vertex; less is no contact of its own
 
-// Those that stand for an area: no guards.
-std::vector<char> pressing_laws(const PairTable& pairs) {
-  std::vector<char> pressing(pairs.laws().size(), 0);
-  for (const auto& [a, b] : pairs.classes().examples()) {
-    for (const PairRole* role : {&pairs.point(a, b), &pairs.point(b, a)})
-      if (role->law >= 0 && (role->facing || pairs.plain_sums)) pressing[role->law] = 1;
-    if (const int thin = pairs.thin(a, b).law; thin >= 0) pressing[thin] = 1;
-  }
-  return pressing;
-}
-
 // What each vertex has of the contacts [m^2].
 VecX contact_areas(const World& world, const VecX& x) {
   VecX areas = VecX::Zero(x.size());  // in the first of three, as forces are collected
   const ContactPoints points = contact_points(
-      {*world.contact, world.contact_term->laws(LawPart::barrier), pressing_laws(world.contact->pairs()), x});
+      {*world.contact, world.contact_term->laws(LawPart::barrier), laws_of_area(world.contact->pairs()), x});
   for_each_record(points, [&](const auto& c) {
     for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
   });

@@ -3,9 +3,8 @@
 #include <tuple>
 
 #include "framework/bond/bond_term.hpp"
-#include "framework/contact/contact_term.hpp"
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/stencil_distance.hpp"
+#include "framework/contact/contact_term.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
@@ -14,8 +13,12 @@
 namespace tack {
 namespace {
 
-// Mean of |u| / h, u the slip of the last step, over the points of a pair that are within reach of its laws,
-// weighted with their areas. Guards would count area again: they are left out. 0 if nothing touches.
+// The contact points of these laws.
+ContactPoints points_of(const World& world, const State& state, const std::vector<char>& wanted) {
+  return contact_points({*world.contact, world.contact_term->laws(LawPart::barrier), wanted, state.x});
+}
+
+// Mean of |u| / h, u the slip of the last step, over the contact points of a pair, weighted with their areas. 0 if nothing touches.
 class SlidingSpeed : public Probe {
  public:
   void fields(Fields& f) override {
@@ -25,18 +28,13 @@ class SlidingSpeed : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     std::tie(a_, b_) = between_.prepare(world, name_);
-    const PairTable& pairs = world.contact->pairs();
-    wanted_.assign(pairs.laws().size(), 0);
-    for (const PairRole* role : {&pairs.point(a_, b_), &pairs.point(b_, a_)})
-      if (role->law >= 0 && (role->facing || pairs.plain_sums)) wanted_[role->law] = 1;
+    wanted_ = laws_of_area(world.contact->pairs(), a_, b_);
   }
   Unit unit() const override { return units::velocity; }
   std::vector<double> sample(const World& world, const State& state) override {
     if (state.h_before == 0) return {0};
-    const ContactPoints points = contact_points(
-        {*world.contact, world.contact_term->laws(LawPart::barrier), wanted_, state.x});
     double area = 0, sum = 0;
-    for_each_record(points, [&](const auto& c) {
+    for_each_record(points_of(world, state, wanted_), [&](const auto& c) {
       if (!c.between(a_, b_)) return;
       area += c.area;
       sum += c.area * (c.tangents.transpose() * c.moved(state.x, state.x_before)).norm() / state.h_before;
@@ -50,8 +48,7 @@ class SlidingSpeed : public Probe {
   std::vector<char> wanted_;  // per law
 };
 
-// The area over which two objects are within reach of each other's laws, by the weights of the points that stand for it. Guards
-// stand for none.
+// The area over which two objects are within reach of each other's laws: that of their contact points.
 class ContactArea : public Probe {
  public:
   void fields(Fields& f) override {
@@ -66,32 +63,23 @@ class ContactArea : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     std::tie(a_, b_) = between_.prepare(world, name_);
-    const PairTable& pairs = world.contact->pairs();
-    reach_.assign(pairs.laws().size(), 0);
-    for (const PairRole* role : {&pairs.point(a_, b_), &pairs.point(b_, a_), &pairs.thin(a_, b_)})
-      if (role->law >= 0 && (role->facing || pairs.plain_sums || role == &pairs.thin(a_, b_)))
-        reach_[role->law] = world.contact_term->laws(part_)[role->law].range();
+    wanted_ = laws_of_area(world.contact->pairs(), a_, b_);
   }
   Unit unit() const override { return units::area; }
   std::vector<double> sample(const World& world, const State& state) override {
-    const auto& object = world.contact->surface().mesh.vertex_object;
+    const std::vector<PairLaw>& laws = world.contact_term->laws(part_);
     double area = 0;
-    for_each_kind(world.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
-      for (const auto& s : stencils) {
-        if (reach_[s.law] == 0) continue;
-        const int a = object[s.vertices[0]], b = object[s.vertices[kind.first_vertices]];
-        if (std::minmax(a, b) != std::minmax(a_, b_)) continue;
-        if (stencil_distance<ValueKernels>(kind, state.x, s) < reach_[s.law] * reach_[s.law]) area += s.weight;
-      }
+    for_each_record(points_of(world, state, wanted_), [&](const auto& c) {
+      if (c.between(a_, b_) && c.gap < laws[c.law].range()) area += c.area;
     });
-    return {std::max(0.0, area)};
+    return {area};
   }
 
  private:
   ObjectNames between_;
   LawPart part_ = LawPart::all;
   int a_ = -1, b_ = -1;
-  std::vector<double> reach_;  // per law [m]; 0: it does not count
+  std::vector<char> wanted_;  // per law
 };
 
 // How many other objects are within reach of an object's adhesion, or hang on bonds.

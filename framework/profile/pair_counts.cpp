@@ -9,9 +9,10 @@ class Counter {
  public:
   explicit Counter(const CollisionMesh& mesh) : mesh_(mesh) {}
 
-  // Of the objects of two vertices (global). Neighbours in a list are mostly of the same pair.
-  PairCount& of(int v, int w) {
-    const ObjectIds pair = std::minmax({mesh_.vertex_object[v], mesh_.vertex_object[w]});
+  // Of the objects of two vertices (global).
+  PairCount& of(int v, int w) { return of_objects(std::minmax({mesh_.vertex_object[v], mesh_.vertex_object[w]})); }
+  // Neighbours in a list are mostly of the same pair.
+  PairCount& of_objects(const ObjectIds& pair) {
     if (!last_ || pair != last_pair_) last_ = &counts_[pair], last_pair_ = pair;
     return *last_;
   }
@@ -51,7 +52,7 @@ void count_stencils(const ContactSystem& contact, Counter& counter) {
 }
 
 void count_friction(const ContactPoints& points, Counter& counter) {
-  for_each_record(points, [&](const auto& c) { ++counter.of(c.vertices[0], c.vertices[c.own]).friction; });
+  for_each_record(points, [&](const auto& c) { ++counter.of_objects(std::minmax({c.object, c.opposite})).friction; });
 }
 
 }  // namespace

@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/held_surface.hpp"
-#include "framework/contact/stencil_kinds.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/scene/world.hpp"
-#include "geometry/distance/point_edge.hpp"
-#include "geometry/distance/point_triangle.hpp"
 #include "geometry/mesh/quality.hpp"
 
 namespace tack {
@@ -20,11 +18,6 @@ namespace {
 
 constexpr double tolerated_change = 0.25;  // of the range
 constexpr double most_of_it = 0.5;            // of the impulse
-
-// From the other surface to the point.
-Vec3 separation(const Vec3& p, const std::array<Vec3, 1>& q) { return p - q[0]; }
-Vec3 separation(const Vec3& p, const std::array<Vec3, 2>& e) { return point_edge_separation(p, e[0], e[1]); }
-Vec3 separation(const Vec3& p, const std::array<Vec3, 3>& t) { return point_triangle_separation(p, t[0], t[1], t[2]); }
 
 // By how much the gap changes across a triangle, the way to the other surface being n; 0 if it looks elsewhere [m].
 double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec3& n, double& facing) {
@@ -38,7 +31,9 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
 }  // namespace
 
 AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& world)
-    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawPart::adhesion).size()) {}
+    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawPart::adhesion).size()) {
+  for (const PairLaw& law : world.contact_term->laws(LawPart::adhesion)) adheres_.push_back(!law.laws().empty());
+}
 
 // Means over the triangles at a vertex of a mesh that look at the other surface.
 AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n, const VecX& x) const {
@@ -68,44 +63,24 @@ void AdhesionResolution::add(int law, double impulse, const Element& element, in
   if (pulled.object < 0) pulled.object = object, pulled.other = other;
 }
 
-template <class Kind, class Stencils>
-void AdhesionResolution::look_at(const Stencils& stencils, const VecX& x, double h) {
-  const ContactSurface& surface = world_.contact->surface();
-  const std::vector<PairLaw>& laws = world_.contact_term->laws(LawPart::adhesion);
-  constexpr int first = Kind::first_vertices, others = Kind::arity - first;
-  for (const auto& s : stencils) {
-    if (!(laws[s.law].range() > laws[s.law].offset())) continue;
-    std::array<Vec3, others> feature;
-    for (int i = 0; i < others; ++i) feature[i] = vertex(x, s.vertices[first + i]);
-    Vec3 p = vertex(x, s.vertices[0]);
-    if constexpr (first == 3) p = point_inside(x, {s.vertices[0], s.vertices[1], s.vertices[2]}, s.inside);
-    const Vec3 apart = separation(p, feature);
-    const double d = apart.norm();
-    if (!(d > 0) || d >= laws[s.law].range()) continue;
-    const double traction = std::max(0.0, laws[s.law].at(d).slope);
-    const Vec3 n = apart / d;
-    Element element;
-    if constexpr (first == 3) {
-      double facing = 0;
-      const auto corners_of = corners(x, Triangle{s.vertices[0], s.vertices[1], s.vertices[2]});
-      const double area = 2 * triangle_area(corners_of[0], corners_of[1], corners_of[2]), own = 2 * std::abs(s.weight);
-      element = {gap_change_across(corners_of, true, n, facing) * std::sqrt(std::min(1.0, own / area)), std::sqrt(area)};
-    } else {
-      element = element_at(s.vertices[0], n, x);
-    }
-    add(s.law, std::abs(s.weight) * traction * h, element, surface.mesh.vertex_object[s.vertices[0]],
-        surface.mesh.vertex_object[s.vertices[first]]);
-  }
+// That of a sample, whose triangle counts by what it stands for of it.
+AdhesionResolution::Element AdhesionResolution::element_around(const Triangle& triangle, const Vec3& n, double own_area, const VecX& x) {
+  double facing = 0;
+  const auto c = corners(x, triangle);
+  const double area = triangle_area(c[0], c[1], c[2]);
+  return {gap_change_across(c, true, n, facing) * std::sqrt(std::min(1.0, own_area / area)), std::sqrt(2 * area)};
 }
 
 void AdhesionResolution::look(const VecX& x, double h) {
-  const ContactSet& contacts = world_.contact->contacts();
-  look_at<PointPointKind>(contacts.point_point, x, h);
-  look_at<PointEdgeKind>(contacts.point_edge, x, h);
-  look_at<PointTriangleKind>(contacts.point_triangle, x, h);
-  look_at<SampleKind<PointPointKind>>(contacts.sample_point, x, h);
-  look_at<SampleKind<PointEdgeKind>>(contacts.sample_edge, x, h);
-  look_at<SampleKind<PointTriangleKind>>(contacts.sample_triangle, x, h);
+  const std::vector<PairLaw>& laws = world_.contact_term->laws(LawPart::adhesion);
+  const ContactPoints points = contact_points({*world_.contact, world_.contact_term->laws(LawPart::barrier), adheres_, x});
+  for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
+    if (c.kind() == PointKind::edges || c.gap >= laws[c.law].range()) return;
+    Element element;
+    if (c.kind() == PointKind::vertex) element = element_at(c.point, c.normal, x);
+    else if constexpr (K > 3) element = element_around({c.vertices[0], c.vertices[1], c.vertices[2]}, c.normal, c.area, x);
+    add(c.law, c.area * std::max(0.0, laws[c.law].at(c.gap).slope) * h, element, c.object, c.opposite);
+  });
 }
 
 std::vector<std::string> AdhesionResolution::coarse() const {

@@ -34,12 +34,12 @@ class AdhesionResolution {
     double gap_change = 0, size = 0;  // m
   };
   Element element_at(int vertex, const Vec3& n, const VecX& x) const;
+  static Element element_around(const Triangle& triangle, const Vec3& n, double own_area, const VecX& x);
   void add(int law, double impulse, const Element& element, int object, int other);
-  template <class Kind, class Stencils>
-  void look_at(const Stencils& stencils, const VecX& x, double h);
 
   const SceneConfig& scene_;
   const World& world_;
+  std::vector<char> adheres_;   // per law
   std::vector<Pulled> pulled_;  // per law
 };
 

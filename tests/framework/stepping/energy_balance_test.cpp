@@ -47,7 +47,7 @@ EnergyFlows total(TestRun& run, int steps) {
 
 const std::string block = "{name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5}]";
 
-// Pushed over a floor by a sticky, rough slider that a script drives.
+// Pushed over a floor by a sticky, rough slider that a script drives; beside it a pad slips on bonds that heal under its weight.
 const std::string driven =
     "gravity: [0, -9.81, 0]\n"
     "objects:\n"
@@ -56,8 +56,11 @@ const std::string driven =
     "     energies: [{type: von_mises, young: 1e5, yield_stress: 300}], damping: {stiffness: 1 ms},\n"
     "     loads: [{type: body_force, value: [0, 0, 0.3]}],\n"
     "     motion: [{type: translate, velocity: [0.2, 0, 0], until: 0.055, select: {type: face, direction: [0, 1, 0]}}]}\n"
+    "  - {name: pad, shape: {type: box, size: [0.05, 0.02, 0.05]}, place: {translate: [0, 0.0105, 0.12]},\n"
+    "     energies: [{type: neo_hookean, young: 1e5}], loads: [{type: body_force, value: [2, 0, 0]}]}\n"
     "contact:\n  distance: 1 mm\n"
-    "  pairs: [{between: [block, floor], friction: {mu: 0.4}, adhesion: {type: fang, peak_traction: 1 kPa},\n"
+    "  pairs: [{between: [pad, floor], adhesion: {type: rcc, normal_stiffness: 1e7, tangential_stiffness: 1e6, work_of_adhesion: 1, healing: 1}},\n"
+    "          {between: [block, floor], friction: {mu: 0.4}, adhesion: {type: fang, peak_traction: 1 kPa},\n"
     "           tangential_adhesion: {mu: 0.5, eps_a: 0.5}}]\n";
 
 }  // namespace
@@ -73,7 +76,7 @@ TEST_CASE("the balance of energy adds up in every step, and every part of it is 
       const EnergyFlows& f = r.flows;
       const double after = stored(r);
       if (i > 0)
-        CHECK(after - before == Approx(f.loads + f.script - f.friction - f.adhesion - f.plastic - f.damping - f.areas - f.numerics).margin(1e-13));
+        CHECK(after - before == Approx(f.loads + f.script + f.healing - f.friction - f.adhesion - f.plastic - f.damping - f.areas - f.numerics).margin(1e-13));
       before = after;
       CHECK(f.friction >= 0);
       CHECK(f.adhesion >= 0);
