@@ -61,6 +61,16 @@ TEST_CASE("experiment laws/dugdale") { check_experiment("laws/dugdale.yaml"); }
 TEST_CASE("experiment laws/lennard_jones") { check_experiment("laws/lennard_jones.yaml"); }
 TEST_CASE("experiment laws/table") { check_experiment("laws/table.yaml"); }
 TEST_CASE("experiment laws/expression") { check_experiment("laws/expression.yaml"); }
+TEST_CASE("experiment laws/rcc") { check_experiment("laws/rcc.yaml"); }
+TEST_CASE("experiment laws/bilinear") { check_experiment("laws/bilinear.yaml"); }
+TEST_CASE("experiment laws/mixed_mode") { check_experiment("laws/mixed_mode.yaml"); }
+TEST_CASE("experiment laws/exponential") { check_experiment("laws/exponential.yaml"); }
+TEST_CASE("experiment laws/bonded") { check_experiment("laws/bonded.yaml"); }
+TEST_CASE("experiment laws/damage") { check_experiment("laws/damage.yaml"); }
+TEST_CASE("experiment laws/xu_needleman_coupled") { check_experiment("laws/xu_needleman_coupled.yaml"); }
+TEST_CASE("experiment laws/slope_bonded") { check_experiment("laws/slope_bonded.yaml"); }
+TEST_CASE("experiment laws/healing") { check_experiment("laws/healing.yaml"); }
+TEST_CASE("experiment laws/cantilevers") { check_experiment("laws/cantilevers.yaml"); }
 TEST_CASE("experiment critical_strain at 0.01") { check_experiment("critical_strain/strain_01.yaml"); }
 TEST_CASE("experiment critical_strain at 0.03") { check_experiment("critical_strain/strain_03.yaml"); }
 TEST_CASE("experiment critical_strain at 0.05") { check_experiment("critical_strain/strain_05.yaml"); }
