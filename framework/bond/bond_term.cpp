@@ -31,6 +31,22 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
          across * (Mat3::Identity() - n * n.transpose());
 }
 
+// B_v^T H B_w with B_v = c_v I + v_v n^T, of a place's corners c_v I.
+void write_blocks(const Bond& bond, const Mat3& h, double* out) {
+  const Vec3& n = bond.normal;
+  std::array<Vec3, 3> bent;  // H v_j
+  for (int j = 0; j < 3; ++j) bent[j] = h * bond.turns[j];
+  for (int v = 0; v < bond.count(); ++v)
+    for (int w = 0; w <= v; ++w, out += 9) {
+      Eigen::Map<Mat3> block{out};
+      block = bond.c[v] * bond.c[w] * h;
+      const int j = v - bond.leading, k = w - bond.leading;
+      if (j >= 0) block += bond.c[w] * n * bent[j].transpose();
+      if (k >= 0) block += bond.c[v] * bent[k] * n.transpose();
+      if (k >= 0) block += bond.turns[j].dot(bent[k]) * n * n.transpose();
+    }
+}
+
 // Where surfaces are closer than as they bonded, the barrier acts along the normal.
 void shut(BondSample& s) { s.by_d = s.by_dd = s.by_ds = 0; }
 
@@ -44,6 +60,7 @@ void BondTerm::remember(const History& history) {
   begun_ = remembered_.read(history);
   system_.hold_sides(remembered_.pairs());
   list_ = remembered_;
+  framed_ = false;
   make_blocks();
 }
 
@@ -119,15 +136,28 @@ void BondTerm::lag(const VecX& x) {
     make_bonds(x);
     make_blocks();
   }
-  const std::vector<Triangle>& triangles = system_.surface().mesh.triangles;
-  for_each(list_.size(), [&](int i) {
-    Bond& b = list_.bonds()[i];
-    const auto [t0, t1, t2] = corners(x, triangles[b.anchor]);
-    b.normal = b.side * (t1 - t0).cross(t2 - t0).normalized();
-  });
+  hold_frames(x);
+}
+
+void BondTerm::hold_frames(const VecX& x) const {
+  framed_ = true;
+  for_each(list_.size(), [&](int i) { hold_frame(list_.bonds()[i], x); });
+}
+
+// Between steps everything is asked for where the state is, and frames are those of there.
+void BondTerm::frame_at(const VecX& x) const {
+  if (!framed_) hold_frames(x);
+}
+
+std::vector<Opening> BondTerm::openings(const VecX& x) const {
+  frame_at(x);
+  std::vector<Opening> openings;
+  for (const Bond& b : list_.bonds()) openings.push_back(opening_of(b, x));
+  return openings;
 }
 
 double BondTerm::value(const VecX& x) const {
+  frame_at(x);
   return sum_chunks(static_cast<int>(blocks_.size()), [&](int begin, int end) {
     double sum = 0;
     for (int k = begin; k < end; ++k) {
@@ -151,6 +181,7 @@ std::vector<StencilBatch> BondTerm::batches() const {
 }
 
 void BondTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  frame_at(x);
   const size_t fours = batch_vertices_[0].size() / 4;
   const auto slot = [&](size_t i, size_t of_four, size_t of_six) { return i < fours ? of_four * i : of_four * fours + of_six * (i - fours); };
   for_each(static_cast<int>(blocks_.size()), [&](int k) {
@@ -172,12 +203,13 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
       const int n = bond.count();
       const Vec3 slope = bond.area * traction(sample, bond, o);
       double* g = gradient + slot(i, 3 * 4, 3 * 6);
-      for (int v = 0; v < n; ++v, g += 3) Eigen::Map<Vec3>{g} = bond.c[v] * slope;
+      for (int v = 0; v < n; ++v, g += 3) {
+        Eigen::Map<Vec3> gradient_of{g};
+        gradient_of = bond.c[v] * slope;
+        if (v >= bond.leading) gradient_of += bond.turns[v - bond.leading].dot(slope) * bond.normal;
+      }
       if (!hessian) continue;
-      const Mat3 block = bond.area * curvature(sample, bond, o, projection);
-      double* out = hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6));
-      for (int v = 0; v < n; ++v)
-        for (int w = 0; w <= v; ++w, out += 9) Eigen::Map<Mat3>{out} = bond.c[v] * bond.c[w] * block;
+      write_blocks(bond, bond.area * curvature(sample, bond, o, projection), hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6)));
     }
   });
 }
@@ -220,6 +252,7 @@ void BondTerm::commit(const VecX& x, History& history) const {
 }
 
 std::vector<Vec3> BondTerm::pulls(const VecX& x) const {
+  frame_at(x);
   std::vector<Vec3> pulls(list_.size());
   for_each(list_.size(), [&](int i) {
     const Bond& bond = list_.bonds()[i];
@@ -238,7 +271,10 @@ VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> onl
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (only && !b.between(only->a, only->b)) continue;
-    for (int i = 0; i < b.count(); ++i) vertex(force, b.vertices[i]) += b.c[i] * pulled[k];
+    for (int i = 0; i < b.count(); ++i) {
+      vertex(force, b.vertices[i]) += b.c[i] * pulled[k];
+      if (i >= b.leading) vertex(force, b.vertices[i]) += b.turns[i - b.leading].dot(pulled[k]) * b.normal;
+    }
   }
   return force;
 }

@@ -1,5 +1,6 @@
 // The potential of bonds, P = sum_k w_k phi(d_k, |u_k|^2; m_k, h) (bond.hpp, bond_law.hpp), with
-//     gradient by x_i:  w c_i f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w c_i c_j H,
+//     gradient by x_i:  w B_i^T f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w B_i^T H B_j,
+//     B_i = c_i I, of the anchor's corners c_j I + v_j n^T,
 //     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
 // which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. Where d < 0 the barrier acts, and bonds
 // resist slip alone. One term for both directions: what one does to the memory counts for the other.
@@ -20,7 +21,7 @@ class BondTerm : public Term {
 
   void remember(const History& history) override;
   void begin_step(const StepStart& start) override;
-  bool lags() const override { return true; }  // normals, and at the start of a step the bonds
+  bool lags() const override { return true; }  // frames, and at the start of a step the bonds
   void lag(const VecX& x) override;
   void commit(const VecX& x, History& history) const override;
 
@@ -44,6 +45,8 @@ class BondTerm : public Term {
   Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
 
   const BondList& list() const { return list_; }
+  // Of each bond of the list.
+  std::vector<Opening> openings(const VecX& x) const;
   // The rules by which bonds are made at the start of a run and none was, of its first step.
   const std::vector<int>& unbonded() const { return unbonded_; }
   const BondTable& table() const { return table_; }
@@ -57,6 +60,8 @@ class BondTerm : public Term {
   };
   static constexpr int most_in_block = 32;
   void make_blocks();
+  void hold_frames(const VecX& x) const;
+  void frame_at(const VecX& x) const;
   void make_bonds(const VecX& x);
   BondPlace place_of(const Bond& bond, const VecX& x) const;
   struct Changes {
@@ -67,7 +72,9 @@ class BondTerm : public Term {
   ContactSystem& system_;
   const ContactTerm& normal_;
   BondTable table_;
-  BondList list_, remembered_;
+  mutable BondList list_;  // frames are taken when they are first needed
+  mutable bool framed_ = false;
+  BondList remembered_;
   bool begun_ = false;   // the run has: bonds of the start are made
   bool begins_ = false;  // a step
   double h_ = 0;  // 0 between steps

@@ -41,12 +41,13 @@ class BondsProbe : public Probe {
   }
   std::vector<double> sample(const World& world, const State& state) override {
     const BondTerm& bonds = *world.bonds;
+    const std::vector<Opening> openings = bonds.openings(state.x);
     double count = 0, area = 0, intact = 0, opened = 0, slipped = 0, least = 1;
     for (int i = 0; i < bonds.list().size(); ++i) {
       const Bond& bond = bonds.list().bonds()[i];
       if (!bond.between(a_, b_)) continue;
       const double intensity = bonds.intensity(i);
-      const Opening o = opening_of(bond, state.x);
+      const Opening& o = openings[i];
       ++count;
       area += bond.area;
       intact += bond.area * intensity;

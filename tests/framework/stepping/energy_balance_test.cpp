@@ -59,7 +59,7 @@ const std::string driven =
     "  - {name: pad, shape: {type: box, size: [0.05, 0.02, 0.05]}, place: {translate: [0, 0.0105, 0.12]},\n"
     "     energies: [{type: neo_hookean, young: 1e5}], loads: [{type: body_force, value: [2, 0, 0]}]}\n"
     "contact:\n  distance: 1 mm\n"
-    "  pairs: [{between: [pad, floor], adhesion: {type: rcc, normal_stiffness: 1e7, tangential_stiffness: 1e6, work_of_adhesion: 1, healing: 1}},\n"
+    "  pairs: [{between: [pad, floor], adhesion: {type: rcc, normal_stiffness: 1e7, tangential_stiffness: 1e6, work_of_adhesion: 1, healing: 0.01, intensity: 0.2}},\n"
     "          {between: [block, floor], friction: {mu: 0.4}, adhesion: {type: fang, peak_traction: 1 kPa},\n"
     "           tangential_adhesion: {mu: 0.5, eps_a: 0.5}}]\n";
 
