@@ -71,6 +71,7 @@ TEST_CASE("experiment laws/xu_needleman_coupled") { check_experiment("laws/xu_ne
 TEST_CASE("experiment laws/slope_bonded") { check_experiment("laws/slope_bonded.yaml"); }
 TEST_CASE("experiment laws/healing") { check_experiment("laws/healing.yaml"); }
 TEST_CASE("experiment laws/cantilevers") { check_experiment("laws/cantilevers.yaml"); }
+TEST_CASE("experiment laws/rcc_against_fang") { check_experiment("laws/rcc_against_fang.yaml"); }
 TEST_CASE("experiment laws/t_peel") { check_experiment("laws/t_peel.yaml"); }
 TEST_CASE("experiment critical_strain at 0.01") { check_experiment("critical_strain/strain_01.yaml"); }
 TEST_CASE("experiment critical_strain at 0.03") { check_experiment("critical_strain/strain_03.yaml"); }
