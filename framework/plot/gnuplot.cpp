@@ -30,17 +30,23 @@ constexpr double label_distance = 0.05;  // of the picture's height
 constexpr double near_right = 0.85;      // where a curve that is named at its end has to end
 constexpr size_t longest_label = 34;     // characters
 constexpr double most_without_decades = 80;  // largest over smallest number of a logarithmic axis, with its margins
-constexpr size_t most_beside = 16, longest_of_three = 16;                   // of a legend; characters
+constexpr size_t most_beside = 16;                                            // names of a legend
+constexpr size_t longest_beside = 34, longest_of_two = 46, longest_of_three = 16;  // characters: beside the picture, and in rows below it
 constexpr int plain_height = 480, row_height = 20, axis_height = 64;  // pixels; the last of ticks and label
 
+// Control characters have no place in a picture.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
 // In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
-// as well: what follows would be run. Control characters have no place in a picture anyway.
+// as well: what follows would be run. A quote is joined on as a string of its own: doubled, as gnuplot has it, it is misread where a
+// text begins with one.
 std::string in_quotes(const std::string& text) {
   std::string out = "'";
-  for (const char c : text) {
-    const bool control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    out += c == '\'' ? std::string("''") : std::string(1, control ? ' ' : c);
-  }
+  for (const char c : printable(text)) out += c == '\'' ? std::string(R"('."'".')") : std::string(1, c);
   return out + "'";
 }
 
@@ -163,10 +169,12 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
       out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", in_quotes(shortened(s.curves[i].title)),
                          (*labels)[i], colours[i % colours.size()]);
   } else {
-    const bool beside = s.curves.size() <= most_beside;
+    size_t whole = 0;
+    for (const Curve& c : s.curves) whole = std::max(whole, c.title.size());
+    const bool beside = s.curves.size() <= most_beside && whole <= longest_beside;
     out += s.curves.size() < 2 ? "unset key\n" : beside ? "set key outside right noenhanced samplen 3\n" : "";
-    if (!beside) {  // between the axis and the notes
-      const size_t in_a_row = longest > longest_of_three ? 2 : 3, rows = (s.curves.size() + in_a_row - 1) / in_a_row;
+    if (!beside && s.curves.size() > 1) {  // between the axis and the notes
+      const size_t in_a_row = whole > longest_of_two ? 1 : whole > longest_of_three ? 2 : 3, rows = (s.curves.size() + in_a_row - 1) / in_a_row;
       const int names = 10 + static_cast<int>(rows + plot.notes.size()) * row_height;
       below = names;
       out += fmt::format("set key at screen 0.02, screen {:.4f} left top Left reverse noenhanced samplen 3 maxrows {}\nset bmargin at screen {:.4f}\n",
@@ -203,10 +211,10 @@ std::string script_of(const StackedBars& bars, const std::string& name) {
   const AxisUnit up = bars.y_unit.empty() ? AxisUnit{} : axis_unit(highest, bars.y_unit);
   size_t longest = 0;
   for (size_t i = 0; i < bars.names.size(); ++i) {
-    std::string label = in_quotes(shortened(bars.names[i]));
+    std::string label = printable(shortened(bars.names[i]));
     std::replace(label.begin(), label.end(), '"', ' ');
     longest = std::max(longest, label.size());
-    out += fmt::format("\"{}\"", label.substr(1, label.size() - 2));
+    out += fmt::format("\"{}\"", label);
     for (const double h : bars.heights[i]) out += fmt::format(" {}", std::isfinite(h) ? h * up.factor : 0);
     out += "\n";
   }

@@ -17,7 +17,7 @@ const std::vector<std::string> hostile = {
     "x\nsystem(\"touch owned\")\n#",   "x'\nsystem 'touch owned'\n'", "x\r\n!touch owned\r\n",
     "x', 1 title system('touch owned') #", "`touch owned`",            "@system",
     "x\\\nsystem 'touch owned'",      "\"; system 'touch owned'; \"", "x' ; set print 'owned' ; print 1 ; #",
-    std::string("x\0\nsystem 'touch owned'\n", 25), "{/Symbol a}_b^c @d & <tag> %s", "\\"};
+    std::string("x\0\nsystem 'touch owned'\n", 25), "{/Symbol a}_b^c @d & <tag> %s", "\\", "'upper' - 'lower'", "'"};
 
 }  // namespace
 
