@@ -103,6 +103,11 @@ class PairTable {
     return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.covered; });
   }
 
+  // Whether any pair adheres by a law of the gap where it is covered, so that its rim pulls.
+  bool any_rim() const {
+    return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.covered && !role.bonds; });
+  }
+
   // Plain IPC sums instead: every close pair of primitives counts, no inclusion-exclusion.
   bool plain_sums = false;
 

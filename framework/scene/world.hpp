@@ -51,7 +51,7 @@ struct World {
   LoadTerm load_term;
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
-  std::unique_ptr<RimTerm> rim;            // null if no pair adheres by covered areas
+  std::unique_ptr<RimTerm> rim;            // null if no pair adheres by a law of the gap over covered areas
   std::unique_ptr<BondTerm> bonds;         // null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
