@@ -104,7 +104,6 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   const PlaneProjection at = project_onto_triangle(p, t0, t1, t2);
   const Vec3 n = (t1 - t0).cross(t2 - t0).normalized();
   bond.side = n.dot(p - t0) < 0 ? -1 : 1;
-  bond.normal = bond.side * n;
   for (int i = 0; i < bond.leading; ++i) {
     bond.vertices[i] = bond.leading == 1 ? site.vertex : mesh.triangles[site.triangle][i];
     bond.c[i] = site.inside[i];

@@ -220,34 +220,29 @@ BondPlace BondTerm::place_of(const Bond& bond, const VecX& x) const {
   return {std::max(o.d, 0.0), o.s, h_, std::max(0.0, -barrier.at(o.d + bond.rest).slope)};
 }
 
+BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memory) const {
+  memory.assign(list_.memory(bond), list_.memory(bond) + law_of(bond).width());
+  return law_of(bond).advance(place_of(list_.bonds()[bond], x), memory.data());
+}
+
 BondTerm::Changes BondTerm::changes(const VecX& x) const {
   Changes sum;
   std::vector<double> memory;
   for (int i = 0; i < list_.size(); ++i) {
-    const Bond& bond = list_.bonds()[i];
-    const BondLaw& law = *table_.rules()[bond.rule].law;
-    memory.assign(list_.memory(i), list_.memory(i) + law.width());
-    const BondChange change = law.advance(place_of(bond, x), memory.data());
-    sum.dissipated += bond.area * change.dissipated;
-    sum.healed += bond.area * change.healed;
+    const double area = list_.bonds()[i].area;
+    const BondChange change = advance(i, x, memory);
+    sum.dissipated += area * change.dissipated;
+    sum.healed += area * change.healed;
   }
   return sum;
 }
-
-double BondTerm::dissipated(const VecX& x) const { return changes(x).dissipated; }
-
-double BondTerm::healed(const VecX& x) const { return changes(x).healed; }
 
 void BondTerm::commit(const VecX& x, History& history) const {
   BondList kept(list_);
   kept.clear();
   std::vector<double> memory;
-  for (int i = 0; i < list_.size(); ++i) {
-    const Bond& bond = list_.bonds()[i];
-    const BondLaw& law = *table_.rules()[bond.rule].law;
-    memory.assign(list_.memory(i), list_.memory(i) + law.width());
-    if (!law.advance(place_of(bond, x), memory.data()).gone) kept.add(bond, memory.data());
-  }
+  for (int i = 0; i < list_.size(); ++i)
+    if (!advance(i, x, memory).gone) kept.add(list_.bonds()[i], memory.data());
   kept.write(history);
 }
 

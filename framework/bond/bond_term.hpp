@@ -32,8 +32,11 @@ class BondTerm : public Term {
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
   // Of the step to x: what debonding dissipates, and what healing takes from what is stored (below zero: puts in) [J].
-  double dissipated(const VecX& x) const override;
-  double healed(const VecX& x) const;
+  struct Changes {
+    double dissipated = 0, healed = 0;
+  };
+  Changes changes(const VecX& x) const;
+  double dissipated(const VecX& x) const override { return changes(x).dissipated; }
 
   // The force of each bond of the list on its place; on the anchor acts the opposite [N].
   std::vector<Vec3> pulls(const VecX& x) const;
@@ -64,10 +67,8 @@ class BondTerm : public Term {
   void frame_at(const VecX& x) const;
   void make_bonds(const VecX& x);
   BondPlace place_of(const Bond& bond, const VecX& x) const;
-  struct Changes {
-    double dissipated = 0, healed = 0;
-  };
-  Changes changes(const VecX& x) const;
+  // What the step to x makes of a bond and, in its place, of its memory.
+  BondChange advance(int bond, const VecX& x, std::vector<double>& memory) const;
 
   ContactSystem& system_;
   const ContactTerm& normal_;

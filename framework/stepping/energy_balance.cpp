@@ -89,8 +89,9 @@ void EnergyBalance::end(const VecX& x) {
     taken_.adhesion = world_.friction->dissipated(x, TangentialPart::adhesion);
   }
   if (world_.bonds) {
-    taken_.adhesion += world_.bonds->dissipated(x);
-    taken_.healing = -world_.bonds->healed(x);
+    const BondTerm::Changes changes = world_.bonds->changes(x);
+    taken_.adhesion += changes.dissipated;
+    taken_.healing = -changes.healed;
   }
   if (world_.rim) taken_.rim = -world_.rim->value(x);
   for (const auto& term : world_.elastic_terms) taken_.plastic += term->dissipated(x);

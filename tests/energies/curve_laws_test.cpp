@@ -7,25 +7,13 @@
 
 #include "framework/contact/normal_law.hpp"
 #include "framework/scene/law_check.hpp"
-#include "tests/framework/config/toy.hpp"
-#include "tests/support/component_variants.hpp"
+#include "tests/support/gap_law.hpp"
 #include "tests/support/program.hpp"
 
 using namespace tack;
 using Catch::Contains;
-using toy::message_of;
 
 namespace {
-
-std::unique_ptr<NormalAdhesion> law_of(const std::string& yaml, double contact_distance = 1e-6) {
-  std::unique_ptr<NormalAdhesion> law(dynamic_cast<NormalAdhesion*>(component<AdhesionLaw>(yaml).release()));
-  REQUIRE(law);
-  law->prepare({.contact_distance = contact_distance});
-  return law;
-}
-std::string error_of(const std::string& yaml, double contact_distance = 1e-6) {
-  return message_of([&] { law_of(yaml, contact_distance); });
-}
 
 void check_silent(const NormalAdhesion& law) {
   const LawCheck check = check_law(law);

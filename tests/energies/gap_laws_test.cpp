@@ -5,25 +5,13 @@
 
 #include "framework/contact/normal_law.hpp"
 #include "framework/scene/law_check.hpp"
-#include "tests/framework/config/toy.hpp"
-#include "tests/support/component_variants.hpp"
+#include "tests/support/gap_law.hpp"
 
 using namespace tack;
 using Catch::Contains;
 using std::numbers::e;
-using toy::message_of;
 
 namespace {
-
-std::unique_ptr<NormalAdhesion> law_of(const std::string& yaml, double contact_distance = 1e-6) {
-  std::unique_ptr<NormalAdhesion> law(dynamic_cast<NormalAdhesion*>(component<AdhesionLaw>(yaml).release()));
-  REQUIRE(law);
-  law->prepare({.contact_distance = contact_distance});
-  return law;
-}
-std::string error_of(const std::string& yaml, double contact_distance = 1e-6) {
-  return message_of([&] { law_of(yaml, contact_distance); });
-}
 
 // The largest traction and the work, found by evaluation alone: a fine scan, then a finer one around its best.
 struct Measured {
