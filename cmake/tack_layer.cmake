@@ -50,7 +50,7 @@ endfunction()
 # a folder are compiled together, as what they instantiate is mostly the same. Of inline functions that are not inlined the linker keeps the
 # first copy for all: hot objects are linked before cold ones.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
-set(TACK_COLD_FOLDERS framework/config framework/plugin framework/shapes framework/level_set framework/meshing framework/scene framework/output
+set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/scene framework/output
     framework/experiment framework/probes framework/compare framework/plot framework/law framework/batch framework/profile framework/run framework/report
     framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)

@@ -22,9 +22,28 @@ std::optional<double> optional(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional<double>(json.get<double>());
 }
 
+Json json_of(const std::optional<Quantity>& bound) { return bound ? Json(bound->si) : Json(); }
+
+std::optional<Quantity> bound_of(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Quantity{json.get<double>(), ""};
+}
+
+Json json_of(const MeasuredData& d) {
+  return {{"file", d.file}, {"x_column", d.x_column}, {"y_column", d.y_column}, {"from", json_of(d.from)}, {"to", json_of(d.to)},
+          {"relative_to_peak", d.scale == DeviationScale::peak}};
+}
+
+MeasuredData data_of(const Json& json) {
+  const DeviationScale scale = json.at("relative_to_peak") ? DeviationScale::peak : DeviationScale::point;
+  return {json.at("file"), json.at("x_column"), json.at("y_column"), bound_of(json.at("from")), bound_of(json.at("to")), scale};
+}
+
 Json json_of(const BatchStatistic& s) {
   const StatisticQuery q = s.resolved();
-  return {{"name", s.column()}, {"probe", q.probe}, {"statistic", to_string(q.statistic)}, {"along", q.along}, {"where", q.where}, {"over", q.over}};
+  Json json{{"name", s.column()}, {"probe", q.probe}, {"statistic", to_string(q.statistic)}, {"along", q.along}, {"where", q.where}, {"over", q.over}};
+  if (q.follows) json["follows"] = json_of(*q.follows);
+  return json;
 }
 
 BatchStatistic statistic_of(const Json& json) {
@@ -34,8 +53,8 @@ BatchStatistic statistic_of(const Json& json) {
   s.query.along = json.at("along");
   s.query.where = json.at("where");
   s.query.over = json.at("over").get<std::vector<double>>();
-  using enum Statistic;
-  for (const Statistic statistic : {final, mean, max, min, peak, integral, at})
+  if (const auto follows = json.find("follows"); follows != json.end()) s.query.follows = data_of(*follows);
+  for (const Statistic statistic : all_statistics)
     if (to_string(statistic) == json.at("statistic")) s.query.statistic = statistic;
   return s;
 }

@@ -106,7 +106,7 @@ Unit unit_of(const std::string& column, const std::vector<std::string>& columns,
 void check_units(const Expectation& e, const std::vector<std::string>& columns, const std::vector<Unit>& units) {
   const Unit probe = unit_of(e.query.probe, columns, units), along = unit_of(e.query.along, columns, units);
   const std::string si = unit_of(e.query.statistic, probe, along);
-  const Unit unit{si, e.query.statistic == Statistic::integral ? "integral" : probe.quantity};
+  const Unit unit{si, e.query.statistic == Statistic::integral ? "integral" : of_measured(e.query.statistic) ? "number" : probe.quantity};
   const auto check = [&](const char* key, const auto& test) {
     try {
       test();
@@ -118,6 +118,11 @@ void check_units(const Expectation& e, const std::vector<std::string>& columns, 
   check("at_least", [&] { if (e.at_least) e.at_least->check(unit); });
   check("at_most", [&] { if (e.at_most) e.at_most->check(unit); });
   check("where", [&] { if (e.where) e.where->check(along); });
+  if (const auto& data = e.query.follows) {
+    check("from", [&] { if (data->from) data->from->check(along); });
+    check("to", [&] { if (data->to) data->to->check(along); });
+    check("follows", [&] { data->read(e.query.along, along, e.query.probe, probe); });
+  }
   const bool absolute = e.within.is_scalar() && e.within.text.find('%') == std::string::npos;
   check("within", [&] { if (absolute) to_si(e.within.text, unit); });
 }
@@ -135,7 +140,7 @@ ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& se
   result.value = found.value;
   result.pass = accepted(result);
   const std::string is =
-      found.problem.empty() ? fmt::format("is {:.6g}", found.value) : found.problem;
+      !found.problem.empty() ? found.problem : found.detail.empty() ? fmt::format("is {:.6g}", found.value) : fmt::format("is {:.6g} ({})", found.value, found.detail);
   result.text = fmt::format("{}, expected {}", is, criterion_text(result));
   return result;
 }

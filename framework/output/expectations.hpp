@@ -4,6 +4,7 @@
 //     - {probe: gap, statistic: min, at_least: 0}
 //     - {probe: force, statistic: integral, along: gap, target: 0.02, within: 0.001}
 //     - {probe: force, statistic: at, along: gap, where: 0.001, at_least: 1, at_most: 2}
+//     - {probe: force, statistic: deviation, along: opening, follows: {file: load.csv, from: 5 mm}, at_most: 10%}
 // Numbers may carry a unit of the probe's kind (`target: 12 mN`), of the product of both for an integral; plain
 // ones are SI. Either a target with its tolerance, or bounds; both bounds and tolerance include their ends.
 #pragma once
@@ -48,7 +49,7 @@ double tolerance_of(const Value& within, double target);
 void check_columns(const Expectation& expectation, const std::vector<std::string>& columns);
 
 // Throws InputError, naming the expectation and the key, for a number whose unit is not of the kind of its
-// column, or of the product of both for an integral. `units`: of each of `columns`.
+// column, or of the product of both for an integral; also for measured data that cannot be read. `units`: of each of `columns`.
 void check_units(const Expectation& expectation, const std::vector<std::string>& columns,
                  const std::vector<Unit>& units);
 

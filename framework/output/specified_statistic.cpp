@@ -1,5 +1,7 @@
 #include "framework/output/specified_statistic.hpp"
 
+#include <fmt/format.h>
+
 namespace tack {
 namespace {
 
@@ -17,9 +19,16 @@ std::string check_abscissa(const SpecifiedStatistic& e) {
 
 std::string check_along(const SpecifiedStatistic& e) {
   const Statistic s = e.query.statistic;
-  const bool used = s == Statistic::at || s == Statistic::integral;
+  const bool used = s == Statistic::at || s == Statistic::integral || of_measured(s);
   if (used || e.query.along == "time") return "";
-  return "only the statistics 'integral' and 'at' use it; remove it or change the statistic";
+  return "only the statistics 'integral' and 'at', and deviations, use it; remove it or change the statistic";
+}
+
+std::string check_data(const SpecifiedStatistic& e) {
+  const Statistic s = e.query.statistic;
+  if (of_measured(s) && !e.query.follows) return fmt::format("statistic '{}' needs follows, the measured curve: {{file: load.csv}}, say", to_string(s));
+  if (!of_measured(s) && e.query.follows) return "only 'deviation', 'rms_deviation' and 'worst_deviation' use it; remove it or change the statistic";
+  return "";
 }
 
 std::vector<Choice<Statistic>> statistics() {
@@ -30,7 +39,10 @@ std::vector<Choice<Statistic>> statistics() {
           {"min", min, "the smallest sample"},
           {"peak", peak, "the largest absolute value"},
           {"integral", integral, "the integral along a column, by the trapezoidal rule"},
-          {"at", at, "the value where the column `along` first passes `where`"}};
+          {"at", at, "the value where the column `along` first passes `where`"},
+          {"deviation", deviation, "how far it is from the measured curve `follows`, as a part of that: the average of its points, 0.1 for 10%"},
+          {"rms_deviation", rms_deviation, "likewise, the root of the mean square"},
+          {"worst_deviation", worst_deviation, "likewise, the largest"}};
 }
 
 }  // namespace
@@ -39,11 +51,13 @@ void SpecifiedStatistic::fields(Fields& f) {
   f.text("probe", query.probe, "column of probes.csv").required();
   f.choice("statistic", query.statistic, statistics(), "the number that is compared").required();
   f.numbers("over", query.over, units::time, "first and last time that count; empty for all");
-  f.text("along", query.along, "column to integrate over, or in which to find `where`");
+  f.text("along", query.along, "column to integrate over, in which to find `where`, or over which data were measured");
   f.optional_quantity("where", where, "value of the column `along`, for 'at', in a unit of that column's kind");
+  f.optional_object("follows", query.follows, "the measured curve that deviations are from; its abscissa is the column `along`");
   f.check("over", [this] { return check_window(query.over); });
   f.check("along", [this] { return check_along(*this); });
   f.check("where", [this] { return check_abscissa(*this); });
+  f.check("follows", [this] { return check_data(*this); });
 }
 
 StatisticQuery SpecifiedStatistic::resolved() const {

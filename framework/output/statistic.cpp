@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <numeric>
 #include <optional>
 
 #include "framework/config/nearest.hpp"
+#include "framework/measured/follow.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -50,8 +52,7 @@ Samples samples_of(const StatisticQuery& query, const ProbeSeries& series) {
 // Why there is no statistic of these samples; "" if there is one.
 std::string problem_with(const Samples& samples, const StatisticQuery& query) {
   if (samples.size() == 0) return "there are no samples";
-  const bool along_matters =
-      query.statistic == Statistic::integral || query.statistic == Statistic::at;
+  const bool along_matters = query.statistic == Statistic::integral || query.statistic == Statistic::at || of_measured(query.statistic);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (std::isnan(samples.t[i])) return "a sample has no time";
     const bool bad_abscissa = along_matters && std::isnan(samples.s[i]);
@@ -108,6 +109,32 @@ StatisticValue at(const Samples& samples, const StatisticQuery& query) {
                               query.along, query.where, *low, *high));
 }
 
+std::string not_covered(const Followed& f, const Samples& samples, const StatisticQuery& query) {
+  const auto [low, high] = std::minmax_element(samples.s.begin(), samples.s.end());
+  const auto missed = std::count_if(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); });
+  const size_t first = static_cast<size_t>(std::find_if(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); }) - f.run.begin());
+  const bool beyond = f.curve.x[first] < *low || f.curve.x[first] > *high;
+  return fmt::format("{} of {} measured points are not passed, the first at {} ({} = {:.6g}): {} goes from {:.6g} to {:.6g}{}", missed, f.run.size(), f.curve.place(first),
+                     query.along, f.curve.x[first], query.along, *low, *high,
+                     beyond ? "; simulate more, or let from and to leave them out" : ", and turns back; the data have to be in the order in which they were measured");
+}
+
+Followed followed_by(const StatisticQuery& query, const Samples& samples) {
+  MeasuredCurve curve = query.follows->read(query.along, units::any, query.probe, units::any);
+  std::vector<double> run = follow(curve.x, samples.s, samples.p);
+  return {std::move(curve), std::move(run)};
+}
+
+StatisticValue deviation(const StatisticQuery& query, const Samples& samples) {
+  const Followed f = followed_by(query, samples);
+  if (std::any_of(f.run.begin(), f.run.end(), [](double y) { return std::isnan(y); })) return no_value(not_covered(f, samples, query));
+  const Deviation d = deviation_of(f.curve, f.run, query.follows->scale);
+  if (!std::isfinite(d.worst))
+    return no_value(fmt::format("the measured {} at {} is 0, and no deviation is a part of it; say `relative_to: peak`", query.probe, f.curve.place(d.worst_at)));
+  const double value = query.statistic == Statistic::deviation ? d.mean : query.statistic == Statistic::rms_deviation ? d.rms : d.worst;
+  return {value, "", fmt::format("{} points, on average {:+.2f}%, worst {:.2f}% at {} = {:.6g}", d.compared, 100 * d.bias, 100 * d.worst, query.along, f.curve.x[d.worst_at])};
+}
+
 StatisticValue compute(const Samples& samples, const StatisticQuery& query) {
   switch (query.statistic) {
     case Statistic::final:
@@ -124,6 +151,10 @@ StatisticValue compute(const Samples& samples, const StatisticQuery& query) {
       return {trapezoids(samples.s, samples.p), ""};
     case Statistic::at:
       return at(samples, query);
+    case Statistic::deviation:
+    case Statistic::rms_deviation:
+    case Statistic::worst_deviation:
+      return deviation(query, samples);
   }
   return no_value("unknown statistic");
 }
@@ -146,11 +177,22 @@ std::string_view to_string(Statistic statistic) {
       return "integral";
     case Statistic::at:
       return "at";
+    case Statistic::deviation:
+      return "deviation";
+    case Statistic::rms_deviation:
+      return "rms_deviation";
+    case Statistic::worst_deviation:
+      return "worst_deviation";
   }
   return "";
 }
 
+bool of_measured(Statistic statistic) {
+  return statistic == Statistic::deviation || statistic == Statistic::rms_deviation || statistic == Statistic::worst_deviation;
+}
+
 std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along) {
+  if (of_measured(statistic)) return std::string(units::none.si);
   return statistic == Statistic::integral ? product_unit(probe, along) : std::string(probe.si);
 }
 
@@ -159,11 +201,20 @@ StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series) 
   if (std::string problem = problem_with(samples, query); !problem.empty()) {
     return no_value(std::move(problem));
   }
-  StatisticValue result = compute(samples, query);
+  StatisticValue result{};
+  try {
+    result = compute(samples, query);
+  } catch (const InputError& error) {  // a file of data that has gone since the run began
+    return no_value(error.what());
+  }
   if (result.problem.empty() && !std::isfinite(result.value)) {
     return no_value(fmt::format("the {} is not finite", to_string(query.statistic)));
   }
   return result;
+}
+
+Followed followed(const StatisticQuery& query, const ProbeSeries& series) {
+  return followed_by(query, samples_of(query, series));
 }
 
 std::string description(const StatisticQuery& query) {
@@ -171,6 +222,7 @@ std::string description(const StatisticQuery& query) {
   if (query.statistic == Statistic::integral && query.along != "time") {
     text += " along " + query.along;
   }
+  if (query.follows) text += fmt::format(" from {} along {}", std::filesystem::path(query.follows->file).filename().string(), query.along);
   if (query.statistic == Statistic::at) text += fmt::format(" {} = {}", query.along, query.where);
   if (query.over.size() == 2) {
     text += fmt::format(" from {} s to {} s", query.over[0], query.over[1]);

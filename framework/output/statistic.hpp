@@ -8,34 +8,44 @@
 //   peak      largest absolute value
 //   integral  int p ds by the trapezoidal rule (work: a force along a displacement)
 //   at        p where s first passes a given number, linear in between
+//   deviation, rms_deviation, worst_deviation
+//             how far p over s is from a measured curve (framework/measured): a part of the measured numbers, as an average, a root
+//             mean square, the largest; every point that counts has to be passed by the run
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "framework/config/units.hpp"
+#include "framework/measured/measured_data.hpp"
 #include "framework/output/probes_csv.hpp"
 
 namespace tack {
 
-enum class Statistic { final, mean, max, min, peak, integral, at };
+enum class Statistic { final, mean, max, min, peak, integral, at, deviation, rms_deviation, worst_deviation };
+inline constexpr Statistic all_statistics[] = {Statistic::final,    Statistic::mean, Statistic::max,       Statistic::min,           Statistic::peak,
+                                               Statistic::integral, Statistic::at,   Statistic::deviation, Statistic::rms_deviation, Statistic::worst_deviation};
 
 std::string_view to_string(Statistic statistic);
+bool of_measured(Statistic statistic);  // one of the deviations
 
 struct StatisticQuery {
   Statistic statistic = Statistic::final;
   std::string probe;
-  std::string along = "time";  // the column s, for integral and at
+  std::string along = "time";  // the column s, for integral, at and deviations
   double where = 0;            // the value of s, for at
   std::vector<double> over;    // {t0, t1} [s]; empty: all samples
+  std::optional<MeasuredData> follows = {};  // for deviations
 };
 
 // NaN and the reason in `problem` if there is no such number: no samples, a sample that is not a
-// number, an abscissa that never reaches the value, a result that is not finite.
+// number, an abscissa that never reaches the value, measured data that cannot be read or that the run does not cover, a result that is not finite.
 struct StatisticValue {
   double value;
   std::string problem;
+  std::string detail = {};  // of deviations: how many points, and where it is worst
 };
 
 // The SI unit of a statistic of a column, along another, that have those.
@@ -43,6 +53,14 @@ std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along);
 
 // Throws InputError, with the nearest name, if the series lacks a column.
 StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series);
+
+// A run beside its data, for each point of them; `run` is NaN where it never gets there.
+struct Followed {
+  MeasuredCurve curve;
+  std::vector<double> run;
+};
+// Of a query that follows data. Throws InputError for data that cannot be read.
+Followed followed(const StatisticQuery& query, const ProbeSeries& series);
 
 // "peel_force: mean from 0.5 s to 1.2 s", "force: integral along gap".
 std::string description(const StatisticQuery& query);

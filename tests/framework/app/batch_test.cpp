@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "framework/output/csv.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/tiny_scene.hpp"
@@ -304,6 +305,22 @@ TEST_CASE("the table is made again from the folder alone", "[batch]") {
   const ProgramResult nothing = run_tack(files.path, {"batch", "--collect", "."});
   CHECK(nothing.exit_code == 2);
   CHECK(contains(nothing.err, "holds no batch"));
+}
+
+TEST_CASE("a column may be how far cases are from a measured curve", "[batch]") {
+  const Files files(steps_batch + "statistics: [{name: off, probe: height, statistic: deviation, along: time, follows: {file: height.csv, to: 0.15 s, relative_to: peak}}]\n");
+  write_file(files.path / "height.csv", "time [s], height [mm]\n0.05, 50\n0.1, 200\n0.2, 300\n");
+  const ProgramResult result = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--set", "vary.0.keys={time.step: [0.01 s]}"});
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const CsvTexts table = read_csv_texts(files.path / "b" / "results.csv");
+  const auto off = std::find(table.columns.begin(), table.columns.end(), "off") - table.columns.begin();
+  REQUIRE(off < static_cast<long>(table.columns.size()));
+  CHECK(csv_number(table.rows.at(0).at(static_cast<size_t>(off))).value() == Approx((0.05 + 0.1) / 0.4).epsilon(0.02));  // its centre lies at 0.1 m
+  const std::string text = file_text(files.path / "b" / "results.csv");
+  fs::remove(files.path / "b" / "results.csv");
+  CHECK(run_tack(files.path, {"batch", "--collect", "b"}).exit_code == 0);
+  CHECK(file_text(files.path / "b" / "results.csv") == text);
 }
 
 TEST_CASE("a dry run shows the plan and writes nothing", "[batch]") {

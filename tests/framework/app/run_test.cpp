@@ -284,6 +284,24 @@ TEST_CASE("option --steps stops early without judging the expectations") {
   CHECK(place.summary()["expect"].empty());
 }
 
+TEST_CASE("a run is held against measured data in a file beside its scene") {
+  const Place place(tiny_scene + "  - {name: data, probe: height, statistic: deviation, along: time, at_most: 5 %, follows: {file: data/height.csv}}\n");
+  const ProgramResult missing = place.run({});
+  CHECK(missing.exit_code == 2);
+  CHECK(contains(missing.err, "expectation 'data': follows: "));
+  CHECK(contains(missing.err, "height.csv"));
+  fs::create_directory(place.path("data"));
+  write_file(place.path("data/height.csv"), "# by eye\ntime [ms], height [mm]\n10, 100\n40, 110\n");
+  const ProgramResult off = place.run({});
+  CHECK(off.exit_code == 0);
+  CHECK(contains(off.out, "pass  data"));
+  CHECK(contains(off.out, "2 points, on average -"));
+  CHECK(place.summary()["expect"][1]["value"].get<double>() == Approx(0.5 / 11).epsilon(0.02));
+  write_file(place.path("data/height.csv"), "time [ms], height [mm]\n10, 100\n60, 100\n");
+  CHECK(place.run({}).exit_code == 1);
+  CHECK(contains(place.summary()["expect"][1]["text"].get<std::string>(), "1 of 2 measured points are not passed"));
+}
+
 TEST_CASE("option --set replaces values, wherever it stands, and the resolved scene shows them") {
   const Place place;
   const Arguments set = {"--set", "time.step=5 ms", "--set", "objects.block.energies.0.young=2 MPa"};

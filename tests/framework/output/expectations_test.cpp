@@ -2,12 +2,14 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "framework/config/bind.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
 #include "geometry/errors.hpp"
+#include "tests/support/program.hpp"
 
 using namespace tack;
 
@@ -204,4 +206,74 @@ TEST_CASE("an expectation refuses what its statistic does not use") {
              Catch::Contains("t0 not above t1"));
   CHECK_THAT(bind_error("{probe: p, statistic: meen, at_most: 1}"),
              Catch::Contains("did you mean 'mean'"));
+}
+
+namespace {
+
+class Measured {
+ public:
+  explicit Measured(const std::string& text) { write_file(path(), text); }
+  std::string path() const { return (folder_.path() / "load.csv").string(); }
+  // p over q of a run: 0 at 0, 10 at 1, 0 at 3.
+  ExpectationResult judged(const std::string& statistic, const std::string& more = "") const {
+    const ProbeSeries run{{"time", "q", "p"}, {{0, 0, 0}, {1, 1, 10}, {2, 3, 0}}};
+    return evaluate(specified(statistic, more), run);
+  }
+  Expectation specified(const std::string& statistic, const std::string& more = "") const {
+    return expectation("{name: n, probe: p, statistic: " + statistic + ", along: q, at_most: 10%, follows: {file: " + path() + more + "}}");
+  }
+  void remove() const { std::filesystem::remove(path()); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("a run is held against a measured curve") {
+  const Measured file("q [mm], p [N]\n500, 5\n1000, 8\n2000, 5\n");
+  const ExpectationResult mean = file.judged("deviation");
+  CHECK(mean.value == Approx(0.25 / 3));
+  CHECK(mean.pass);
+  CHECK(mean.text == "is 0.0833333 (3 points, on average +8.33%, worst 25.00% at q = 1), expected at most 0.1");
+  CHECK(file.judged("rms_deviation").value == Approx(0.25 / std::sqrt(3)));
+  const ExpectationResult worst = file.judged("worst_deviation");
+  CHECK(worst.value == Approx(0.25));
+  CHECK_FALSE(worst.pass);
+  CHECK(file.judged("deviation", ", from: 1.5").value == 0);
+  CHECK(name_of(expectation("{probe: p, statistic: deviation, along: q, at_most: 1, follows: {file: /a/load.csv}}")) == "p: deviation from load.csv along q");
+}
+
+TEST_CASE("measured data that a run does not cover, or that are gone, are no deviation of zero") {
+  const Measured beyond("q [mm], p [N]\n500, 5\n3100, 0\n");
+  CHECK_FALSE(beyond.judged("deviation").pass);
+  CHECK_THAT(beyond.judged("deviation").text, Catch::Contains("1 of 2 measured points are not passed, the first at") && Catch::Contains("load.csv:3 (q = 3.1): q goes from 0 to 3"));
+  const Measured zero("q [mm], p [N]\n2500, 0\n500, 5\n");
+  CHECK_THAT(zero.judged("deviation").text, Catch::Contains("load.csv:2 is 0") && Catch::Contains("relative_to: peak"));
+  CHECK(zero.judged("deviation", ", relative_to: peak").value == Approx(0.25));
+  zero.remove();
+  CHECK_FALSE(zero.judged("deviation").pass);
+  CHECK_THAT(zero.judged("deviation").text, Catch::Contains("load.csv"));
+}
+
+TEST_CASE("measured data are checked before a run") {
+  const std::vector<std::string> columns = {"time", "q", "p"};
+  const std::vector<Unit> units = {units::time, units::length, units::force};
+  const auto error = [&](const Measured& file, const std::string& more = "") -> std::string {
+    try {
+      check_columns(file.specified("deviation", more), columns);
+      check_units(file.specified("deviation", more), columns, units);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  CHECK(error(Measured("q [mm], p [mN]\n5, 5\n"), ", from: 1 mm") == "");
+  CHECK_THAT(error(Measured("q [s], p [mN]\n5, 5\n")), Catch::Contains("expectation 'n': follows: ") && Catch::Contains("column 'q': expects a length"));
+  CHECK_THAT(error(Measured("q [mm], p [mN]\n5, 5\n"), ", from: 1 N"), Catch::Contains("expectation 'n': from: "));
+  const Measured gone("");
+  gone.remove();
+  CHECK_THAT(error(gone), Catch::Contains("load.csv"));
+  CHECK_THAT(bind_error("{probe: p, statistic: deviation, at_most: 1}"), Catch::Contains("needs follows"));
+  CHECK_THAT(bind_error("{probe: p, statistic: max, at_most: 1, follows: {file: a.csv}}"), Catch::Contains("only 'deviation'"));
 }

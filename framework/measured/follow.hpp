@@ -1,0 +1,15 @@
+// What a run has where a measured curve has its points: its samples (x, y) in the order of time, linear in between.
+//
+// Where the run's x never turns back, y is a function of x, and each point has the first passage of its x. Where it does (loading and unloading),
+// both are followed by time: a point takes the first passage, not before that of the point before, in the direction in which the data go.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace tack {
+
+// y of the run for each of `points`, the x of the data; NaN where the run never gets there. `x` and `y` are equally many.
+std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y);
+
+}  // namespace tack
