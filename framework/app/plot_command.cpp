@@ -94,10 +94,19 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
   }
   for (const auto& [name, what] : default_table_plots(table, batch.plan.columns, results_in(table))) pictures.draw(table_plot(table, what, batch.plan.units), name);
   std::vector<PlottedRun> runs;
+  std::map<std::string, PlottedRun> by_case;
   for (const BatchCase& one : batch.plan.cases)
-    if (fs::exists(folder.run(one.name) / "steps.csv"))
+    if (fs::exists(folder.run(one.name) / "steps.csv")) {
       runs.push_back(run_of(folder.run(one.name), batch.plan.columns.size() == 1 ? one.values.begin()->second : one.name));
+      by_case[one.name] = runs.back();
+    }
   pictures.draw_runs(runs);
+  for (const BatchPlot& what : batch.plan.plots) try {
+      if (what.bars.empty()) pictures.draw(curves_of(what, batch.plan, by_case), picture_name(what.name));
+      else pictures.draw(bars_of(what, batch.plan, table), picture_name(what.name));
+    } catch (const InputError& error) {
+      pictures.tell(error.what(), what.name);
+    }
   return pictures.exit_code();
 }
 

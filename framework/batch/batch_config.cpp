@@ -53,6 +53,7 @@ void BatchConfig::fields(Fields& f) {
   f.component_list("vary", vary, "what varies; with several entries, all combinations of them");
   f.list("statistics", statistics,
          "numbers of probes that results.csv has a column of; without any, final, min and max of all probes");
+  f.list("plots", plots, "pictures that `tack plot` draws of it besides its own");
   f.integer("threads", threads, "of a case").at_least(1);
   f.integer("jobs", jobs, "cases side by side; 0: as many as there are cores for").at_least(0);
   f.optional_number("memory", memory, units::none,
@@ -65,6 +66,13 @@ void BatchConfig::fields(Fields& f) {
     return "";
   });
   f.check("bases", [this] { return twice(all_bases(), "bases", [](const BatchBase& b) { return b.name; }); });
+  f.check("plots", [this]() -> std::string {
+    std::vector<std::string> names;
+    for (const BatchBase& b : all_bases()) names.push_back(b.name);
+    for (const BatchPlot& p : plots)
+      if (const std::string wrong = unknown_base(p, names); !wrong.empty()) return wrong;
+    return twice(plots, "plots", [](const BatchPlot& p) { return p.name; });
+  });
   f.check("statistics", [this]() -> std::string {
     for (const BatchStatistic& s : statistics)
       if (taken_column(s.column())) return fmt::format("results.csv has a column '{}' already; give this statistic another name", s.column());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/batch/batch_plots.hpp"
 #include "framework/batch/variation.hpp"
 #include "framework/output/specified_statistic.hpp"
 
@@ -40,6 +41,7 @@ struct BatchConfig {
   std::vector<std::string> set;
   std::vector<std::unique_ptr<const Variation>> vary;
   std::vector<BatchStatistic> statistics;
+  std::vector<BatchPlot> plots;  // further pictures of `tack plot`
   int threads = 1;                        // of a case
   int jobs = 0;                           // side by side; 0: as many as cores allow
   std::optional<double> memory;           // GB, of a case

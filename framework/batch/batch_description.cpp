@@ -59,6 +59,29 @@ BatchStatistic statistic_of(const Json& json) {
   return s;
 }
 
+Json json_of(const BatchPlot& p) {
+  Json json{{"name", p.name}, {"title", p.title}, {"x_label", p.x_label}, {"y_label", p.y_label}, {"curves", Json::array()}, {"bars", p.bars},
+            {"per", p.per}, {"bases", p.bases}, {"published", Json::array()}, {"source", p.source}};
+  for (const auto& c : p.curves) json["curves"].push_back({{"base", c.base}, {"x", c.x}, {"y", c.y}, {"title", c.title}});
+  for (const auto& n : p.published) json["published"].push_back({{"base", n.base}, {"value", n.value}});
+  return json;
+}
+
+BatchPlot plot_of(const Json& json) {
+  BatchPlot p;
+  p.name = json.at("name");
+  p.title = json.at("title");
+  p.x_label = json.at("x_label");
+  p.y_label = json.at("y_label");
+  p.bars = json.at("bars");
+  p.per = json.at("per");
+  p.source = json.at("source");
+  p.bases = json.at("bases").get<std::vector<std::string>>();
+  for (const Json& c : json.at("curves")) p.curves.push_back({c.at("base"), c.at("x"), c.at("y"), c.at("title")});
+  for (const Json& n : json.at("published")) p.published.push_back({n.at("base"), n.at("value")});
+  return p;
+}
+
 Json json_of(const BatchFolder& folder, const BatchPlan& plan, const BatchCase& one) {
   const CaseState state = state_of(folder, one);
   Json values = Json::object();
@@ -84,8 +107,9 @@ void write_description(const BatchFolder& folder, const BatchDescription& d) {
   Json json{{"name", d.plan.name}, {"about", d.plan.about}, {"file", d.file}, {"provenance", Json::parse(d.provenance)},
             {"threads", d.limits.threads}, {"jobs", d.limits.jobs}, {"memory", optional(d.limits.memory)},
             {"time_limit", optional(d.limits.time_limit)}, {"keys", d.plan.columns},
-            {"units", d.plan.units}, {"statistics", Json::array()}, {"cases", Json::array()}};
+            {"units", d.plan.units}, {"statistics", Json::array()}, {"plots", Json::array()}, {"cases", Json::array()}};
   for (const BatchStatistic& s : d.plan.statistics) json["statistics"].push_back(json_of(s));
+  for (const BatchPlot& p : d.plan.plots) json["plots"].push_back(json_of(p));
   for (const BatchCase& one : d.plan.cases) json["cases"].push_back(json_of(folder, d.plan, one));
   replace_file(folder.description(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
@@ -119,6 +143,7 @@ BatchDescription read_description(const BatchFolder& folder) {
     d.plan.columns = json.at("keys").get<std::vector<std::string>>();
     if (json.contains("units")) d.plan.units = json["units"].get<std::map<std::string, std::string>>();
     for (const Json& s : json.at("statistics")) d.plan.statistics.push_back(statistic_of(s));
+    for (const Json& p : json.value("plots", Json::array())) d.plan.plots.push_back(plot_of(p));
     for (const Json& c : json.at("cases")) {
       BatchCase one;
       one.name = c.at("name");

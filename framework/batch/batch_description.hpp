@@ -1,7 +1,7 @@
 // batch.json: what a batch is and was made with, and its cases, so that its table can be made again from its folder alone.
 //
 // Keys: name, about, file, provenance {...} (framework/output/provenance_json.hpp), threads, jobs, time_limit [s], memory [GB], keys [columns that vary], units {column: unit},
-// statistics [{name, probe, statistic, along, where, over}], cases [{name, folder, scene, values {column: text}, digest, status,
+// statistics [{name, probe, statistic, along, where, over}], plots [as in the file], cases [{name, folder, scene, values {column: text}, digest, status,
 // error}].
 #pragma once
 

@@ -144,7 +144,8 @@ class Planner {
     refuse_taken_columns(columns_);
     plan_.name = config.name;
     plan_.about = config.about;
-    for (const BatchStatistic& s : config.statistics) plan_.statistics.push_back(s);
+    plan_.statistics = config.statistics;
+    plan_.plots = config.plots;
   }
 
   BatchPlan plan() {

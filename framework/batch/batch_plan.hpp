@@ -24,6 +24,7 @@ struct BatchPlan {
   std::string name, about;
   std::vector<std::string> columns;  // what varies; `base` first if there are several
   std::vector<BatchStatistic> statistics;
+  std::vector<BatchPlot> plots;
   std::map<std::string, std::string> units;  // of columns that have one, and the same in all cases: "Pa"
   std::vector<BatchCase> cases;
 };
