@@ -73,6 +73,15 @@ TEST_CASE("experiment laws/healing") { check_experiment("laws/healing.yaml"); }
 TEST_CASE("experiment laws/cantilevers") { check_experiment("laws/cantilevers.yaml"); }
 TEST_CASE("experiment laws/rcc_against_fang") { check_experiment("laws/rcc_against_fang.yaml"); }
 TEST_CASE("experiment laws/t_peel") { check_experiment("laws/t_peel.yaml"); }
+// Cells of half a millimetre, twice the shipped ones; whole: the nightly tests.
+TEST_CASE("experiment measured/dcb_tijs2022_a40, coarse") {
+  const Outcome o = run("measured/dcb_tijs2022_a40.yaml", {"--set", "objects.arm.shape.cells=[240, 3]"});
+  INFO(o.summary.dump(1));
+  CHECK(o.result.exit_code == 0);
+  check_states(o);
+  CHECK(value_of(o, "the measured load past the peak") < 0.03);
+  CHECK(value_of(o, "the load of beams whose crack grows at G_c") == Approx(0).margin(0.03));
+}
 TEST_CASE("experiment critical_strain at 0.01") { check_experiment("critical_strain/strain_01.yaml"); }
 TEST_CASE("experiment critical_strain at 0.03") { check_experiment("critical_strain/strain_03.yaml"); }
 TEST_CASE("experiment critical_strain at 0.05") { check_experiment("critical_strain/strain_05.yaml"); }
