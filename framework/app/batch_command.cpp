@@ -13,6 +13,7 @@
 #include "framework/app/interrupt_signals.hpp"
 #include "framework/batch/batch_estimate.hpp"
 #include "framework/batch/batch_progress.hpp"
+#include "framework/batch/resolved_case.hpp"
 #include "framework/batch/results_table.hpp"
 #include "framework/batch/slurm.hpp"
 #include "framework/config/read_file.hpp"

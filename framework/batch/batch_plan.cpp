@@ -3,58 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 
 #include "framework/batch/column_units.hpp"
+#include "framework/batch/resolved_case.hpp"
 #include "framework/batch/results_table.hpp"
-#include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
-#include "framework/config/read_file.hpp"
 #include "framework/config/units.hpp"
-#include "framework/config/yaml_text.hpp"
 #include "framework/experiment/built_experiment.hpp"
-#include "framework/output/checkpoints.hpp"
-#include "framework/output/run_folder.hpp"
-#include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 30;  // bytes
 constexpr size_t longest_name = 100;                                // of a case
 constexpr size_t most_errors = 10;
 constexpr double most_cases = 100000;
-
-std::string digest_of_text(const std::string& text) {
-  return fmt::format("{}-{:08x}", text.size(), crc32_of(text.data(), text.size()));
-}
-
-// What scenes read besides themselves: of a file its bytes, of an earlier run its newest checkpoint. Each is read once.
-class FileDigests {
- public:
-  void add(const Value& value, std::string& digest) {
-    if (value.is_scalar() && value.text.starts_with('/')) digest += of(value.text);
-    for (const Value& item : value.items) add(item, digest);
-    for (const Value::Entry& entry : value.entries) add(entry.value, digest);
-  }
-
- private:
-  const std::string& of(const std::string& name) {
-    const auto [known, anew] = known_.try_emplace(name);
-    if (!anew) return known->second;
-    std::error_code none;
-    fs::path path = name;
-    if (fs::is_directory(path, none)) path = newest_checkpoint_in(path / "checkpoints");
-    if (fs::is_regular_file(path, none)) known->second = " " + digest_of_text(read_file(path, largest_file));
-    return known->second;
-  }
-
-  std::map<std::string, std::string> known_;
-};
 
 // "1 MPa" as 1000000, so that tables can be plotted; what is no number stays as it is.
 std::string cell_text(const std::string& text) {
@@ -75,14 +39,8 @@ std::string short_column(const std::string& column, const std::vector<std::strin
   return column;
 }
 
-// Of a case's values, "translate=0,0.05,0"; safe in shells and file systems.
 std::string name_of(const std::vector<std::pair<std::string, std::string>>& parts, int number) {
-  std::string name;
-  for (const auto& [key, text] : parts) name += (name.empty() ? "" : ",") + key + "=" + text;
-  std::erase_if(name, [](char c) { return std::string_view("[]{}'\" ").find(c) != std::string_view::npos; });
-  std::replace(name.begin(), name.end(), ':', '=');
-  for (char& c : name)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && std::string_view("-_.,=+").find(c) == std::string_view::npos) c = '_';
+  const std::string name = case_name(parts);
   if (name.empty()) return "case";
   return name.size() <= longest_name ? name : fmt::format("case_{:04}", number);
 }
@@ -138,7 +96,7 @@ void refuse_taken_columns(const std::vector<std::string>& columns) {
 class Planner {
  public:
   Planner(const BatchConfig& config, const std::string& program, const PlanProgress& progress)
-      : config_(config), program_(program), progress_(progress), variants_(all_variants(config)) {
+      : config_(config), progress_(progress), variants_(all_variants(config)), resolver_(program) {
     refuse_columns_twice(variants_.front());
     for (const Variant::Shown& s : variants_.front().shown) columns_.push_back(s.column);
     refuse_taken_columns(columns_);
@@ -189,15 +147,12 @@ class Planner {
     one.base = base.name;
     one.name = names_.free(name_of(parts, static_cast<int>(plan_.cases.size()) + 1));
     try {
-      for (const Variant::Setting& s : variant.set) set_at(root, s.key, s.value);
-      const LoadedExperiment loaded = bound_experiment(std::move(root));
-      one.duration = loaded.experiment.time.duration;
-      const Value resolved = to_value(fields_of(loaded.experiment));
-      one.scene = yaml_text(resolved);
-      one.digest = digest_of_text(one.scene);
-      files_.add(resolved, one.digest);
-      if (plan_.cases.empty() || plan_.cases.back().base != base.name) add_units(column_units(loaded.experiment, resolved, variant, config_.statistics));
-      one.digest += " " + program_;
+      ResolvedCase made = resolver_.resolve(std::move(root), variant.set);
+      const Experiment& experiment = made.loaded.experiment;
+      one.duration = experiment.time.duration;
+      if (plan_.cases.empty() || plan_.cases.back().base != base.name) add_units(column_units(experiment, made.resolved, variant, config_.statistics));
+      one.scene = std::move(made.scene);
+      one.digest = std::move(made.digest);
     } catch (const InputError& error) {
       return note(error, one.name);
     }
@@ -222,18 +177,27 @@ class Planner {
   }
 
   const BatchConfig& config_;
-  const std::string& program_;
   const PlanProgress& progress_;
   std::vector<Variant> variants_;
   std::vector<std::string> columns_;
   bool several_ = false;
   BatchPlan plan_;
   Names names_;
-  FileDigests files_;
+  CaseResolver resolver_;
   std::vector<std::string> errors_, told_;
 };
 
 }  // namespace
+
+std::string case_name(const std::vector<std::pair<std::string, std::string>>& parts) {
+  std::string name;
+  for (const auto& [key, text] : parts) name += (name.empty() ? "" : ",") + key + "=" + text;
+  std::erase_if(name, [](char c) { return std::string_view("[]{}'\" ").find(c) != std::string_view::npos; });
+  std::replace(name.begin(), name.end(), ':', '=');
+  for (char& c : name)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && std::string_view("-_.,=+").find(c) == std::string_view::npos) c = '_';
+  return name;
+}
 
 BatchPlan plan_of(const BatchConfig& config, const std::string& program, const PlanProgress& progress) {
   return Planner(config, program, progress).plan();
@@ -250,7 +214,5 @@ void check_case(const BatchPlan& plan, const BatchCase& one) {
       throw InputError(fmt::format("statistic '{}': {}", s.column(), error.what()));
     }
 }
-
-std::string program_digest() { return digest_of_text(read_file("/proc/self/exe", largest_file)); }
 
 }  // namespace tack

@@ -38,7 +38,7 @@ BatchPlan plan_of(const BatchConfig& config, const std::string& program, const P
 // Builds the world of a case, as a run does first: meshes, pairs, probes, the start. Throws InputError.
 void check_case(const BatchPlan& plan, const BatchCase& one);
 
-// Size and checksum of the running program.
-std::string program_digest();
+// Of a case's values by the names of what varies, "young=1e5,translate=0,0.05,0"; safe in shells and file systems.
+std::string case_name(const std::vector<std::pair<std::string, std::string>>& parts);
 
 }  // namespace tack

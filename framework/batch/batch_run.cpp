@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 #include "geometry/interrupt.hpp"
 
@@ -25,12 +26,12 @@ class Runner {
   Runner(const std::string& program, const BatchFolder& folder, const BatchLimits& limits, const BatchObserver& observer)
       : program_(program), folder_(folder), limits_(limits), observer_(observer) {}
 
-  void run(const std::vector<const BatchCase*>& cases) {
-    waiting_.assign(cases.begin(), cases.end());
-    while (!running_.empty() || (!waiting_.empty() && !interrupt_requested)) {
+  void run(const MoreCases& more) {
+    while (!running_.empty() || (!interrupt_requested && (more(waiting_) || !waiting_.empty()))) {
       if (interrupt_requested)
         for (Running& r : running_) r.run.interrupt();
       collect();
+      if (!interrupt_requested) more(waiting_);
       while (!interrupt_requested && room()) {
         running_.push_back({waiting_.front(), CaseRun(program_, folder_, *waiting_.front(), limits_)});
         waiting_.pop_front();
@@ -84,7 +85,16 @@ class Runner {
 
 void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits,
                const std::vector<const BatchCase*>& cases, const BatchObserver& observer) {
-  Runner(program, folder, limits, observer).run(cases);
+  bool told = false;
+  run_cases(program, folder, limits, [&](std::list<const BatchCase*>& waiting) {
+    if (!std::exchange(told, true)) waiting.assign(cases.begin(), cases.end());
+    return false;
+  }, observer);
+}
+
+void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits, const MoreCases& more,
+               const BatchObserver& observer) {
+  Runner(program, folder, limits, observer).run(more);
 }
 
 std::vector<const BatchCase*> open_cases(const BatchFolder& folder, const BatchPlan& plan, bool again) {

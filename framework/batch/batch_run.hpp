@@ -23,6 +23,12 @@ struct BatchObserver {
 void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits,
                const std::vector<const BatchCase*>& cases, const BatchObserver& observer);
 
+// The same of cases that are not all known from the start. `more` is asked some times a second: it appends those that have become known, in
+// the order in which they are to start, and returns false once no more will come.
+using MoreCases = std::function<bool(std::list<const BatchCase*>& waiting)>;
+void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits, const MoreCases& more,
+               const BatchObserver& observer);
+
 // The cases that are still to be run: those that never ran to an end as they are now, and with `again` those that failed.
 std::vector<const BatchCase*> open_cases(const BatchFolder& folder, const BatchPlan& plan, bool again);
 

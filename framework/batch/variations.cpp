@@ -1,10 +1,10 @@
 // Grids, lists and samples of keys.
 #include <fmt/format.h>
 
-#include <boost/random/sobol.hpp>
 #include <numeric>
 #include <random>
 
+#include "framework/batch/sobol.hpp"
 #include "framework/batch/varied_keys.hpp"
 #include "framework/batch/variation.hpp"
 #include "geometry/errors.hpp"
@@ -156,10 +156,10 @@ class LatinHypercubeVariation : public SampledVariation {
 class SobolVariation : public SampledVariation {
  protected:
   std::vector<double> unit_points(int dimensions) const override {
-    boost::random::sobol engine(dimensions);
-    std::vector<double> points(static_cast<size_t>(samples_) * dimensions);
-    // The engine leaves the first point out, the origin, and with it the balance of powers of two.
-    for (size_t i = static_cast<size_t>(dimensions); i < points.size(); ++i) points[i] = static_cast<double>(engine() >> 11) * 0x1p-53;
+    // With the first point, the origin, which keeps the balance of powers of two.
+    std::vector<double> points(static_cast<size_t>(dimensions), 0.0);
+    const std::vector<double> others = sobol_points(samples_ - 1, dimensions);
+    points.insert(points.end(), others.begin(), others.end());
     return points;
   }
 };

@@ -1,0 +1,57 @@
+#include "framework/batch/resolved_case.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "framework/config/describe.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/config/read_file.hpp"
+#include "framework/config/yaml_text.hpp"
+#include "framework/output/checkpoints.hpp"
+#include "geometry/checksum.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 30;  // bytes
+
+std::string digest_of_text(const std::string& text) {
+  return fmt::format("{}-{:08x}", text.size(), crc32_of(text.data(), text.size()));
+}
+
+}  // namespace
+
+ResolvedCase CaseResolver::resolve(Value root, const std::vector<Variant::Setting>& set) {
+  for (const Variant::Setting& s : set) set_at(root, s.key, s.value);
+  ResolvedCase one{bound_experiment(std::move(root)), {}, {}, {}};
+  one.resolved = to_value(fields_of(one.loaded.experiment));
+  one.scene = yaml_text(one.resolved);
+  one.digest = digest_of_text(one.scene);
+  add_files(one.resolved, one.digest);
+  one.digest += " " + program_;
+  return one;
+}
+
+// What scenes read besides themselves: of a file its bytes, of an earlier run its newest checkpoint.
+void CaseResolver::add_files(const Value& value, std::string& digest) {
+  if (value.is_scalar() && value.text.starts_with('/')) digest += digest_of_file(value.text);
+  for (const Value& item : value.items) add_files(item, digest);
+  for (const Value::Entry& entry : value.entries) add_files(entry.value, digest);
+}
+
+const std::string& CaseResolver::digest_of_file(const std::string& name) {
+  const auto [known, anew] = files_.try_emplace(name);
+  if (!anew) return known->second;
+  std::error_code none;
+  fs::path path = name;
+  if (fs::is_directory(path, none)) path = newest_checkpoint_in(path / "checkpoints");
+  if (fs::is_regular_file(path, none)) known->second = " " + digest_of_text(read_file(path, largest_file));
+  return known->second;
+}
+
+std::string program_digest() { return digest_of_text(read_file("/proc/self/exe", largest_file)); }
+
+}  // namespace tack

@@ -1,0 +1,39 @@
+// A scene as a case runs it: with every key, and with what tells it from all others.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "framework/batch/variation.hpp"
+#include "framework/experiment/load_experiment.hpp"
+
+namespace tack {
+
+struct ResolvedCase {
+  LoadedExperiment loaded;
+  Value resolved;      // with units as comments
+  std::string scene;   // the same as YAML
+  std::string digest;  // of the scene, the files that it reads and the program
+};
+
+class CaseResolver {
+ public:
+  // `program`: what identifies the program (program_digest()).
+  explicit CaseResolver(std::string program) : program_(std::move(program)) {}
+
+  // Throws InputError with file, line and remedy.
+  ResolvedCase resolve(Value root, const std::vector<Variant::Setting>& set);
+
+ private:
+  void add_files(const Value& value, std::string& digest);
+  const std::string& digest_of_file(const std::string& name);
+
+  std::string program_;
+  std::map<std::string, std::string> files_;  // each is read once
+};
+
+// Size and checksum of the running program.
+std::string program_digest();
+
+}  // namespace tack
