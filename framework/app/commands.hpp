@@ -55,6 +55,19 @@ struct BatchOptions {
 // Many experiments and one table of them. Calling it again goes on where it was ended.
 int batch_command(const BatchOptions& options);
 
+struct CalibrateOptions {
+  SceneOptions file;
+  std::string command_line;   // as a shell would take it
+  std::string output;         // empty: results/<name>
+  int jobs = 0, threads = 0;  // 0: as the file says
+  bool dry_run = false;       // check everything, and say how long it will take
+  bool failed = false;        // run those again that failed
+  bool slurm = false;
+  bool quiet = false;
+};
+// Numbers of experiments, fitted to measured curves. Calling it again goes on where it was ended.
+int calibrate_command(const CalibrateOptions& options);
+
 struct ReportOptions {
   std::vector<std::string> folders;
   std::string output;              // the file; empty: report.html in the folder
@@ -81,7 +94,7 @@ int check_command(const SceneOptions& options);
 
 struct ListOptions {
   std::string kind, name;                         // empty: all
-  std::string reference, schema, compare_schema, batch_schema;  // files to write instead
+  std::string reference, schema, compare_schema, batch_schema, calibrate_schema;  // files to write instead
   std::vector<std::string> plugins;                             // whose components are listed too
 };
 // What can be named in a scene file; also writes the reference page and the JSON schemas.

@@ -73,6 +73,7 @@ class CommandLine {
     add_profile();
     add_compare();
     add_batch();
+    add_calibrate();
     add_plot();
     add_report();
     add_check();
@@ -82,7 +83,8 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
-    run_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = shell_line({argv, argv + argc});
+    run_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = calibrate_.command_line =
+        shell_line({argv, argv + argc});
     try {
       app_.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -174,6 +176,21 @@ class CommandLine {
     });
   }
 
+  void add_calibrate() {
+    CLI::App* calibrate = app_.add_subcommand("calibrate", "Fit numbers of experiments to measured curves");
+    add_scene_options(*calibrate, calibrate_.file);
+    add_output(*calibrate, calibrate_.output, calibrate_.threads);
+    calibrate->add_option("--jobs", calibrate_.jobs, "runs side by side (default: as many as cores allow)")->check(whole_number_above_zero);
+    calibrate->add_flag("--dry-run", calibrate_.dry_run, "check everything, and say how long it will take");
+    calibrate->add_flag("--failed", calibrate_.failed, "run those again that failed");
+    calibrate->add_flag("--slurm", calibrate_.slurm, "run what is wanted at once as job arrays of Slurm");
+    calibrate->add_flag("-q,--quiet", calibrate_.quiet, "print errors only");
+    calibrate->callback([this] {
+      settle(calibrate_.file);
+      exit_code_ = calibrate_command(calibrate_);
+    });
+  }
+
   void add_plot() {
     CLI::App* plot = app_.add_subcommand("plot", "Draw pictures (SVG, PNG) of runs, a batch or a comparison");
     plot->add_option("folder", plot_.folders, "results folders: of runs, or of one batch or comparison")->required();
@@ -216,6 +233,7 @@ class CommandLine {
     list->add_option("--schema", list_.schema, "write the JSON schema for editors to a file");
     list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`");
     list->add_option("--batch-schema", list_.batch_schema, "the same for the files of `tack batch`");
+    list->add_option("--calibrate-schema", list_.calibrate_schema, "the same for the files of `tack calibrate`");
     list->add_option("--plugin", list_.plugins, "list (and describe) what a plugin adds as well (repeatable)")
         ->take_all()->allow_extra_args(false);
     list->callback([this] { exit_code_ = list_command(list_); });
@@ -267,6 +285,7 @@ class CommandLine {
   RunOptions run_, profile_;
   CompareOptions compare_;
   BatchOptions batch_;
+  CalibrateOptions calibrate_;
   PlotOptions plot_;
   ReportOptions report_;
   SceneOptions check_;

@@ -1,6 +1,7 @@
 // tack plot: pictures of runs, of a batch or of a comparison, for papers.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -118,10 +119,26 @@ int plot_comparison(const fs::path& folder) {
   return pictures.exit_code();
 }
 
+// Likewise those of `tack calibrate`.
+int plot_calibration(const fs::path& folder) {
+  Pictures pictures(folder / "plots");
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder / "plots"))
+    if (entry.path().extension() == ".gp") names.push_back(entry.path().stem());
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) pictures.tell(draw_script(folder / "plots", name), name);
+  return pictures.exit_code();
+}
+
 }  // namespace
 
 int plot_command(const PlotOptions& options) {
   const fs::path first = options.folders.front();
+  if (fs::exists(first / "calibration.json")) {
+    if (options.folders.size() > 1 || !options.x.empty())
+      throw InputError(fmt::format("{}: is a calibration; draw it by itself, and columns of its points by its folder evaluations", first.string()));
+    return plot_calibration(first);
+  }
   const bool batch = fs::exists(first / "batch.json"), comparison = fs::exists(first / "compare.csv");
   if ((batch || comparison) && options.folders.size() > 1)
     throw InputError(fmt::format("{}: is a {}; draw it by itself", first.string(), batch ? "batch" : "comparison"));

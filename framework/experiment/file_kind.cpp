@@ -9,12 +9,18 @@
 namespace tack {
 namespace {
 
-std::string name_of(FileKind kind) {
-  return kind == FileKind::scene ? "a scene" : kind == FileKind::batch ? "a batch" : "a comparison";
-}
+struct Words {
+  const char *name, *command;
+};
 
-std::string command_of(FileKind kind) {
-  return kind == FileKind::scene ? "tack run" : kind == FileKind::batch ? "tack batch" : "tack compare";
+Words words_of(FileKind kind) {
+  switch (kind) {
+    case FileKind::scene: return {"a scene", "tack run"};
+    case FileKind::batch: return {"a batch", "tack batch"};
+    case FileKind::comparison: return {"a comparison", "tack compare"};
+    case FileKind::calibration: return {"a calibration", "tack calibrate"};
+  }
+  return {};
 }
 
 }  // namespace
@@ -22,6 +28,7 @@ std::string command_of(FileKind kind) {
 FileKind kind_of_file(const Value& root, FileKind wanted) {
   const auto has = [&](std::initializer_list<const char*> keys) { return std::any_of(keys.begin(), keys.end(), [&](const char* k) { return root.find(k); }); };
   if (has({"objects", "contact", "gravity"})) return FileKind::scene;
+  if (has({"fit", "experiments"})) return FileKind::calibration;
   if (has({"vary", "statistics", "slurm"})) return FileKind::batch;
   if (has({"solvers", "tolerances", "problems"})) return FileKind::comparison;
   if (has({"base", "bases"}) && wanted == FileKind::scene) return FileKind::batch;
@@ -32,7 +39,7 @@ void refuse_other_kind(const Value& root, FileKind wanted) {
   const FileKind kind = kind_of_file(root, wanted);
   if (kind == wanted) return;
   const std::string file = root.mark.file ? *root.mark.file : "FILE";
-  throw InputError(fmt::format("{}: is {}, not {}; call `{} {}`", root.mark.text(), name_of(kind), name_of(wanted), command_of(kind), file));
+  throw InputError(fmt::format("{}: is {}, not {}; call `{} {}`", root.mark.text(), words_of(kind).name, words_of(wanted).name, words_of(kind).command, file));
 }
 
 }  // namespace tack

@@ -7,7 +7,7 @@
 
 namespace tack {
 
-enum class FileKind { scene, batch, comparison };
+enum class FileKind { scene, batch, comparison, calibration };
 
 // By its keys; of anything else, `wanted`.
 FileKind kind_of_file(const Value& root, FileKind wanted);

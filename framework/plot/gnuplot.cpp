@@ -195,8 +195,9 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
   }
   std::vector<std::string> commands;
   for (size_t i = 0; i < s.curves.size(); ++i) {
-    const char* with = plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
-    const std::string mark = plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
+    const bool scattered = s.curves[i].scattered;
+    const char* with = scattered ? "points" : plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
+    const std::string mark = scattered || plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
     if (!s.curves[i].spread.empty())  // marks too small to be seen: a size of zero makes SVG that not every renderer reads
       commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colours[i % colours.size()]));
     commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, in_quotes(s.curves[i].title)));

@@ -16,7 +16,7 @@ std::string picture_name(std::string text) {
 
 Plot within(Plot plot, double low, double high) {
   for (Curve& c : plot.curves) {
-    Curve kept{c.title, {}, {}};
+    Curve kept{c.title, {}, {}, c.scattered};
     for (size_t i = 0; i < c.points.size(); ++i) {
       if (!(c.points[i].first >= low && c.points[i].first <= high)) continue;
       kept.points.push_back(c.points[i]);
@@ -30,7 +30,7 @@ Plot within(Plot plot, double low, double high) {
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves) {
   std::vector<Curve> merged;
   for (const Curve& c : curves) {
-    const auto same = std::find_if(merged.begin(), merged.end(), [&](const Curve& m) { return !c.points.empty() && m.points == c.points; });
+    const auto same = std::find_if(merged.begin(), merged.end(), [&](const Curve& m) { return !c.points.empty() && m.points == c.points && m.scattered == c.scattered; });
     if (same == merged.end()) merged.push_back(c);
     else same->title += ", " + c.title;
   }

@@ -13,6 +13,7 @@ struct Curve {
   std::string title;
   std::vector<std::pair<double, double>> points;
   std::vector<std::pair<double, double>> spread;  // of y, {low, high} per point, drawn as bars; empty: none
+  bool scattered = false;                         // marks without a line, whatever the picture's style
 };
 
 // A line across the picture at a height, with its name beside it; or upright, at an abscissa.

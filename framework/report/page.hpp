@@ -11,7 +11,7 @@ namespace tack {
 // What the page shows: a JSON document, and numbers that it refers to by their place in the list (packing.hpp).
 class PageData {
  public:
-  // Keys: kind (run, runs, comparison, batch), title, made, runs [run_data.hpp], comparison, batch [table_data.hpp].
+  // Keys: kind (run, runs, comparison, batch, calibration), title, made, runs [run_data.hpp], comparison, batch, calibration [table_data.hpp].
   nlohmann::ordered_json document;
 
   // The number of a block of bytes, deflated.

@@ -55,12 +55,13 @@ fs::path output_of(const ReportSettings& s) {
 
 FolderKind kind_of(const fs::path& folder) {
   if (!fs::exists(folder)) throw InputError(fmt::format("{}: there is no such folder", folder.string()));
+  if (fs::exists(folder / "calibration.json")) return FolderKind::calibration;
   if (fs::exists(folder / "batch.json")) return FolderKind::batch;
   if (fs::exists(folder / "compare.csv")) return FolderKind::comparison;
   for (const char* file : {"scene.yaml", "summary.json", "steps.csv", "run.pvd"})
     if (fs::exists(folder / file)) return FolderKind::run;
-  throw InputError(fmt::format("{}: is the folder of neither a run nor a comparison nor a batch; give one that was made by `tack run`, "
-                               "`tack compare` or `tack batch`", folder.string()));
+  throw InputError(fmt::format("{}: is the folder of neither a run nor a comparison nor a batch nor a calibration; give one that was made by "
+                               "`tack run`, `tack compare`, `tack batch` or `tack calibrate`", folder.string()));
 }
 
 WrittenReport write_report(const ReportSettings& s) {
@@ -68,7 +69,7 @@ WrittenReport write_report(const ReportSettings& s) {
   for (const fs::path& folder : s.folders) kinds.push_back(kind_of(folder));
   const bool runs = std::all_of(kinds.begin(), kinds.end(), [](FolderKind kind) { return kind == FolderKind::run; });
   if (kinds.empty() || (!runs && kinds.size() > 1))
-    throw InputError("a report is of runs, of one comparison or of one batch; give one of them at a time");
+    throw InputError("a report is of runs, of one comparison, one batch or one calibration; give one of them at a time");
   if (!s.cases.empty() && kinds[0] != FolderKind::batch) throw InputError("--case is for a batch");
 
   PageData page;
@@ -82,6 +83,9 @@ WrittenReport write_report(const ReportSettings& s) {
   } else if (kinds[0] == FolderKind::comparison) {
     document["kind"] = "comparison";
     document["comparison"] = comparison_data(s.folders[0]);
+  } else if (kinds[0] == FolderKind::calibration) {
+    document["kind"] = "calibration";
+    document["calibration"] = calibration_data(s.folders[0], page);
   } else {
     document["kind"] = "batch";
     document["batch"] = batch_data(s.folders[0], page);
@@ -93,8 +97,9 @@ WrittenReport write_report(const ReportSettings& s) {
   WrittenReport written{output_of(s), {}};
   for (const Json& run : document["runs"])
     for (const Json& note : run["notes"]) written.notes.push_back(note.get<std::string>());
-  if (document.contains("batch"))
-    for (const Json& note : document["batch"]["notes"]) written.notes.push_back(note.get<std::string>());
+  for (const char* kind : {"batch", "calibration"})
+    if (document.contains(kind))
+      for (const Json& note : document[kind]["notes"]) written.notes.push_back(note.get<std::string>());
   replace_file(written.path, page_with(s.page.empty() ? page_path() : s.page, page));
   return written;
 }

@@ -1,4 +1,4 @@
-// tack report: one HTML file for a run, several runs over each other, a comparison or a batch.
+// tack report: one HTML file for a run, several runs over each other, a comparison, a batch or a calibration.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace tack {
 
-enum class FolderKind { run, comparison, batch };
+enum class FolderKind { run, comparison, batch, calibration };
 // By the files that it holds. Throws InputError for a folder that is not there, or none of these.
 FolderKind kind_of(const std::filesystem::path& folder);
 
 struct ReportSettings {
-  std::vector<std::filesystem::path> folders;  // runs; or one comparison, or one batch
+  std::vector<std::filesystem::path> folders;  // runs; or one comparison, batch or calibration
   std::filesystem::path output;                // empty: report.html in the folder; of several, in the working directory
   int frames = 0;                              // at most so many; 0: 200, or as many as a page should carry
   std::vector<std::string> cases;              // of a batch: whose runs are shown as well

@@ -71,6 +71,33 @@ Json comparison_data(const fs::path& folder) {
   return {{"name", title_of(text)}, {"table", text_table(read_csv_texts(folder / "compare.csv"))}, {"text", text}};
 }
 
+Json calibration_data(const fs::path& folder, PageData& page) {
+  Json calibration;
+  try {
+    calibration = Json::parse(read_file(folder / "calibration.json", largest_text));
+  } catch (const Json::exception& error) {
+    throw InputError(fmt::format("{}: is not what a calibration writes ({})", (folder / "calibration.json").string(), error.what()));
+  }
+  if (!calibration.is_object()) throw InputError(fmt::format("{}: is no object; calibrate again", (folder / "calibration.json").string()));
+  Json notes = Json::array(), fits = Json::array(), table;
+  const auto part = [&](const fs::path& path, const auto& read) -> Json {
+    if (!fs::is_regular_file(path)) return Json();
+    try {
+      return read(path);
+    } catch (const InputError& error) {
+      notes.push_back(error.what());
+      return Json();
+    }
+  };
+  const auto numbers = [&](const fs::path& path) { return number_table(read_csv(path), page); };
+  if (const auto experiments = calibration.find("experiments"); experiments != calibration.end() && experiments->is_array())
+    for (const Json& one : *experiments)
+      fits.push_back({{"fit", part(folder / one.value("fit", ""), numbers)}, {"run", part(folder / one.value("run", ""), numbers)}});
+  table = part(folder / "evaluations.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
+  if (calibration.value("status", "") != "done") notes.push_back("the calibration has not ended; call it again to go on");
+  return {{"calibration", std::move(calibration)}, {"table", std::move(table)}, {"fits", std::move(fits)}, {"notes", std::move(notes)}};
+}
+
 Json batch_data(const fs::path& folder, PageData& page) {
   Json batch;
   try {

@@ -22,4 +22,7 @@ nlohmann::ordered_json comparison_data(const std::filesystem::path& folder);
 // {batch.json as it is, table (results.csv), curves: [number_table or null] of the probes of each case, units {column: unit}}.
 nlohmann::ordered_json batch_data(const std::filesystem::path& folder, PageData& page);
 
+// {calibration.json as it is, table (evaluations.csv), fits: of each experiment {fit, run}: number_table or null, notes}.
+nlohmann::ordered_json calibration_data(const std::filesystem::path& folder, PageData& page);
+
 }  // namespace tack

@@ -1,8 +1,9 @@
-// A report from its data: a run, several runs, a comparison or a batch.
+// A report from its data: a run, several runs, a comparison, a batch or a calibration.
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { expectations, facts, head, notesOf, provenance, statusBadge, warnings } from "./about.js";
 import { batchSections } from "./batch.js";
+import { calibrationSections, calibrationWarnings } from "./calibration.js";
 import { comparisonSections } from "./comparison.js";
 import { contactSection, costSection, energySection, lawSection, probeSection } from "./curves.js";
 import { h } from "./dom.js";
@@ -29,6 +30,13 @@ async function contentOf(data, runs) {
     return {
       title: batch.name ?? data.title, about: batch.about, notes, badges: [h("span", { class: "badge open" }, `${done} case${done === 1 ? "" : "s"}`)],
       parts: [...(await batchSections(data.batch)), ...(runs.length > 0 ? [h("h2", { class: "divider" }, `Runs of ${runs.map((run) => run.label).join(", ")}`), ...runSections(runs)] : [])],
+    };
+  }
+  if (data.kind === "calibration") {
+    const { calibration, notes } = data.calibration;
+    return {
+      title: calibration.name ?? data.title, about: calibration.about, notes, badges: [statusBadge(calibration.status ?? "unfinished")],
+      parts: [calibrationWarnings(calibration), ...(await calibrationSections(data.calibration))],
     };
   }
   if (runs.length === 1) {

@@ -114,4 +114,20 @@ grep -q ',expectation failed,' here.table
 # Nothing is submitted that is done.
 "$program" batch batch.yaml -o there --slurm >again.txt || [[ $? == 1 ]]
 grep -q "6 of 6 cases are done already" again.txt
-echo "the same table here, through Slurm, and collected later"
+
+# So is a calibration, whose points are asked for in rounds.
+cat >"$work/fit.yaml" <<YAML
+name: fit
+experiments:
+  - {base: $source/experiments/calibration/pull.yaml, set: [time.step=50 ms], data: $source/experiments/calibration/pull.csv, x: way, y: force, noise: 2%}
+fit:
+  strength: {keys: contact.pairs.0.adhesion.peak_traction, from: 5 kPa, to: 20 kPa}
+search: {design: 4, chains: 2, evaluations: 8, polish: false}
+slurm: {partition: short, time: 10 min}
+YAML
+"$program" calibrate fit.yaml -q -o fit_here
+"$program" calibrate fit.yaml -q -o fit_there --slurm
+cmp fit_here/evaluations.csv fit_there/evaluations.csv
+"$program" calibrate fit.yaml -q -o fit_there --slurm
+grep -q '"started": 0' fit_there/calibration.json
+echo "the same table here, through Slurm, and collected later; the same calibration"

@@ -1,4 +1,4 @@
-// The reports of a run, several runs, an unfinished run, a comparison and a batch, in a browser from the file system.
+// The reports of a run, several runs, an unfinished run, a comparison, a calibration and a batch, in a browser from the file system.
 //   node report_test.mjs TACK MODULES PAGE     MODULES: where playwright-core is; ends with 77, and says why, without what it takes
 import assert from "node:assert/strict";
 import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
@@ -6,7 +6,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { Page, findBrowser, launch } from "./browser.mjs";
-import { makeFixtures, makeReport } from "./fixtures.mjs";
+import { makeCalibration, makeFixtures, makeReport } from "./fixtures.mjs";
 
 const [tack, modules, pageFile] = process.argv.slice(2);
 const skip = (why) => {
@@ -229,6 +229,27 @@ const tests = {
     assert.match((await one.text("#table .count"))[0], /^2 of 18 rows/);
     await page.getByLabel("Filter").fill("stopped");
     assert.equal(await rows.count(), 2);
+    await one.close();
+  },
+
+  async "a calibration: numbers, warnings, curves, points"(browser) {
+    makeCalibration(folder);
+    const one = await Page.open(browser, makeReport(tack, folder, ["calibration"], "calibration.html"));
+    await one.ready();
+    const { page } = one;
+    assert.match((await one.text("h1"))[0], /^a fit done/);
+    assert.match((await one.text(".warnings li"))[0], /^the data do not determine <\/script>.*only work/);
+    const rows = await one.text("#numbers tbody tr");
+    assert.match(rows[0], /5 kPa\s*not known\s*not known/);
+    assert.match(rows[1], /1 J\/m²\s*0\.98 J\/m² to 1\.02 J\/m²\s*1 %/);
+    assert.deepEqual(await one.text("#fits h3"), ["pull: force over way", "pull: what is left"]);
+    assert.deepEqual(await one.text("#fits figure:first-child .legend li span:nth-child(2)"), ["simulated", "measured"]);
+    assert.match((await one.text("#combinations tbody"))[0], /not known/);
+    await one.checkCharts(3);
+    await page.getByLabel("Horizontal").selectOption("work");
+    assert.match((await one.text("#misfits h3"))[0], /^Misfit against work/);
+    assert.equal(await page.locator("#table tbody tr").count(), 3);
+    assert.equal(await page.locator("main b").count(), 0);
     await one.close();
   },
 

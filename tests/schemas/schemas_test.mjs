@@ -16,8 +16,8 @@ const { parse } = require("yaml");
 
 const ajv = new Ajv({ strict: true, strictTypes: false, strictTuples: false, strictRequired: false, allowUnionTypes: true });
 const schemas = {};
-for (const kind of ["scene", "compare", "batch"]) schemas[kind] = ajv.compile(JSON.parse(readFileSync(join(source, "docs", `${kind}.schema.json`), "utf8")));
-const kindOf = (file) => ("solvers" in file ? "compare" : "vary" in file || "bases" in file ? "batch" : "scene");
+for (const kind of ["scene", "compare", "batch", "calibrate"]) schemas[kind] = ajv.compile(JSON.parse(readFileSync(join(source, "docs", `${kind}.schema.json`), "utf8")));
+const kindOf = (file) => ("fit" in file ? "calibrate" : "solvers" in file ? "compare" : "vary" in file || "bases" in file ? "batch" : "scene");
 const problems = (validate) => (validate.errors ?? []).map((e) => `${e.instancePath} ${e.message}`).join("\n  ");
 
 function yamlFiles(folder) {
@@ -28,7 +28,7 @@ function yamlFiles(folder) {
 }
 
 let refused = 0;
-const count = { scene: 0, compare: 0, batch: 0 };
+const count = { scene: 0, compare: 0, batch: 0, calibrate: 0 };
 for (const path of yamlFiles(join(source, "experiments"))) {
   const file = parse(readFileSync(path, "utf8"));
   const kind = kindOf(file);
@@ -38,7 +38,7 @@ for (const path of yamlFiles(join(source, "experiments"))) {
   console.log(`${relative(source, path)}: refused\n  ${problems(schemas[kind])}`);
 }
 assert.equal(refused, 0, `${refused} shipped files are refused`);
-assert.ok(count.scene > 150 && count.compare >= 4 && count.batch >= 4, `files of each kind: ${JSON.stringify(count)}`);
+assert.ok(count.scene > 150 && count.compare >= 4 && count.batch >= 4 && count.calibrate >= 4, `files of each kind: ${JSON.stringify(count)}`);
 
 // Of one scene that is right.
 const scene = () => parse(readFileSync(join(source, "experiments/first/hang.yaml"), "utf8"));
@@ -77,4 +77,4 @@ const over = (file) => schemas.scene({ include: "a.yaml", ...file });
 assert.ok(over({ objects: [{ name: "cube", shape: { cells: [3, 3, 3] } }], expect: [{ name: "it hangs", remove: true }] }), problems(schemas.scene));
 assert.ok(!over({ objects: [{ name: "cube", shape: { sells: [3, 3, 3] } }] }), "an unknown key in a part of a shape");
 assert.ok(!over({ time: { step: "5 mm" } }), "a wrong unit in a part");
-console.log(`${count.scene} scenes, ${count.compare} comparisons, ${count.batch} batches fit; ${Object.keys(mistakes).length + 2} mistakes found`);
+console.log(`${count.scene} scenes, ${count.compare} comparisons, ${count.batch} batches, ${count.calibrate} calibrations fit; ${Object.keys(mistakes).length + 2} mistakes found`);

@@ -12,13 +12,14 @@ TEST_CASE("the committed reference page and schema are those of the program") {
   const TemporaryFolder folder;
   const fs::path docs = fs::path(TACK_SOURCE_DIR) / "docs";
   REQUIRE(run_tack(folder.path(), {"list", "--reference", "page.md", "--schema", "schema.json", "--compare-schema",
-                                    "compare.json", "--batch-schema", "batch.json"}).exit_code == 0);
+                                    "compare.json", "--batch-schema", "batch.json", "--calibrate-schema", "calibrate.json"}).exit_code == 0);
   INFO("regenerate: ./tack list --reference docs/reference.md --schema docs/scene.schema.json --compare-schema "
-       "docs/compare.schema.json --batch-schema docs/batch.schema.json");
+       "docs/compare.schema.json --batch-schema docs/batch.schema.json --calibrate-schema docs/calibrate.schema.json");
   CHECK((file_text(folder.path() / "page.md") == file_text(docs / "reference.md")));
   CHECK((file_text(folder.path() / "schema.json") == file_text(docs / "scene.schema.json")));
   CHECK((file_text(folder.path() / "compare.json") == file_text(docs / "compare.schema.json")));
   CHECK((file_text(folder.path() / "batch.json") == file_text(docs / "batch.schema.json")));
+  CHECK((file_text(folder.path() / "calibrate.json") == file_text(docs / "calibrate.schema.json")));
 }
 
 TEST_CASE("tack check validates without running") {
@@ -58,6 +59,6 @@ TEST_CASE("help and version end with 0") {
   CHECK(run_tack(folder.path(), {"--version"}).exit_code == 0);
   const ProgramResult help = run_tack(folder.path(), {"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* command : {"run", "check", "compare", "batch", "list", "law", "mesh", "tack test"})
+  for (const char* command : {"run", "check", "compare", "batch", "calibrate", "list", "law", "mesh", "tack test"})
     CHECK(contains(help.out, command));
 }

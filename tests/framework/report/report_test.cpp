@@ -48,6 +48,17 @@ struct Place {
     return root;
   }
 
+  fs::path calibration() const {
+    const fs::path root = folder.path() / "calibration";
+    fs::create_directories(root / "fits");
+    write_file(root / "calibration.json", R"({"name": "c", "status": "done", "experiments": [{"name": "a", "fit": "fits/a.csv", "run": "fits/a_run.csv"},
+      {"name": "b", "fit": "fits/b.csv", "run": "fits/b_run.csv"}]})");
+    write_file(root / "fits/a.csv", "way,measured,simulated\n0,1,2\n1,2,3\n");
+    write_file(root / "fits/a_run.csv", "way,simulated\n0,damaged\n");
+    write_file(root / "evaluations.csv", "number,phase,strength,misfit,status,error\n1,design,5,0.5,done,\n2,design,7,,refused,no\n");
+    return root;
+  }
+
   TemporaryFolder folder;
   fs::path page = folder.path() / "page.html";
 };
@@ -58,6 +69,7 @@ TEST_CASE("a folder is that of a run, a comparison or a batch by its files") {
   const Place place;
   CHECK(kind_of(place.run("run")) == FolderKind::run);
   CHECK(kind_of(place.batch()) == FolderKind::batch);
+  CHECK(kind_of(place.calibration()) == FolderKind::calibration);
   fs::create_directory(place.folder.path() / "compared");
   write_file(place.folder.path() / "compared/compare.csv", "problem\n");
   CHECK(kind_of(place.folder.path() / "compared") == FolderKind::comparison);
@@ -172,4 +184,22 @@ TEST_CASE("tack report on the command line") {
   const ProgramResult none = run_tack(place.folder.path(), {"report", "nowhere"});
   CHECK(none.exit_code == 2);
   CHECK(contains(none.err, "nowhere: there is no such folder"));
+}
+
+TEST_CASE("a report of a calibration has its points and its curves, and tells what could not be read") {
+  const Place place;
+  const WrittenReport written = place.report({place.calibration()});
+  REQUIRE(written.notes.size() == 1);
+  CHECK(contains(written.notes[0], "a_run.csv"));
+  const nlohmann::json data = place.data()["calibration"];
+  CHECK(place.data()["kind"] == "calibration");
+  CHECK(data["calibration"]["name"] == "c");
+  CHECK(data["table"]["rows"][0][3] == 0.5);
+  CHECK(data["table"]["rows"][1][3].is_null());
+  CHECK(data["fits"][0]["fit"]["columns"][1] == "measured");
+  CHECK(data["fits"][0]["run"].is_null());
+  CHECK(data["fits"][1]["fit"].is_null());
+  write_file(place.folder.path() / "calibration/calibration.json", R"({"name": "c", "status": "running"})");
+  CHECK(contains(place.report({place.folder.path() / "calibration"}).notes[0], "has not ended"));
+  CHECK_THROWS_AS(place.report({place.folder.path() / "calibration", place.batch()}), InputError);
 }

@@ -1,0 +1,156 @@
+// tack calibrate: numbers of experiments, fitted to measured curves.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "framework/app/commands.hpp"
+#include "framework/app/interrupt_signals.hpp"
+#include "framework/batch/batch_estimate.hpp"
+#include "framework/batch/batch_progress.hpp"
+#include "framework/calibrate/calibration_files.hpp"
+#include "framework/calibrate/case_evaluator.hpp"
+#include "framework/config/words.hpp"
+#include "framework/output/progress.hpp"
+#include "framework/output/run_folder.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr double longest_trial = 3;  // s
+constexpr int usual_of_chains = 45;  // points for each number, by all searches after the design
+
+// The phase that goes on, on a terminal in a line that is rewritten; elsewhere a line when it begins.
+class Told {
+ public:
+  Told(const std::vector<FittedNumber>& numbers, int live_width, bool quiet) : numbers_(numbers), live_width_(live_width), quiet_(quiet) {}
+  ~Told() { erase(); }
+
+  void begin(const std::string& phase, int points, const PointEvaluation* best) {
+    phase_ = phase;
+    points_ = points;
+    done_ = 0;
+    if (quiet_) return;
+    erase();
+    fmt::print("{}{}{}\n", phase, points > 0 ? fmt::format(", {}", counted(points, "point")) : "",
+               best ? fmt::format("; best so far: {}, misfit {:.4g}", values_text(numbers_, best->values), best->misfit) : "");
+    std::fflush(stdout);
+  }
+  void evaluated(const PointEvaluation& e) {
+    ++done_;
+    failed_ += e.good ? 0 : 1;
+    least_ = std::min(least_, e.misfit);
+  }
+  void tick() {
+    if (quiet_ || live_width_ <= 0 || Clock::now() - shown_ < std::chrono::milliseconds(500)) return;
+    shown_ = Clock::now();
+    erase();
+    const std::string line = fmt::format("  {}: {}{} done, {} failed in all, least misfit {:.4g}", phase_, done_, points_ > 0 ? fmt::format(" of {}", points_) : "", failed_, least_);
+    fmt::print("{}", line.substr(0, static_cast<size_t>(std::max(1, live_width_ - 1))));
+    std::fflush(stdout);
+    live_ = true;
+  }
+
+ private:
+  void erase() {
+    if (live_) fmt::print("\r\x1b[K");
+    live_ = false;
+  }
+
+  const std::vector<FittedNumber>& numbers_;
+  int live_width_;
+  bool quiet_, live_ = false;
+  std::string phase_;
+  int points_ = 0, done_ = 0, failed_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  Clock::time_point shown_ = Clock::now();
+};
+
+BatchDescription description_of(const CalibrateConfig& config, const CalibrateOptions& options, FittedScenes& scenes) {
+  BatchDescription d;
+  d.plan.name = config.name + " - evaluations";
+  d.plan.about = config.about;
+  if (scenes.runs() > 1) d.plan.columns.push_back("base");
+  for (const FittedNumber& n : scenes.numbers()) {
+    d.plan.columns.push_back(n.name);
+    if (n.unit != "1") d.plan.units[n.name] = n.unit;
+  }
+  d.file = fs::absolute(options.file.file).lexically_normal().string();
+  d.limits.threads = options.threads > 0 ? options.threads : config.threads;
+  d.limits.jobs = jobs_that_fit(options.jobs > 0 ? options.jobs : config.jobs, d.limits.threads, config.memory);
+  d.limits.memory = config.memory;
+  d.limits.time_limit = config.time_limit;
+  d.provenance = provenance_text(provenance_of(options.command_line, d.limits.threads));
+  return d;
+}
+
+void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescription d) {
+  for (const FittedNumber& n : scenes.numbers())
+    fmt::print("  {} from {:.6g} to {:.6g}{}, first {:.6g}, {}\n", n.name, n.from, n.to, n.unit == "1" ? "" : " " + n.unit, n.start, n.log ? "logarithmic" : "linear");
+  for (const MeasuredPoints& m : scenes.measured())
+    fmt::print("  {}: {} over {}, {} of {}\n", m.name, m.y, m.x, counted(static_cast<long>(m.curve.size()), "point"), m.curve.path);
+  std::vector<const BatchCase*> open;
+  for (int run = 0; run < scenes.runs(); ++run) d.plan.cases.push_back(scenes.case_of(run, scenes.start()));
+  for (const BatchCase& one : d.plan.cases) open.push_back(&one);
+  const int numbers = static_cast<int>(scenes.numbers().size());
+  int points = (config.search.design > 0 ? config.search.design : 32 * numbers) + usual_of_chains * numbers;
+  if (config.search.evaluations > 0) points = std::min(points, config.search.evaluations + 5 * numbers);
+  const BatchEstimate estimate = estimate_of(fs::read_symlink("/proc/self/exe").string(), BatchFolder{}, d.plan, d.limits, open, longest_trial);
+  double of_point = 0;
+  for (const auto& [base, seconds] : estimate.of_case) {
+    fmt::print("a run of {} takes about {}\n", base, short_duration(seconds));
+    of_point += seconds;
+  }
+  fmt::print("some {} points with {} each, {} side by side: about {} in all; nothing was run yet\n", points, counted(scenes.runs(), "run"), d.limits.jobs,
+             short_duration(of_point * points / d.limits.jobs));
+}
+
+}  // namespace
+
+int calibrate_command(const CalibrateOptions& options) {
+  const auto begun = Clock::now();
+  let_signals_interrupt();
+  const CalibrateConfig config = load_calibration(options.file.file, options.file.overrides);
+  FittedScenes scenes(config, program_digest());
+  BatchDescription d = description_of(config, options, scenes);
+  if (options.dry_run) {
+    show_plan(config, scenes, std::move(d));
+    return exit_done;
+  }
+  CalibrationRecord record{config, d.file, provenance_of(options.command_line, d.limits.threads), 0, 0};
+  const CalibrationFolder folder = CalibrationFolder::opened(RunFolder::chosen_root(options.output, config.name), config.name);
+  if (folder.moved_aside && !options.quiet) fmt::print("what was there is moved to {}\n", folder.moved_aside->string());
+  Told told(scenes.numbers(), terminal_width(STDOUT_FILENO), options.quiet);
+  CaseEvaluator evaluator(scenes, {fs::read_symlink("/proc/self/exe").string(), folder.evaluations, d, options.slurm ? std::optional(config.slurm) : std::nullopt,
+                                   options.failed, [&](const PointEvaluation& e) { told.evaluated(e); }, [&] { told.tick(); }});
+  evaluator.write_tables();
+  Calibration found;
+  try {
+    found = calibrate(scenes, config.search, evaluator, [&](const std::string& phase, int points, const PointEvaluation* best) { told.begin(phase, points, best); });
+  } catch (const Interrupted&) {
+    evaluator.write_tables();
+    fmt::print("interrupted: call it again to go on; what is done is kept in {}\n", folder.evaluations.root.string());
+    return exit_interrupted;
+  } catch (const SimulationError&) {
+    evaluator.write_tables();
+    throw;
+  }
+  evaluator.write_tables();
+  record.wall_seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+  record.started = evaluator.started();
+  write_calibration(folder, record, found, scenes, evaluator.run_folders(found.search.best.values));
+  const std::vector<std::string> failures = draw_calibration(folder, found, scenes);
+  if (options.quiet) return exit_done;
+  for (const std::string& failure : failures) fmt::print("{}\n", failure);
+  fmt::print("{}: {} of {}, {} now\n{}results in {}\n", config.name, counted(static_cast<long>(found.search.rows.size()), "point"),
+             counted(static_cast<long>(scenes.numbers().size()), "number"), counted(record.started, "run"), summary_text(found, scenes), folder.root.string());
+  return exit_done;
+}
+
+}  // namespace tack

@@ -1,0 +1,108 @@
+#include "framework/calibrate/calibrate_config.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "framework/experiment/file_kind.hpp"
+
+namespace tack {
+namespace {
+
+std::string name_of(const MeasuredExperiment& e) { return e.name.empty() ? std::filesystem::path(e.data).stem().string() : e.name; }
+
+std::string check_names(const std::vector<MeasuredExperiment>& experiments) {
+  std::set<std::string> names;
+  for (const MeasuredExperiment& e : experiments)
+    if (!names.insert(name_of(e)).second) return fmt::format("two experiments are named '{}'; give each its own `name`", name_of(e));
+  return "";
+}
+
+// What is a measure of the points of one experiment must be one of all.
+std::string check_noise(const std::vector<MeasuredExperiment>& experiments) {
+  const auto known = std::count_if(experiments.begin(), experiments.end(), [](const MeasuredExperiment& e) { return !e.noise.is_null(); });
+  if (known == 0 || known == static_cast<long>(experiments.size())) return "";
+  return "some have a noise, some have none; give it for all of them, or for none, when it is taken from what the fit leaves";
+}
+
+std::string check_range(const FitConfig& f) {
+  if (!f.from || !f.to) return "";  // both are required
+  if (!(f.from->si < f.to->si)) return "must be below to";
+  if (f.scale == FitScale::log && f.from->si <= 0) return "must be above zero on a logarithmic scale";
+  if (f.start && (f.start->si < f.from->si || f.start->si > f.to->si)) return "the start is not between from and to";
+  return "";
+}
+
+}  // namespace
+
+void MeasuredExperiment::fields(Fields& f) {
+  f.text("name", name, "what tables call it; as the file of its data unless given").line();
+  f.path("base", base, "an experiment").required();
+  f.texts("set", set, "overrides of it, as `output.frame_interval=1 s`");
+  f.path("data", data, "the measured curve: text in columns (CSV) with a line of names and units, `gap [mm], force [N]`").required();
+  f.text("x", x, "what it was measured over: a probe of the experiment, or time").line();
+  f.text("y", y, "what was measured: a probe of the experiment").required().line();
+  f.text("x_column", x_column, "what the data call their abscissa; as x unless given").line();
+  f.text("y_column", y_column, "what the data call their measured numbers; as y unless given").line();
+  f.optional_quantity("from", from, "least abscissa that counts; the file's unless given");
+  f.optional_quantity("to", to, "largest abscissa that counts; the file's unless given");
+  f.raw("noise", noise, "standard deviation of a measured number: a part of the largest, as 2%, or in their unit. Unless given, it is taken from what the "
+                        "fit leaves");
+  f.number("weight", weight, units::none, "how often each of its points counts").positive();
+}
+
+void FitConfig::fields(Fields& f) {
+  f.optional_quantity("from", from, "least value").required();
+  f.optional_quantity("to", to, "largest value").required();
+  f.optional_quantity("start", start, "a guess, which is tried first; the middle unless given");
+  f.choice("scale", scale,
+           {{"automatic", FitScale::automatic, "logarithmic if from is above zero"},
+            {"log", FitScale::log, "ratios count: 1 and 2 are as far apart as 10 and 20"},
+            {"linear", FitScale::linear, "differences count"}},
+           "how values are spread over the range");
+  f.text("as", as, "what tables call it; the last part of the key unless given").line();
+  f.raw("keys", keys, "keys that take the value, instead of the one that this stands under: one, a list, or one or a list by the name of the experiment");
+  f.check("from", [this] { return check_range(*this); });
+}
+
+void SearchConfig::fields(Fields& f) {
+  f.integer("design", design, "points that fill the ranges evenly (Sobol), to begin with; 0: 32 for each number").at_least(0);
+  f.integer("chains", chains, "local searches (BOBYQA), each from one of the best points").at_least(0);
+  f.integer("evaluations", evaluations, "most points of design and chains together; 0: as many as it takes").at_least(0);
+  f.flag("polish", polish, "end with Gauss-Newton steps (Levenberg-Marquardt)");
+  f.number("step", step, units::none, "first step of a chain, in logarithms; of a linear scale, in thirds of the range").positive().at_most(1);
+  f.number("difference", difference, units::none, "of values whose runs are compared for derivatives, likewise").positive().at_most(0.5);
+  f.number("tolerance", tolerance, units::none, "of values at the end of a chain, likewise").positive().at_most(0.1);
+}
+
+void CalibrateConfig::fields(Fields& f) {
+  f.text("name", name, "what the results folder is called").required().line();
+  f.text("about", about, "what the calibration is for");
+  f.list("experiments", experiments, "scenes, each with a measured curve").required().nonempty();
+  f.texts("set", set, "overrides of all experiments, as `time.step=1 ms`");
+  f.map("fit", fit, "the numbers that are fitted, by their keys").required();
+  f.object("search", search, "how they are searched for");
+  f.integer("threads", threads, "of a run").at_least(1);
+  f.integer("jobs", jobs, "runs side by side; 0: as many as there are cores for").at_least(0);
+  f.optional_number("memory", memory, units::none, "GB that a run may take; one that asks for more fails").positive();
+  f.optional_number("time_limit", time_limit, units::time, "wall time of a run; then it is ended, and counts as failed").positive();
+  f.object("slurm", slurm, "what `--slurm` asks for");
+  f.check("experiments", [this] { return check_names(experiments); });
+  f.check("experiments", [this] { return check_noise(experiments); });
+  f.check("fit", [this]() -> std::string { return fit.empty() ? "name at least one number: a key of the experiments with its range" : ""; });
+}
+
+CalibrateConfig load_calibration(const std::string& path, const std::vector<std::string>& overrides) {
+  Value root = parse_file(path);
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  refuse_other_kind(root, FileKind::calibration);
+  CalibrateConfig config;
+  bind(root, config, "the calibration");
+  for (MeasuredExperiment& e : config.experiments) e.name = name_of(e);
+  return config;
+}
+
+}  // namespace tack

@@ -1,0 +1,64 @@
+#include "framework/calibrate/calibration.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/config/words.hpp"
+
+namespace tack {
+namespace {
+
+std::string unit_text(const std::string& unit) { return unit == "1" ? "" : " " + unit; }
+
+void warn_of_points_beyond(std::vector<std::string>& warnings, const PointEvaluation& best, const std::vector<MeasuredPoints>& measured) {
+  for (size_t i = 0; i < measured.size(); ++i)
+    if (best.beyond[i] > 0)
+      warnings.push_back(fmt::format("{} of {} points of {} lie where the best run never gets ({} over {}): there its nearest sample counts; leave them out with from "
+                                     "and to, or let the run go further",
+                                     best.beyond[i], measured[i].curve.size(), measured[i].curve.path, measured[i].y, measured[i].x));
+}
+
+}  // namespace
+
+Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell) {
+  Calibration found{search_for(scenes.numbers(), config, evaluator, tell), {}, {}};
+  const SearchResult& s = found.search;
+  if (s.derivatives.problem.empty()) {
+    found.confidence = confidence_of(scenes.numbers(), s.best.values, s.derivatives.of_residuals, s.best.residuals, scenes.noise_known());
+    found.warnings = found.confidence->warnings;
+  } else {
+    found.warnings.push_back(fmt::format("there are no confidence intervals: {}", s.derivatives.problem));
+  }
+  warn_of_points_beyond(found.warnings, s.best, scenes.measured());
+  const auto failed = std::count_if(s.rows.begin(), s.rows.end(), [](const SearchRow& row) { return !row.evaluation.good; });
+  if (failed > 0)
+    found.warnings.push_back(fmt::format("{} of {} points failed, and counted as bad; evaluations.csv says why", failed, s.rows.size()));
+  return found;
+}
+
+std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
+  const Point& best = found.search.best.values;
+  std::string text;
+  size_t width = 0;
+  for (const FittedNumber& n : scenes.numbers()) width = std::max(width, n.name.size());
+  for (size_t i = 0; i < best.size(); ++i) {
+    const FittedNumber& n = scenes.numbers()[i];
+    text += fmt::format("  {:<{}}  {:.6g}{}", n.name, width, best[i], unit_text(n.unit));
+    if (const auto& c = found.confidence; c && std::isfinite(c->sigma[i]))
+      text += n.log ? fmt::format("  (95%: {:.4g} to {:.4g}; standard deviation {:.2g}%)", c->low[i], c->high[i], 100 * c->sigma[i])
+                    : fmt::format("  (95%: {:.4g} to {:.4g})", c->low[i], c->high[i]);
+    text += "\n";
+  }
+  for (size_t k = 0; k < scenes.measured().size(); ++k) {
+    const MeasuredPoints& m = scenes.measured()[k];
+    const double rms = std::sqrt(found.search.best.misfits[k] / m.weight / static_cast<double>(m.curve.size()));
+    text += fmt::format("  {}: off by {:.3g}{} on average (root mean square of {}){}\n", m.name, rms * m.scale, unit_text(m.y_unit),
+                        counted(static_cast<long>(m.curve.size()), "point"), m.noise_known ? fmt::format(", {:.3g} times the noise", rms) : fmt::format(", {:.3g}% of the largest", 100 * rms));
+  }
+  for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
+  return text;
+}
+
+}  // namespace tack

@@ -1,0 +1,143 @@
+#include "framework/calibrate/calibration_files.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "framework/output/csv.hpp"
+#include "framework/output/provenance_json.hpp"
+#include "geometry/io/replace_file.hpp"
+
+namespace tack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(); }
+
+std::string cell(double number) { return std::isfinite(number) ? fmt::format("{}", number) : ""; }
+
+Json number_json(const FittedNumber& n, size_t i, const Calibration& found, const CalibrateConfig& config) {
+  Json keys = Json::object();
+  for (size_t e = 0; e < n.keys.size(); ++e) keys[config.experiments[e].name] = n.keys[e];
+  Json json{{"name", n.name}, {"keys", keys}, {"unit", n.unit == "1" ? "" : n.unit}, {"scale", n.log ? "log" : "linear"},
+            {"from", n.from}, {"to", n.to},   {"start", six_digits(n.start)},       {"value", found.search.best.values[i]}};
+  const auto& c = found.confidence;
+  json["sigma"] = c ? finite(c->sigma[i]) : Json();
+  json["low"] = c ? finite(c->low[i]) : Json();
+  json["high"] = c ? finite(c->high[i]) : Json();
+  json["determined"] = c && c->sigma[i] <= largest_sigma;
+  return json;
+}
+
+Json experiment_json(const CalibrationFolder& folder, const MeasuredPoints& m, size_t k, const Calibration& found, const CalibrateConfig& config, const FittedScenes& scenes) {
+  const MeasuredExperiment& e = config.experiments[k];
+  const double misfit = found.search.best.misfits[k];
+  const auto relative = [&](const std::filesystem::path& path) { return path.lexically_relative(folder.root).string(); };
+  return {{"name", m.name},
+          {"base", e.base},
+          {"data", e.data},
+          {"x", m.x},
+          {"y", m.y},
+          {"x_unit", m.x_unit == "1" ? "" : m.x_unit},
+          {"y_unit", m.y_unit == "1" ? "" : m.y_unit},
+          {"points", m.curve.size()},
+          {"beyond", found.search.best.beyond[k]},
+          {"misfit", misfit},
+          {"rms", std::sqrt(misfit / m.weight / static_cast<double>(m.curve.size())) * m.scale},
+          {"noise", m.noise_known ? Json(m.scale) : Json()},
+          {"weight", m.weight},
+          {"fit", relative(folder.fit(file_name(m.name)))},
+          {"run", relative(folder.run(file_name(m.name)))},
+          {"scene", relative(folder.scene(file_name(scenes.run_name(scenes.run_of(static_cast<int>(k))))))}};
+}
+
+Json search_json(const SearchResult& search, int started) {
+  Json phases = Json::object();
+  size_t failed = 0;
+  for (const SearchRow& row : search.rows) {
+    phases[row.phase] = phases.value(row.phase, 0) + 1;
+    failed += row.evaluation.good ? 0 : 1;
+  }
+  return {{"started", started}, {"points", search.rows.size()}, {"failed", failed}, {"phases", phases}};
+}
+
+std::string description(const CalibrationFolder& folder, const CalibrationRecord& r, const Calibration& found, const FittedScenes& scenes) {
+  Json json{{"name", r.config.name}, {"about", r.config.about}, {"file", r.file}, {"provenance", to_json(r.provenance)},
+            {"status", "done"}, {"wall_seconds", r.wall_seconds}, {"runs", search_json(found.search, r.started)}, {"misfit", found.search.best.misfit}};
+  const auto& c = found.confidence;
+  json["noise"] = {{"known", scenes.noise_known()}, {"of_residuals", c ? finite(c->noise) : Json()}};
+  json["numbers"] = Json::array();
+  for (size_t i = 0; i < scenes.numbers().size(); ++i) json["numbers"].push_back(number_json(scenes.numbers()[i], i, found, r.config));
+  json["correlation"] = Json::array();
+  json["combinations"] = Json::array();
+  if (c) {
+    for (long i = 0; i < c->correlation.rows(); ++i) {
+      Json row = Json::array();
+      for (long k = 0; k < c->correlation.cols(); ++k) row.push_back(finite(c->correlation(i, k)));
+      json["correlation"].push_back(row);
+    }
+    for (const DeterminedCombination& one : c->combinations) json["combinations"].push_back({{"text", one.text}, {"sigma", finite(one.sigma)}, {"weights", one.weights}});
+  }
+  json["experiments"] = Json::array();
+  for (size_t k = 0; k < scenes.measured().size(); ++k) json["experiments"].push_back(experiment_json(folder, scenes.measured()[k], k, found, r.config, scenes));
+  json["warnings"] = found.warnings;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string numbers_csv(const Calibration& found, const FittedScenes& scenes) {
+  std::string text = "name,unit,value,low,high,sigma,determined\n";
+  const auto& c = found.confidence;
+  for (size_t i = 0; i < scenes.numbers().size(); ++i) {
+    const FittedNumber& n = scenes.numbers()[i];
+    text += fmt::format("{},{},{},{},{},{},{}\n", csv_cell(n.name), csv_cell(n.unit == "1" ? "" : n.unit), found.search.best.values[i], c ? cell(c->low[i]) : "",
+                        c ? cell(c->high[i]) : "", c ? cell(c->sigma[i]) : "", c && c->sigma[i] <= largest_sigma ? 1 : 0);
+  }
+  return text;
+}
+
+std::string evaluations_csv(const SearchResult& search, const FittedScenes& scenes) {
+  std::string text = "number,phase";
+  for (const FittedNumber& n : scenes.numbers()) text += "," + csv_cell(n.name);
+  text += ",misfit";
+  if (scenes.measured().size() > 1)
+    for (const MeasuredPoints& m : scenes.measured()) text += "," + csv_cell("misfit:" + m.name);
+  text += ",status,error\n";
+  for (size_t i = 0; i < search.rows.size(); ++i) {
+    const PointEvaluation& e = search.rows[i].evaluation;
+    text += fmt::format("{},{}", i + 1, csv_cell(search.rows[i].phase));
+    for (const double value : e.values) text += fmt::format(",{}", value);
+    text += "," + cell(e.misfit);
+    if (scenes.measured().size() > 1)
+      for (size_t k = 0; k < scenes.measured().size(); ++k) text += "," + (e.good ? cell(e.misfits[k]) : std::string());
+    text += fmt::format(",{},{}\n", csv_cell(e.status), csv_cell(e.error));
+  }
+  return text;
+}
+
+void write_curves(const CalibrationFolder& folder, const MeasuredPoints& m, const ProbeSeries& run) {
+  int beyond = 0;
+  const std::vector<double> simulated = m.simulated(run, beyond);
+  std::string fit = fmt::format("{},measured,simulated\n", csv_cell(m.x));
+  for (size_t i = 0; i < simulated.size(); ++i) fit += fmt::format("{},{},{}\n", m.curve.x[i], m.curve.y[i], simulated[i]);
+  replace_file(folder.fit(file_name(m.name)), fit);
+  std::string whole = fmt::format("{},simulated\n", csv_cell(m.x));
+  for (const auto& row : run.rows) whole += fmt::format("{},{}\n", row[*run.column(m.x)], row[*run.column(m.y)]);
+  replace_file(folder.run(file_name(m.name)), whole);
+}
+
+}  // namespace
+
+void write_calibration(const CalibrationFolder& folder, const CalibrationRecord& record, const Calibration& found, FittedScenes& scenes,
+                       const std::vector<std::filesystem::path>& best_runs) {
+  for (int run = 0; run < scenes.runs(); ++run)
+    replace_file(folder.scene(file_name(scenes.run_name(run))), scenes.scene_text(run, found.search.best.values));
+  for (size_t k = 0; k < scenes.measured().size(); ++k)
+    write_curves(folder, scenes.measured()[k], read_csv(best_runs[static_cast<size_t>(scenes.run_of(static_cast<int>(k)))] / "probes.csv"));
+  replace_file(folder.table(), evaluations_csv(found.search, scenes));
+  replace_file(folder.numbers(), numbers_csv(found, scenes));
+  replace_file(folder.description(), description(folder, record, found, scenes));
+}
+
+}  // namespace tack

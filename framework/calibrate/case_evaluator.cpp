@@ -1,0 +1,159 @@
+#include "framework/calibrate/case_evaluator.hpp"
+
+#include <thread>
+
+#include "framework/batch/results_table.hpp"
+#include "framework/batch/slurm.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
+#include "geometry/io/replace_file.hpp"
+
+namespace tack {
+namespace {
+
+// Its probes can be held against data, whatever its own expectations say.
+bool comparable(CaseStatus status) { return status == CaseStatus::done || status == CaseStatus::expectation_failed; }
+
+PointEvaluation failed_evaluation(const Point& values, std::string status, std::string error) {
+  PointEvaluation e;
+  e.values = values;
+  e.status = std::move(status);
+  e.error = std::move(error);
+  return e;
+}
+
+}  // namespace
+
+CaseEvaluator::CaseEvaluator(FittedScenes& scenes, Settings settings) : scenes_(scenes), settings_(std::move(settings)) {}
+
+void CaseEvaluator::serve(PointQueue& queue) {
+  pending_.clear();
+  running_.clear();
+  if (settings_.slurm) serve_by_slurm(queue);
+  else serve_here(queue);
+}
+
+const BatchCase* CaseEvaluator::case_of(int run, const Point& values) {
+  BatchCase one = scenes_.case_of(run, values);
+  const auto [known, anew] = by_name_.try_emplace(one.name, cases_.size());
+  if (anew) cases_.push_back(std::move(one));
+  return &cases_[known->second];
+}
+
+bool CaseEvaluator::to_run(const BatchCase& one) {
+  if (tried_.contains(&one)) return false;
+  const CaseStatus status = state_of(settings_.folder, one).status;
+  if (!finished(status)) return true;
+  if (comparable(status)) return !std::filesystem::exists(settings_.folder.run(one.name) / "probes.csv");
+  return settings_.again;
+}
+
+void CaseEvaluator::begin(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& wanted) {
+  Pending pending{&request, {}};
+  try {
+    for (int run = 0; run < scenes_.runs(); ++run) pending.cases.push_back(case_of(run, request.values));
+  } catch (const InputError& error) {
+    PointEvaluation e = failed_evaluation(request.values, std::string(to_string(CaseStatus::refused)), error.what());
+    if (settings_.told) settings_.told(e);
+    return queue.answer(request, std::move(e));
+  }
+  for (const BatchCase* one : pending.cases)
+    if (!running_.contains(one) && to_run(*one)) {
+      running_.insert(one);
+      tried_.insert(one);
+      wanted.push_back(one);
+      ++started_;
+    }
+  pending_.push_back(std::move(pending));
+}
+
+// Answers what waits for no run any more.
+void CaseEvaluator::settle(PointQueue& queue) {
+  std::erase_if(pending_, [&](const Pending& p) {
+    if (std::any_of(p.cases.begin(), p.cases.end(), [&](const BatchCase* one) { return running_.contains(one); })) return false;
+    PointEvaluation e = outcome(p);
+    if (settings_.told) settings_.told(e);
+    queue.answer(*p.request, std::move(e));
+    return true;
+  });
+}
+
+PointEvaluation CaseEvaluator::outcome(const Pending& p) const {
+  std::vector<std::filesystem::path> folders;
+  for (const BatchCase* one : p.cases) {
+    const CaseState state = state_of(settings_.folder, *one);
+    if (!comparable(state.status)) return failed_evaluation(p.request->values, std::string(to_string(state.status)), state.error);
+    folders.push_back(settings_.folder.run(one->name));
+  }
+  return scenes_.evaluation(p.request->values, folders);
+}
+
+void CaseEvaluator::serve_here(PointQueue& queue) {
+  const auto more = [&](std::list<const BatchCase*>& waiting) {
+    std::vector<const BatchCase*> wanted;
+    for (PointQueue::Request* request : queue.take()) begin(queue, *request, wanted);
+    waiting.insert(waiting.end(), wanted.begin(), wanted.end());
+    settle(queue);
+    return !queue.over();
+  };
+  const BatchObserver observer{[&](const BatchCase& one, const CaseState& state) {
+                                 if (interrupt_requested && state.status == CaseStatus::interrupted) return;
+                                 running_.erase(&one);
+                                 settle(queue);
+                               },
+                               [&](const std::vector<BatchObserver::Running>&, size_t) {
+                                 if (settings_.tick) settings_.tick();
+                               }};
+  run_cases(settings_.program, settings_.folder, settings_.description.limits, more, observer);
+}
+
+void CaseEvaluator::serve_by_slurm(PointQueue& queue) {
+  for (queue.wait_for_all(); !queue.over() && !interrupt_requested; queue.wait_for_all()) {
+    std::vector<const BatchCase*> wanted;
+    for (PointQueue::Request* request : queue.take()) begin(queue, *request, wanted);
+    if (!wanted.empty()) run_array(wanted);
+    if (interrupt_requested) return;
+    running_.clear();
+    settle(queue);
+  }
+}
+
+void CaseEvaluator::run_array(const std::vector<const BatchCase*>& wanted) {
+  const BatchFolder& folder = settings_.folder;
+  std::vector<size_t> tasks;
+  for (const BatchCase* one : wanted) {
+    tasks.push_back(by_name_.at(one->name));
+    replace_file(folder.scene(one->name), one->scene);
+    std::filesystem::remove(folder.state(one->name));  // of one that failed: its task must not take it for done
+  }
+  write_tables();
+  BatchConfig config;
+  config.slurm = *settings_.slurm;
+  replace_file(folder.job_script(), job_script(settings_.program, folder, config, settings_.description.limits, tasks));
+  SlurmJob job = submit(folder);
+  while (!job.waiting.ended() && !interrupt_requested) {
+    if (settings_.tick) settings_.tick();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+}
+
+std::vector<BatchCase> CaseEvaluator::without_scenes() const {
+  std::vector<BatchCase> cases(cases_.begin(), cases_.end());
+  for (BatchCase& one : cases) one.scene.clear();
+  return cases;
+}
+
+void CaseEvaluator::write_tables() {
+  BatchDescription& d = settings_.description;
+  d.plan.cases = without_scenes();
+  write_description(settings_.folder, d);
+  replace_file(settings_.folder.table(), csv_text(results_of(settings_.folder, d.plan)));
+}
+
+std::vector<std::filesystem::path> CaseEvaluator::run_folders(const Point& values) {
+  std::vector<std::filesystem::path> folders;
+  for (int run = 0; run < scenes_.runs(); ++run) folders.push_back(settings_.folder.run(case_of(run, values)->name));
+  return folders;
+}
+
+}  // namespace tack

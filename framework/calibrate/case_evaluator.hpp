@@ -1,0 +1,61 @@
+// Evaluates points by runs that are cases of a batch: processes side by side, or a job array of Slurm for all points that are asked for at once. A case that
+// is done is not run again, whoever asks for it, now or later.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "framework/batch/batch_run.hpp"
+#include "framework/calibrate/fitted_scenes.hpp"
+#include "framework/calibrate/point_queue.hpp"
+
+namespace tack {
+
+class CaseEvaluator : public Evaluator {
+ public:
+  struct Settings {
+    std::string program;
+    BatchFolder folder;
+    BatchDescription description;  // its plan without cases
+    std::optional<SlurmConfig> slurm;
+    bool again = false;  // runs those anew that failed before
+    std::function<void(const PointEvaluation&)> told;  // each point that was evaluated
+    std::function<void()> tick;                   // some times a second
+  };
+  CaseEvaluator(FittedScenes& scenes, Settings settings);
+
+  void serve(PointQueue& queue) override;
+
+  // batch.json and results.csv of the folder, with all cases that were asked for.
+  void write_tables();
+  int started() const { return started_; }  // cases that were not done before
+  std::vector<std::filesystem::path> run_folders(const Point& values);
+
+ private:
+  struct Pending {
+    PointQueue::Request* request;
+    std::vector<const BatchCase*> cases;  // of each run
+  };
+
+  const BatchCase* case_of(int run, const Point& values);
+  bool to_run(const BatchCase& one);
+  void begin(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& wanted);
+  void settle(PointQueue& queue);
+  PointEvaluation outcome(const Pending& pending) const;
+  void serve_here(PointQueue& queue);
+  void serve_by_slurm(PointQueue& queue);
+  void run_array(const std::vector<const BatchCase*>& wanted);
+  std::vector<BatchCase> without_scenes() const;
+
+  FittedScenes& scenes_;
+  Settings settings_;
+  std::deque<BatchCase> cases_;
+  std::map<std::string, size_t> by_name_;
+  std::set<const BatchCase*> running_, tried_;  // those under way; those that were run by this program
+  std::vector<Pending> pending_;
+  int started_ = 0;
+};
+
+}  // namespace tack

@@ -1,0 +1,38 @@
+// How well data determine the numbers that were fitted to them, as far as residuals are linear around the best point.
+//
+// With J = d residuals / d u and the standard deviation s of a residual, H = J^T J / s^2 and C = H^-1 hold for independent errors; s is 1 where noise is
+// known (residuals are in units of it), else |r| / sqrt(points - numbers). An interval holds the true value with 95%: +-t s_i, t that of Student's distribution, or
+// 1.96. Eigenvectors of H with large eigenvalues are what the data determine: v_1 ln a + v_2 ln b is that of a^v_1 b^v_2.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/calibrate/fitted_number.hpp"
+#include "geometry/types.hpp"
+
+namespace tack {
+
+struct DeterminedCombination {
+  double sigma = 0;             // of v . u; infinite if the data do not depend on it
+  std::vector<double> weights;  // v, of length 1
+  std::string text;             // "strength^0.02 work", the largest power being 1
+};
+
+struct Confidence {
+  double noise = 1;                         // s; of residuals
+  std::vector<double> sigma;                // of u: 0.05 is 5% of the value on a logarithmic scale; infinite if nothing is known
+  std::vector<double> low, high;            // of values, 95%; on a logarithmic scale never below zero, infinite if nothing is known
+  Eigen::MatrixXd correlation;              // of u; NaN where a sigma is infinite
+  std::vector<DeterminedCombination> combinations;    // the best determined one first
+  std::vector<std::string> warnings;
+};
+
+// Above this, a number counts as not determined.
+inline constexpr double largest_sigma = 0.25;
+
+// `noise_known`: residuals are in units of it. `values`: the best ones.
+Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
+                         const std::vector<double>& residuals, bool noise_known);
+
+}  // namespace tack

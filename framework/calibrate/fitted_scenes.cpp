@@ -1,0 +1,195 @@
+#include "framework/calibrate/fitted_scenes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/config/parse.hpp"
+#include "framework/config/words.hpp"
+#include "geometry/checksum.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+constexpr size_t longest_name = 100;  // of a case
+
+Variant::Setting setting(const std::string& key, const std::string& text, const std::string& origin) {
+  Value value = Value::scalar(text);
+  value.mark.file = std::make_shared<const std::string>(origin);
+  return {key, std::move(value)};
+}
+
+std::string number_text(double value) { return fmt::format("{:.6g}", value); }
+
+bool is_number(const Value* value) {
+  if (!value || !value->is_scalar()) return false;
+  try {
+    to_si(value->text, units::any);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// "Pa" of the comment of a number, of one that may change with time "[s, Pa]".
+std::string unit_in(const std::string& comment) {
+  if (comment.empty()) return "1";
+  if (!comment.starts_with('[')) return comment;
+  const size_t from = comment.find(", ") + 2;
+  return comment.substr(from, comment.size() - 1 - from);
+}
+
+// As far as the scene has the key: "contact.pairs" of "contact.pears.0".
+std::string known_part(const Value& scene, const std::string& key) {
+  std::string part = key;
+  while (!part.empty() && !value_at(scene, part)) part = part.substr(0, part.rfind('.') == part.npos ? 0 : part.rfind('.'));
+  return part;
+}
+
+}  // namespace
+
+FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& program) : numbers_(fitted_numbers(config)), resolver_(program) {
+  for (int e = 0; e < static_cast<int>(config.experiments.size()); ++e) run_of_.push_back(scene_of(config, e));
+  const Point values = start();
+  for (int e = 0; e < static_cast<int>(config.experiments.size()); ++e) {
+    const std::string& name = config.experiments[static_cast<size_t>(e)].name;
+    try {
+      const Scene& scene = scenes_[static_cast<size_t>(run_of(e))];
+      check_keys(e, resolver_.resolve(scene.root, {}).resolved, config);
+      const ResolvedCase made = resolved(run_of(e), values, false);
+      if (scene.experiment == e) check_case({}, {name, name, {}, made.scene, "", 0});
+      measured_.push_back(measured_points(config.experiments[static_cast<size_t>(e)], made.loaded.experiment));
+    } catch (const InputError& error) {
+      const std::string what = error.what();
+      throw InputError(what.find("experiment '" + name + "'") == what.npos ? fmt::format("experiment '{}': {}", name, what) : what);
+    }
+  }
+}
+
+// That of an earlier experiment if file, overrides and keys are the same.
+int FittedScenes::scene_of(const CalibrateConfig& config, int experiment) {
+  const auto& all = config.experiments;
+  const MeasuredExperiment& mine = all[static_cast<size_t>(experiment)];
+  for (size_t k = 0; k < scenes_.size(); ++k) {
+    const MeasuredExperiment& other = all[static_cast<size_t>(scenes_[k].experiment)];
+    const auto same_keys = [&](const FittedNumber& n) { return n.keys[static_cast<size_t>(experiment)] == n.keys[static_cast<size_t>(scenes_[k].experiment)]; };
+    if (other.base == mine.base && other.set == mine.set && std::all_of(numbers_.begin(), numbers_.end(), same_keys)) return static_cast<int>(k);
+  }
+  Scene scene{mine.name, parse_file(mine.base), experiment};
+  for (const auto* list : {&config.set, &mine.set})
+    for (const std::string& assignment : *list) apply_override(scene.root, assignment);
+  scenes_.push_back(std::move(scene));
+  return static_cast<int>(scenes_.size()) - 1;
+}
+
+void FittedScenes::check_keys(int experiment, const Value& resolved, const CalibrateConfig& config) {
+  auto fit = config.fit.begin();  // in the order of the numbers
+  for (FittedNumber& n : numbers_) {
+    const auto& [name, range] = *fit++;
+    for (const std::string& key : n.keys[static_cast<size_t>(experiment)]) {
+      const Value* value = value_at(resolved, key);
+      if (!value) {
+        const std::string part = known_part(resolved, key);
+        throw InputError(fmt::format("fit '{}': the scene has no key '{}'{}; if only another experiment has it, say which one: keys: {{NAME: {}}}", name, key,
+                                     part.empty() ? "" : fmt::format(" (it has '{}')", part), key));
+      }
+      if (!is_number(value)) throw InputError(fmt::format("fit '{}': '{}' is {}, and not a number", name, key, value->description()));
+      const std::string unit = unit_in(value->comment);
+      for (const auto& [what, bound] : {std::pair("from", range.from), std::pair("to", range.to), std::pair("start", range.start)}) try {
+          if (bound) bound->check(Unit{unit, "number"});
+        } catch (const InputError& error) {
+          throw InputError(fmt::format("fit '{}': {}: {}", name, what, error.what()));
+        }
+      if (n.unit.empty()) n.unit = unit;
+      if (n.unit != unit) throw InputError(fmt::format("fit '{}': '{}' is in {}, another of its keys in {}", name, key, unit, n.unit));
+    }
+  }
+}
+
+std::vector<Variant::Setting> FittedScenes::settings(int run, const Point& values) const {
+  std::vector<Variant::Setting> set;
+  const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
+  for (size_t i = 0; i < numbers_.size(); ++i)
+    for (const std::string& key : numbers_[i].keys[experiment]) set.push_back(setting(key, number_text(values[i]), fmt::format("fit '{}'", numbers_[i].name)));
+  return set;
+}
+
+ResolvedCase FittedScenes::resolved(int run, const Point& values, bool frames) {
+  std::vector<Variant::Setting> set = settings(run, values);
+  if (!frames) set.push_back(setting("output.frames", "false", "the calibration"));
+  ResolvedCase made = resolver_.resolve(scenes_[static_cast<size_t>(run)].root, set);
+  const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
+  for (size_t i = 0; i < numbers_.size(); ++i)
+    for (const std::string& key : numbers_[i].keys[experiment]) {
+      const Value* taken = value_at(made.resolved, key);
+      if (!is_number(taken) || six_digits(to_si(taken->text, units::any)) != six_digits(values[i]))
+        throw InputError(fmt::format("fit '{}': the scene does not take {} for '{}'", numbers_[i].name, number_text(values[i]), key));
+    }
+  return made;
+}
+
+BatchCase FittedScenes::case_of(int run, const Point& values) {
+  ResolvedCase made = resolved(run, values, false);
+  BatchCase one;
+  one.base = run_name(run);
+  std::vector<std::pair<std::string, std::string>> parts;
+  if (runs() > 1) parts.emplace_back("base", one.base), one.values["base"] = one.base;
+  for (size_t i = 0; i < numbers_.size(); ++i) {
+    parts.emplace_back(numbers_[i].name, number_text(values[i]));
+    one.values[numbers_[i].name] = number_text(values[i]);
+  }
+  one.name = case_name(parts);
+  if (one.name.size() > longest_name) one.name = fmt::format("{}-{:08x}", one.name.substr(0, longest_name / 2), crc32_of(one.name.data(), one.name.size()));
+  one.scene = std::move(made.scene);
+  one.digest = std::move(made.digest);
+  one.duration = made.loaded.experiment.time.duration;
+  return one;
+}
+
+std::string FittedScenes::scene_text(int run, const Point& values) { return resolved(run, values, true).scene; }
+
+PointEvaluation FittedScenes::evaluation(const Point& values, const std::vector<std::filesystem::path>& run_folders) const {
+  PointEvaluation e;
+  e.values = values;
+  double misfit = 0;
+  try {
+    std::vector<ProbeSeries> series;
+    for (const auto& folder : run_folders) series.push_back(read_csv(folder / "probes.csv"));
+    for (size_t k = 0; k < measured_.size(); ++k) {
+      int beyond = 0;
+      const std::vector<double> r = measured_[k].residuals(measured_[k].simulated(series[static_cast<size_t>(run_of_[k])], beyond));
+      double squares = 0;
+      for (const double one : r) squares += one * one;
+      e.residuals.insert(e.residuals.end(), r.begin(), r.end());
+      e.misfits.push_back(squares);
+      e.beyond.push_back(beyond);
+      misfit += squares;
+    }
+  } catch (const InputError& error) {
+    PointEvaluation bad;
+    bad.values = values;
+    bad.status = "not comparable";
+    bad.error = error.what();
+    return bad;
+  }
+  e.good = true;
+  e.status = "done";
+  e.misfit = misfit;
+  return e;
+}
+
+Point FittedScenes::start() const {
+  Point values;
+  for (const FittedNumber& n : numbers_) values.push_back(six_digits(n.start));
+  return values;
+}
+
+std::string values_text(const std::vector<FittedNumber>& numbers, const Point& values) {
+  std::string text;
+  for (size_t i = 0; i < numbers.size(); ++i)
+    text += fmt::format("{}{} {}{}", i ? ", " : "", numbers[i].name, number_text(values[i]), numbers[i].unit == "1" || numbers[i].unit.empty() ? "" : " " + numbers[i].unit);
+  return text;
+}
+
+}  // namespace tack

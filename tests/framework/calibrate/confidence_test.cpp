@@ -1,0 +1,100 @@
+// Intervals, correlations and combinations against least squares in closed form; what a cantilever leaves open.
+#include "framework/calibrate/confidence.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framework/calibrate/differences.hpp"
+#include "tests/framework/calibrate/pulled_patch.hpp"
+
+using namespace tack;
+
+namespace {
+
+std::vector<FittedNumber> two(bool log = true) {
+  std::vector<FittedNumber> all(2);
+  all[0].name = "strength";
+  all[1].name = "work";
+  for (FittedNumber& n : all) n.from = 0.01, n.to = 100, n.log = log;
+  return all;
+}
+
+bool mentions(const std::vector<std::string>& warnings, const std::string& text) {
+  return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& w) { return w.find(text) != w.npos; });
+}
+
+}  // namespace
+
+TEST_CASE("a straight line: deviations and correlation are those of linear regression", "[calibrate]") {
+  // r_i = (a + b x_i - y_i) / s with x = 0 ... 9: var a = s^2 (1/n + m^2 / S), var b = s^2 / S, cov = -s^2 m / S; m the mean of x, S the sum of (x - m)^2.
+  const int n = 10;
+  Eigen::MatrixXd j(n, 2);
+  std::vector<double> residuals;
+  for (int i = 0; i < n; ++i) {
+    j.row(i) << 1, i;
+    residuals.push_back(i % 2 ? 0.5 : -0.5);
+  }
+  const double m = 4.5, s2 = 82.5, left = std::sqrt(0.25 * n / (n - 2));
+  std::vector<FittedNumber> line = two(false);
+  for (FittedNumber& number : line) number.from = 0, number.to = 3;  // u is the value
+  const Confidence known = confidence_of(line, {1, 1}, j, residuals, true), estimated = confidence_of(line, {1, 1}, j, residuals, false);
+  CHECK(known.noise == 1);
+  CHECK(estimated.noise == Approx(left));
+  CHECK(known.sigma[0] == Approx(std::sqrt(1. / n + m * m / s2)));
+  CHECK(known.sigma[1] == Approx(std::sqrt(1 / s2)));
+  CHECK(estimated.sigma[1] == Approx(left * std::sqrt(1 / s2)));
+  CHECK(known.correlation(0, 1) == Approx(-m / std::sqrt(s2 / n + m * m)));
+  CHECK(known.high[1] - 1 == Approx(1.959964 * known.sigma[1]));
+  CHECK(estimated.high[1] - 1 == Approx(2.306004 * estimated.sigma[1]));  // Student's t of 8
+  CHECK(1 - estimated.low[1] == Approx(estimated.high[1] - 1));
+}
+
+TEST_CASE("what only depends on a product determines the product alone, and says so", "[calibrate]") {
+  Eigen::MatrixXd j(30, 2);
+  std::vector<double> residuals;
+  for (int i = 0; i < 30; ++i) {
+    j.row(i) << 10. + i, 10. + i;
+    residuals.push_back(0);
+  }
+  const Confidence c = confidence_of(two(), {1, 1}, j, residuals, true);
+  CHECK(std::isinf(c.sigma[0]));
+  CHECK(std::isinf(c.sigma[1]));
+  CHECK(std::isnan(c.correlation(0, 1)));
+  CHECK(std::isinf(c.high[0]));
+  CHECK(c.low[0] == 0);
+  CHECK(c.combinations[0].text == "strength work");
+  CHECK(std::isinf(c.combinations[1].sigma));
+  REQUIRE(c.warnings.size() == 1);
+  CHECK_THAT(c.warnings[0], Catch::StartsWith("the data do not determine strength (not at all) and work (not at all); only strength work (to ") &&
+                                Catch::EndsWith(" is determined"));
+}
+
+TEST_CASE("a cantilever determines the work and not the strength, a pulled patch both", "[calibrate]") {
+  const std::vector<FittedNumber> numbers = two();
+  const auto confidence = [&](const ModelEvaluator::Model& model, const Point& truth) {
+    const std::vector<double> data = model(truth);
+    ModelEvaluator evaluator(model, data, 0.02 * *std::max_element(data.begin(), data.end()));
+    const PointEvaluation middle = evaluator.at({truth}).front();
+    const std::vector<double> u{numbers[0].u(truth[0]), numbers[1].u(truth[1])};
+    const Derivatives d = differences(numbers, u, 0.05, middle, [&](const std::vector<Point>& points) { return evaluator.at(points); });
+    REQUIRE(d.problem.empty());
+    return confidence_of(numbers, truth, d.of_residuals, middle.residuals, true);
+  };
+  const Confidence cantilever = confidence([](const Point& p) { return cantilever_curve(1e4 * p[0], p[1]); }, {1, 1});
+  CHECK(cantilever.sigma[0] == Approx(0.445).epsilon(0.02));
+  CHECK(cantilever.sigma[1] == Approx(0.016).epsilon(0.05));
+  CHECK(cantilever.correlation(0, 1) == Approx(-0.97).margin(0.01));
+  REQUIRE(mentions(cantilever.warnings, "the data do not determine strength"));
+  CHECK(mentions(cantilever.warnings, "only strength^0.0"));
+  const PulledPatch patch;
+  const Confidence pull = confidence([&](const Point& p) { return patch.curve(1e4 * p[0], p[1], 2e8); }, {1, 1});
+  CHECK(pull.sigma[0] == Approx(0.005).epsilon(0.1));
+  CHECK(pull.sigma[1] == Approx(0.004).epsilon(0.1));
+  CHECK(pull.warnings.empty());
+}
+
+TEST_CASE("a fit that leaves more than the noise, and one of too few points, are told", "[calibrate]") {
+  Eigen::MatrixXd j = Eigen::MatrixXd::Random(20, 2);
+  CHECK(mentions(confidence_of(two(), {1, 1}, j, std::vector<double>(20, 5.0), true).warnings, "off by 5.3 times the noise"));
+  const Confidence few = confidence_of(two(), {1, 1}, j.topRows(2), {0.1, 0.1}, false);
+  CHECK(mentions(few.warnings, "2 measured points do not tell how sure 2 numbers are"));
+}

@@ -1,0 +1,43 @@
+// Measured points against the samples of a run.
+#include "framework/calibrate/measured_points.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/errors.hpp"
+
+using namespace tack;
+
+namespace {
+
+MeasuredPoints points(std::vector<double> x, std::vector<double> y) {
+  MeasuredPoints p;
+  p.name = "pull";
+  p.x = "gap";
+  p.y = "force";
+  std::vector<int> lines(x.size(), 1);
+  p.curve = {"pull.csv", std::move(x), std::move(y), std::move(lines)};
+  p.scale = 2;
+  p.weight = 4;
+  return p;
+}
+
+}  // namespace
+
+TEST_CASE("residuals are in units of the noise, with the root of the weight", "[calibrate]") {
+  int beyond = -1;
+  const MeasuredPoints p = points({0.5, 1.5}, {10, 10});
+  const std::vector<double> found = p.simulated({{"time", "gap", "force"}, {{0, 0, 0}, {1, 1, 10}, {2, 2, 30}}}, beyond);
+  CHECK(found == std::vector<double>{5, 20});
+  CHECK(beyond == 0);
+  CHECK(p.residuals(found) == std::vector<double>{-5, 10});
+}
+
+TEST_CASE("where a run does not get to a measured point, its nearest sample counts; where it gets to none, it failed", "[calibrate]") {
+  int beyond = -1;
+  const ProbeSeries run{{"time", "gap", "force"}, {{0, 0, 1}, {1, 1, 10}, {2, 2, 30}}};
+  CHECK(points({-1, 1, 5, 9}, {0, 0, 0, 1}).simulated(run, beyond) == std::vector<double>{1, 10, 30, 30});
+  CHECK(beyond == 3);
+  CHECK_THROWS_WITH(points({5, 9}, {0, 1}).simulated(run, beyond), Catch::Contains("passes none of what was measured: its gap goes from 0 to 2, that of pull.csv from 5 to 9"));
+  CHECK_THROWS_WITH(points({1, 2}, {0, 1}).simulated({{"time", "gap", "force"}, {}}, beyond), Catch::Contains("no samples"));
+  CHECK_THROWS_WITH(points({1, 2}, {0, 1}).simulated({{"time", "gap", "force"}, {{0, NAN, 1}}}, beyond), Catch::Contains("no finite numbers"));
+}

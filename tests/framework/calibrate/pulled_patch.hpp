@@ -1,0 +1,99 @@
+// A bonded patch that a machine of finite stiffness pulls off: force over the machine's way, in closed form. Soft machines make it snap.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "framework/calibrate/point_queue.hpp"
+
+namespace tack {
+
+struct PulledPatch {
+  int points = 120;
+  double reach = 4e-4;  // m, the machine's way
+
+  // Bilinear, with the onset at a quarter of 1e-4 m for strength 10 kPa and work 1 J/m^2. Force per area [Pa].
+  std::vector<double> curve(double strength, double work, double stiffness) const {
+    const double end = 2 * work / strength, onset = 0.25 * work / strength, softening = strength / (end - onset);
+    double widest = onset;
+    bool broken = false;
+    std::vector<double> force;
+    for (int i = 1; i <= points; ++i) {
+      const double way = reach * i / points;
+      double gap = way;
+      if (!broken) {
+        const double secant = strength * (end - widest) / (end - onset) / widest;
+        gap = stiffness * way / (stiffness + secant);
+        if (gap > widest) {
+          if (stiffness > softening) gap = (stiffness * way - softening * end) / (stiffness - softening);
+          else broken = true;
+          broken = broken || gap >= end;
+          widest = std::max(widest, gap);
+        }
+      }
+      force.push_back(broken ? 0 : stiffness * (way - gap));
+    }
+    return force;
+  }
+};
+
+// A double cantilever that opens: the force hardly knows of the strength (Euler-Bernoulli arms, the crack longer by a part of the cohesive zone).
+inline std::vector<double> cantilever_curve(double strength, double work) {
+  const double stiffness = 8.3e-7, width = 1e-2;  // E I [N m^2], m
+  const double zone = std::pow(stiffness * (2 * work / strength) / (strength * width), 0.25);
+  std::vector<double> force;
+  for (int i = 0; i < 120; ++i) {
+    const double opening = 1e-3 + 5e-3 * i / 119;
+    const double crack = std::pow(9 * stiffness * opening * opening / (2 * work * width), 0.25) + 0.1 * zone;
+    force.push_back(3 * stiffness * opening / std::pow(crack, 3));
+  }
+  return force;
+}
+
+// Normal numbers of mean 0 and deviation 1, the same with every library.
+class Noise {
+ public:
+  explicit Noise(unsigned seed) : random_(seed) {}
+  double next() {
+    const double u = unit(), v = unit();
+    return std::sqrt(-2 * std::log(u)) * std::cos(2 * 3.14159265358979323846 * v);
+  }
+
+ private:
+  double unit() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
+  std::mt19937_64 random_;
+};
+
+// Residuals of a model in closed form, each run once in the order in which it is asked for.
+class ModelEvaluator : public Evaluator {
+ public:
+  using Model = std::function<std::vector<double>(const Point&)>;
+  ModelEvaluator(Model model, std::vector<double> data, double scale) : model_(std::move(model)), data_(std::move(data)), scale_(scale) {}
+
+  void serve(PointQueue& queue) override {
+    for (queue.wait_for_all(); !queue.over(); queue.wait_for_all())
+      for (PointQueue::Request* request : queue.take()) queue.answer(*request, evaluation(request->values));
+  }
+  int runs = 0;
+
+ private:
+  PointEvaluation evaluation(const Point& values) {
+    ++runs;
+    PointEvaluation e{values, true, "done", "", 0, {}, model_(values), {}};
+    if (e.residuals.empty()) return {values, false, "simulation failed", "", std::numeric_limits<double>::infinity(), {}, {}, {}};
+    for (size_t i = 0; i < data_.size(); ++i) {
+      e.residuals[i] = (e.residuals[i] - data_[i]) / scale_;
+      e.misfit += e.residuals[i] * e.residuals[i];
+    }
+    e.misfits = {e.misfit};
+    return e;
+  }
+
+  Model model_;
+  std::vector<double> data_;
+  double scale_;
+};
+
+}  // namespace tack

@@ -1,0 +1,141 @@
+// The search on models in closed form: it finds what made the data, from starts that are far off, in the same points every time.
+#include "framework/calibrate/search.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "framework/calibrate/confidence.hpp"
+#include "geometry/errors.hpp"
+#include "tests/framework/calibrate/pulled_patch.hpp"
+
+using namespace tack;
+
+namespace {
+
+const double strength = 1e4, work = 1, stiffness = 2e8, noise = 200;
+
+// Of ranges from a 20th to six times the true value.
+std::vector<FittedNumber> numbers(const std::vector<double>& truth, double off) {
+  std::vector<FittedNumber> all;
+  for (size_t i = 0; i < truth.size(); ++i) {
+    FittedNumber n;
+    n.name = i == 0 ? "strength" : i == 1 ? "work" : "stiffness";
+    n.from = truth[i] / 20;
+    n.to = truth[i] * 6;
+    n.start = truth[i] * (i == 1 ? 1 / off : off);
+    n.log = true;
+    all.push_back(n);
+  }
+  return all;
+}
+
+std::vector<double> noisy(std::vector<double> curve, double deviation, unsigned seed) {
+  Noise random(seed);
+  for (double& y : curve) y += deviation * random.next();
+  return curve;
+}
+
+const SearchProgress silent = [](const std::string&, int, const PointEvaluation*) {};
+
+SearchResult pulled(unsigned seed, double off, int unknowns, double jitter = 0) {
+  const PulledPatch patch;
+  ModelEvaluator evaluator(
+      [&](const Point& p) {
+        std::vector<double> force = patch.curve(p[0], p[1], unknowns > 2 ? p[2] : stiffness);
+        Noise random(static_cast<unsigned>(p[0]) + 31 * static_cast<unsigned>(1e4 * p[1]) + seed);
+        for (double& f : force) f *= 1 + jitter * random.next();
+        return force;
+      },
+      noisy(patch.curve(strength, work, stiffness), noise, seed), noise);
+  std::vector<double> truth{strength, work, stiffness};
+  truth.resize(static_cast<size_t>(unknowns));
+  return search_for(numbers(truth, off), {}, evaluator, silent);
+}
+
+bool right(const SearchResult& found) {
+  return std::abs(found.best.values[0] / strength - 1) < 0.03 && std::abs(found.best.values[1] / work - 1) < 0.03;
+}
+
+}  // namespace
+
+TEST_CASE("strength and work of a pulled patch are found within 3% from starts that are three times off", "[calibrate]") {
+  for (const int unknowns : {2, 3})
+    for (const double jitter : {0.0, 1e-3, 1e-2}) {  // of the model, as of runs that do not converge all the way
+      int good = 0;
+      for (unsigned seed = 1; seed <= 12; ++seed) {
+        const SearchResult found = pulled(seed, seed % 2 ? 3 : 1. / 3, unknowns, jitter);
+        good += right(found) ? 1 : 0;
+        CHECK(found.rows.size() <= (unknowns == 2 ? 160 : 260));
+      }
+      CAPTURE(unknowns, jitter);
+      CHECK(good >= 11);
+    }
+}
+
+TEST_CASE("a search asks for the same points every time, each once, and its intervals hold the truth", "[calibrate]") {
+  const SearchResult a = pulled(3, 3, 2), b = pulled(3, 3, 2);
+  REQUIRE(a.rows.size() == b.rows.size());
+  std::set<Point> points;
+  for (size_t i = 0; i < a.rows.size(); ++i) {
+    CHECK(a.rows[i].evaluation.values == b.rows[i].evaluation.values);
+    CHECK(points.insert(a.rows[i].evaluation.values).second);
+  }
+  REQUIRE(a.derivatives.problem.empty());
+  int held = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    const SearchResult found = pulled(seed, 3, 2);
+    const Confidence c = confidence_of(numbers({strength, work}, 3), found.best.values, found.derivatives.of_residuals, found.best.residuals, seed % 2 == 0);
+    held += c.low[0] <= strength && strength <= c.high[0] ? 1 : 0;
+    held += c.low[1] <= work && work <= c.high[1] ? 1 : 0;
+  }
+  CHECK(held >= 70);  // of 80, 76 on average
+}
+
+TEST_CASE("points that fail are bad, and do not end a search", "[calibrate]") {
+  const PulledPatch patch;
+  const std::vector<double> data = noisy(patch.curve(strength, work, stiffness), noise, 5);
+  ModelEvaluator half([&](const Point& p) { return p[0] > 1.3 * strength || p[1] > 2 * work ? std::vector<double>{} : patch.curve(p[0], p[1], stiffness); }, data, noise);
+  const SearchResult found = search_for(numbers({strength, work}, 3), {}, half, silent);
+  CHECK(right(found));
+  CHECK(std::count_if(found.rows.begin(), found.rows.end(), [](const SearchRow& row) { return !row.evaluation.good; }) > 5);
+  ModelEvaluator none([](const Point&) { return std::vector<double>{}; }, data, noise);
+  CHECK_THROWS_WITH(search_for(numbers({strength, work}, 3), {}, none, silent), Catch::Contains("all 64 points of the design failed"));
+}
+
+TEST_CASE("a search keeps to its bounds and to its most points, and takes one number", "[calibrate]") {
+  const PulledPatch patch;
+  ModelEvaluator evaluator([&](const Point& p) { return patch.curve(p[0], work, stiffness); }, patch.curve(strength, work, stiffness), noise);
+  const SearchResult one = search_for(numbers({strength}, 3), {}, evaluator, silent);
+  CHECK(one.best.values[0] == Approx(strength).epsilon(0.001));
+
+  std::vector<FittedNumber> low = numbers({strength, work}, 1. / 3);
+  low[0].to = 0.5 * strength;
+  ModelEvaluator bounded([&](const Point& p) { return patch.curve(p[0], p[1], stiffness); }, patch.curve(strength, work, stiffness), noise);
+  const SearchResult found = search_for(low, {}, bounded, silent);
+  for (const SearchRow& row : found.rows) CHECK(row.evaluation.values[0] <= low[0].to);
+  const Confidence c = confidence_of(low, found.best.values, found.derivatives.of_residuals, found.best.residuals, true);
+  CHECK_THAT(c.warnings.back(), Catch::Contains("strength ended at its bound 'to'"));
+
+  SearchConfig few;
+  few.evaluations = 30;
+  few.design = 20;
+  few.polish = false;
+  ModelEvaluator counted([&](const Point& p) { return patch.curve(p[0], p[1], stiffness); }, patch.curve(strength, work, stiffness), noise);
+  CHECK(search_for(numbers({strength, work}, 3), few, counted, silent).rows.size() <= 30 + 4);
+}
+
+TEST_CASE("numbers on a linear scale are found, negative ones too", "[calibrate]") {
+  std::vector<FittedNumber> all(2);
+  for (FittedNumber& n : all) n.from = -2, n.to = 4, n.start = 3.5;
+  all[0].name = "a";
+  all[1].name = "b";
+  const auto model = [](const Point& p) {
+    std::vector<double> y;
+    for (int i = 0; i < 20; ++i) y.push_back(p[0] * std::sin(0.3 * i) + p[1] * p[0] + p[1]);
+    return y;
+  };
+  ModelEvaluator evaluator(model, model({-1.25, 0.5}), 0.01);
+  const SearchResult found = search_for(all, {}, evaluator, silent);
+  CHECK(found.best.values[0] == Approx(-1.25).margin(0.01));
+  CHECK(found.best.values[1] == Approx(0.5).margin(0.01));
+}
