@@ -51,7 +51,7 @@ endfunction()
 # first copy for all: hot objects are linked before cold ones.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/scene framework/output
-    framework/experiment framework/probes framework/compare framework/plot framework/law framework/batch framework/calibrate framework/profile framework/run framework/report
+    framework/experiment framework/probes framework/compare framework/plot framework/law framework/batch framework/calibrate framework/profile framework/sensitivity framework/run framework/report
     framework/app
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 # Hot ones whose files have most of their headers in common.

@@ -5,13 +5,16 @@
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
+#include "framework/app/thread_limit.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
+#include "framework/run/gradient_check.hpp"
 #include "framework/scene/bent_solids.hpp"
 #include "framework/scene/derivative_check.hpp"
 #include "framework/scene/element_warnings.hpp"
 #include "framework/scene/law_check.hpp"
 #include "framework/scene/resolution.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -54,9 +57,40 @@ bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
   return right;
 }
 
+constexpr double tolerated_error = 0.01;  // of the largest derivative of a curve
+
+void print_gradient(const GradientCheck& c, const char* where, size_t i) {
+  fmt::print("{:<11} {:>12.6g} {:>16.9g} {:>16.9g}   {:.1e}\n", where, c.times[i], c.gradients[i], c.differences[i], c.error(i));
+}
+
+int check_gradient_of(const CheckOptions& options) {
+  const size_t colon = options.gradient.find(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == options.gradient.size())
+    throw InputError("--gradient: expects PROBE:KEY, as in force:objects.tape.energies.0.young; got '" + options.gradient + "'");
+  const std::string probe = options.gradient.substr(0, colon), key = options.gradient.substr(colon + 1);
+  const ThreadLimit threads(options.threads);
+  const GradientCheck c = check_gradient(load_experiment(options.file, options.overrides), probe, key, options.gradient_step);
+  fmt::print("d({})/d({}), and differences of runs with {:.6g} -+ {:.3g}, all in SI\n", probe, key, c.number, c.step);
+  for (const Warning& doubt : c.doubts) fmt::print("warning: {}\n", doubt.text);
+  if (c.times.empty()) {
+    fmt::print("there is no time at which all of these runs have a number\n");
+    return exit_expectation_failed;
+  }
+  fmt::print("{:<11} {:>12} {:>16} {:>16}   off by, of {:.4g}\n", "", "t [s]", "derivative", "difference", c.largest);
+  print_gradient(c, "at the end", c.times.size() - 1);
+  print_gradient(c, "at worst", c.worst);
+  fmt::print("half of the {} times are off by less than {:.1e}\n", c.times.size(), c.middle);
+  fmt::print("the run takes {:.2f} of the user time of one without\n", c.cost);
+  if (c.error(c.worst) <= tolerated_error) return exit_done;
+  fmt::print("they differ by more than {:g}: solve more exactly (solver.tolerance, solver.balance_tolerance), and look whether the differences change with "
+             "--gradient-step\n", tolerated_error);
+  return exit_expectation_failed;
+}
+
 }  // namespace
 
-int check_command(const SceneOptions& options) {
+int check_command(const CheckOptions& options) {
+  if (!options.gradient.empty()) return check_gradient_of(options);
   BuiltExperiment built(load_experiment(options.file, options.overrides));
   const Experiment& experiment = built.experiment();
   World& world = built.world();

@@ -88,9 +88,14 @@ struct PlotOptions {
 // Pictures for papers, as SVG and PNG.
 int plot_command(const PlotOptions& options);
 
+struct CheckOptions : SceneOptions {
+  std::string gradient;          // "PROBE:KEY": runs it, and compares that derivative with differences; empty: no run
+  double gradient_step = 1e-4;   // of those differences, relative to the number
+  int threads = 0;               // 0: all cores
+};
 // Validates an experiment without running it: keys, meshes, pairs, the start, and the derivatives of the
 // whole incremental potential at the start.
-int check_command(const SceneOptions& options);
+int check_command(const CheckOptions& options);
 
 struct ListOptions {
   std::string kind, name;                         // empty: all

@@ -219,6 +219,10 @@ class CommandLine {
   void add_check() {
     CLI::App* check = app_.add_subcommand("check", "Validate an experiment without running it");
     add_scene_options(*check, check_);
+    check->add_option("--gradient", check_.gradient,
+                      "PROBE:KEY: run it, and compare the derivative of a column of probes.csv by a number of the scene with differences of whole runs");
+    check->add_option("--gradient-step", check_.gradient_step, "of those differences, relative (default: 1e-4)")->check(number_above_zero);
+    check->add_option("--threads", check_.threads, "of those runs (default: all cores)")->check(whole_number_above_zero);
     check->callback([this] {
       settle(check_);
       exit_code_ = check_command(check_);
@@ -288,7 +292,7 @@ class CommandLine {
   CalibrateOptions calibrate_;
   PlotOptions plot_;
   ReportOptions report_;
-  SceneOptions check_;
+  CheckOptions check_;
   ListOptions list_;
   LawOptions law_;
   MeshOptions mesh_;

@@ -22,6 +22,12 @@ std::string described(bool of_elements) {
 
 }  // namespace
 
+void GradientConfig::fields(Fields& f) {
+  f.text("key", key, "path of a number in the scene, as of --set: objects.plate.energies.0.young, contact.pairs.0.adhesion.peak_traction").required().line();
+  f.text("as", as, "what it is called in gradients.csv; its path unless given").line();
+  f.optional_number("step", step, units::none, "by how much the neighbouring scene has more of it, in SI; a millionth of it unless given; a number that is zero needs one").positive();
+}
+
 void OutputConfig::fields(Fields& f) {
   f.flag("frames", frames, "write frames/*.vtu and run.pvd");
   f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
@@ -29,6 +35,15 @@ void OutputConfig::fields(Fields& f) {
                     "simulated time between checkpoints, which `tack run --resume` goes on from; none unless given")
       .positive();
   f.texts("fields", frame_fields, "what frames hold: " + described(false) + "; and of elements, not a number where an object has none: " + described(true));
+  f.list("gradients", gradients, "numbers by which every probe is differentiated at every time: gradients.csv");
+  f.check("gradients", [this]() -> std::string {
+    std::vector<std::string> names;
+    for (const GradientConfig& g : gradients) {
+      if (std::find(names.begin(), names.end(), g.name()) != names.end()) return "two of them are called '" + g.name() + "'; give one another name (as)";
+      names.push_back(g.name());
+    }
+    return "";
+  });
   f.check("fields", [this]() -> std::string {
     std::vector<std::string> names;
     for (const FrameFieldInfo& info : tack::frame_fields()) names.push_back(info.name);

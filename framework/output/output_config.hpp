@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "framework/config/field.hpp"
+#include "framework/output/gradient_config.hpp"
 
 namespace tack {
 
@@ -15,6 +16,7 @@ struct OutputConfig {
   std::optional<double> checkpoint_interval;  // s
   std::vector<std::string> frame_fields = {"velocity", "contact_force", "adhesion_force",
                                            "friction_force"};
+  std::vector<GradientConfig> gradients;
   void fields(Fields& f);
 };
 

@@ -26,6 +26,8 @@ class Probe : public Component {
   virtual Unit unit() const = 0;
   // Whether infinity is one of its values: a gap, of objects out of reach.
   virtual bool unbounded() const { return false; }
+  // Whether it is of what was dissipated so far, an account that costs.
+  virtual bool asks_for_losses() const { return false; }
   // One value per column, at an accepted state.
   virtual std::vector<double> sample(const World& world, const State& state) = 0;
 

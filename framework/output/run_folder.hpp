@@ -37,6 +37,7 @@ class RunFolder {
   std::filesystem::path steps() const { return root_ / "steps.csv"; }
   std::filesystem::path profile() const { return root_ / "profile.csv"; }  // of `tack profile`
   std::filesystem::path probes() const { return root_ / "probes.csv"; }
+  std::filesystem::path gradients() const { return root_ / "gradients.csv"; }  // of probes, if the scene asks for them
   std::filesystem::path laws() const { return root_ / "laws.csv"; }  // of adhesive pairs
   std::filesystem::path summary() const { return root_ / "summary.json"; }
   std::filesystem::path log() const { return root_ / "log.txt"; }

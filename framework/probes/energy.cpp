@@ -27,6 +27,7 @@ class EnergyProbe : public Probe {
                                    suggestion(term_, names, "terms")));
   }
   Unit unit() const override { return units::energy; }
+  bool asks_for_losses() const override { return term_.starts_with("dissipated"); }
   std::vector<double> sample(const World& world, const State& state) override {
     for (const auto& [name, value] : dissipated(state))
       if (term_ == name) return {value};

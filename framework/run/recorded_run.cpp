@@ -54,6 +54,12 @@ std::string smallest_gap_of(const RunSummary& s) {
   return fmt::format("smallest gap {:.4g} m", s.min_gap);
 }
 
+// Before anything is written.
+std::optional<Gradients> gradients_of(BuiltExperiment& built) {
+  if (built.experiment().output.gradients.empty()) return std::nullopt;
+  return std::optional<Gradients>(std::in_place, built);
+}
+
 RunFolder folder_of(const RunSettings& settings, const Experiment& experiment) {
   const std::filesystem::path root = RunFolder::chosen_root(settings.output, experiment.name);
   return settings.resume ? RunFolder::open(root) : RunFolder::create(root);
@@ -65,7 +71,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
                          std::ostream& out, const ProgressOptions& progress)
     : settings_(settings), dump_(settings.dump_problems),
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
-      probes_(probes_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
+      probes_(probes_of(simulation_.built())), gradients_(gradients_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress),
       bent_(experiment_, world_) {
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings;
@@ -84,6 +90,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
   };
   StepObservers observers{tell, tell, {}};
+  if (gradients_) simulation_.observe_solved([this](const SolvedStep& step) { gradients_->solved(step); });
   if (profiler_)
     observers.steps = [this](const VecX& x, const VecX& p, double feasible) { profiler_->tried(x, p, feasible); };
   simulation_.observe(std::move(observers));
@@ -138,11 +145,14 @@ void RecordedRun::simulate(Recorder& recorder) {
   if (checkpoint_) {
     progress_.message(fmt::format("resumed at step {}, t = {:.6g} s", checkpoint_->state.step,
                                   checkpoint_->state.time));
+    if (gradients_) gradients_->start_from(checkpoint_->state);
     simulation_.start_from(checkpoint_->state);
+    if (gradients_) gradients_csv_ = ProbesCsv::continued(folder_.gradients(), gradients_->columns(probes_.columns()), checkpoint_->state.time);
   } else {
     simulation_.start();
     recorder.start(simulation_.state());
     tell_lost_probes();
+    if (gradients_) begin_gradients(recorder);
   }
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
   progress_.begin(simulation_.state().time, experiment_.time.duration);
@@ -158,6 +168,7 @@ void RecordedRun::simulate(Recorder& recorder) {
     dump_.after(report.solve.iterations);
     recorder.step(simulation_.state(), report);
     tell_lost_probes();
+    if (gradients_) gradients_->kept(simulation_.state()), add_gradients(recorder);
     summary_.add(report);
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
       bent_.look(simulation_.state().x);
@@ -168,6 +179,24 @@ void RecordedRun::simulate(Recorder& recorder) {
     progress_.step(report);
     write_checkpoint();
   }
+}
+
+void RecordedRun::begin_gradients(const Recorder& recorder) {
+  gradients_->start();
+  gradients_csv_.emplace(folder_.gradients(), gradients_->columns(probes_.columns()));
+  add_gradients(recorder);
+}
+
+// As if the run had been resumed here.
+void RecordedRun::restart_gradients() {
+  State state = simulation_.state();
+  gradients_->store(state.history);
+  gradients_->start_from(state);
+}
+
+void RecordedRun::add_gradients(const Recorder& recorder) {
+  const std::vector<double>& sample = recorder.series().rows.back();
+  gradients_csv_->add(sample.front(), gradients_->values({sample.begin() + 1, sample.end()}));
 }
 
 // Each once.
@@ -243,6 +272,7 @@ void RecordedRun::write_checkpoint() {
   if (state.time < next_checkpoint_ - 1e-9 * experiment_.time.step) return;
   next_checkpoint_ = next_checkpoint_after(state.time);
   store_checkpoint(checkpoint_path(folder_, state.step));
+  if (gradients_) restart_gradients();
   simulation_.start_from(state);
 }
 
@@ -258,6 +288,7 @@ void RecordedRun::keep_interrupted() {
 void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   const PhaseScope scope(clock_, Phase::io);
   StateFile file = state_file(StateFile::Kind::checkpoint, simulation_.state());
+  if (gradients_) gradients_->store(file.state.history);
   add_up_phases();
   file.totals = totals_of(summary_);
   file.warnings = summary_.warnings;
@@ -284,6 +315,8 @@ void RecordedRun::finish(const Recorder& recorder) {
     }
   }
   finish_dump();
+  if (gradients_)
+    for (const Warning& warning : gradients_->doubts()) warn(warning);
   for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator)) warn(warning);
   tell_resolution();
   add_up_phases();

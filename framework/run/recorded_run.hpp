@@ -17,6 +17,7 @@
 #include "framework/scene/adhesion_resolution.hpp"
 #include "framework/scene/bent_solids.hpp"
 #include "framework/scene/contact_approach.hpp"
+#include "framework/sensitivity/gradients.hpp"
 
 namespace tack {
 
@@ -43,6 +44,9 @@ class RecordedRun {
   void tell_beginning();
   void warn(const Warning& warning);
   void simulate(Recorder& recorder);
+  void begin_gradients(const Recorder& recorder);
+  void restart_gradients();
+  void add_gradients(const Recorder& recorder);
   void tell_linear_solver();
   void tell_lost_probes();
   void tell_resolution();
@@ -65,6 +69,8 @@ class RecordedRun {
   World& world_ = simulation_.world();
   PhaseClock& clock_ = simulation_.clock();
   ProbeSet probes_;
+  std::optional<Gradients> gradients_;  // if the experiment asks for any
+  std::optional<ProbesCsv> gradients_csv_;
   RunFolder folder_;
   std::optional<StateFile> checkpoint_;  // that the run goes on from
   std::ofstream log_;

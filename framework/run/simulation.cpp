@@ -14,6 +14,7 @@ void Simulation::start_from(State state) {
   solver_ = instance_of(*experiment().solver);
   stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);
   stepper_->observe(observers_);
+  stepper_->observe_solved(solved_);
 }
 
 }  // namespace tack

@@ -17,6 +17,7 @@ class Simulation {
   explicit Simulation(LoadedExperiment loaded, WarningFunction warn = [](const Warning&) {});
 
   const BuiltExperiment& built() const { return built_; }
+  BuiltExperiment& built() { return built_; }
   const Experiment& experiment() const { return built_.experiment(); }
   World& world() { return built_.world(); }
   const World& world() const { return built_.world(); }
@@ -38,11 +39,13 @@ class Simulation {
 
   // Who is told of what, from the next start on.
   void observe(StepObservers observers) { observers_ = std::move(observers); }
+  void observe_solved(TimeStepper::SolvedObserver solved) { solved_ = std::move(solved); }
 
  private:
   BuiltExperiment built_;
   WarningFunction warn_;
   StepObservers observers_;
+  TimeStepper::SolvedObserver solved_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;
 };

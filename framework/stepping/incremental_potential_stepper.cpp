@@ -37,7 +37,7 @@ class Minimization {
  private:
   VecX first_guess(const Step& step);
   bool start(const Step& step, const VecX* guess, Attempt& attempt, VecX& q);
-  void minimize_lagged(const MinimizerProblem& problem, LaggedImpulses* impulses, VecX& q, Attempt& attempt);
+  void minimize_lagged(const MinimizerProblem& problem, const Step& step, VecX& q, Attempt& attempt);
   std::string failure(const Attempt& attempt) const;
   void look_for_what_is_passed(const VecX& x, Verdict& verdict);
 
@@ -90,7 +90,7 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
     problem.bend = [&](const VecX& from, VecX& p, double loss) {
       return world_.affine->bend(world_.dofs, from, p, loss / step.potential.scale());
     };
-  minimize_lagged(problem, step.impulses, q, attempt);
+  minimize_lagged(problem, step, q, attempt);
 }
 
 // A feasible q with the scripted vertices at their places; false if they do not get there.
@@ -128,7 +128,7 @@ VecX Minimization::first_guess(const Step& step) {
 }
 
 // The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.
-void Minimization::minimize_lagged(const MinimizerProblem& problem, LaggedImpulses* impulses, VecX& q, Attempt& attempt) {
+void Minimization::minimize_lagged(const MinimizerProblem& problem, const Step& step, VecX& q, Attempt& attempt) {
   const auto minimize = [&] {
     const MinimizerResult before = attempt.result;
     attempt.result = solver_.minimize(problem, q);
@@ -141,6 +141,10 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, LaggedImpuls
   minimize();
   if (!world_.friction) return;
   const LaggingConfig& lagging = scene_.contact->lagging;
+  const auto solved = [&]() -> Attempt::Solved {
+    if (step.potential.configuration() != attempt.x) step.potential.move_to(q);
+    return {attempt.x, step.potential.gradient()};
+  };
   for (attempt.lag_iterations = 1;; ++attempt.lag_iterations) {
     if (attempt.result.status != MinimizerStatus::converged) return;
     world_.participants.move_to(attempt.x);
@@ -148,11 +152,14 @@ void Minimization::minimize_lagged(const MinimizerProblem& problem, LaggedImpuls
     attempt.friction_residual = world_.friction->residual(attempt.x, now);
     attempt.lag_converged = !lagging.until || attempt.friction_residual <= *lagging.until;
     const bool reached = lagging.until && attempt.lag_converged;
-    if (impulses && impulses->settle(now)) {
+    Attempt::Solved before = solved();
+    if (step.impulses && step.impulses->settle(now)) {
+      attempt.before.push_back(std::move(before));
       minimize();
       continue;
     }
     if (reached || attempt.lag_iterations >= lagging.iterations) return;
+    attempt.before.push_back(std::move(before));
     world_.participants.lag(attempt.x);
     minimize();
   }

@@ -48,6 +48,11 @@ struct Attempt {
   VecX x;                  // 3n [m]; `places` to begin with
   std::string failure = "";  // why the scripted vertices could not be moved
   int lag_iterations = 0;
+  // The solves before the last: where they ended, what lags was taken anew (3n), and the gradient that was left there, in the unknowns.
+  struct Solved {
+    VecX x, gradient;
+  };
+  std::vector<Solved> before = {};
   double friction_residual = 0;
   bool lag_converged = true;
   double unbalanced_force = 0, tolerated_force = 0;  // the largest that is left at a vertex, and may be [N]

@@ -68,6 +68,7 @@ void TimeStepper::hold(double h) {
   if (others) world_.dofs = held_.dofs();
   stepper_->begin(others);
   if (!others) return;
+  ++unknowns_;
   potential_.emplace(world_, clock_);
   if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.moving() : std::vector<char>());
   set_accelerations(state_.time, held_.released());
@@ -141,7 +142,7 @@ Step TimeStepper::open(double h) {
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr});
   lag_impulses(step);
   held_.place(state_.time + h, step.places);
-  balance_.begin(state_, step.scripted());
+  if (accounts_) balance_.begin(state_, step.scripted());
   potential_->begin_step(step.places, step.prediction.x, step.prediction.scales(), step.prediction.inertia);
   return step;
 }
@@ -216,6 +217,17 @@ void TimeStepper::commit(const VecX& x, double h) {
   if (state_.acted_before > 0) state_.history[owed_friction_name] = impulses_->remembered();
   state_.time += h;
   ++state_.step;
+}
+
+void TimeStepper::follow(const VecX& x, double h) {
+  if (accounts_) balance_.end(x);
+  commit(x, h);
+  if (accounts_) balance_.close(state_, energies_by_term(world_, state_), h, held_.may_move(), *potential_);
+}
+
+void TimeStepper::set_state(State state) {
+  state_ = std::move(state);
+  world_.participants.remember(state_.history);
 }
 
 bool TimeStepper::finished() const {
@@ -372,7 +384,13 @@ StepReport TimeStepper::advance() {
     if (!verdict.wrong.empty() && !tolerated) {
       check_wall_limit(verdict.wrong);
       halve(h, verdict);
-    } else if (keep(attempt, h, r)) {
+      continue;
+    }
+    if (solved_) {
+      const Unlimited unlimited(clock_, time_);
+      solved_({state_, h, *integrator_, integrator_ != time_.integrator.get(), attempt, *potential_, unknowns_});
+    }
+    if (keep(attempt, h, r)) {
       warn_of(attempt, r);
       if (tolerated)
         warn_({fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, verdict.wrong, verdict.remedy), "tolerated step"});

@@ -21,6 +21,17 @@ namespace tack {
 
 struct SceneConfig;
 
+// A step that is solved and about to be kept: all that take part still hold what they hold in it.
+struct SolvedStep {
+  const State& start;
+  double h;  // s
+  const TimeIntegrator& integrator;
+  bool damped;  // that is the fallback of the scene's
+  const Attempt& attempt;
+  StepPotential& potential;
+  int unknowns;  // how many times those have changed since the beginning
+};
+
 class TimeStepper {
  public:
   // Goes on from world.start, with a stepper of its own. `warn` is told of failed solves and whatever else is doubtful.
@@ -44,6 +55,15 @@ class TimeStepper {
   // The incremental potential of the latest step over beta h^2, at x (3n) [J].
   double potential_at(const VecX& x);
   void observe(StepObservers observers) { stepper_->observe(std::move(observers)); }
+  // Who is told of each step before it is kept. Some are undone after that, and repeated.
+  using SolvedObserver = std::function<void(const SolvedStep&)>;
+  void observe_solved(SolvedObserver solved) { solved_ = std::move(solved); }
+
+  // For those who follow steps that were solved elsewhere (framework/sensitivity): open(), then follow() instead of commit().
+  void damp(bool damped) { integrator_ = damped ? time_.integrator->fallback() : time_.integrator.get(); }
+  void keep_account(bool kept) { accounts_ = kept; }  // of energy
+  void follow(const VecX& x, double h);  // all that take part must be at x
+  void set_state(State state);           // another one at the same time, of the same holds
 
  private:
   Verdict judge(const Attempt& attempt);
@@ -84,6 +104,9 @@ class TimeStepper {
   } found_;  // by the stepper, in the solves of the present step
   bool interrupted_ = false;
   bool refined_ = false;  // the present steps are small for the sake of energy
+  bool accounts_ = true;
+  int unknowns_ = 0;  // changes of them
+  SolvedObserver solved_;
 };
 
 }  // namespace tack

@@ -15,7 +15,7 @@ const std::vector<std::string> layers = {
     "geometry", "framework/config", "framework/plugin", "framework/measured", "framework/core", "framework/assembly", "framework/contact", "framework/bond", "framework/affine", "framework/rod",
     "framework/shapes", "framework/level_set", "framework/meshing", "framework/scene",
     "framework/stepping", "framework/output", "framework/experiment", "framework/probes", "framework/profile",
-    "framework/run", "framework/plot", "framework/law", "framework/compare", "framework/batch", "framework/calibrate", "framework/report", "framework/app", "energies", "solvers"};
+    "framework/sensitivity", "framework/run", "framework/plot", "framework/law", "framework/compare", "framework/batch", "framework/calibrate", "framework/report", "framework/app", "energies", "solvers"};
 
 // Of a path relative to the source tree; -1 if it is in none.
 int layer_of(const std::string& path) {

@@ -1,0 +1,183 @@
+#include "framework/sensitivity/neighbour.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "framework/config/bind.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/sensitivity/history_jumps.hpp"
+#include "framework/sensitivity/scene_number.hpp"
+#include "framework/stepping/lagged_impulses.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double relative_step = 1e-6;
+constexpr double accuracy = 1e-6;     // of the way from the run's end to this one's
+constexpr double round_off = 1e-15;   // of positions, relative
+constexpr int most_corrections = 12;
+constexpr double usual_rate = 0.1;
+constexpr double slow = 0.05;         // a rate at which a new Hessian pays
+
+// In stored states.
+const std::string prefix = "gradients/", remembered_as = "history/";
+constexpr std::pair<const char*, VecX State::*> vectors[] = {
+    {"x", &State::x}, {"v", &State::v}, {"a", &State::a}, {"anchor", &State::anchor}, {"x_before", &State::x_before},
+    {"v_before", &State::v_before}, {"contact", &State::contact}, {"contact_before", &State::contact_before}};
+
+double largest(const VecX& v) {
+  if (!v.allFinite()) return std::numeric_limits<double>::infinity();
+  return v.size() > 0 ? v.lpNorm<Eigen::Infinity>() : 0;
+}
+
+}  // namespace
+
+Neighbour::Neighbour(const BuiltExperiment& run, const GradientConfig& config) : name_(config.name()) {
+  const double value = scene_number(run, config.key);
+  if (value == 0 && !config.step)
+    throw InputError(fmt::format("output.gradients: '{}' is zero, so that a millionth of it is nothing; say how much it is changed by (step)", config.key));
+  difference_ = config.step.value_or(relative_step * std::abs(value));
+  try {
+    built_ = built_with(run, config.key, value + difference_);
+  } catch (const InputError&) {  // the largest that it may be
+    difference_ = -difference_;
+    built_ = built_with(run, config.key, value + difference_);
+  }
+  solver_ = instance_of(*built_->experiment().solver);
+  probes_.emplace(probes_of(*built_));
+  for (const auto& probe : run.experiment().probes) accounts_ = accounts_ || probe->asks_for_losses();
+}
+
+std::vector<double> Neighbour::derivatives(const std::vector<double>& of_run) {
+  std::vector<double> derivatives = probes_->sample(built_->world(), stepper_->state());
+  for (size_t i = 0; i < derivatives.size(); ++i) derivatives[i] = (derivatives[i] - of_run[i]) / difference_;
+  return derivatives;
+}
+
+void Neighbour::begin() {
+  const Experiment& e = built_->experiment();
+  World& world = built_->world();
+  stepper_.reset();
+  world.participants.forget();
+  stepper_.emplace(world, e, e.time, *solver_, built_->clock(), [](const Warning&) {});
+  stepper_->keep_account(accounts_);
+  rate_ = 1;
+  last_.resize(0);
+}
+
+void Neighbour::start() {
+  begin();
+  if (built_->world().contact) built_->world().contact->move_to(stepper_->state().x);
+}
+
+void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSystem& system) {
+  stepper_->damp(step.damped);
+  unknowns_ = step.unknowns;
+  h_ = step.h;
+  const bool goes_on = last_.size() == gradient.size() && unknowns_ == unknowns_last_;
+  if (!goes_on) way_ = VecX::Zero(gradient.size());
+  else if (before_.size() == last_.size() && h_ == h_last_) way_ = 2 * last_ - before_;
+  else way_ = last_;
+  const Step own = stepper_->open(step.h);
+  World& world = built_->world();
+  if (world.dofs.size() != gradient.size())
+    throw InputError(fmt::format("output.gradients: with a little more of '{}', other vertices are held at t = {:.6g} s", name_, step.start.time));
+  // What the run took anew where a solve had ended is taken anew where that one ends here.
+  bool settled = true;
+  for (const Attempt::Solved& before : step.attempt.before) {
+    system.begin_solve();
+    settled = settle(own, before, system) && settled;
+    const VecX& x = own.potential.configuration();
+    if (own.impulses) own.impulses->settle(world.friction->lagged_at(x));
+    else world.participants.lag(x);
+  }
+  if (!step.attempt.before.empty()) system.begin_solve();
+  unsettled_ += !(settle(own, {step.attempt.x, gradient}, system) && settled);
+  end_ = own.potential.configuration();
+  if (own.impulses) own.impulses->settle(world.friction->lagged_at(end_));
+}
+
+// False if it was not found.
+bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSystem& system) {
+  VecX end, d;
+  built_->world().dofs.gather(run.x, end);
+  const VecX guess = way_;
+  const double noise = round_off * largest(end);
+  double last = 0;
+  bool settled = false;
+  rate_ = std::min(1.0, 1.5 * rate_);
+  for (int i = 0; i < most_corrections && !settled; ++i) {
+    own.potential.move_to(end + way_);
+    if (!system.known()) system.refresh(own.potential);
+    const VecX r = run.gradient - own.potential.gradient();
+    system.solve(r, d);
+    way_ += d;
+    const double size = largest(d), all = largest(way_);
+    if (last > 0) rate_ = size / last;
+    last = size;
+    // What was guessed right did not meet a kink, and a Hessian that is a little old serves.
+    settled = size <= noise || size * std::clamp(rate_, i == 0 ? usual_rate : 0.0, 1.0) <= accuracy * all;
+    if (!settled && i > 0 && !(rate_ <= slow) && !system.present()) {
+      way_ = guess;
+      own.potential.move_to(end + way_);
+      system.refresh(own.potential);
+      rate_ = 1;
+      last = 0;
+      i = 0;
+    }
+  }
+  // What does not even come near is not believed: it goes on as before.
+  const bool lost = !way_.allFinite() || (!settled && last > 0.1 * largest(way_));
+  if (lost) way_ = last_.size() == end.size() ? last_ : VecX::Zero(end.size());
+  own.potential.move_to(end + way_);
+  return settled;
+}
+
+void Neighbour::keep(const State& run) {
+  stepper_->follow(end_, h_);
+  before_ = h_ == h_last_ && unknowns_ == unknowns_last_ ? std::move(last_) : VecX();
+  last_ = way_;
+  h_last_ = h_;
+  unknowns_last_ = unknowns_;
+  State state = stepper_->state();
+  const int jumps = take_jumps_from(run.history, state.history);
+  if (jumps == 0) return;
+  jumps_ += jumps;
+  stepper_->set_state(std::move(state));
+}
+
+void Neighbour::store(History& history) const {
+  const State& s = stepper_->state();
+  const std::string own = prefix + name_ + "/";
+  for (const auto& [what, field] : vectors) {
+    const VecX& v = s.*field;
+    history[own + what] = {1, {v.begin(), v.end()}, {}};
+  }
+  history[own + "dissipated"] = {1, {s.energy.friction, s.energy.plastic, s.energy.damping}, {}};
+  for (const auto& [name, array] : s.history) history[own + remembered_as + name] = array;
+}
+
+void Neighbour::start_from(const State& run, const History& history) {
+  const std::string own = prefix + name_ + "/";
+  State& s = built_->world().start = run;
+  s.history.clear();
+  for (const auto& [name, array] : history)
+    if (name.starts_with(own + remembered_as)) s.history[name.substr(own.size() + remembered_as.size())] = array;
+  const auto values_of = [&](const std::string& what) -> const std::vector<double>& {
+    const auto found = history.find(own + what);
+    if (found == history.end()) throw InputError(fmt::format("the state that is gone on from has no derivatives by '{}': start anew without --resume", name_));
+    return found->second.values;
+  };
+  for (const auto& [what, field] : vectors) {
+    const std::vector<double>& values = values_of(what);
+    s.*field = VecX::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+  const std::vector<double>& dissipated = values_of("dissipated");
+  s.energy.friction = dissipated[0], s.energy.plastic = dissipated[1], s.energy.damping = dissipated[2];
+  begin();
+}
+
+}  // namespace tack

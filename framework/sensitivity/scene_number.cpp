@@ -1,0 +1,58 @@
+#include "framework/sensitivity/scene_number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "framework/config/parse.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+[[noreturn]] void refuse(const std::string& key, const std::string& why) {
+  throw InputError(fmt::format("output.gradients: '{}' {}", key, why));
+}
+
+bool same_meshes(const World& a, const World& b) {
+  if (a.bodies.size() != b.bodies.size() || a.rest.size() != b.rest.size() || a.dofs.size() != b.dofs.size() || a.tets != b.tets) return false;
+  for (size_t i = 0; i < a.bodies.size(); ++i)
+    if (a.bodies[i].triangles != b.bodies[i].triangles || a.bodies[i].edges != b.bodies[i].edges || a.bodies[i].points != b.bodies[i].points) return false;
+  return true;
+}
+
+}  // namespace
+
+double scene_number(const BuiltExperiment& run, const std::string& key) {
+  constexpr std::array fixed = {"name", "about", "plugins", "time", "solver", "output", "expect", "start"};
+  const std::string top = key.substr(0, key.find('.'));
+  if (std::find(fixed.begin(), fixed.end(), top) != fixed.end())
+    refuse(key, "is a key of the run and not of what is simulated: probes are differentiated by numbers of objects and contact");
+  const Value resolved = to_value(fields_of(run.experiment()));
+  const Value* value = value_at(resolved, key);
+  if (!value) refuse(key, "is no key of the scene; scene.yaml of its results has all of them");
+  if (value->is_null()) refuse(key, "has no value in the scene; give it one, or take the key that it follows from");
+  double number = 0;
+  const char* end = value->text.data() + value->text.size();
+  const auto [stop, status] = std::from_chars(value->text.data(), end, number);
+  if (!value->is_scalar() || status != std::errc() || stop != end) refuse(key, fmt::format("is {} and no number", value->description()));
+  return number;
+}
+
+LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, double value) {
+  Value root = run.root(), number = Value::number(value), none = Value::sequence();
+  number.mark.file = none.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
+  set_at(root, key, std::move(number));
+  set_at(root, "output.gradients", std::move(none));
+  return bound_experiment(std::move(root));
+}
+
+std::unique_ptr<BuiltExperiment> built_with(const BuiltExperiment& run, const std::string& key, double value) {
+  auto built = std::make_unique<BuiltExperiment>(scene_with(run, key, value));
+  if (!same_meshes(run.world(), built->world())) refuse(key, "changes meshes or unknowns, so that nothing can be compared");
+  return built;
+}
+
+}  // namespace tack

@@ -1,0 +1,51 @@
+// The exact Hessian of steps where they end, to solve for what their ends change by: H dx = gradient - gradient of the scene beside.
+// It is taken anew only when that of an earlier step serves no longer, which those who solve find by how fast they converge; from the
+// potential of the scene beside, which differs by next to nothing, so that nothing of the run is touched.
+#pragma once
+
+#include <Eigen/SparseCholesky>
+
+#include <memory>
+
+#include "framework/core/linear_solver.hpp"
+#include "framework/scene/step_potential.hpp"
+#include "framework/stepping/time_stepper.hpp"
+
+namespace tack {
+
+class TangentSystem {
+ public:
+  explicit TangentSystem(PhaseClock& clock) : clock_(clock) {}
+
+  // A step is solved; what is held may be others than in the last one.
+  void begin(const SolvedStep& step);
+  // Another solve of that step, in which friction held something else.
+  void begin_solve() { fresh_ = false; }
+  // Takes the Hessian where a potential is.
+  void refresh(StepPotential& potential);
+  bool present() const { return fresh_; }  // that of the present solve
+  bool known() const { return factored_; }
+  // d <- H^-1 r
+  void solve(const VecX& r, VecX& d);
+  // As if none had been made yet.
+  void forget() { factored_ = fresh_ = false; }
+
+  int factors() const { return factors_; }
+  int indefinite() const { return indefinite_; }  // of them: of steps that ended where nothing is stable
+
+ private:
+  using Sparse = Eigen::SparseMatrix<double>;
+  bool factorize(double shift);
+  void take_as_it_is();
+
+  PhaseClock& clock_;
+  int unknowns_ = -1;
+  bool inertia_ = true;
+  BlockMatrix matrix_;  // its Hessian, with a shift where it may be singular
+  std::unique_ptr<LinearSolver> definite_;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of what is not positive definite
+  bool factored_ = false, fresh_ = false, positive_ = true;
+  int factors_ = 0, indefinite_ = 0;
+};
+
+}  // namespace tack

@@ -1,0 +1,250 @@
+// Derivatives of probes beside central differences of whole runs, and closed forms.
+#include "framework/sensitivity/gradients.hpp"
+
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "framework/output/csv.hpp"
+#include "framework/run/gradient_check.hpp"
+#include "framework/run/recorded_run.hpp"
+#include "tests/support/program.hpp"
+
+using namespace tack;
+using Catch::Matchers::Contains;
+
+namespace {
+
+LoadedExperiment scene(const std::string& text) { return parse_experiment("name: test\n" + text, "test.yaml"); }
+
+// The largest difference from the differences of whole runs, of the largest of those.
+double worst(const std::string& text, const std::string& probe, const std::string& key, double step = 1e-5) {
+  const GradientCheck c = check_gradient(scene(text), probe, key, step);
+  REQUIRE(c.times.size() > 3);
+  REQUIRE(c.largest > 0);
+  for (const Warning& doubt : c.doubts) UNSCOPED_INFO(doubt.text);
+  UNSCOPED_INFO(probe << " by " << key << ": at " << c.times[c.worst] << " s " << c.gradients[c.worst] << ", differences " << c.differences[c.worst]);
+  return c.error(c.worst);
+}
+
+// A block of 10 mm that hangs from its top and is drawn down at its bottom.
+const std::string drawn = R"(
+time: {step: 0.1 s, duration: 0.4 s, integrator: quasi_static}
+objects:
+  - name: block
+    shape: {type: box, size: [10 mm, 10 mm, 10 mm], cells: [2, 2, 2]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0, density: 1000}]
+    motion: [{type: fixed, select: {type: face, direction: [0, 1, 0]}}]
+    loads: [{type: traction, value: [0, -100, 0], ramp: [[0 s, 0], [0.4 s, 1]], select: {type: face, direction: [0, -1, 0]}}]
+solver: {tolerance: 1e-12}
+probes:
+  - {name: middle, type: centre_of_mass, object: block, direction: [0, 1, 0]}
+)";
+
+// A soft block between a floor and a plate that comes down on it.
+const std::string pressed = R"(
+time: {step: 0.1 s, duration: 1 s, integrator: quasi_static}
+objects:
+  - {name: floor, shape: {type: box, size: [30 mm, 2 mm, 30 mm], cells: [3, 1, 3]}, place: {translate: [0, -1 mm, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [10 mm, 10 mm, 10 mm], cells: [3, 3, 3]}
+    place: {translate: [0, 5.3 mm, 0]}
+    energies: [{type: neo_hookean, young: 100 kPa, poisson: 0.3, density: 1000}]
+    motion:
+      - {type: fixed, along: [1, 0, 0], select: {type: face, direction: [-1, 0, 0]}}
+      - {type: fixed, along: [0, 0, 1], select: {type: face, direction: [0, 0, -1]}}
+  - name: plate
+    shape: {type: box, size: [20 mm, 2 mm, 20 mm], cells: [2, 1, 2]}
+    place: {translate: [0, 11.7 mm, 0]}
+    motion: [{type: translate, velocity: [0, -2 mm/s, 0]}]
+contact: {distance: 0.5 mm, barrier: {stiffness: 1e6}}
+solver: {tolerance: 1e-10, balance_tolerance: 1e-8, linear: multifrontal}
+probes:
+  - {name: force, type: reaction, object: plate, direction: [0, 1, 0]}
+)";
+
+// Two plates that adhere are drawn apart until they snap off.
+const std::string parted = R"(
+time: {step: 10 ms, duration: 0.36 s}
+objects:
+  - {name: upper, shape: {type: box, size: [20 mm, 4 mm, 20 mm], cells: [3, 1, 3]}, place: {translate: [0, 2.125 mm, 0]}, motion: [fixed]}
+  - name: lower
+    shape: {type: box, size: [20 mm, 4 mm, 20 mm], cells: [4, 1, 4]}
+    place: {translate: [0, -2.125 mm, 0]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]
+    loads: [{type: traction, value: [0, -1000, 0], ramp: [[0 s, 0], [0.35 s, 1.1]], select: {type: face, direction: [0, -1, 0]}}]
+contact:
+  distance: 1 mm
+  pairs: [{between: [lower, upper], adhesion: {type: fang, peak_traction: 1 kPa, form: squared}}]
+solver: {tolerance: 1e-9}
+probes:
+  - {name: force, type: contact_force, on: lower, from: upper, direction: [0, 1, 0]}
+  - {name: height, type: centre_of_mass, object: lower, direction: [0, 1, 0]}
+)";
+
+// The end of a tape on a desk is lifted.
+const std::string peeled = R"(
+time: {step: 10 ms, duration: 0.2 s}
+objects:
+  - {name: desk, shape: {type: box, size: [30 mm, 4 mm, 10 mm], cells: [7, 1, 3]}, place: {translate: [0, -2 mm, 0]}, motion: [fixed]}
+  - name: tape
+    shape: {type: grid, size: [20 mm, 3 mm], cells: [20, 3]}
+    place: {translate: [0, 0.2 mm, 0]}
+    shell: {thickness: 0.3 mm}
+    energies: [{type: stvk_membrane, young: 10 MPa, poisson: 0, density: 1000}, {type: hinge_bending, young: 10 MPa, poisson: 0}]
+    motion:
+      - {type: fixed, select: {type: face, direction: [-1, 0, 0]}}
+      - {type: translate, velocity: [0, 20 mm/s, 0], select: {type: face, direction: [1, 0, 0]}}
+contact:
+  distance: 0.2 mm
+  pairs:
+    - {between: [tape, desk], adhesion: {type: fang, peak_traction: 1 kPa, form: squared}}
+    - {between: [tape, tape], contact: false}
+solver: {tolerance: 1e-11, linear: multifrontal}
+probes:
+  - {name: force, type: reaction, object: tape, select: {type: face, direction: [1, 0, 0]}, direction: [0, 1, 0]}
+)";
+
+// A block slides down a plane that falls by 30 degrees; what it weighs stands askew instead.
+std::string slid(const std::string& lagging) {
+  return R"(
+time: {step: 10 ms, duration: 0.2 s}
+gravity: [4.9, -8.5, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [300 mm, 10 mm, 60 mm], cells: [5, 1, 2]}, place: {translate: [50 mm, -5 mm, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [40 mm, 20 mm, 40 mm], cells: [2, 1, 2]}
+    place: {translate: [0, 10.9 mm, 0]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]
+contact: {distance: 1 mm, barrier: {stiffness: 2 kPa}, friction: {mu: 0.3}, lagging: )" + lagging + R"(}
+solver: {tolerance: 1e-9}
+probes:
+  - {name: place, type: centre_of_mass, object: block, direction: [1, 0, 0]}
+  - {name: lost, type: energy, term: dissipated_friction}
+)";
+}
+
+// A block falls on a floor, and leaves it.
+std::string bounced(const std::string& integrator) {
+  return R"(
+time: {step: 2 ms, duration: 0.06 s, integrator: )" + integrator + R"(}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: floor, shape: {type: box, size: [60 mm, 10 mm, 60 mm], cells: [2, 1, 2]}, place: {translate: [0, -5 mm, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [20 mm, 20 mm, 20 mm], cells: [2, 2, 2]}
+    place: {translate: [0, 13 mm, 0]}
+    velocity: [0, -0.1, 0]
+    energies: [{type: neo_hookean, young: 100 kPa, poisson: 0.3, density: 1000}]
+contact: {distance: 2 mm, barrier: {stiffness: 5 kPa}}
+solver: {tolerance: 1e-10}
+probes:
+  - {name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}
+)";
+}
+
+}  // namespace
+
+TEST_CASE("a drawn block has the derivatives of Hooke's law", "[sensitivity]") {
+  const GradientCheck c = check_gradient(scene(drawn), "middle", "objects.block.energies.0.young", 1e-4);
+  REQUIRE(c.times.size() == 5);
+  CHECK(c.gradients.front() == 0);
+  CHECK(c.error(c.worst) < 1e-5);
+  // The middle goes down by L t / 2 E, at a strain of 1e-4.
+  CHECK(c.gradients.back() == Approx(0.5 * 1e-2 * 100 / 1e12).epsilon(1e-3));
+  CHECK(c.number == 1e6);
+}
+
+TEST_CASE("a block that is pressed has the derivatives of whole runs", "[sensitivity]") {
+  for (const char* key : {"objects.block.energies.0.young", "contact.barrier.stiffness"}) CHECK(worst(pressed, "force", key, 1e-4) < 1e-4);
+  // What the runs leave of forces changes with these.
+  for (const char* key : {"objects.block.energies.0.poisson", "contact.distance", "objects.plate.motion.0.velocity.1"})
+    CHECK(worst(pressed, "force", key, 1e-4) < 1e-3);
+}
+
+TEST_CASE("plates that snap off each other have the derivatives of whole runs", "[sensitivity]") {
+  for (const char* key : {"contact.pairs.0.adhesion.peak_traction", "objects.lower.energies.0.young", "objects.lower.loads.0.value.1"})
+    CHECK(worst(parted, "height", key, 1e-6) < 1e-4);
+  CHECK(worst(parted, "force", "contact.pairs.0.adhesion.peak_traction", 1e-6) < 1e-4);
+}
+
+TEST_CASE("a tape that is peeled has the derivatives of whole runs", "[sensitivity]") {
+  for (const char* key : {"contact.pairs.0.adhesion.peak_traction", "objects.tape.energies.1.young"}) CHECK(worst(peeled, "force", key, 1e-6) < 1e-4);
+}
+
+TEST_CASE("friction that lags by a step, and that is iterated, has the derivatives of whole runs", "[sensitivity]") {
+  for (const char* lagging : {"{iterations: 1}", "{iterations: 30, until: 1e-9}"}) {
+    CHECK(worst(slid(lagging), "place", "contact.friction.mu", 1e-6) < 1e-4);
+    CHECK(worst(slid(lagging), "lost", "contact.friction.mu", 1e-6) < 1e-3);
+  }
+}
+
+TEST_CASE("impacts have the derivatives of whole runs, with every integrator", "[sensitivity]") {
+  for (const char* integrator : {"implicit_euler", "newmark", "bdf2"}) {
+    INFO(integrator);
+    CHECK(worst(bounced(integrator), "height", "objects.block.energies.0.young", 1e-6) < 1e-3);
+    CHECK(worst(bounced(integrator), "height", "objects.block.velocity.1", 1e-6) < 1e-3);
+  }
+}
+
+TEST_CASE("plastic flow has the derivatives of a closed form", "[sensitivity]") {
+  const GradientCheck c = check_gradient(scene(R"(
+time: {step: 0.1 s, duration: 1 s, integrator: quasi_static}
+objects:
+  - name: bar
+    shape: {type: box, size: [60 mm, 10 mm, 10 mm], cells: [3, 1, 1]}
+    energies: [{type: von_mises, young: 1 GPa, poisson: 0.3, density: 1000, yield_stress: 5 MPa}]
+    motion:
+      - {type: fixed, along: [1, 0, 0], select: {type: face, direction: [-1, 0, 0]}}
+      - {type: fixed, along: [0, 1, 0], select: {type: face, direction: [0, -1, 0]}}
+      - {type: fixed, along: [0, 0, 1], select: {type: face, direction: [0, 0, -1]}}
+      - {type: translate, velocity: [0.6 mm/s, 0, 0], along: [1, 0, 0], select: {type: face, direction: [1, 0, 0]}}
+solver: {tolerance: 1e-10, balance_tolerance: 1e-8, linear: multifrontal}
+probes:
+  - {name: force, type: reaction, object: bar, direction: [1, 0, 0], select: {type: face, direction: [1, 0, 0]}}
+)"), "force", "objects.bar.energies.0.yield_stress", 1e-5);
+  // A sigma_y / s once it flows, s the stretch; elastic before.
+  CHECK(std::abs(c.gradients[3]) < 1e-9);
+  CHECK(c.gradients.back() == Approx(1e-4 / 1.01).epsilon(1e-4));
+}
+
+TEST_CASE("numbers that nothing can be differentiated by are refused", "[sensitivity]") {
+  const auto refused = [](const std::string& text, const std::string& key, const std::string& why, const std::string& more = "") {
+    const std::string asked = text + "output: {gradients: [{key: " + key + more + "}]}\n";
+    Simulation simulation(scene(asked));
+    CHECK_THROWS_WITH(Gradients(simulation.built()), Contains(why));
+  };
+  refused(drawn, "time.step", "is a key of the run");
+  refused(drawn, "objects.block.energies.0.yuong", "is no key of the scene");
+  refused(drawn, "objects.block.energies.0.poisson", "is zero");
+  refused(drawn, "objects.block.shape.type", "no number");
+  refused(drawn, "objects.block.shape.cells.0", "whole");
+  CHECK_THROWS_WITH(scene(drawn + "output: {gradients: [{key: a}, {key: a}]}\n"), Contains("two of them are called 'a'"));
+  Simulation simulation(scene(drawn + "output: {gradients: [{key: objects.block.energies.0.poisson, step: 1e-6}]}\n"));
+  CHECK_NOTHROW(Gradients(simulation.built()));
+}
+
+TEST_CASE("a run with gradients has the bits of one without, also resumed", "[sensitivity]") {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& name, bool with, int steps, bool resume) {
+    RunSettings settings;
+    settings.output = (folder.path() / name).string();
+    settings.steps = steps;
+    settings.resume = resume;
+    std::ostringstream told;
+    const std::string gradients = with ? ", gradients: [{key: contact.friction.mu, as: mu}, {key: objects.block.energies.0.young}]" : "";
+    RecordedRun recorded(scene(slid("{iterations: 1}") + "output: {frames: false, checkpoint_interval: 50 ms" + gradients + "}\n"), settings, Provenance(), told, {});
+    CHECK(recorded.execute().status == RunStatus::done);
+    return folder.path() / name;
+  };
+  const auto without = run("without", false, 0, false), with = run("with", true, 0, false);
+  CHECK(file_text(without / "probes.csv") == file_text(with / "probes.csv"));
+  CHECK_FALSE(std::filesystem::exists(without / "gradients.csv"));
+  const CsvTable table = read_csv(with / "gradients.csv");
+  CHECK(table.columns == std::vector<std::string>{"time", "d(place)/d(mu)", "d(lost)/d(mu)", "d(place)/d(objects.block.energies.0.young)",
+                                                  "d(lost)/d(objects.block.energies.0.young)"});
+  CHECK(table.rows.size() == 21);
+  CHECK(table.rows.back()[1] < -1e-3);
+  run("resumed", true, 13, false);
+  const auto resumed = run("resumed", true, 0, true);
+  CHECK(file_text(resumed / "gradients.csv") == file_text(with / "gradients.csv"));
+}
