@@ -7,6 +7,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/batch/batch_description.hpp"
+#include "framework/measured/measured_curve.hpp"
 #include "framework/plot/gnuplot.hpp"
 #include "framework/plot/run_plots.hpp"
 #include "framework/plot/table_plots.hpp"
@@ -30,7 +31,19 @@ PlottedRun run_of(const fs::path& folder, const std::string& name) {
   return run;
 }
 
+// Points of a file, in SI.
+Curve points_of(const std::string& file, const PlotOptions& options) {
+  const MeasuredCurve curve = read_curve(file, {options.x, units::any, "--x"}, {options.y, units::any, "--y"});
+  Curve points{fs::path(file).stem().string(), {}, {}, true};
+  for (size_t i = 0; i < curve.size(); ++i) points.points.emplace_back(curve.x[i], curve.y[i]);
+  return points;
+}
+
 Plot chosen(Plot plot, const PlotOptions& options) {
+  if (!options.data.empty())
+    for (Curve& curve : plot.curves)
+      if (curve.title.empty()) curve.title = options.y;
+  for (const std::string& file : options.data) plot.curves.push_back(points_of(file, options));
   plot.log_x = options.log_x;
   plot.log_y = options.log_y;
   return options.x_range.empty() ? plot : within(std::move(plot), options.x_range[0], options.x_range[1]);

@@ -39,6 +39,7 @@ class RunFolder {
   std::filesystem::path probes() const { return root_ / "probes.csv"; }
   std::filesystem::path gradients() const { return root_ / "gradients.csv"; }  // of probes, if the scene asks for them
   std::filesystem::path laws() const { return root_ / "laws.csv"; }  // of adhesive pairs
+  std::filesystem::path measured() const { return root_ / "measured.csv"; }  // what expectations hold the run against
   std::filesystem::path summary() const { return root_ / "summary.json"; }
   std::filesystem::path log() const { return root_ / "log.txt"; }
   std::filesystem::path frames() const { return root_ / "frames"; }

@@ -52,6 +52,20 @@ std::string unit_of(const PlottedRun& run, const std::string& column) {
   return unit == run.units.end() ? "" : unit->second;
 }
 
+// The data that runs are held against, by probe and what they are over; the same data of several runs once.
+std::map<std::pair<std::string, std::string>, Curve> measured_curves(const std::vector<PlottedRun>& runs) {
+  std::map<std::pair<std::string, std::string>, Curve> curves;
+  for (const PlottedRun& run : runs)
+    for (const auto& row : run.measured.rows) {
+      if (row.size() < 4) continue;
+      const auto x = csv_number(row[2]), y = csv_number(row[3]);
+      if (!x || !y) continue;
+      Curve& curve = curves.try_emplace({row[0], row[1]}, Curve{"measured", {}, {}, true}).first->second;
+      if (const std::pair point(*x, *y); std::find(curve.points.begin(), curve.points.end(), point) == curve.points.end()) curve.points.push_back(point);
+    }
+  return curves;
+}
+
 // Traction over gap of each pair.
 std::optional<Plot> law_curves(const CsvTexts& laws) {
   Plot plot{.title = "laws of adhesion", .x_label = "gap", .y_label = "traction", .x_unit = "m", .y_unit = "Pa", .style = Plot::Style::lines, .curves = {}, .levels = {}, .notes = {}};
@@ -82,9 +96,10 @@ PlottedRun plotted_run(const fs::path& folder, const std::string& name) {
   if (!fs::exists(folder / "steps.csv"))
     throw InputError(fmt::format("{}: holds no results of a run (no steps.csv); give a folder that `tack run`, `tack batch` or "
                                  "`tack compare` made", folder.string()));
-  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}, {}};
+  PlottedRun run{name, read_csv(folder / "steps.csv"), {}, {}, {}, {}};
   if (fs::exists(folder / "probes.csv")) run.probes = read_csv(folder / "probes.csv");
   if (fs::exists(folder / "laws.csv")) run.laws = read_csv_texts(folder / "laws.csv");
+  if (fs::exists(folder / "measured.csv")) run.measured = read_csv_texts(folder / "measured.csv");
   return run;
 }
 
@@ -112,6 +127,11 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
       if (column.starts_with("energy_")) add("energies", "energies", "energy", "J", false, over_time(run.steps, column, column.substr(7)));
     if (auto laws = law_curves(run.laws)) plots.emplace("laws", std::move(*laws));
   }
+  for (const auto& [of, data] : measured_curves(runs)) {
+    const auto& [probe, along] = of;
+    const auto drawn = [&](const PlottedRun& run) { return run.probes.column(probe) && run.probes.column(along); };
+    if (std::any_of(runs.begin(), runs.end(), drawn)) plots.emplace("measured_" + picture_name(probe), probe_curves(runs, along, probe));
+  }
   return plots;
 }
 
@@ -128,6 +148,8 @@ Plot probe_curves(const std::vector<PlottedRun>& runs, const std::string& x, con
     const std::string& missing = runs.front().probes.column(x) ? y : x;
     throw InputError(fmt::format("no run has a probe '{}' with numbers{}", missing, suggestion(missing, columns, "probes")));
   }
+  const auto data = measured_curves(runs);
+  if (const auto found = data.find({y, x}); found != data.end()) plot.curves.push_back(found->second);
   if (!without.empty()) plot.notes.push_back(fmt::format("without these probes: {}", fmt::join(without, "; ")));
   return plot;
 }

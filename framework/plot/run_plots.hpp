@@ -6,6 +6,7 @@
 //   phase_shares     what part of it each phase takes (figure 17)
 //   smallest_gap, contacts
 //   energies         of a single run: what is stored, by its terms
+//   measured_PROBE   a probe over what its measured data are over (measured.csv), with the data as rings
 //   laws             of a single run: traction over gap of its adhesive pairs, in closed form (laws.csv)
 // and any probe over any other.
 #pragma once
@@ -24,7 +25,7 @@ namespace tack {
 struct PlottedRun {
   std::string name;
   CsvTable steps, probes;
-  CsvTexts laws;
+  CsvTexts laws, measured;
   std::map<std::string, std::string> units;  // of probes, by column; where they are known
 };
 

@@ -11,6 +11,7 @@
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/output/laws_csv.hpp"
+#include "framework/output/measured_csv.hpp"
 #include "framework/output/next_due.hpp"
 #include "framework/scene/element_warnings.hpp"
 #include "framework/scene/law_check.hpp"
@@ -313,6 +314,7 @@ void RecordedRun::finish(const Recorder& recorder) {
       summary_.expect.push_back(evaluate(expectation, recorder.series()));
       if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
     }
+    write_measured(folder_.measured(), experiment_.expect, recorder.series());
   }
   finish_dump();
   if (gradients_)

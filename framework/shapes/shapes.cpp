@@ -1,8 +1,11 @@
 // The built-in shapes and mesh files, as components of the scene file.
+#include <numbers>
+
 #include "framework/config/field.hpp"
 #include "framework/shapes/shape_source.hpp"
 #include "geometry/io/mesh_io.hpp"
 #include "geometry/shapes/lines.hpp"
+#include "geometry/shapes/sector.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "geometry/shapes/surfaces.hpp"
 
@@ -53,6 +56,26 @@ class CylinderShape : public ShapeSource {
  private:
   double radius_ = 1, height_ = 1;  // m
   int across_ = 8, along_ = 8;
+};
+
+class SectorShape : public ShapeSource {
+ public:
+  void fields(Fields& f) override {
+    f.number("angle", shape_.angle, units::angle, "what it takes of the whole turn; small, as it is one cell wide").positive();
+    f.vectors("rings", rings_, units::length, "cells along the radius: places, from 0 to the rim, and how long cells are there; linear in between").required();
+    f.vectors("layers", layers_, units::length, "cells along the depth, likewise").required();
+    f.number("crown", shape_.crown, units::length, "radius of the ball that its top is a part of; 0: flat").nonnegative();
+  }
+  Mesh make() const override {
+    Sector shape = shape_;
+    shape.radii = graded(rings_);
+    shape.depths = graded(layers_);
+    return sector(shape);
+  }
+
+ private:
+  Sector shape_{.angle = std::numbers::pi / 18, .crown = 0, .radii = {}, .depths = {}};
+  std::vector<Vec2> rings_, layers_;  // m
 };
 
 class VoussoirShape : public ShapeSource {
@@ -196,6 +219,9 @@ class FileShape : public ShapeSource {
 TACK_REGISTER(ShapeSource, BoxShape, "box", "A box of tets (or its surface).", "");
 TACK_REGISTER(ShapeSource, SphereShape, "sphere", "A ball of tets (or its surface).", "");
 TACK_REGISTER(ShapeSource, CylinderShape, "cylinder", "A cylinder of tets along y.", "");
+TACK_REGISTER(ShapeSource, SectorShape, "sector",
+              "A thin sector of a body of revolution about y, one cell wide, with cells of graded lengths: for what is the same all around. Its sides are planes of "
+              "symmetry, held by `along` their normals. Groups: axis, left, right, top, bottom, rim.", "");
 TACK_REGISTER(ShapeSource, VoussoirShape, "voussoir",
               "A stone of an arch about the z axis, at the crown; turn it into its place.", "");
 TACK_REGISTER(ShapeSource, GridShape, "grid", "A flat sheet of triangles.", "");

@@ -297,6 +297,21 @@ TEST_CASE("a run is held against measured data in a file beside its scene") {
   CHECK(contains(off.out, "pass  data"));
   CHECK(contains(off.out, "2 points, on average -"));
   CHECK(place.summary()["expect"][1]["value"].get<double>() == Approx(0.5 / 11).epsilon(0.02));
+  const CsvTexts points = read_csv_texts(place.path("results/tiny/measured.csv"));
+  REQUIRE(points.rows.size() == 2);
+  CHECK(points.columns == std::vector<std::string>{"probe", "along", "x", "measured", "computed"});
+  CHECK(points.rows[1][0] == "height");
+  CHECK(csv_number(points.rows[1][3]).value() == 0.11);
+  CHECK(csv_number(points.rows[1][4]).value() == Approx(0.1).epsilon(0.02));
+  const ProgramResult plot = run_tack(place.folder.path(), {"plot", "results/tiny"});
+  if (!contains(plot.out, "gnuplot is not there")) CHECK(plot.exit_code == 0);
+  const std::string script = file_text(place.path("results/tiny/plots/measured_height.gp"));
+  CHECK(contains(script, "with points"));
+  CHECK(contains(script, "title 'measured'"));
+  const ProgramResult over = run_tack(place.folder.path(), {"plot", "results/tiny", "--x", "time", "--y", "height", "--data", "data/height.csv", "-o", "p"});
+  INFO(plot.out << over.out << over.err);
+  CHECK(contains(file_text(place.path("p/height_over_time.gp")), "title 'measured, height'"));  // the same points
+  CHECK(run_tack(place.folder.path(), {"plot", "results/tiny", "--x", "time", "--y", "stickiness_y", "--data", "data/height.csv"}).exit_code == 2);
   write_file(place.path("data/height.csv"), "time [ms], height [mm]\n10, 100\n60, 100\n");
   CHECK(place.run({}).exit_code == 1);
   CHECK(contains(place.summary()["expect"][1]["text"].get<std::string>(), "1 of 2 measured points are not passed"));
