@@ -84,7 +84,7 @@ struct PlotOptions {
   std::vector<std::string> by;
   bool log_x = false, log_y = false;
   std::vector<double> x_range;  // the part of x that is shown; empty: all
-  std::vector<std::string> data;  // files of measured or reference points with columns of the same names, drawn as rings
+  std::vector<std::string> data;  // files of measured or reference points with columns of the same names, drawn as marks
 };
 // Pictures for papers, as SVG and PNG.
 int plot_command(const PlotOptions& options);

@@ -202,7 +202,7 @@ class CommandLine {
         ->take_all()->allow_extra_args(false)->needs(x);
     plot->add_flag("--log-x", plot_.log_x, "a logarithmic axis")->needs(x);
     plot->add_option("--x-range", plot_.x_range, "from and to what is shown, in SI")->expected(2)->needs(x);
-    plot->add_option("--data", plot_.data, "a file (CSV, with units) with columns of the same names, drawn as rings (repeatable)")
+    plot->add_option("--data", plot_.data, "a file (CSV, with units) with columns of the same names, drawn as marks (repeatable)")
         ->take_all()->allow_extra_args(false)->needs(x);
     plot->add_flag("--log-y", plot_.log_y, "a logarithmic axis")->needs(x);
     plot->callback([this] { exit_code_ = plot_command(plot_); });

@@ -25,7 +25,6 @@ constexpr std::array<const char*, 14> colours = {"#0072B2", "#D55E00", "#009E73"
                                                 "#882255", "#999933", "#332288", "#117733", "#AA4499", "#661100", "#888888"};
 constexpr std::array<const char*, 4> dashes = {"1", "(8,4)", "(2,3)", "(9,3,2,3)"};
 constexpr std::array<int, 6> marks = {7, 5, 9, 11, 13, 6};
-constexpr int marks_of_data = 6;  // rings, through which a curve is seen
 constexpr size_t most_labels = 12;       // at the ends of curves
 constexpr double label_distance = 0.05;  // of the picture's height
 constexpr double near_right = 0.85;      // where a curve that is named at its end has to end
@@ -196,15 +195,9 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
   }
   std::vector<std::string> commands;
   for (size_t i = 0; i < s.curves.size(); ++i) {
-<<<<<<< HEAD
     const bool scattered = s.curves[i].scattered;
     const char* with = scattered ? "points" : plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
     const std::string mark = scattered || plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
-=======
-    const bool data = s.curves[i].marks;
-    const char* with = data ? "points" : plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
-    const std::string mark = data ? fmt::format(" pt {} ps 1.2", marks_of_data) : plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
->>>>>>> 2479b81 (Beads: pull-off from JKR to DMT within 3.2% of Maugis, glass on silicone; sectors of bodies of revolution; measured data in pictures)
     if (!s.curves[i].spread.empty())  // marks too small to be seen: a size of zero makes SVG that not every renderer reads
       commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colours[i % colours.size()]));
     commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, in_quotes(s.curves[i].title)));

@@ -30,11 +30,7 @@ Plot within(Plot plot, double low, double high) {
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves) {
   std::vector<Curve> merged;
   for (const Curve& c : curves) {
-<<<<<<< HEAD
     const auto same = std::find_if(merged.begin(), merged.end(), [&](const Curve& m) { return !c.points.empty() && m.points == c.points && m.scattered == c.scattered; });
-=======
-    const auto same = std::find_if(merged.begin(), merged.end(), [&](const Curve& m) { return !c.points.empty() && m.points == c.points && m.marks == c.marks; });
->>>>>>> 2479b81 (Beads: pull-off from JKR to DMT within 3.2% of Maugis, glass on silicone; sectors of bodies of revolution; measured data in pictures)
     if (same == merged.end()) merged.push_back(c);
     else same->title += ", " + c.title;
   }

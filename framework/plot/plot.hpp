@@ -13,11 +13,7 @@ struct Curve {
   std::string title;
   std::vector<std::pair<double, double>> points;
   std::vector<std::pair<double, double>> spread;  // of y, {low, high} per point, drawn as bars; empty: none
-<<<<<<< HEAD
   bool scattered = false;                         // marks without a line, whatever the picture's style
-=======
-  bool marks = false;  // points alone, whatever the style of the picture: data
->>>>>>> 2479b81 (Beads: pull-off from JKR to DMT within 3.2% of Maugis, glass on silicone; sectors of bodies of revolution; measured data in pictures)
 };
 
 // A line across the picture at a height, with its name beside it; or upright, at an abscissa.

@@ -6,7 +6,7 @@
 //   phase_shares     what part of it each phase takes (figure 17)
 //   smallest_gap, contacts
 //   energies         of a single run: what is stored, by its terms
-//   measured_PROBE   a probe over what its measured data are over (measured.csv), with the data as rings
+//   measured_PROBE   a probe over what its measured data are over (measured.csv), with the data as marks
 //   laws             of a single run: traction over gap of its adhesive pairs, in closed form (laws.csv)
 // and any probe over any other.
 #pragma once
