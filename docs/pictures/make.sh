@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of README.md and docs/ anew, from the project's own runs: docs/pictures/make.sh
-# Runs experiments/batches/{phases,distances,strengths,jkr_dmt}.yaml and the comparison of solvers into results/ (an hour on two cores; what is
+# Runs experiments/batches/{phases,distances,strengths,jkr_dmt,paper_figures}.yaml and the comparison of solvers into results/ (two hours on two cores; what is
 # done there already is not run again), then draws. Needs what `./tack report` and its test need: npm, node, Chromium.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -23,11 +23,12 @@ draw() {
   rm -r "$scratch"
 }
 
-for batch in phases distances strengths jkr_dmt; do "$tack" batch "experiments/batches/$batch.yaml" -o "results/$batch"; done
+for batch in phases distances strengths jkr_dmt paper_figures; do "$tack" batch "experiments/batches/$batch.yaml" -o "results/$batch"; done
 draw results/phases -- phase_shares=phases
 draw results/phases/cases/base=plates --x gap --y adhesion --x-range 0 2.5e-3 -- adhesion_over_gap=pull_force_gap
 draw results/distances -- iterations=distances_iterations probe_taken=distances_taken
 draw results/jkr_dmt --x tabor --y pull_off --log-x --data experiments/measured/data/maugis.csv -- pull_off_by_tabor=jkr_dmt
+draw results/paper_figures -- $(for name in 5 9_right 10_stuck 10_iterations 12_taken 18; do echo "figure_$name=paper_figure_$name"; done)
 draw results/strengths -- step_seconds=strengths_step_seconds iterations=strengths_iterations probe_taken=strengths_taken
 
 [[ -d results/compare_pull ]] || "$tack" compare experiments/compare/pull.yaml -o results/compare_pull
