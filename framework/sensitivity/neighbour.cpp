@@ -18,6 +18,10 @@ namespace {
 constexpr double relative_step = 1e-6;
 constexpr double accuracy = 1e-6;     // of the way from the run's end to this one's
 constexpr double round_off = 1e-15;   // of positions, relative
+constexpr double rounding_of_solves = 1e-13;  // likewise: nothing to tell of
+// Of what the number changes of the gradient: what is rounding, by which bodies that nothing holds would drift for ever; and what may be left, where it
+// becomes no less, of bodies that stand as on a needle's point.
+constexpr double rounding_of_forces = 1e-6, unstable_rest = 1e-4;
 constexpr int most_corrections = 12;
 constexpr double usual_rate = 0.1;
 constexpr double slow = 0.05;         // a rate at which a new Hessian pays
@@ -106,13 +110,26 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
   built_->world().dofs.gather(run.x, end);
   const VecX guess = way_;
   const double noise = round_off * largest(end);
-  double last = 0;
+  const auto left = [&](const VecX& way) -> VecX {
+    own.potential.move_to(end + way);
+    return run.gradient - own.potential.gradient();
+  };
+  double last = 0, left_before = 0;
+  VecX before;
   bool settled = false;
   rate_ = std::min(1.0, 1.5 * rate_);
   for (int i = 0; i < most_corrections && !settled; ++i) {
-    own.potential.move_to(end + way_);
+    const VecX r = left(way_);
     if (!system.known()) system.refresh(own.potential);
-    const VecX r = run.gradient - own.potential.gradient();
+    const double now = r.norm();
+    if (i > 0 && system.present() && (system.loose() || now > 0.5 * left_before)) {
+      const double forces = left(VecX::Zero(end.size())).norm(), least = std::min(now, left_before);
+      settled = least <= rounding_of_forces * forces || (system.loose() && now > 0.1 * left_before && least <= unstable_rest * forces);
+      if (settled && least < now) way_ = before;
+      if (settled) break;
+    }
+    left_before = now;
+    before = way_;
     system.solve(r, d);
     way_ += d;
     const double size = largest(d), all = largest(way_);
@@ -121,8 +138,7 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
     // What was guessed right did not meet a kink, and a Hessian that is a little old serves.
     settled = size <= noise || size * std::clamp(rate_, i == 0 ? usual_rate : 0.0, 1.0) <= accuracy * all;
     if (!settled && i > 0 && !(rate_ <= slow) && !system.present()) {
-      way_ = guess;
-      own.potential.move_to(end + way_);
+      left(way_ = guess);
       system.refresh(own.potential);
       rate_ = 1;
       last = 0;
@@ -133,7 +149,7 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
   const bool lost = !way_.allFinite() || (!settled && last > 0.1 * largest(way_));
   if (lost) way_ = last_.size() == end.size() ? last_ : VecX::Zero(end.size());
   own.potential.move_to(end + way_);
-  return settled;
+  return settled || last <= rounding_of_solves * largest(end);
 }
 
 void Neighbour::keep(const State& run) {

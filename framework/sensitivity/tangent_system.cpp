@@ -4,9 +4,10 @@ namespace tack {
 namespace {
 
 constexpr double largest_factor = 1e8;  // entries, of one in double precision: above that, what the run's solvers take by default
-// Of what nothing holds in some direction, quasi-static, H is singular there, and so is r. A part of the diagonal that hardly
-// slows down the corrections of anything else keeps rounding from being taken for a way.
-constexpr double shifts[] = {1e-9, 1e-7};
+// Of what nothing holds in some direction, quasi-static, H is singular there or a little below zero, and r has hardly a part in it. With a part of the
+// diagonal added there is a factor, with which conjugate gradients solve for what is soft and leave out what is not held at all.
+constexpr double shifts[] = {1e-9, 1e-7, 1e-5};
+constexpr int most_iterations = 30;
 constexpr double solved_to = 1e-5;  // of solves that iterate: what they leave is corrected as what an older Hessian leaves
 
 Eigen::SparseMatrix<double> lower_triangle(const BlockMatrix& matrix) {
@@ -30,29 +31,33 @@ void TangentSystem::begin(const SolvedStep& step) {
   unknowns_ = step.unknowns;
   inertia_ = step.integrator.predict(step.start, step.h).inertia;
   factored_ = false;
+  shift_ = 0;
   definite_.reset();
 }
 
 bool TangentSystem::factorize(double shift) {
-  for (int c = 0; shift > 0 && c < matrix_.columns(); ++c) {
-    auto block = matrix_.block(matrix_.column_start[c]);
+  shifted_ = matrix_;
+  is_shifted_ = shift > 0;
+  for (int c = 0; is_shifted_ && c < shifted_.columns(); ++c) {
+    auto block = shifted_.block(shifted_.column_start[c]);
     block.diagonal() += Vec3::Constant(shift * block.diagonal().cwiseAbs().maxCoeff());
   }
   if (!definite_) {
     definite_ = Registry<LinearSolver>::make("multifrontal");
-    const auto cost = definite_->predict(matrix_, clock_);
+    const auto cost = definite_->predict(shifted_, clock_);
     if (cost && cost->entries > largest_factor) definite_ = Registry<LinearSolver>::make("auto");
     definite_->set_tolerance(solved_to);
     definite_->expect_indefinite(true);
   }
-  return definite_->factorize(matrix_, clock_);
+  return definite_->factorize(shifted_, clock_);
 }
 
 void TangentSystem::refresh(StepPotential& potential) {
   matrix_ = potential.hessian({});
   ++factors_;
   factored_ = fresh_ = true;
-  positive_ = factorize(inertia_ ? 0 : shifts[0]) || factorize(shifts[1]);
+  positive_ = inertia_ && factorize(0);
+  while (!positive_ && shift_ < std::size(shifts) && !(positive_ = factorize(shifts[shift_]))) ++shift_;
   if (!positive_) take_as_it_is();
 }
 
@@ -62,9 +67,31 @@ void TangentSystem::take_as_it_is() {
   ldlt_.compute(lower_triangle(matrix_));
 }
 
+// Conjugate gradients for the Hessian itself, preconditioned, from what its factor with a shift gave. False where it falls along some way.
+bool TangentSystem::correct(const VecX& r, VecX& d) {
+  VecX product, z, p;
+  product_.multiply(matrix_, d, product);
+  VecX left = r - product;
+  const double enough = solved_to * r.norm();
+  double before = 0;
+  for (int i = 0; i < most_iterations && left.norm() > enough; ++i) {
+    definite_->solve(left, z, clock_);
+    const double now = left.dot(z);
+    p = i == 0 ? z : VecX(z + now / before * p);
+    product_.multiply(matrix_, p, product);
+    const double curvature = p.dot(product);
+    if (!(curvature > 0) || !(now > 0)) return false;
+    d += now / curvature * p;
+    left -= now / curvature * product;
+    before = now;
+  }
+  return true;
+}
+
 void TangentSystem::solve(const VecX& r, VecX& d) {
   if (positive_) definite_->solve(r, d, clock_);
   if (positive_ && !d.allFinite()) take_as_it_is();  // iterations found that it is not
+  while (positive_ && is_shifted_ && !correct(r, d) && shift_ + 1 < std::size(shifts) && factorize(shifts[++shift_])) definite_->solve(r, d, clock_);
   if (positive_) return;
   if (ldlt_.info() == Eigen::Success) d = ldlt_.solve(r);
   else d.setConstant(r.size(), std::numeric_limits<double>::quiet_NaN());

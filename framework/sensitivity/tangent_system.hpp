@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "framework/core/linear_solver.hpp"
+#include "framework/core/symmetric_product.hpp"
 #include "framework/scene/step_potential.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
@@ -25,6 +26,8 @@ class TangentSystem {
   void refresh(StepPotential& potential);
   bool present() const { return fresh_; }  // that of the present solve
   bool known() const { return factored_; }
+  // Something is held by next to nothing: how far it goes is only rounding.
+  bool loose() const { return is_shifted_ && shift_ > 0; }
   // d <- H^-1 r
   void solve(const VecX& r, VecX& d);
   // As if none had been made yet.
@@ -37,14 +40,17 @@ class TangentSystem {
   using Sparse = Eigen::SparseMatrix<double>;
   bool factorize(double shift);
   void take_as_it_is();
+  bool correct(const VecX& r, VecX& d);
 
   PhaseClock& clock_;
   int unknowns_ = -1;
   bool inertia_ = true;
-  BlockMatrix matrix_;  // its Hessian, with a shift where it may be singular
+  BlockMatrix matrix_, shifted_;  // the Hessian, and what is factorised where it may be singular
+  SymmetricProduct product_;
   std::unique_ptr<LinearSolver> definite_;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of what is not positive definite
-  bool factored_ = false, fresh_ = false, positive_ = true;
+  bool factored_ = false, fresh_ = false, positive_ = true, is_shifted_ = false;
+  size_t shift_ = 0;
   int factors_ = 0, indefinite_ = 0;
 };
 

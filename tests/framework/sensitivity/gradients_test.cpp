@@ -161,6 +161,18 @@ TEST_CASE("a block that is pressed has the derivatives of whole runs", "[sensiti
     CHECK(worst(pressed, "force", key, 1e-4) < 1e-3);
 }
 
+// It can glide and turn, and under the load it would rather turn; only its force has a derivative.
+TEST_CASE("a block that is pressed and that nothing holds sideways has the derivatives of whole runs", "[sensitivity]") {
+  std::string loose = pressed;
+  const size_t from = loose.find("    motion:\n"), to = loose.find("  - name: plate");
+  loose.erase(from, to - from);
+  for (const char* key : {"objects.block.energies.0.young", "contact.barrier.stiffness"}) CHECK(worst(loose, "force", key, 1e-4) < 1e-4);
+  // A thousand times larger, and a thousand times stiffer.
+  for (const auto& [small, large] : {std::pair(" mm", " m"), std::pair("1e6", "1e9"), std::pair("100 kPa", "100 MPa")})
+    for (size_t at = loose.find(small); at != loose.npos; at = loose.find(small, at + 1)) loose.replace(at, std::string(small).size(), large);
+  CHECK(worst(loose, "force", "objects.block.energies.0.young", 1e-4) < 1e-4);
+}
+
 TEST_CASE("plates that snap off each other have the derivatives of whole runs", "[sensitivity]") {
   for (const char* key : {"contact.pairs.0.adhesion.peak_traction", "objects.lower.energies.0.young", "objects.lower.loads.0.value.1"})
     CHECK(worst(parted, "height", key, 1e-6) < 1e-4);
