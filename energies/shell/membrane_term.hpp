@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "energies/shell/sheet_geometry.hpp"
+#include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 #include "geometry/parallel.hpp"
 
@@ -65,8 +66,13 @@ class MembraneTerm : public Term, public StencilRanges {
     }
   }
 
-  // Of the thickness without its elastic change, and without that of fibres.
-  std::vector<Mat3> cauchy_stress(const VecX& x) const override {
+  void publish(Records& records) const override {
+    Term::publish(records);
+    records.add(StressRecord{[this](const VecX& x) { return cauchy_stress(x); }});
+  }
+
+  // Of the thickness without its elastic change, and without that of fibres [Pa].
+  std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(triangles_.size());
     for_each(static_cast<int>(rest_.size()), [&](int p) {
       const int first = p * pack_width, n = std::min(pack_width, count() - first);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "energies/plasticity/plastic_records.hpp"
+
 namespace tack {
 namespace {
 
@@ -44,7 +46,7 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
   }
 
   // Plastic work: what a commit takes off the value.
-  double dissipated(const VecX& x) const override {
+  double dissipated(const VecX& x) const {
     return sum_chunks(static_cast<int>(rest_.size()), [&](int first, int last) {
       double sum = 0;
       for_each_flow(x, first, last, [&](int t, int l, const PlaneStretch&, const PlaneFlow& flow) {
@@ -54,7 +56,10 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
     });
   }
 
-  std::vector<double> plastic_strain() const override { return strain_; }
+  void publish(Records& records) const override {
+    MembraneTerm::publish(records);
+    publish_plasticity(records, name(), [this](const VecX& x) { return dissipated(x); }, strain_);
+  }
 
  private:
   static constexpr const char* inverse_name = "plastic_inverse";

@@ -12,6 +12,7 @@
 #include "energies/solid/principal.hpp"
 #include "energies/solid/svd3.hpp"
 #include "energies/solid/tet_geometry.hpp"
+#include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 #include "geometry/parallel.hpp"
 
@@ -58,7 +59,12 @@ class SolidTerm : public Term, public StencilRanges {
     }
   }
 
-  std::vector<Mat3> cauchy_stress(const VecX& x) const override {
+  void publish(Records& records) const override {
+    Term::publish(records);
+    records.add(StressRecord{[this](const VecX& x) { return cauchy_stress(x); }});
+  }
+
+  std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(tets_.size());
     for_each(count() / pack_width + 1, [&](int p) {
       const int first = p * pack_width, n = std::min(pack_width, count() - first);

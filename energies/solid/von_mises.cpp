@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "energies/plasticity/plastic_records.hpp"
+
 namespace tack {
 namespace {
 
@@ -53,7 +55,7 @@ class VonMisesTerm : public SolidTerm<VonMises> {
   }
 
   // Plastic work: what a commit takes off the value.
-  double dissipated(const VecX& x) const override {
+  double dissipated(const VecX& x) const {
     return sum_chunks(count(), [&](int first, int last) {
       double sum = 0;
       for (int t = first; t < last; ++t) {
@@ -64,7 +66,10 @@ class VonMisesTerm : public SolidTerm<VonMises> {
     });
   }
 
-  std::vector<double> plastic_strain() const override { return strain_; }
+  void publish(Records& records) const override {
+    SolidTerm::publish(records);
+    publish_plasticity(records, name(), [this](const VecX& x) { return dissipated(x); }, strain_);
+  }
 
  private:
   static constexpr const char* inverse_name = "plastic_inverse";

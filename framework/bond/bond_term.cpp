@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
 #include "geometry/parallel.hpp"
 
@@ -54,6 +55,22 @@ void shut(BondSample& s) { s.by_d = s.by_dd = s.by_ds = 0; }
 
 BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table)
     : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), table_), remembered_(list_) {}
+
+void BondTerm::publish(Records& records) const {
+  Term::publish(records);
+  ForceRecord force{"bonds", Acting::normal, {"adhesion"}};
+  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_part(part)); };
+  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_part(part), pair); };
+  force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_part(part)); };
+  records.add(std::move(force));
+  records.add(FlowRecord{"bonds", {{"dissipated_adhesion"}, {"work_healing", FlowKind::fed}}, [this](const VecX& x, double* amounts) {
+    const Changes step = changes(x);
+    amounts[0] = step.dissipated;
+    amounts[1] = -step.healed;
+  }});
+  records.add(FieldRecord{"bond_intensity", [this](const VecX& x) { return bond_intensities(*this, x.size() / 3); }});
+  records.add(FieldRecord{"bond_traction", [this](const VecX& x) { return bond_tractions(*this, x); }});
+}
 
 void BondTerm::remember(const History& history) {
   h_ = 0;

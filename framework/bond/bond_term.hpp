@@ -36,7 +36,7 @@ class BondTerm : public Term {
     double dissipated = 0, healed = 0;
   };
   Changes changes(const VecX& x) const;
-  double dissipated(const VecX& x) const override { return changes(x).dissipated; }
+  void publish(Records& records) const override;
 
   // The force of each bond of the list on its place; on the anchor acts the opposite [N].
   std::vector<Vec3> pulls(const VecX& x) const;

@@ -167,8 +167,7 @@ void Trial::solve_run() {
     result_.status = error.what();
     return;
   }
-  for (const auto& [term, energy] : report.energies)
-    if (is_stored(term)) result_.energy += energy;
+  result_.energy += stored_energy(report.energies);
 }
 
 void Trial::look_at_end() {

@@ -10,15 +10,13 @@
 #include "framework/contact/contact_residuals.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencil_kinds.hpp"
+#include "framework/core/records.hpp"
 #include "framework/core/term.hpp"
 
 namespace tack {
 
 enum class LawPart { all, barrier, adhesion };
-
-struct ObjectPair {
-  int a, b;
-};
+LawPart law_part(std::string_view part);  // of records: "", "barrier", "adhesion"
 
 class ContactTerm : public Term {
  public:
@@ -30,6 +28,7 @@ class ContactTerm : public Term {
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   const ResidualView* residual_view() const override { return &residuals_; }
+  void publish(Records& records) const override;
 
   double part_value(const VecX& x, LawPart part) const;
   // The force of a part of the laws on every vertex (3n) [N]; with a pair, of its stencils only.

@@ -29,6 +29,24 @@ FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& norma
     wanted_.push_back(system.pairs().tangential(static_cast<int>(law)).acts());
 }
 
+void FrictionTerm::publish(Records& records) const {
+  const auto tangential = [](std::string_view part) {
+    if (part.empty()) return TangentialPart::all;
+    return part == "friction" ? TangentialPart::friction : TangentialPart::adhesion;
+  };
+  ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
+  force.add = [=, this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, tangential(part)); };
+  force.between = [=, this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, tangential(part), pair); };
+  force.stored = false;
+  records.add(std::move(force));
+  for (const auto& [name, part] : {std::pair{"friction", TangentialPart::friction}, {"tangential_adhesion", TangentialPart::adhesion}})
+    records.add(EnergyRecord{name, EnergyKind::of_step, [this, part = part](const VecX& x) { return part_value(x, part); }});
+  records.add(FlowRecord{"friction", {{"dissipated_friction"}, {"dissipated_adhesion"}}, [this](const VecX& x, double* amounts) {
+    amounts[0] = dissipated(x, TangentialPart::friction);
+    amounts[1] = dissipated(x, TangentialPart::adhesion);
+  }});
+}
+
 ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
   return contact_points({system_, normal_.laws(LawPart::barrier), wanted_, x});
 }

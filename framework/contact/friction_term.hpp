@@ -60,7 +60,7 @@ class FrictionTerm : public Term, public ResidualView {
 
   double part_value(const VecX& x, TangentialPart part) const;
   bool stores() const override { return false; }
-  double dissipated(const VecX& x) const override { return dissipated(x, TangentialPart::all); }
+  void publish(Records& records) const override;
   // Force times slip since the start of the step: what a part dissipates on the way to x [J].
   double dissipated(const VecX& x, TangentialPart part) const;
   // The force of a part on every vertex (3n) [N]; with a pair, of its points only.

@@ -20,12 +20,18 @@ class RimTerm : public LinearTerm {
     set_reference(start.x);
   }
 
-  // All of it is adhesion; the arguments are those of ContactTerm, and the forces those of the step, wherever it is.
-  VecX forces(const VecX& x, LawPart part) const {
-    return part == LawPart::barrier || force().size() == 0 ? VecX::Zero(x.size()) : force();
-  }
-  Vec3 force_between(const VecX&, LawPart part, ObjectPair pair) const {
-    return part == LawPart::barrier ? Vec3::Zero() : system_.rim_forces().on(pair.a, pair.b, system_.surface().mesh);
+  // All of it is adhesion, and the forces those of the step, wherever it is. Its work is within what contact stores.
+  void publish(Records& records) const override {
+    ForceRecord force_record{"rim", Acting::normal, {"adhesion"}};
+    force_record.add = [this](const VecX&, std::string_view, VecX& forces) {
+      if (force().size() > 0) forces += force();
+    };
+    force_record.between = [this](const VecX&, std::string_view, ObjectPair pair) {
+      return system_.rim_forces().on(pair.a, pair.b, system_.surface().mesh);
+    };
+    records.add(std::move(force_record));
+    records.add(EnergyRecord{"adhesion", EnergyKind::contact, [this](const VecX& x) { return value(x); }});
+    records.add(FlowRecord{"rim", {{"work_rim", FlowKind::within}}, [this](const VecX& x, double* amounts) { amounts[0] = -value(x); }});
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "framework/core/records.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -44,6 +45,16 @@ void DampingTerm::begin_step(const StepStart& start) {
   start_ = start.x;
   h_ = start.h;
   velocity_ = start.velocity ? *start.velocity : EndVelocity{1 / start.h, start.x};
+}
+
+void DampingTerm::publish(Records& records) const {
+  ForceRecord force{"damping"};
+  force.stored = false;
+  force.add = [this](const VecX& x, std::string_view, VecX& forces) {
+    if (h_ > 0) add_mean_forces(x, forces);
+  };
+  records.add(std::move(force));
+  records.add(FlowRecord{"damping", {{"dissipated_damping"}}, [this](const VecX& x, double* amounts) { amounts[0] = dissipated(x); }});
 }
 
 double DampingTerm::square(const VecX& d) const {

@@ -14,13 +14,14 @@ class DampingTerm : public Term {
  public:
   void begin_step(const StepStart& start) override;
   bool stores() const override { return false; }
+  void publish(Records& records) const override;
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override { return batches_; }
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
   // (x - x_n)^T C (x - x_n) / h: the work of the mean forces.
-  double dissipated(const VecX& x) const override;
+  double dissipated(const VecX& x) const;
   // Adds -C (x - x_n) / h, the mean forces of the step (3n) [N].
   void add_mean_forces(const VecX& x, VecX& forces) const;
 

@@ -1,6 +1,10 @@
 // What the balance of energy carries from step to step (energy_balance.hpp).
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "framework/core/energy_at_play.hpp"
 #include "geometry/types.hpp"
 
@@ -10,7 +14,8 @@ struct EnergyAccount {
   bool open = false;  // false: nothing is known of the state's energies yet
   // Of the state, of all that was free in the step before [J].
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;
-  double friction = 0, plastic = 0, damping = 0;  // dissipated so far; friction with tangential adhesion [J]
+  // Dissipated so far, by name (EnergyFlows::Published::account) [J].
+  std::vector<std::pair<std::string, double>> dissipated;
   VecX gradient;  // 3n: of elastic and contact energy [N]; empty if no script moves anything
 
   double unexplained = 0;  // energy that nothing put in, from the first step on [J]
@@ -19,6 +24,23 @@ struct EnergyAccount {
   double bottom = 0;       // the smallest value of all of `unexplained` [J]
   int grown_steps = 0;     // steps behind us in all of which it was far above that
   bool told = false;       // that it was for long
+
+  double dissipated_as(const std::string& name) const {  // 0 of what was not
+    for (const auto& [other, amount] : dissipated)
+      if (other == name) return amount;
+    return 0;
+  }
+  double all_dissipated() const {
+    double sum = 0;
+    for (const auto& [name, amount] : dissipated) sum += amount;
+    return sum;
+  }
+  // To count on what it was before.
+  double& account(const std::string& name, const EnergyAccount& before) {
+    for (auto& [other, amount] : dissipated)
+      if (other == name) return amount;
+    return dissipated.emplace_back(name, before.dissipated_as(name)).second;
+  }
 };
 
 }  // namespace tack

@@ -22,6 +22,9 @@ class LinearTerm : public Term, public ResidualView {
     if (force_.size() > 0) gradient -= force_;
   }
 
+  // External forces are no energies that bodies have.
+  void publish(Records&) const override {}
+
   // All of it is rest.
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {}; }

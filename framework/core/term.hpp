@@ -15,6 +15,7 @@
 
 namespace tack {
 
+class Records;
 class ResidualView;
 
 inline constexpr int largest_arity = 9;  // of a stencil
@@ -71,12 +72,9 @@ class Term : public StepParticipant {
 
   // Whether its value is an energy that bodies have, and not one that stands for what a step dissipates.
   virtual bool stores() const { return true; }
-  // What a step to x dissipates, once it is kept: before commit(); never negative [J].
-  virtual double dissipated(const VecX& /*x*/) const { return 0; }
 
-  // For records, of each element (stencil); empty if the term knows nothing of the kind.
-  virtual std::vector<Mat3> cauchy_stress(const VecX& /*x*/) const { return {}; }  // at x [Pa]
-  virtual std::vector<double> plastic_strain() const { return {}; }                // accumulated so far
+  // Adds what results show of it: once, when the world is built (records.hpp). Unless overridden: its value, as the energy of its name.
+  virtual void publish(Records& records) const;
 
  private:
   std::string name_;

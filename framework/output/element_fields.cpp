@@ -7,8 +7,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <stdexcept>
 
 #include "framework/assembly/symmetric_eigen.hpp"
+#include "framework/output/frame_fields.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
@@ -47,23 +49,25 @@ class Cells {
   std::vector<std::pair<Key, int>> cells_;
 };
 
-// Calls act(cell, number) for each of the numbers that a term has of its stencils.
-template <class Number, class Act>
-void for_each_cell(const Term& term, const std::vector<Number>& numbers, const Cells& cells, const Act& act) {
+// Calls act(cell, stencil) for each stencil of a term that is a cell.
+template <class Act>
+void for_each_cell(const Term& term, const Cells& cells, const Act& act) {
   const auto batches = term.batches();
-  if (numbers.empty() || batches.size() != 1 || (batches[0].arity != 3 && batches[0].arity != 4)) return;
+  if (batches.size() != 1 || (batches[0].arity != 3 && batches[0].arity != 4)) return;
   const int arity = batches[0].arity;
-  for (size_t s = 0; s < numbers.size(); ++s)
-    if (const int cell = cells.find(batches[0].vertices + static_cast<size_t>(arity) * s, arity); cell >= 0) act(cell, numbers[s]);
+  for (int s = 0; s < batches[0].count; ++s)
+    if (const int cell = cells.find(batches[0].vertices + static_cast<size_t>(arity) * s, arity); cell >= 0) act(cell, s);
 }
 
 // Of all energies of an element together, by cell.
 std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const Cells& cells) {
   std::map<int, Mat3> sums;
-  for (const auto& term : world.elastic_terms)
-    for_each_cell(*term, term->cauchy_stress(x), cells, [&](int cell, const Mat3& stress) {
-      sums.try_emplace(cell, Mat3::Zero()).first->second += stress;
+  for (const StressRecord& record : world.records.stresses()) {
+    const std::vector<Mat3> stresses = record.values(x);
+    for_each_cell(*record.term, cells, [&](int cell, int stencil) {
+      sums.try_emplace(cell, Mat3::Zero()).first->second += stresses[stencil];
     });
+  }
   return sums;
 }
 
@@ -123,11 +127,20 @@ VecX stretches(const World& world, const VecX& x, const FrameGeometry& geometry,
   return values;
 }
 
-VecX plastic_strain(const World& world, const Cells& cells, VecX values) {
-  for (const auto& term : world.elastic_terms)
-    for_each_cell(*term, term->plastic_strain(), cells,
-                  [&](int cell, double strain) { values(cell) = std::fmax(values(cell), strain); });
-  return values;
+// What terms publish.
+VecX published(const FrameFieldInfo& field, const World& world, const VecX& x, const Cells& cells, VecX all) {
+  const int n = field.components;
+  for (const FieldRecord& record : world.records.fields()) {
+    if (record.name != field.name || !record.of_elements) continue;
+    const VecX values = record.values(x);
+    const auto batches = record.term ? record.term->batches() : std::vector<StencilBatch>();
+    if (batches.size() != 1 || values.size() != n * batches[0].count)
+      throw std::logic_error("the field '" + field.name + "' has not " + std::to_string(n) + " numbers for each stencil of one batch of its term");
+    for_each_cell(*record.term, cells, [&](int cell, int stencil) {
+      for (int k = 0; k < n; ++k) record.combine(values(n * stencil + k), all(n * cell + k));
+    });
+  }
+  return all;
 }
 
 }  // namespace
@@ -137,17 +150,23 @@ std::vector<CellField> element_fields(const std::vector<std::string>& names, con
   const auto none = [&](int components) {
     return VecX::Constant(components * geometry.cells(), std::numeric_limits<double>::quiet_NaN());
   };
+  const std::vector<FrameFieldInfo> known = frame_fields();
   std::vector<CellField> fields;
   std::optional<Cells> cells;
   std::optional<std::map<int, Mat3>> stresses;
   for (const std::string& name : names) {
-    const bool mises = name == "von_mises_stress", cauchy = name == "cauchy_stress", strain = name == "plastic_strain";
-    if ((mises || cauchy || strain) && !cells) cells.emplace(geometry);
+    const auto info = std::find_if(known.begin(), known.end(), [&](const FrameFieldInfo& f) { return f.name == name && f.of_elements; });
+    if (info == known.end()) continue;
+    if (name == "stretches") {
+      fields.push_back({name, stretches(world, x, geometry, none(3)), info->unit, 3});
+      continue;
+    }
+    if (!cells) cells.emplace(geometry);
+    const bool mises = name == "von_mises_stress", cauchy = name == "cauchy_stress";
     if ((mises || cauchy) && !stresses) stresses = cauchy_stresses(world, x, *cells);
-    if (mises) fields.push_back({name, von_mises_stress(*stresses, none(1)), "Pa"});
-    if (cauchy) fields.push_back({name, cauchy_stress(*stresses, none(6)), "Pa", 6});
-    if (strain) fields.push_back({name, plastic_strain(world, *cells, none(1)), ""});
-    if (name == "stretches") fields.push_back({name, stretches(world, x, geometry, none(3)), "", 3});
+    if (mises) fields.push_back({name, von_mises_stress(*stresses, none(1)), info->unit});
+    else if (cauchy) fields.push_back({name, cauchy_stress(*stresses, none(6)), info->unit, 6});
+    else fields.push_back({name, published(*info, world, x, *cells, none(info->components)), info->unit, info->components});
   }
   return fields;
 }

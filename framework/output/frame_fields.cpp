@@ -1,19 +1,17 @@
 #include "framework/output/frame_fields.hpp"
 
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/bond/bond_term.hpp"
-#include "framework/contact/rim_term.hpp"
+#include <stdexcept>
+
+#include "framework/core/published_field.hpp"
 #include "framework/core/state.hpp"
-#include "framework/output/bond_fields.hpp"
 #include "framework/output/vertex_gaps.hpp"
 #include "framework/output/vertex_tractions.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
 
-const std::vector<FrameFieldInfo>& frame_fields() {
-  static const std::vector<FrameFieldInfo> all{
+std::vector<FrameFieldInfo> frame_fields() {
+  std::vector<FrameFieldInfo> all{
       {"velocity", "m/s", "", false},
       {"displacement", "m", "from where the scene puts it", false},
       {"mass", "kg", "", false},
@@ -24,52 +22,75 @@ const std::vector<FrameFieldInfo>& frame_fields() {
       {"adhesion_pressure", "Pa", "likewise of adhesion alone, positive where it pulls", false},
       {"friction_traction", "Pa", "magnitude of the friction force per area of the contact", false},
       {"gap", "m", "to the nearest of what is within reach of contact; not a number where nothing is", false},
-      {"bond_intensity", "", "of bonds: 1 where all are whole; not a number where there are none", false},
-      {"bond_traction", "Pa", "magnitude of the force of bonds per area", false},
       {"cauchy_stress", "Pa", "xx, yy, zz, xy, yz, xz, of all energies of the element together; of sheets, in their middle", true},
       {"von_mises_stress", "Pa", "of the same", true},
-      {"stretches", "", "principal ones, largest first: three of a tet, two of a triangle, one of an edge", true},
-      {"plastic_strain", "", "accumulated", true}};
+      {"stretches", "", "principal ones, largest first: three of a tet, two of a triangle, one of an edge", true}};
+  for (const auto& [name, entry] : Registry<PublishedField>::kind().entries()) {
+    const auto field = entry.factory();
+    const auto& published = dynamic_cast<const PublishedField&>(*field);
+    all.push_back({name, published.unit(), entry.doc, published.of_elements(), published.components()});
+  }
   return all;
 }
 
 namespace {
 
-VecX collected(const World& world, VecX forces) {
+struct OfForces {
+  const char* name;
+  Acting acting;
+  std::string_view part;
+  enum { force, pressure, traction } what;
+};
+constexpr OfForces of_forces[] = {{"contact_force", Acting::normal, "", OfForces::force},
+                                  {"adhesion_force", Acting::normal, "adhesion", OfForces::force},
+                                  {"friction_force", Acting::tangential, "", OfForces::force},
+                                  {"contact_pressure", Acting::normal, "", OfForces::pressure},
+                                  {"adhesion_pressure", Acting::normal, "adhesion", OfForces::pressure},
+                                  {"friction_traction", Acting::tangential, "", OfForces::traction}};
+
+VecX values_of(const OfForces& field, const World& world, const VecX& x) {
+  if (!world.records.acts(field.acting)) return {};
+  VecX forces = VecX::Zero(x.size());
+  world.records.add_forces(field.acting, x, field.part, forces);
   world.collect_on_meshes(forces);
-  return forces;
+  if (field.what == OfForces::force) return forces;
+  if (field.what == OfForces::traction) return tangential_tractions(world, x, forces);
+  return (field.part.empty() ? 1 : -1) * normal_pressures(world, x, forces, field.part);
+}
+
+// What is published under that name, of all who do; empty if nobody does.
+VecX published(const std::string& name, const World& world, const VecX& x) {
+  VecX all;
+  for (const FieldRecord& field : world.records.fields()) {
+    if (field.name != name || field.of_elements) continue;
+    const VecX values = field.values(x);
+    const bool fits = all.size() == 0 ? values.size() == x.size() || 3 * values.size() == x.size() : values.size() == all.size();
+    if (!fits) throw std::logic_error("the field '" + name + "' has not one number, or three, for each vertex");
+    if (all.size() == 0) all = values;
+    else for (Eigen::Index i = 0; i < all.size(); ++i) field.combine(values(i), all(i));
+  }
+  return all;
 }
 
 // One by its name; empty if the scene has nothing of the kind.
 VecX values_of(const std::string& name, const World& world, const State& state) {
+  for (const OfForces& field : of_forces)
+    if (field.name == name) return values_of(field, world, state.x);
   if (name == "velocity") return state.v;
   if (name == "displacement") return state.x - world.rest;
   if (name == "mass") return world.mass;
-  if (!world.contact_term) return {};
-  if (name.starts_with("bond_")) {
-    if (!world.bonds) return {};
-    return name == "bond_intensity" ? bond_intensities(world) : bond_tractions(world, state.x);
-  }
-  if (name == "gap") return vertex_gaps(*world.contact, state.x);
-  const bool friction = name.starts_with("friction");
-  if (friction && !world.friction) return {};
-  const LawPart part = name.starts_with("adhesion") ? LawPart::adhesion : LawPart::all;
-  VecX forces = friction ? world.friction->forces(state.x, TangentialPart::all) : world.contact_term->forces(state.x, part);
-  if (world.rim && !friction) forces += world.rim->forces(state.x, part);
-  if (world.bonds && !friction) forces += world.bonds->forces(state.x, part);
-  forces = collected(world, std::move(forces));
-  if (name.ends_with("force")) return forces;
-  if (friction) return tangential_tractions(world, state.x, forces);
-  return (part == LawPart::all ? 1 : -1) * normal_pressures(world, state.x, forces, part);
+  if (name == "gap") return world.contact ? vertex_gaps(*world.contact, state.x) : VecX();
+  return published(name, world, state.x);
 }
 
 }  // namespace
 
 std::vector<PointField> vertex_fields(const std::vector<std::string>& names, const World& world, const State& state,
                                       const FrameGeometry& geometry) {
+  const std::vector<FrameFieldInfo> known = frame_fields();
   std::vector<PointField> fields;
   for (const std::string& name : names)
-    for (const FrameFieldInfo& info : frame_fields()) {
+    for (const FrameFieldInfo& info : known) {
       if (info.name != name || info.of_elements) continue;
       VecX values = values_of(name, world, state);
       if (values.size() == 0) continue;

@@ -13,14 +13,13 @@ struct State;
 struct World;
 
 struct FrameFieldInfo {
-  const char* name;
-  const char* unit;
-  const char* doc;
+  std::string name, unit, doc;
   bool of_elements;  // else of vertices
+  int components = 1;  // of elements
 };
 
-// All there are, those of vertices first.
-const std::vector<FrameFieldInfo>& frame_fields();
+// All there are, those that terms publish (core/published_field.hpp) behind the others; a scene may be without what publishes them.
+std::vector<FrameFieldInfo> frame_fields();
 
 // The fields of vertices among `names`, at an accepted state, for the vertices of `geometry`. Those of elements: element_fields.hpp.
 std::vector<PointField> vertex_fields(const std::vector<std::string>& names, const World& world, const State& state,

@@ -14,8 +14,8 @@ std::string described(bool of_elements) {
   for (const FrameFieldInfo& info : frame_fields()) {
     if (info.of_elements != of_elements) continue;
     text += std::string(text.empty() ? "" : ", ") + info.name;
-    if (*info.unit) text += std::string(" [") + info.unit + "]";
-    if (*info.doc) text += std::string(" (") + info.doc + ")";
+    if (!info.unit.empty()) text += " [" + info.unit + "]";
+    if (!info.doc.empty()) text += " (" + info.doc + ")";
   }
   return text;
 }

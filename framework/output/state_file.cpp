@@ -51,9 +51,7 @@ void for_each_field(Account& a, const Act& act) {
   act("gradient", a.gradient, Since::first);
   act("lowest", a.lowest, Since::first);
   act("unexplained", a.unexplained, Since::first);
-  act("friction", a.friction, Since::later);
-  act("plastic", a.plastic, Since::later);
-  act("damping", a.damping, Since::later);
+  act("dissipated", a.dissipated, Since::later);
   act("moved", a.at_play, Since::later);
   act("bottom", a.bottom, Since::later);
   act("grown_steps", a.grown_steps, Since::later);
@@ -145,6 +143,9 @@ void read(const Json& json, const char* key, Field& field) {
     field = vector_of(json.at(key));
   } else if constexpr (is_record<Field>) {
     read_fields(json.at(key), field);
+    if constexpr (std::is_same_v<Field, EnergyAccount>)
+      for (const char* name : {"friction", "plastic", "damping"})  // of files of earlier programs
+        if (json.at(key).contains(name)) field.dissipated.emplace_back(std::string("dissipated_") + name, json.at(key).at(name).template get<double>());
   } else if constexpr (std::is_same_v<Field, History>) {
     read_history(json.at(key), field);
   } else {

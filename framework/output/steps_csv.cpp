@@ -9,9 +9,11 @@
 namespace tack {
 namespace {
 
+// The columns of energies and their flows.
 std::vector<std::string> terms_of(const StepReport& report) {
   std::vector<std::string> terms;
-  for (const auto& [term, energy] : report.energies) terms.push_back(term);
+  for (const NamedEnergy& energy : report.energies) terms.push_back("energy_" + energy.name);
+  EnergyFlows::for_each(report.flows, [&](const std::string& name, double) { terms.push_back(name); });
   return terms;
 }
 
@@ -28,8 +30,7 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
                                       "candidates",
                                       "min_distance",
                                       "min_gap"};
-  for (const std::string& term : terms) columns.push_back("energy_" + term);
-  EnergyFlows::for_each(EnergyFlows(), [&](const char* name, double) { columns.push_back(name); });
+  columns.insert(columns.end(), terms.begin(), terms.end());
   columns.insert(columns.end(), {"residual", "unbalanced_force", "tolerated_force", "converged", "lag_iterations",
                                  "friction_residual", "wall_seconds"});
   for (const std::string_view phase : phase_names) {
@@ -51,8 +52,8 @@ std::vector<double> row_of(const StepReport& r) {
                              double(r.candidates),
                              r.min_distance,
                              r.min_gap};
-  for (const auto& [term, energy] : r.energies) row.push_back(energy);
-  EnergyFlows::for_each(r.flows, [&](const char*, double energy) { row.push_back(energy); });
+  for (const NamedEnergy& energy : r.energies) row.push_back(energy.value);
+  EnergyFlows::for_each(r.flows, [&](const std::string&, double energy) { row.push_back(energy); });
   row.insert(row.end(), {r.solve.residual, r.unbalanced_force, r.tolerated_force, r.converged ? 1.0 : 0.0, double(r.lag_iterations),
                          r.friction_residual, r.wall_seconds});
   row.insert(row.end(), r.phases.begin(), r.phases.end());

@@ -2,7 +2,7 @@
 // newton_iterations, linear_solves, linear_iterations, line_search_evaluations, contacts, candidates, min_distance,
 // min_gap (of different objects) [m], energy_<term> [J] for each term, the balance of energy [J] (stepping/energy_balance.hpp): work_loads,
 // work_script, work_rim, work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
-// dissipated_numerics, then residual,
+// dissipated_numerics (and, between those of one kind, what else terms publish: core/records.hpp), then residual,
 // unbalanced_force [N], tolerated_force [N], converged (0 or 1), lag_iterations, friction_residual, wall_seconds, seconds_<phase> for each phase.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace tack {
 
-// The energies of the first report fix the columns; later reports must name the same terms
+// The energies and flows of the first report fix the columns; later reports must name the same
 // (std::logic_error otherwise). Throws InputError when the file cannot be written.
 class StepsCsv {
  public:

@@ -63,7 +63,7 @@ OrderedJson totals_json(const RunSummary& s) {
 
 OrderedJson energy_json(const RunSummary& s) {
   OrderedJson json = OrderedJson::object();
-  EnergyFlows::for_each(s.flows, [&](const char* name, double sum) { json[name] = finite(sum); });
+  EnergyFlows::for_each(s.flows, [&](const std::string& name, double sum) { json[name] = finite(sum); });
   json["at_play"] = finite(s.losses.at_play);
   OrderedJson& causes = json["causes"] = OrderedJson::object();
   EnergyLosses::for_each(s.losses, [&](const char* name, const EnergyLosses::Cause& cause) {

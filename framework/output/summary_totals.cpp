@@ -55,6 +55,12 @@ std::map<std::string, double> totals_of(const RunSummary& summary) {
 }
 
 void set_totals(RunSummary& summary, const std::map<std::string, double>& totals) {
+  // Flows that a stepper publishes are not known before there is one.
+  const std::map<std::string, double> known = totals_of(summary);
+  for (const auto& [name, total] : totals) {
+    const bool lost = name.starts_with("dissipated_");
+    if ((lost || name.starts_with("work_")) && !known.contains(name)) summary.flows.amount(name, lost ? FlowKind::dissipated : FlowKind::within);
+  }
   for_each_total(summary, [&]<class Number>(const std::string& name, Number& number) {
     if (const auto found = totals.find(name); found != totals.end()) number = static_cast<Number>(found->second);
   });

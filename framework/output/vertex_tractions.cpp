@@ -4,9 +4,6 @@
 #include <limits>
 #include <numbers>
 
-#include "framework/bond/bond_term.hpp"
-#include "framework/contact/contact_term.hpp"
-#include "framework/contact/contact_points.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
@@ -17,11 +14,8 @@ constexpr double least_share = 0.02;  // of the area around a vertex; less is no
 // What each vertex has of the contacts [m^2].
 VecX contact_areas(const World& world, const VecX& x) {
   VecX areas = VecX::Zero(x.size());  // in the first of three, as forces are collected
-  const ContactPoints points = contact_points(
-      {*world.contact, world.contact_term->laws(LawPart::barrier), laws_of_area(world.contact->pairs()), x});
-  for_each_record(points, [&](const auto& c) {
-    for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
-  });
+  for (const ForceRecord& force : world.records.forces())
+    if (force.add_areas) force.add_areas(x, areas);
   world.collect_on_meshes(areas);
   return areas(Eigen::seq(0, Eigen::last, 3));
 }
@@ -67,9 +61,10 @@ VecX tractions(const World& world, const VecX& x, const VecX& forces, const VecX
 
 }  // namespace
 
-VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, LawPart part) {
-  VecX pressed = world.contact_term->compressions(x, part);
-  if (world.bonds) pressed += world.bonds->compressions(x, part);
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view part) {
+  VecX pressed = VecX::Zero(x.size());
+  for (const ForceRecord& force : world.records.forces())
+    if (force.acting == Acting::normal && force.add_compressions && force.has(part)) force.add_compressions(x, part, pressed);
   world.collect_on_meshes(pressed);
   return tractions(world, x, forces, pressed(Eigen::seq(0, Eigen::last, 3)));
 }

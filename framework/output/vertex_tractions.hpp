@@ -3,17 +3,18 @@
 // Forces where there is no such area, of guards, count per area around the vertex.
 #pragma once
 
-#include "framework/contact/pair_law.hpp"
+#include <string_view>
+
 #include "geometry/types.hpp"
 
 namespace tack {
 
 struct World;
 
-// One per vertex [Pa], of the forces of a part of the laws (3n [N], collected on meshes): positive where they press, negative where they
+// One per vertex [Pa], of normal forces or a part of them (3n [N], collected on meshes): positive where they press, negative where they
 // pull. Of solids, into and out of them; sheets, rods and particles have no inside: of them, towards and away from what is opposite, of
 // sheets the sum over both sides. Zero where there is no force, not a number inside of solids. Contact must be at x.
-VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, LawPart part);
+VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view part);
 
 // The magnitude of the force per the same area.
 VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces);

@@ -1,10 +1,13 @@
 // Probe of energies.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/world.hpp"
+#include "framework/stepping/energy_flows.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -16,12 +19,12 @@ class EnergyProbe : public Probe {
     Probe::fields(f);
     f.text("term", term_,
            "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix; or what was "
-           "dissipated so far: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping, and dissipated, their sum");
+           "dissipated so far: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping, what else a term publishes that begins so, and dissipated, their sum");
   }
   void prepare(const World& world) override {
     std::vector<std::string> names = {"total"};
-    for (const auto& [name, unused] : dissipated(world.start)) names.push_back(name);
-    for (const auto& [name, unused] : energies_by_term(world, world.start)) names.push_back(name);
+    for (const std::string& name : accounts(world)) names.push_back(name);
+    for (const NamedEnergy& energy : energies_by_term(world, world.start)) names.push_back(energy.name);
     if (std::find(names.begin(), names.end(), term_) == names.end())
       throw InputError(fmt::format("probe '{}': no energy term is named '{}'{}", name_, term_,
                                    suggestion(term_, names, "terms")));
@@ -29,19 +32,21 @@ class EnergyProbe : public Probe {
   Unit unit() const override { return units::energy; }
   bool asks_for_losses() const override { return term_.starts_with("dissipated"); }
   std::vector<double> sample(const World& world, const State& state) override {
-    for (const auto& [name, value] : dissipated(state))
-      if (term_ == name) return {value};
-    double sum = 0;
-    for (const auto& [name, value] : energies_by_term(world, state))
-      if (term_ == name || (term_ == "total" && is_stored(name))) sum += value;
-    return {sum};
+    if (term_ == "dissipated") return {state.energy.all_dissipated()};
+    if (term_.starts_with("dissipated_")) return {state.energy.dissipated_as(term_)};
+    const std::vector<NamedEnergy> energies = energies_by_term(world, state);
+    if (term_ == "total") return {stored_energy(energies)};
+    for (const NamedEnergy& energy : energies)
+      if (term_ == energy.name) return {energy.value};
+    return {0};
   }
 
  private:
-  static std::array<std::pair<const char*, double>, 4> dissipated(const State& s) {
-    const EnergyAccount& e = s.energy;
-    return {{{"dissipated", e.friction + e.plastic + e.damping}, {"dissipated_friction", e.friction},
-             {"dissipated_plastic", e.plastic}, {"dissipated_damping", e.damping}}};
+  static std::vector<std::string> accounts(const World& world) {
+    std::vector<std::string> names = {"dissipated"};
+    for (const EnergyFlows::Published& flow : EnergyFlows(world.records).published)
+      if (!flow.account.empty() && std::find(names.begin(), names.end(), flow.account) == names.end()) names.push_back(flow.account);
+    return names;
   }
 
   std::string term_ = "total";

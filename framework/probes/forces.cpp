@@ -1,129 +1,149 @@
-// Probes of forces: contact and adhesion between objects, and the reaction of what is held.
-#include "framework/assembly/term_gradient.hpp"
-#include "framework/bond/bond_term.hpp"
-#include "framework/contact/rim_term.hpp"
+// Probes of forces on objects, and between two of them, of all that publishes some (core/records.hpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
-#include "framework/probes/pair_force.hpp"
 #include "framework/probes/vertex_set.hpp"
-#include "framework/rod/rod_frames.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
+// What one object exerts on another, or all on one.
+class PairForce : public VectorProbe {
+ public:
+  void fields(Fields& f) override {
+    VectorProbe::fields(f);
+    f.text("on", on_, "the object that the force acts on").required();
+    f.text("from", from_, "the object that exerts it; without it, all others together");
+  }
+  Unit unit() const override { return units::force; }
+  void prepare(const World& world) override {
+    a_ = object_index(world, on_, name_);
+    b_ = from_.empty() ? -1 : object_index(world, from_, name_);
+  }
+
+ protected:
+  bool from_one() const { return !from_.empty(); }
+  Vec3 force(const ForceRecord& record, std::string_view part, const World& world, const VecX& x) const {
+    if (b_ >= 0) return record.between ? record.between(x, part, {a_, b_}) : Vec3(Vec3::Zero());
+    VecX forces = VecX::Zero(x.size());
+    record.add(x, part, forces);
+    Vec3 sum = Vec3::Zero();
+    for (const int v : world.vertices_of(a_)) sum += vertex(forces, v);
+    return sum;
+  }
+  // Of all that act so.
+  Vec3 force(Acting acting, std::string_view part, const World& world, const VecX& x) const {
+    Vec3 sum = Vec3::Zero();
+    for (const ForceRecord& record : world.records.forces())
+      if (record.acting == acting && record.has(part)) sum += force(record, part, world, x);
+    return sum;
+  }
+
+ private:
+  std::string on_, from_;
+  int a_ = -1, b_ = -1;
+};
+
 // The force that the second object exerts on the first, or all objects on one.
-class ContactForce : public PairForce<LawPart> {
+class ContactForce : public PairForce {
  public:
   void fields(Fields& f) override {
     PairForce::fields(f);
     f.choice("part", part_,
-             {{"all", LawPart::all, "barrier and adhesion"},
-              {"barrier", LawPart::barrier, "repulsion only"},
-              {"adhesion", LawPart::adhesion, "attraction only"}},
+             {{"all", Part::all, "barrier and adhesion"},
+              {"barrier", Part::barrier, "repulsion only"},
+              {"adhesion", Part::adhesion, "attraction only"}},
              "which normal laws");
   }
 
   void prepare(const World& world) override {
-    require_contact(world, name_);
+    if (!world.records.acts(Acting::normal)) require_contact(world, name_);
     PairForce::prepare(world);
   }
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    Vec3 sum = force(*world.contact_term, world, state.x);
-    if (world.rim) sum += force(*world.rim, world, state.x);
-    if (world.bonds) sum += force(*world.bonds, world, state.x);
-    return sum;
+    return force(Acting::normal, part_ == Part::all ? "" : part_ == Part::barrier ? "barrier" : "adhesion", world, state.x);
   }
+
+ private:
+  enum class Part { all, barrier, adhesion };
+  Part part_ = Part::all;
 };
 
-// What holds each vertex that is held, or moves it as its script says (3n) [N]: against everything that acts on it, and its
-// own inertia; in the directions in which it is held, and zero of what is free.
-VecX holding_forces(const World& world, const State& state) {
-  VecX gradient = VecX::Zero(state.x.size()), held = gradient;
-  for (const Term* term : world.terms) add_term_gradient(*term, state.x, gradient);
-  for (int v = 0; v < world.dofs.vertex_count(); ++v) vertex(gradient, v) += world.mass(v) * vertex(state.a, v);
-  world.dofs.collect(gradient);
-  for (int v = 0; v < world.dofs.vertex_count(); ++v)
-    if (!world.dofs.moves(v)) vertex(held, v) = vertex(gradient, v);
-  for (const DofMap::HeldBlock& h : world.dofs.held_blocks())
-    if (const int v = world.dofs.vertex_of_block(h.block); !h.twist) vertex(held, v) = h.held * vertex(gradient, v);
-  return held;
-}
-
-void require_held(const World& world, const VertexSet& set, const std::string& probe) {
-  for (const int v : set.vertices())
-    if (!world.script.ever_held(v))
-      throw InputError("probe '" + probe + "': a reaction needs held vertices, and some of these are "
-                       "free; give the selection of the motion that holds them");
-}
-
-// The sum of holding forces. Vertices that are free at present need none.
-class Reaction : public VectorProbe {
+// The same of what acts along surfaces, in the last step.
+class FrictionForce : public PairForce {
  public:
   void fields(Fields& f) override {
-    VectorProbe::fields(f);
-    set_.fields(f);
+    PairForce::fields(f);
+    f.choice("part", part_,
+             {{"all", Part::all, "friction and tangential adhesion"},
+              {"friction", Part::friction, "friction only"},
+              {"adhesion", Part::adhesion, "tangential adhesion only"}},
+             "which tangential laws");
   }
-  Unit unit() const override { return units::force; }
+
   void prepare(const World& world) override {
-    set_.prepare(world, name_);
-    require_held(world, set_, name_);
+    if (!world.records.acts(Acting::tangential))
+      throw InputError("probe '" + name_ + "': no pair has friction or tangential adhesion; give one "
+                       "in contact.pairs");
+    PairForce::prepare(world);
   }
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    const VecX forces = holding_forces(world, state);
-    Vec3 sum = Vec3::Zero();
-    for (const int v : set_.vertices()) sum += vertex(forces, v);
-    return sum;
+    return force(Acting::tangential, part_ == Part::all ? "" : part_ == Part::friction ? "friction" : "adhesion", world, state.x);
   }
 
  private:
-  VertexSet set_;
+  enum class Part { all, friction, adhesion };
+  Part part_ = Part::all;
 };
 
-// Their moment about a point, with what holds the twist of rods: of an edge with both ends among the vertices, r f along its
-// tangent, f the force on the arc r theta.
-class Torque : public VectorProbe {
+// One by its name, whatever it is.
+class NamedForce : public PairForce {
  public:
   void fields(Fields& f) override {
-    VectorProbe::fields(f);
-    set_.fields(f);
-    f.vector("centre", centre_, units::length, "a point of the axis");
+    PairForce::fields(f);
+    f.text("of", of_, "the name under which it is published: contact, rim (of covered areas), bonds, friction, damping, or one of a plugin").required();
+    f.text("part", part_, "a part of it; unless given, all");
   }
-  Unit unit() const override { return units::moment; }
+
   void prepare(const World& world) override {
-    set_.prepare(world, name_);
-    require_held(world, set_, name_);
-    const Body& body = world.bodies[world.body_of(set_.vertices().front())];
-    if (!body.rod) return;
-    rod_ = body.rod;
-    const auto among = [&](int v) { return std::binary_search(set_.vertices().begin(), set_.vertices().end(), v); };
-    for (int e = 0; e < rod_->count(); ++e)
-      if (among(rod_->edge(e)[0]) && among(rod_->edge(e)[1])) edges_.push_back(e);
+    PairForce::prepare(world);
+    std::vector<std::string> names;
+    for (const ForceRecord& record : world.records.forces()) {
+      if (std::find(names.begin(), names.end(), record.name) == names.end()) names.push_back(record.name);
+      if (record.name != of_) continue;
+      if (!record.has(part_))
+        throw InputError(fmt::format("probe '{}': the force '{}' has no part '{}'{}", name_, of_, part_, suggestion(part_, record.parts, "parts")));
+      if (from_one() && !record.between)
+        throw InputError(fmt::format("probe '{}': the force '{}' is not exerted by objects; take `from` away", name_, of_));
+    }
+    if (std::find(names.begin(), names.end(), of_) == names.end())
+      throw InputError(fmt::format("probe '{}': no force is named '{}' in this scene{}", name_, of_, suggestion(of_, names, "forces")));
   }
 
  protected:
   Vec3 value(const World& world, const State& state) override {
-    const VecX forces = holding_forces(world, state);
     Vec3 sum = Vec3::Zero();
-    for (const int v : set_.vertices()) sum += (vertex(state.x, v) - centre_).cross(Vec3(vertex(forces, v)));
-    for (const int e : edges_) sum += rod_->radius() * forces(3 * rod_->twists()[e]) * rod_->tangent(e, state.x);
+    for (const ForceRecord& record : world.records.forces())
+      if (record.name == of_ && record.has(part_)) sum += force(record, part_, world, state.x);
     return sum;
   }
 
  private:
-  VertexSet set_;
-  Vec3 centre_ = Vec3::Zero();  // m
-  std::shared_ptr<const RodFrames> rod_;
-  std::vector<int> edges_;  // of it
+  std::string of_, part_;
 };
 
 TACK_REGISTER(Probe, ContactForce, "contact_force", "Normal contact force between objects [N].", "");
-TACK_REGISTER(Probe, Torque, "torque", "The moment that holds or drives a selection of held vertices, and the twist of edges between them [N m].", "");
-TACK_REGISTER(Probe, Reaction, "reaction", "The force that holds or drives a selection of held vertices [N].", "");
+TACK_REGISTER(Probe, FrictionForce, "friction_force", "Friction and tangential adhesion between objects in the last step [N].", "");
+TACK_REGISTER(Probe, NamedForce, "force", "A force on an object by its name, of those that act in the scene [N].", "");
 
 }  // namespace
 }  // namespace tack

@@ -75,6 +75,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
       probes_(probes_of(simulation_.built())), gradients_(gradients_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress),
       bent_(experiment_, world_) {
+  summary_.flows = EnergyFlows(world_.records);
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings;
   else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world_);
   phases_before_ = summary_.phases;

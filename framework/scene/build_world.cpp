@@ -16,6 +16,7 @@
 #include "framework/scene/containment.hpp"
 #include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/earlier_state.hpp"
+#include "framework/scene/energy_records.hpp"
 #include "framework/scene/named_selections.hpp"
 #include "framework/scene/push_out.hpp"
 #include "framework/scene/refined_surface.hpp"
@@ -267,6 +268,18 @@ void add_loads(const SceneConfig& scene, const Value& root, World& world) {
   }
 }
 
+// Friction before damping, as what works against both is summed in this order.
+void publish(World& world) {
+  for (const auto& term : world.elastic_terms) world.records.publish(*term);
+  if (!world.gravity.isZero())
+    world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
+  if (world.contact_term) world.records.publish(*world.contact_term);
+  if (world.rim) world.records.publish(*world.rim);
+  if (world.bonds) world.records.publish(*world.bonds);
+  if (world.friction) world.records.publish(*world.friction);
+  for (const auto& term : world.damping_terms) world.records.publish(*term);
+}
+
 }  // namespace
 
 std::string place_of(const Value& root, const std::string& list, size_t i) {
@@ -359,6 +372,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (world->rim) world->participants.add(world->rim.get());
   if (world->bonds) world->participants.add(world->bonds.get());
   if (world->friction) world->participants.add(world->friction.get());
+  publish(*world);
   return world;
 }
 

@@ -1,43 +1,58 @@
 #include "framework/scene/energy_records.hpp"
 
-#include <map>
+#include <algorithm>
 
-#include "framework/bond/bond_term.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/contact/rim_term.hpp"
 #include "framework/scene/world.hpp"
 
 namespace tack {
+namespace {
 
-std::pair<double, double> energies_of_free_vertices(const World& world, const State& state) {
-  double kinetic = 0, gravity = 0;
-  for (int v = 0; v < world.dofs.vertex_count(); ++v) {
-    if (!world.dofs.moves(v)) continue;
-    kinetic += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
-    gravity += world.weighing_mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(state.x, v));
-  }
-  return {kinetic, gravity};
+double kinetic_energy(const World& world, const State& state) {
+  double sum = 0;
+  for (int v = 0; v < world.dofs.vertex_count(); ++v)
+    if (world.dofs.moves(v)) sum += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
+  return sum;
 }
 
-std::vector<std::pair<std::string, double>> energies_by_term(const World& world, const State& state) {
-  const auto [kinetic, gravity] = energies_of_free_vertices(world, state);
-  std::map<std::string, double> elastic;
-  for (const auto& term : world.elastic_terms) elastic[term->name()] += term->value(state.x);
+// Those of objects come by name, then gravity, then the others as they are.
+void sort(std::vector<NamedEnergy>& energies) {
+  const auto rank = [](const NamedEnergy& e) { return e.kind == EnergyKind::of_objects ? 0 : e.kind == EnergyKind::weight ? 1 : 2; };
+  std::stable_sort(energies.begin(), energies.end(), [&](const NamedEnergy& a, const NamedEnergy& b) {
+    return rank(a) != rank(b) ? rank(a) < rank(b) : rank(a) == 0 && a.name < b.name;
+  });
+}
 
-  std::vector<std::pair<std::string, double>> all = {{"kinetic", kinetic}};
-  all.insert(all.end(), elastic.begin(), elastic.end());
-  if (!world.gravity.isZero()) all.emplace_back("gravity", gravity);
-  if (world.contact_term) {
-    all.emplace_back("barrier", world.contact_term->part_value(state.x, LawPart::barrier));
-    const double rim = world.rim ? world.rim->value(state.x) : 0;
-    all.emplace_back("adhesion", world.contact_term->part_value(state.x, LawPart::adhesion) + rim);
+}  // namespace
+
+double weight_of_free_vertices(const World& world, const VecX& x) {
+  double sum = 0;
+  for (int v = 0; v < world.dofs.vertex_count(); ++v)
+    if (world.dofs.moves(v)) sum += world.weighing_mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(x, v));
+  return sum;
+}
+
+std::pair<double, double> energies_of_free_vertices(const World& world, const State& state) {
+  return {kinetic_energy(world, state), weight_of_free_vertices(world, state.x)};
+}
+
+std::vector<NamedEnergy> energies_by_term(const World& world, const State& state) {
+  std::vector<NamedEnergy> all;
+  for (const EnergyRecord& record : world.records.energies()) {
+    const double value = record.value(state.x);
+    const auto same = std::find_if(all.begin(), all.end(), [&](const NamedEnergy& e) { return e.name == record.name; });
+    if (same == all.end()) all.push_back({record.name, value, record.kind});
+    else same->value += value;
   }
-  if (world.bonds) all.emplace_back("bonds", world.bonds->value(state.x));
-  if (world.friction) {
-    all.emplace_back("friction", world.friction->part_value(state.x, TangentialPart::friction));
-    all.emplace_back("tangential_adhesion", world.friction->part_value(state.x, TangentialPart::adhesion));
-  }
+  sort(all);
+  all.insert(all.begin(), {"kinetic", kinetic_energy(world, state), EnergyKind::motion});
   return all;
+}
+
+double stored_energy(const std::vector<NamedEnergy>& energies) {
+  double sum = 0;
+  for (const NamedEnergy& e : energies)
+    if (is_stored(e.kind)) sum += e.value;
+  return sum;
 }
 
 }  // namespace tack

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/core/records.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -38,6 +39,11 @@ void SpringTerm::commit(const VecX& x, History& history) const {
   array = {1, {broken_.begin(), broken_.end()}, {}};
   for (int s = 0; s < count(); ++s)
     if (breaks(s, x)) array.values[s] = 1;
+}
+
+void SpringTerm::publish(Records& records) const {
+  Term::publish(records);
+  records.add(FlowRecord{name(), {{"dissipated_plastic"}}, [this](const VecX& x, double* amounts) { amounts[0] = dissipated(x); }});
 }
 
 double SpringTerm::dissipated(const VecX& x) const {

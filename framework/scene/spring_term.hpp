@@ -30,7 +30,8 @@ class SpringTerm : public Term, public ResidualView {
 
   void remember(const History& history) override;
   void commit(const VecX& x, History& history) const override;
-  double dissipated(const VecX& x) const override;  // by those that break
+  void publish(Records& records) const override;
+  double dissipated(const VecX& x) const;  // by those that break [J]
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override { return {{2, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }

@@ -8,6 +8,7 @@
 
 #include "framework/contact/adhesion_summary.hpp"
 #include "framework/core/dof_map.hpp"
+#include "framework/core/records.hpp"
 #include "framework/core/state.hpp"
 #include "framework/scene/bindings.hpp"
 #include "framework/scene/body.hpp"
@@ -56,6 +57,7 @@ struct World {
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
   StepParticipants participants;  // contact and the terms
+  Records records;                // what the terms publish, and a stepper instead of them
   std::vector<AdhesionSummary> adhesion;
   State start;
   std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (earlier_state.hpp)

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "framework/assembly/incremental_potential.hpp"
-#include "framework/assembly/term_gradient.hpp"
-#include "framework/bond/bond_term.hpp"
-#include "framework/contact/friction_term.hpp"
-#include "framework/contact/rim_term.hpp"
-#include "framework/core/damping_terms.hpp"
+#include "framework/contact/contact_system.hpp"
 #include "framework/core/minimizer.hpp"
+#include "framework/core/term_gradient.hpp"
 #include "framework/scene/energy_records.hpp"
 
 namespace tack {
@@ -26,42 +24,85 @@ constexpr int growing_steps = 16;
 EnergyAccount account_of(const EnergyBalance::Energies& energies) {
   EnergyAccount account;
   account.open = true;
-  for (const auto& [term, energy] : energies) {
-    if (!is_stored(term)) continue;
-    if (term == "kinetic") account.kinetic = energy;
-    else if (term == "gravity") account.gravity = energy;
-    else if (term == "barrier" || term == "adhesion") account.contact += energy;
-    else account.elastic += energy;
-  }
+  for (const NamedEnergy& energy : energies) switch (energy.kind) {
+      case EnergyKind::motion: account.kinetic += energy.value; break;
+      case EnergyKind::weight: account.gravity += energy.value; break;
+      case EnergyKind::contact: account.contact += energy.value; break;
+      case EnergyKind::of_objects:
+      case EnergyKind::between_objects: account.elastic += energy.value; break;
+      case EnergyKind::of_step: break;
+    }
   return account;
 }
 
 double stored(const EnergyAccount& a) { return a.kinetic + a.gravity + a.elastic + a.contact; }
 
+// Calls act(term, record) for each energy of contact. What a term publishes adds up to its value, so that it comes once, with a null record;
+// of what a stepper has replaced, and of what is left beside it, each record comes, with a null term.
+template <class Act>
+void for_each_contact(const Records& records, const Act& act) {
+  const Term* last = nullptr;
+  for (const EnergyRecord& record : records.energies()) {
+    if (record.kind != EnergyKind::contact) continue;
+    const Term* whole = record.term && !records.replaced(*record.term) ? record.term : nullptr;
+    if (whole && whole == last) continue;
+    last = whole;
+    act(whole, whole ? nullptr : &record);
+  }
+}
+
 }  // namespace
+
+// Where contact is.
+double EnergyBalance::contact_at(const VecX& x) const {
+  double sum = 0;
+  for_each_contact(world_.records, [&](const Term* term, const EnergyRecord* record) { sum += term ? term->value(x) : record->value(x); });
+  return sum;
+}
 
 // As a rule the potential was evaluated there anyway. Leaves contact at `end`.
 double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
                                        const IncrementalPotential& potential) const {
   if (contact_) return *contact_;
-  if (const auto known = potential.first_value(world_.contact_term.get(), start)) return *known;
-  world_.contact->move_to(start);
-  const double energy = world_.contact_term->value(start);
-  world_.contact->move_to(end);
-  return energy;
+  bool known = true;
+  double sum = 0;
+  for_each_contact(world_.records, [&](const Term* term, const EnergyRecord*) {
+    const auto first = term ? potential.first_value(term, start) : std::nullopt;
+    known = known && first;
+    sum += first.value_or(0);
+  });
+  if (known) return sum;
+  if (world_.contact) world_.contact->move_to(start);
+  sum = contact_at(start);
+  if (world_.contact) world_.contact->move_to(end);
+  return sum;
+}
+
+// Of all that is stored in objects and between them, at every vertex. `potential`, if given, may have most of it already.
+void EnergyBalance::add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const {
+  const Records& records = world_.records;
+  std::vector<const Term*> terms;
+  for (const EnergyRecord& r : records.energies())
+    if (r.term && is_stored(r.kind) && (terms.empty() || terms.back() != r.term) && !records.replaced(*r.term)) terms.push_back(r.term);
+  if (potential && !records.any_replaced()) gradient += potential->gradient_at_all_vertices(x);
+  else for (const Term* term : terms) add_stencil_gradient(*term, x, gradient);
+  for (const Term* term : terms) term->add_linear_gradient(gradient);
+  for (const ForceRecord& r : records.forces()) {
+    if (r.term || !r.stored) continue;
+    VecX forces = VecX::Zero(x.size());
+    r.add(x, "", forces);
+    gradient -= forces;
+  }
 }
 
 // The first step of all: what later ones know from the step before.
 void EnergyBalance::open(const State& state) {
   start_.open = true;
   start_.contact = *contact_;
-  for (const auto& term : world_.elastic_terms) start_.elastic += term->value(state.x);
-  if (world_.bonds) start_.elastic += world_.bonds->value(state.x);
+  for (const EnergyRecord& r : world_.records.energies())
+    if (r.kind == EnergyKind::of_objects || r.kind == EnergyKind::between_objects) start_.elastic += r.value(state.x);
   start_.gradient = VecX::Zero(state.x.size());
-  for (const auto& term : world_.elastic_terms) add_term_gradient(*term, state.x, start_.gradient);
-  if (world_.contact_term) add_term_gradient(*world_.contact_term, state.x, start_.gradient);
-  if (world_.bonds) add_term_gradient(*world_.bonds, state.x, start_.gradient);
-  if (world_.rim) world_.rim->add_linear_gradient(start_.gradient);
+  add_stored_gradient(state.x, start_.gradient, nullptr);
   add_inertia_and_weight(state, start_.gradient);
 }
 
@@ -69,11 +110,11 @@ void EnergyBalance::begin(const State& state, bool to_places) {
   taken_ = {};
   start_ = state.energy;
   contact_.reset();
-  if (!world_.contact || (start_.open && start_.contact == 0)) {
+  if (start_.open && start_.contact == 0) {
     contact_ = 0;
   } else if (to_places || !start_.open) {
-    world_.contact->move_to(state.x);
-    contact_ = world_.contact_term->value(state.x);
+    if (world_.contact) world_.contact->move_to(state.x);
+    contact_ = contact_at(state.x);
   }
   if (!start_.open) open(state);
   const auto [kinetic, gravity] = energies_of_free_vertices(world_, state);
@@ -83,19 +124,19 @@ void EnergyBalance::begin(const State& state, bool to_places) {
 }
 
 void EnergyBalance::end(const VecX& x) {
-  taken_ = {};
-  if (world_.friction) {
-    taken_.friction = world_.friction->dissipated(x, TangentialPart::friction);
-    taken_.adhesion = world_.friction->dissipated(x, TangentialPart::adhesion);
+  taken_ = EnergyFlows(world_.records);
+  std::vector<std::string> written;
+  for (const FlowRecord& record : world_.records.flows()) {
+    std::vector<double> amounts(record.columns.size());
+    record.amounts(x, amounts.data());
+    for (size_t i = 0; i < amounts.size(); ++i) {
+      const std::string& column = record.columns[i].name;
+      const bool first = std::find(written.begin(), written.end(), column) == written.end();
+      if (first) written.push_back(column);
+      double& amount = taken_.amount(column);
+      amount = first ? amounts[i] : amount + amounts[i];
+    }
   }
-  if (world_.bonds) {
-    const BondTerm::Changes changes = world_.bonds->changes(x);
-    taken_.adhesion += changes.dissipated;
-    taken_.healing = -changes.healed;
-  }
-  if (world_.rim) taken_.rim = -world_.rim->value(x);
-  for (const auto& term : world_.elastic_terms) taken_.plastic += term->dissipated(x);
-  for (const auto& term : world_.damping_terms) taken_.damping += term->dissipated(x);
 }
 
 double EnergyBalance::load_work(const State& state, const VecX& way, double h) const {
@@ -124,8 +165,9 @@ void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) c
 // gradient: of elastic and contact energy at x.
 double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const VecX& x) {
   VecX sum = start_.gradient.size() > 0 ? VecX(start_.gradient + gradient) : VecX(2 * gradient), end = gradient;
-  VecX drag = world_.friction ? world_.friction->forces(x, TangentialPart::all) : VecX::Zero(way.size());
-  for (const auto& term : world_.damping_terms) term->add_mean_forces(x, drag);
+  VecX drag = VecX::Zero(way.size());
+  for (const ForceRecord& record : world_.records.forces())
+    if (!record.stored) record.add(x, "", drag);
   for (VecX* forces : {&sum, &end, &drag}) world_.dofs.collect(*forces);
   double work = 0, at_end = 0;
   const auto add = [&](int v, const Vec3& held_way) {
@@ -151,18 +193,16 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   flows.script = released_;
   jerk_ = 0;
   if (script_moves) {
-    end.gradient = potential.gradient_at_all_vertices(state.x);
-    if (world_.rim) world_.rim->add_linear_gradient(end.gradient);
+    end.gradient = VecX::Zero(state.x.size());
+    add_stored_gradient(state.x, end.gradient, &potential);
     add_inertia_and_weight(state, end.gradient);
     flows.script += script_work(way, end.gradient, state.x);
   }
-  const double dissipated = flows.friction + flows.adhesion + flows.plastic + flows.damping;
-  end.friction = start_.friction + flows.friction + flows.adhesion;
-  end.plastic = start_.plastic + flows.plastic;
-  end.damping = start_.damping + flows.damping;
+  for (const EnergyFlows::Published& flow : flows.published)
+    if (flow.kind == FlowKind::dissipated) end.account(flow.account, start_) += flow.amount;
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
-  flows.numerics = before + flows.loads + flows.script + flows.healing - dissipated - flows.areas - stored(end);
+  flows.numerics = before + flows.loads + flows.script + flows.sum(FlowKind::fed) - flows.sum(FlowKind::dissipated) - flows.areas - stored(end);
   end.unexplained = start_.unexplained;
   end.lowest = start_.lowest;
   end.bottom = start_.bottom;
@@ -170,7 +210,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   end.told = start_.told;
   end.at_play = start_.at_play;
   end.at_play.kinetic = std::max({end.at_play.kinetic, start_.kinetic, end.kinetic});
-  end.at_play.dissipated = end.friction + end.plastic + end.damping;
+  end.at_play.dissipated = end.all_dissipated();
   EnergyAtPlay::move(end.at_play.elastic, end.elastic - start_.elastic);
   EnergyAtPlay::move(end.at_play.contact, end.contact - start_.contact);
   EnergyAtPlay::move(end.at_play.gravity, end.gravity - start_.gravity);

@@ -15,6 +15,7 @@
 //             energy at the end of a step, account for,
 //   numerics  the rest: what the integrator lost or, below zero, made. Of implicit Euler in a linear
 //             problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.
+// healing to damping are what terms publish (core/records.hpp); others of theirs count likewise, by their kind.
 // Of what contact's energy changes by, the forces of covered areas did `rim`: what adheres pulls what it covers in.
 // Gravity is a potential here, loads are work. Normal adhesion is a potential: what detaching dissipates is
 // what its energy rises by, until areas that come back at zero gap give it back.
@@ -22,7 +23,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "framework/scene/world.hpp"
@@ -35,7 +35,7 @@ class Minimizer;
 
 class EnergyBalance {
  public:
-  using Energies = std::vector<std::pair<std::string, double>>;  // scene/energy_records.hpp
+  using Energies = std::vector<NamedEnergy>;  // scene/energy_records.hpp
 
   EnergyBalance(const World& world, const Minimizer& solver) : world_(world), solver_(solver) {}
 
@@ -56,7 +56,9 @@ class EnergyBalance {
 
  private:
   void open(const State& state);
+  double contact_at(const VecX& x) const;
   double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
+  void add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const;
   double load_work(const State& state, const VecX& way, double h) const;
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
   double script_work(const VecX& way, const VecX& gradient, const VecX& x);

@@ -7,6 +7,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "framework/core/phase_clock.hpp"
+#include "framework/core/records.hpp"
 #include "framework/stepping/energy_flows.hpp"
 
 namespace tack {
@@ -26,7 +27,7 @@ struct StepReport {
   double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near
   double min_gap = 0;       // likewise of different objects
   int broad_phase_builds = 0;
-  std::vector<std::pair<std::string, double>> energies;  // by term, and kinetic [J]
+  std::vector<NamedEnergy> energies;  // by name, and kinetic
   EnergyFlows flows;
   int lag_iterations = 0;        // solves with tangential forces of their own; 0 without friction
   double friction_residual = 0;  // what tangential forces would change by, relative to the largest

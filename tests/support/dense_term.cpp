@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <vector>
 
-#include "framework/assembly/term_gradient.hpp"
+#include "framework/core/term_gradient.hpp"
 
 namespace tack {
 

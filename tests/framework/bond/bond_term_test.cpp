@@ -146,7 +146,7 @@ TEST_CASE("bonds are history: what is remembered is the same bonds with the same
   const VecX x = first.moved("upper", {2e-4, 4e-4, 1e-4});
   History history;
   first.scene.world->participants.commit(x, history);
-  CHECK(first.term().dissipated(x) > 0);
+  CHECK(first.term().changes(x).dissipated > 0);
   first.scene.world->participants.remember(history);
   second.scene.world->participants.remember(history);
   CHECK(second.term().list().size() > 0);

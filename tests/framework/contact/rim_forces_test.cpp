@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <random>
 
+#include "tests/support/published.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
@@ -44,7 +45,7 @@ struct Places {
   VecX forces(const VecX& x) {
     begin(x);
     VecX sum = world.contact_term->forces(x, LawPart::all);
-    return sum + world.rim->forces(x, LawPart::all);
+    return sum + Published(*world.rim).forces(x);
   }
   double depth() const { return -world.contact_term->laws(LawPart::all)[world.contact->pairs().point(0, 1).law].at(gap).value; }
 
@@ -75,7 +76,7 @@ TEST_CASE("rim: the forces are minus the gradient of the energy with areas taken
 TEST_CASE("rim: no net force and no moment", "[contact][rim]") {
   Places p(plates(0.0072, 0.4, {6, 5}));
   p.begin(p.world.rest);
-  const VecX f = p.world.rim->forces(p.world.rest, LawPart::all);
+  const VecX f = Published(*p.world.rim).forces(p.world.rest);
   REQUIRE(f.size() > 0);
   Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
   for (int v = 0; v < f.size() / 3; ++v) {
@@ -93,8 +94,8 @@ TEST_CASE("rim: the lateral force is that of the energy per length, wherever the
       p.begin(p.world.rest);
       INFO("shift " << shift << ", cells " << cells[0] << " and " << cells[1]);
       const double width = side - 0.00013;
-      CHECK(p.world.rim->force_between(p.world.rest, LawPart::adhesion, {0, 1}).x() == Approx(-p.depth() * width).epsilon(0.01));
-      CHECK(p.world.rim->force_between(p.world.rest, LawPart::barrier, {0, 1}).isZero());
+      CHECK(Published(*p.world.rim).force_between(p.world.rest, "adhesion", {0, 1}).x() == Approx(-p.depth() * width).epsilon(0.01));
+      CHECK(Published(*p.world.rim).force_between(p.world.rest, "barrier", {0, 1}).isZero());
     }
 }
 
@@ -129,7 +130,7 @@ TEST_CASE("rim: a closed way does no work", "[contact][rim]") {
     for (int i = 0; i < 140; ++i) {
       const EnergyFlows flows = run.step().flows;
       sum += flows;
-      if (i >= 40 && i < 100) pulled += flows.rim;
+      if (i >= 40 && i < 100) pulled += flows.of("work_rim");
     }
     const double whole = side * side;  // of a work of adhesion of 1 J/m^2
     if (script == slid) {

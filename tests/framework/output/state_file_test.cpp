@@ -53,6 +53,7 @@ void check_same(const State& a, const State& b) {
   CHECK(a.energy.open == b.energy.open);
   CHECK((a.energy.kinetic == b.energy.kinetic && a.energy.gravity == b.energy.gravity));
   CHECK((a.energy.elastic == b.energy.elastic && a.energy.contact == b.energy.contact));
+  CHECK(a.energy.dissipated == b.energy.dissipated);
   CHECK((a.energy.gradient == b.energy.gradient && a.energy.unexplained == b.energy.unexplained));
   CHECK((a.energy.lowest == b.energy.lowest && a.energy.at_play == b.energy.at_play));
 }

@@ -29,7 +29,9 @@ StepReport report(int step, double time) {
   r.min_distance = 1e-4;
   r.min_gap = 2e-4;
   r.energies = {{"kinetic", 0.5}, {"barrier", 1e-3}};
-  r.flows = {1, 2, 9, 10, 3, 4, 5, 6, 7, 8};
+  const double flows[] = {1, 2, 9, 10, 3, 4, 5, 6, 7, 8};
+  const double* next = flows;
+  EnergyFlows::for_each(r.flows, [&](const std::string&, double& amount) { amount = *next++; });
   r.lag_iterations = 3;
   r.friction_residual = 0.0625;
   r.wall_seconds = 0.125;

@@ -28,7 +28,7 @@ RunSummary filled() {
   s.phases[static_cast<int>(Phase::assembly)] = 3;
   s.phases[static_cast<int>(Phase::solve)] = 1;
   s.inverted_tets = 4;
-  s.flows.friction = 0.75;
+  s.flows.amount("dissipated_friction") = 0.75;
   s.energy_gains = 2;
   s.adhesion = {{{"tape", "desk"}, 1, {{0, 1}}, 0.5, 0.4, 1e-4, 1e3}};
   s.expect = {{"a", 1, 2, 0.5, 1.5, 2.5, false, "is 1, expected 2 within 0.5"},

@@ -127,7 +127,7 @@ TEST_CASE("stiffness damping leaves free fall alone, mass damping ends at g / al
     TestRun stiff(falling(", damping: {stiffness: 20 ms}")), free(falling("")), heavy(falling(", damping: {mass: 5 1/s}"));
     double damped = 0;
     for (int i = 0; i < 40; ++i) {
-      damped += stiff.step().flows.damping;
+      damped += stiff.step().flows.of("dissipated_damping");
       free.step();
       heavy.step();
     }
@@ -150,16 +150,16 @@ TEST_CASE("what damping dissipates is what a vibration loses", "[damping]") {
     StepReport last;
     for (int i = 0; i < 0.3 / h; ++i) {
       sum += (last = run.stepper->advance()).flows;
-      REQUIRE(last.flows.damping >= 0);
+      REQUIRE(last.flows.of("dissipated_damping") >= 0);
       REQUIRE_FALSE(last.flows.damped);
     }
     double left = 0;
-    for (const auto& [term, energy] : last.energies) left += energy;
+    for (const NamedEnergy& energy : last.energies) left += energy.value;
     CHECK(left < 0.5 * start);
-    CHECK(sum.damping + sum.numerics == Approx(start - left).epsilon(1e-6));
-    if (integrator == "newmark") CHECK(sum.damping == Approx(start - left).epsilon(2e-3));
-    if (integrator == "bdf2") CHECK(sum.damping == Approx(start - left).epsilon(0.03));
-    CHECK(run.stepper->state().energy.damping == Approx(sum.damping).epsilon(1e-12));
+    CHECK(sum.of("dissipated_damping") + sum.numerics == Approx(start - left).epsilon(1e-6));
+    if (integrator == "newmark") CHECK(sum.of("dissipated_damping") == Approx(start - left).epsilon(2e-3));
+    if (integrator == "bdf2") CHECK(sum.of("dissipated_damping") == Approx(start - left).epsilon(0.03));
+    CHECK(run.stepper->state().energy.dissipated_as("dissipated_damping") == Approx(sum.of("dissipated_damping")).epsilon(1e-12));
   }
 }
 
@@ -173,9 +173,9 @@ TEST_CASE("what a script does against damping is dissipated", "[damping]") {
     StepReport last;
     for (int i = 0; i < 126; ++i) sum += (last = run.step()).flows;  // once up and down
     double left = 0;
-    for (const auto& [term, energy] : last.energies) left += energy;
-    CHECK(sum.script == Approx(sum.damping + left).epsilon(0.03));
-    CHECK(sum.damping > 0.5 * sum.script);
+    for (const NamedEnergy& energy : last.energies) left += energy.value;
+    CHECK(sum.script == Approx(sum.of("dissipated_damping") + left).epsilon(0.03));
+    CHECK(sum.of("dissipated_damping") > 0.5 * sum.script);
   }
 }
 
@@ -209,7 +209,7 @@ TEST_CASE("an affine body takes damping of its mass, and refuses that of its sti
   TestRun run(affine("{mass: 5 1/s}"));
   const Vec3 start = run.world->centre_of_mass(0, run.state().x);
   double lost = 0;
-  for (int i = 0; i < 40; ++i) lost += run.step().flows.damping;
+  for (int i = 0; i < 40; ++i) lost += run.step().flows.of("dissipated_damping");
   const double left = std::exp(-5 * run.state().time);  // of the velocity
   CHECK((run.world->centre_of_mass(0, run.state().x) - start).isApprox((1 - left) / 5 * Vec3(1, 2, 0), 1e-3));
   CHECK(lost == Approx(0.5 * 2 * (5 + 0.01 * (0.04 + 0.01) / 12) * (1 - left * left)).epsilon(1e-3));

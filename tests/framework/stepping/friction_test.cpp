@@ -176,5 +176,5 @@ TEST_CASE("without friction nothing is lagged", "[friction]") {
   const StepReport report = stepper.advance();
   CHECK(report.lag_iterations == 0);
   CHECK(report.friction_residual == 0);
-  for (const auto& [name, value] : report.energies) CHECK(name != "friction");
+  for (const NamedEnergy& energy : report.energies) CHECK(energy.name != "friction");
 }

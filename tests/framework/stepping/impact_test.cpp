@@ -32,12 +32,7 @@ const std::string two_cubes =
     "     place: {translate: [0.01, 0.103, 0.007]}, energies: [{type: neo_hookean, young: 1 MPa}]}\n"
     "contact:\n  distance: 1 mm\n";
 
-double stored(const TestRun& run) {
-  double sum = 0;
-  for (const auto& [term, energy] : energies_by_term(*run.world, run.state()))
-    if (is_stored(term)) sum += energy;
-  return sum;
-}
+double stored(const TestRun& run) { return stored_energy(energies_by_term(*run.world, run.state())); }
 
 Vec3 momentum(const TestRun& run) {
   Vec3 sum = Vec3::Zero();

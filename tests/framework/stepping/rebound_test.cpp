@@ -28,9 +28,7 @@ Rebound rebound(double h, const std::string& pair = "") {
     const StepReport report = run.step();
     ++r.steps;
     r.refined += report.flows.refined;
-    double energy = 0;
-    for (const auto& [term, joules] : report.energies)
-      if (is_stored(term)) energy += joules;
+    const double energy = stored_energy(report.energies);
     lowest = std::min(lowest, energy);
     r.grown = std::max(r.grown, (energy - lowest) / 0.5);
   }

@@ -49,7 +49,7 @@ TEST_CASE("a spring breaks at its force, and stays broken", "[springs]") {
   double largest = 0, dissipated = 0;
   while (springs.intact() > 0 && run.state().time < 0.9) {
     const StepReport report = run.step();
-    dissipated += report.flows.plastic;
+    dissipated += report.flows.of("dissipated_plastic");
     if (springs.intact() > 0) largest = springs.force(run.state().x).norm();
   }
   // 1000 N/m at 0.1 m/s: half a newton a step.

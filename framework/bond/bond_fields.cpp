@@ -1,9 +1,9 @@
-#include "framework/output/bond_fields.hpp"
+#include "framework/bond/bond_fields.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "framework/bond/bond_term.hpp"
+#include "framework/core/published_field.hpp"
 
 namespace tack {
 namespace {
@@ -23,21 +23,28 @@ VecX areas_of(const BondList& list, Eigen::Index vertices) {
   return areas;
 }
 
+class BondIntensity : public PublishedField {};
+class BondTraction : public PublishedField {
+  const char* unit() const override { return "Pa"; }
+};
+TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "of bonds: 1 where all are whole; not a number where there are none", "");
+TACK_REGISTER(PublishedField, BondTraction, "bond_traction", "magnitude of the force of bonds per area", "");
+
 }  // namespace
 
-VecX bond_intensities(const World& world) {
-  const BondList& list = world.bonds->list();
-  const VecX areas = areas_of(list, world.rest.size() / 3);
+VecX bond_intensities(const BondTerm& bonds, Eigen::Index vertices) {
+  const BondList& list = bonds.list();
+  const VecX areas = areas_of(list, vertices);
   VecX sum = VecX::Zero(areas.size());
   for_each_share(list, [&](int v, double area, int k) {
-    sum(v) += area * world.bonds->intensity(k);
+    sum(v) += area * bonds.intensity(k);
   });
   for (Eigen::Index v = 0; v < sum.size(); ++v) sum(v) = areas(v) > 0 ? sum(v) / areas(v) : std::numeric_limits<double>::quiet_NaN();
   return sum;
 }
 
-VecX bond_tractions(const World& world, const VecX& x) {
-  const VecX areas = areas_of(world.bonds->list(), world.rest.size() / 3), forces = world.bonds->forces(x, LawPart::adhesion);
+VecX bond_tractions(const BondTerm& bonds, const VecX& x) {
+  const VecX areas = areas_of(bonds.list(), x.size() / 3), forces = bonds.forces(x, LawPart::adhesion);
   VecX tractions = VecX::Zero(areas.size());
   for (Eigen::Index v = 0; v < areas.size(); ++v)
     if (areas(v) > 0) tractions(v) = vertex(forces, static_cast<int>(v)).norm() / areas(v);

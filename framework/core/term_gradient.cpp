@@ -1,9 +1,13 @@
-#include "framework/assembly/term_gradient.hpp"
+#include "framework/core/term_gradient.hpp"
 
 namespace tack {
 
 void add_term_gradient(const Term& term, const VecX& x, VecX& gradient) {
   term.add_linear_gradient(gradient);
+  add_stencil_gradient(term, x, gradient);
+}
+
+void add_stencil_gradient(const Term& term, const VecX& x, VecX& gradient) {
   const auto batches = term.batches();
   size_t slots = 0;
   for (const StencilBatch& b : batches) slots += static_cast<size_t>(b.arity) * b.count;

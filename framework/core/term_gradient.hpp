@@ -7,5 +7,7 @@ namespace tack {
 
 // Adds the term's gradient (3n) [N].
 void add_term_gradient(const Term& term, const VecX& x, VecX& gradient);
+// That of its stencils alone: without what it adds by add_linear_gradient().
+void add_stencil_gradient(const Term& term, const VecX& x, VecX& gradient);
 
 }  // namespace tack

@@ -1,0 +1,20 @@
+// What frames can hold of what terms publish (FieldRecord). Registered beside the term, so that scenes can name it in output.fields
+// before there is a world:
+//   TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "of bonds: 1 where all are whole", "");
+#pragma once
+
+#include "framework/config/registry.hpp"
+
+namespace tack {
+
+class PublishedField : public Component {
+ public:
+  static constexpr const char* kind_name = "field";
+  static constexpr const char* kind_doc = "What output.fields can name of what acts in a scene, besides what it lists itself.";
+
+  virtual const char* unit() const { return ""; }
+  virtual bool of_elements() const { return false; }  // else of vertices
+  virtual int components() const { return 1; }        // of elements: 1, 3, or 6 of a symmetric tensor (xx, yy, zz, xy, yz, xz)
+};
+
+}  // namespace tack

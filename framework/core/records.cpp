@@ -1,0 +1,119 @@
+#include "framework/core/records.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "framework/core/published_field.hpp"
+#include "framework/core/term_gradient.hpp"
+
+namespace tack {
+namespace {
+
+// Puts the record where the first of its name is, and takes all others of it out, after calling drop(record) for each.
+template <class Record, class Drop>
+void put_in_place(std::vector<Record>& records, Record record, const char* what, const Drop& drop) {
+  const auto named = [&](const Record& r) { return r.name == record.name; };
+  const auto first = std::find_if(records.begin(), records.end(), named);
+  if (first == records.end()) throw std::logic_error(fmt::format("nothing publishes {} named '{}' that could be replaced", what, record.name));
+  const auto at = first - records.begin();
+  for (const Record& r : records)
+    if (named(r)) drop(r);
+  std::erase_if(records, named);
+  records.insert(records.begin() + at, std::move(record));
+}
+
+}  // namespace
+
+bool ForceRecord::has(std::string_view part) const { return part.empty() || std::find(parts.begin(), parts.end(), part) != parts.end(); }
+
+void FieldRecord::combine(double value, double& with) const {
+  if (std::isnan(with)) with = value;
+  else if (!std::isnan(value)) with = summed ? with + value : std::max(with, value);
+}
+
+void Records::publish(const Term& term) {
+  publisher_ = &term;
+  term.publish(*this);
+  publisher_ = nullptr;
+}
+
+void Records::add(ForceRecord record) {
+  record.term = publisher_;
+  if (!record.add) {
+    if (!publisher_) throw std::logic_error(fmt::format("the force '{}' is of no term, and does not tell what it is", record.name));
+    record.add = [term = publisher_](const VecX& x, std::string_view, VecX& forces) {
+      VecX gradient = VecX::Zero(x.size());
+      add_term_gradient(*term, x, gradient);
+      forces -= gradient;
+    };
+  }
+  forces_.push_back(std::move(record));
+}
+
+void Records::add(EnergyRecord record) {
+  record.term = publisher_;
+  for (const EnergyRecord& other : energies_)
+    if (publisher_ && other.term == publisher_ && other.kind != record.kind)
+      throw std::logic_error(fmt::format("the energies '{}' and '{}' of one term are of two kinds", other.name, record.name));
+  energies_.push_back(std::move(record));
+}
+
+void Records::add(FlowRecord record) {
+  for (const FlowColumn& column : record.columns) {
+    const char* prefix = column.kind == FlowKind::dissipated ? "dissipated_" : "work_";
+    if (!column.name.starts_with(prefix))
+      throw std::logic_error(fmt::format("the flow '{}' of '{}' does not begin with '{}'", column.name, record.name, prefix));
+  }
+  flows_.push_back(std::move(record));
+}
+
+void Records::add(FieldRecord record) {
+  const auto& registered = Registry<PublishedField>::kind().entries();
+  if (!registered.contains(record.name))
+    throw std::logic_error(fmt::format("the field '{}' is published and not registered (core/published_field.hpp)", record.name));
+  record.term = publisher_;
+  fields_.push_back(std::move(record));
+}
+
+void Records::add(StressRecord record) {
+  record.term = publisher_;
+  stresses_.push_back(std::move(record));
+}
+
+void Records::replace(ForceRecord record) {
+  record.term = nullptr;
+  put_in_place(forces_, std::move(record), "a force", [&](const ForceRecord& r) {
+    if (r.term && !replaced(*r.term)) replaced_.push_back(r.term);
+  });
+}
+
+void Records::replace(EnergyRecord record) {
+  record.term = nullptr;
+  put_in_place(energies_, std::move(record), "an energy", [](const EnergyRecord&) {});
+}
+
+void Records::replace(FlowRecord record) {
+  put_in_place(flows_, std::move(record), "flows", [](const FlowRecord&) {});
+}
+
+void Records::remove_forces(const std::string& name) {
+  for (const ForceRecord& r : forces_)
+    if (r.name == name && r.term && !replaced(*r.term)) replaced_.push_back(r.term);
+  std::erase_if(forces_, [&](const ForceRecord& r) { return r.name == name; });
+}
+
+void Records::add_forces(Acting acting, const VecX& x, std::string_view part, VecX& forces) const {
+  for (const ForceRecord& r : forces_)
+    if (r.acting == acting && r.has(part)) r.add(x, part, forces);
+}
+
+bool Records::acts(Acting acting) const {
+  return std::any_of(forces_.begin(), forces_.end(), [&](const ForceRecord& r) { return r.acting == acting; });
+}
+
+bool Records::replaced(const Term& term) const { return std::find(replaced_.begin(), replaced_.end(), &term) != replaced_.end(); }
+
+}  // namespace tack

@@ -1,0 +1,108 @@
+// Probes of what holds or drives vertices.
+#include <algorithm>
+
+#include "framework/core/term_gradient.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/probes/vertex_set.hpp"
+#include "framework/rod/rod_frames.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// What holds each vertex that is held, or moves it as its script says (3n) [N]: against everything that acts on it, forces in the place
+// of terms included, and its own inertia; in the directions in which it is held, and zero of what is free.
+VecX holding_forces(const World& world, const State& state) {
+  VecX gradient = VecX::Zero(state.x.size()), held = gradient;
+  for (const Term* term : world.terms)
+    if (!world.records.replaced(*term)) add_term_gradient(*term, state.x, gradient);
+  for (const ForceRecord& record : world.records.forces())
+    if (!record.term) {
+      VecX forces = VecX::Zero(gradient.size());
+      record.add(state.x, "", forces);
+      gradient -= forces;
+    }
+  for (int v = 0; v < world.dofs.vertex_count(); ++v) vertex(gradient, v) += world.mass(v) * vertex(state.a, v);
+  world.dofs.collect(gradient);
+  for (int v = 0; v < world.dofs.vertex_count(); ++v)
+    if (!world.dofs.moves(v)) vertex(held, v) = vertex(gradient, v);
+  for (const DofMap::HeldBlock& h : world.dofs.held_blocks())
+    if (const int v = world.dofs.vertex_of_block(h.block); !h.twist) vertex(held, v) = h.held * vertex(gradient, v);
+  return held;
+}
+
+void require_held(const World& world, const VertexSet& set, const std::string& probe) {
+  for (const int v : set.vertices())
+    if (!world.script.ever_held(v))
+      throw InputError("probe '" + probe + "': a reaction needs held vertices, and some of these are "
+                       "free; give the selection of the motion that holds them");
+}
+
+// The sum of holding forces. Vertices that are free at present need none.
+class Reaction : public VectorProbe {
+ public:
+  void fields(Fields& f) override {
+    VectorProbe::fields(f);
+    set_.fields(f);
+  }
+  Unit unit() const override { return units::force; }
+  void prepare(const World& world) override {
+    set_.prepare(world, name_);
+    require_held(world, set_, name_);
+  }
+
+ protected:
+  Vec3 value(const World& world, const State& state) override {
+    const VecX forces = holding_forces(world, state);
+    Vec3 sum = Vec3::Zero();
+    for (const int v : set_.vertices()) sum += vertex(forces, v);
+    return sum;
+  }
+
+ private:
+  VertexSet set_;
+};
+
+// Their moment about a point, with what holds the twist of rods: of an edge with both ends among the vertices, r f along its
+// tangent, f the force on the arc r theta.
+class Torque : public VectorProbe {
+ public:
+  void fields(Fields& f) override {
+    VectorProbe::fields(f);
+    set_.fields(f);
+    f.vector("centre", centre_, units::length, "a point of the axis");
+  }
+  Unit unit() const override { return units::moment; }
+  void prepare(const World& world) override {
+    set_.prepare(world, name_);
+    require_held(world, set_, name_);
+    const Body& body = world.bodies[world.body_of(set_.vertices().front())];
+    if (!body.rod) return;
+    rod_ = body.rod;
+    const auto among = [&](int v) { return std::binary_search(set_.vertices().begin(), set_.vertices().end(), v); };
+    for (int e = 0; e < rod_->count(); ++e)
+      if (among(rod_->edge(e)[0]) && among(rod_->edge(e)[1])) edges_.push_back(e);
+  }
+
+ protected:
+  Vec3 value(const World& world, const State& state) override {
+    const VecX forces = holding_forces(world, state);
+    Vec3 sum = Vec3::Zero();
+    for (const int v : set_.vertices()) sum += (vertex(state.x, v) - centre_).cross(Vec3(vertex(forces, v)));
+    for (const int e : edges_) sum += rod_->radius() * forces(3 * rod_->twists()[e]) * rod_->tangent(e, state.x);
+    return sum;
+  }
+
+ private:
+  VertexSet set_;
+  Vec3 centre_ = Vec3::Zero();  // m
+  std::shared_ptr<const RodFrames> rod_;
+  std::vector<int> edges_;  // of it
+};
+
+TACK_REGISTER(Probe, Torque, "torque", "The moment that holds or drives a selection of held vertices, and the twist of edges between them [N m].", "");
+TACK_REGISTER(Probe, Reaction, "reaction", "The force that holds or drives a selection of held vertices [N].", "");
+
+}  // namespace
+}  // namespace tack
