@@ -172,7 +172,7 @@ void Neighbour::store(History& history) const {
     const VecX& v = s.*field;
     history[own + what] = {1, {v.begin(), v.end()}, {}};
   }
-  history[own + "dissipated"] = {1, {s.energy.friction, s.energy.plastic, s.energy.damping}, {}};
+  for (const auto& [name, amount] : s.energy.dissipated) history[own + name] = {1, {amount}, {}};
   for (const auto& [name, array] : s.history) history[own + remembered_as + name] = array;
 }
 
@@ -191,8 +191,7 @@ void Neighbour::start_from(const State& run, const History& history) {
     const std::vector<double>& values = values_of(what);
     s.*field = VecX::Map(values.data(), static_cast<Eigen::Index>(values.size()));
   }
-  const std::vector<double>& dissipated = values_of("dissipated");
-  s.energy.friction = dissipated[0], s.energy.plastic = dissipated[1], s.energy.damping = dissipated[2];
+  for (auto& [name, amount] : s.energy.dissipated) amount = values_of(name)[0];
   begin();
 }
 
