@@ -1,6 +1,6 @@
 // What frames can hold of what terms publish (FieldRecord). Registered beside the term, so that scenes can name it in output.fields
 // before there is a world:
-//   TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "of bonds: 1 where all are whole", "");
+//   TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "Of bonds: 1 where all are whole.", "");
 #pragma once
 
 #include "framework/config/registry.hpp"

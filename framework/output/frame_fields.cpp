@@ -1,5 +1,6 @@
 #include "framework/output/frame_fields.hpp"
 
+#include <cctype>
 #include <stdexcept>
 
 #include "framework/core/published_field.hpp"
@@ -25,10 +26,15 @@ std::vector<FrameFieldInfo> frame_fields() {
       {"cauchy_stress", "Pa", "xx, yy, zz, xy, yz, xz, of all energies of the element together; of sheets, in their middle", true},
       {"von_mises_stress", "Pa", "of the same", true},
       {"stretches", "", "principal ones, largest first: three of a tet, two of a triangle, one of an edge", true}};
+  const auto in_a_list = [](std::string sentence) {
+    sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+    sentence.pop_back();
+    return sentence;
+  };
   for (const auto& [name, entry] : Registry<PublishedField>::kind().entries()) {
     const auto field = entry.factory();
     const auto& published = dynamic_cast<const PublishedField&>(*field);
-    all.push_back({name, published.unit(), entry.doc, published.of_elements(), published.components()});
+    all.push_back({name, published.unit(), in_a_list(entry.doc), published.of_elements(), published.components()});
   }
   return all;
 }

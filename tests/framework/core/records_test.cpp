@@ -94,7 +94,7 @@ class TetherLength : public PublishedField {
 };
 
 TACK_REGISTER(Energy, Tether, "tether", "Holds every vertex to where it was.", "tests");
-TACK_REGISTER(PublishedField, TetherLength, "tether_length", "of the tethers that hold a vertex", "");
+TACK_REGISTER(PublishedField, TetherLength, "tether_length", "Of the tethers that hold a vertex.", "");
 
 const std::string tethered = R"(
 time: {step: 20 ms, duration: 0.4 s, integrator: quasi_static}
