@@ -30,8 +30,8 @@ TEST_CASE("no name reaches gnuplot as a command or markup", "[plot]") {
     plot.log_x = plot.log_y = true;
     plot.levels = {{2.5, name}};
     plot.notes = {name};
-    plot.curves.push_back({name, {{1, 2}, {2, 3}}});
-    plot.curves.push_back({"b" + name, {{1, 3}, {2, 4}}});
+    plot.curves.push_back({name, {{1, 2}, {2, 3}}, {}});
+    plot.curves.push_back({"b" + name, {{1, 3}, {2, 4}}, {}});
     const std::string failure = draw(plot, folder.path(), "plot");
     CHECK_FALSE(fs::exists(folder.path() / "owned"));
     const std::string script = file_text(folder.path() / "plot.gp");

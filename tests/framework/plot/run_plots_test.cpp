@@ -12,14 +12,14 @@ namespace {
 
 PlottedRun run_named(const std::string& name, double factor) {
   PlottedRun run{name, {{"time", "newton_iterations", "seconds_assembly", "seconds_linear_solve"}, {{0.1, 3, 1, 3}, {0.2, 5, 2, 2}}},
-                 {{"time", "gap", "force"}, {{0, 1e-3, 0}, {0.1, 2e-3, 5 * factor}, {0.2, 3e-3, 1}}}, {}, {{"gap", "m"}, {"force", "1"}}};
+                 {{"time", "gap", "force"}, {{0, 1e-3, 0}, {0.1, 2e-3, 5 * factor}, {0.2, 3e-3, 1}}}, {}, {}, {{"gap", "m"}, {"force", "1"}}};
   return run;
 }
 
 }  // namespace
 
 TEST_CASE("a probe over another, for each run that has both", "[plot]") {
-  PlottedRun without{"c", {}, {{"time", "gap"}, {{0, 1}}}, {}, {}};
+  PlottedRun without{"c", {}, {{"time", "gap"}, {{0, 1}}}, {}, {}, {}};
   const Plot plot = probe_curves({run_named("a", 1), run_named("b", 2), without}, "gap", "force");
   REQUIRE(plot.curves.size() == 2);
   CHECK(plot.curves[1].title == "b");
