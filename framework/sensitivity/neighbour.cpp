@@ -69,7 +69,7 @@ void Neighbour::begin() {
   stepper_.emplace(world, e, e.time, *solver_, built_->clock(), [](const Warning&) {});
   stepper_->keep_account(accounts_);
   rate_ = 1;
-  last_.resize(0);
+  last_.resize(0), before_.resize(0);
 }
 
 void Neighbour::start() {
@@ -81,10 +81,7 @@ void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSyste
   stepper_->damp(step.damped);
   unknowns_ = step.unknowns;
   h_ = step.h;
-  const bool goes_on = last_.size() == gradient.size() && unknowns_ == unknowns_last_;
-  if (!goes_on) way_ = VecX::Zero(gradient.size());
-  else if (before_.size() == last_.size() && h_ == h_last_) way_ = 2 * last_ - before_;
-  else way_ = last_;
+  guess(gradient.size(), system.loose());
   const Step own = stepper_->open(step.h);
   World& world = built_->world();
   if (world.dofs.size() != gradient.size())
@@ -104,11 +101,20 @@ void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSyste
   if (own.impulses) own.impulses->settle(world.friction->lagged_at(end_));
 }
 
+// What nothing holds is not corrected, and must not run away.
+void Neighbour::guess(Eigen::Index unknowns, bool loose) {
+  const bool goes_on = last_.size() == unknowns && unknowns_ == unknowns_last_, even = h_ == h_last_ && !loose;
+  if (!goes_on) way_ = VecX::Zero(unknowns);
+  else if (even && older_.size() == unknowns) way_ = 3 * (last_ - before_) + older_;
+  else if (even && before_.size() == unknowns) way_ = 2 * last_ - before_;
+  else way_ = last_;
+}
+
 // False if it was not found.
 bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSystem& system) {
   VecX end, d;
   built_->world().dofs.gather(run.x, end);
-  const VecX guess = way_;
+  const VecX guessed = way_;
   const double noise = round_off * largest(end);
   const auto left = [&](const VecX& way) -> VecX {
     own.potential.move_to(end + way);
@@ -138,7 +144,7 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
     // What was guessed right did not meet a kink, and a Hessian that is a little old serves.
     settled = size <= noise || size * std::clamp(rate_, i == 0 ? usual_rate : 0.0, 1.0) <= accuracy * all;
     if (!settled && i > 0 && !(rate_ <= slow) && !system.present()) {
-      left(way_ = guess);
+      left(way_ = guessed);
       system.refresh(own.potential);
       rate_ = 1;
       last = 0;
@@ -154,7 +160,9 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
 
 void Neighbour::keep(const State& run) {
   stepper_->follow(end_, h_);
-  before_ = h_ == h_last_ && unknowns_ == unknowns_last_ ? std::move(last_) : VecX();
+  const bool goes_on = h_ == h_last_ && unknowns_ == unknowns_last_;
+  older_ = goes_on ? std::move(before_) : VecX();
+  before_ = goes_on ? std::move(last_) : VecX();
   last_ = way_;
   h_last_ = h_;
   unknowns_last_ = unknowns_;

@@ -39,6 +39,7 @@ class Neighbour {
 
  private:
   void begin();
+  void guess(Eigen::Index unknowns, bool loose);
   bool settle(const Step& own, const Attempt::Solved& run, TangentSystem& system);
 
   std::string name_;
@@ -48,8 +49,8 @@ class Neighbour {
   std::optional<TimeStepper> stepper_;
   std::optional<ProbeSet> probes_;
   bool accounts_ = false;
-  // In the unknowns: from where the run's step ends to where this one's does, in the present step, the last that was kept and the one before.
-  VecX way_, last_, before_;
+  // In the unknowns: from where the run's step ends to where this one's does, in the present step and the last three that were kept.
+  VecX way_, last_, before_, older_;
   VecX end_;           // 3n: where the present step ends here
   double rate_ = 1;    // by which corrections become smaller with the Hessian that there is
   double h_ = 0, h_last_ = 0;
