@@ -74,6 +74,7 @@ void BondTerm::publish(Records& records) const {
 
 void BondTerm::remember(const History& history) {
   h_ = 0;
+  pressures_.clear();
   begun_ = remembered_.read(history);
   system_.hold_sides(remembered_.pairs());
   list_ = remembered_;
@@ -84,6 +85,7 @@ void BondTerm::remember(const History& history) {
 void BondTerm::begin_step(const StepStart& start) {
   h_ = start.h;
   begins_ = true;
+  pressures_.clear();
 }
 
 // A place that bonds is not to bond again while it does, also if what is covered has changed since: a triangle in which there are
@@ -231,15 +233,16 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
   });
 }
 
-BondPlace BondTerm::place_of(const Bond& bond, const VecX& x) const {
+BondPlace BondTerm::place_of(int i, const VecX& x) const {
+  const Bond& bond = list_.bonds()[i];
   const Opening o = opening_of(bond, x);
   const PairLaw& barrier = table_.rules()[bond.rule].barrier;
-  return {std::max(o.d, 0.0), o.s, h_, std::max(0.0, -barrier.at(o.d + bond.rest).slope)};
+  return {std::max(o.d, 0.0), o.s, h_, pressures_.empty() ? std::max(0.0, -barrier.at(o.d + bond.rest).slope) : pressures_[i]};
 }
 
 BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memory) const {
   memory.assign(list_.memory(bond), list_.memory(bond) + law_of(bond).width());
-  return law_of(bond).advance(place_of(list_.bonds()[bond], x), memory.data());
+  return law_of(bond).advance(place_of(bond, x), memory.data());
 }
 
 BondTerm::Changes BondTerm::changes(const VecX& x) const {

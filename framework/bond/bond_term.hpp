@@ -31,6 +31,9 @@ class BondTerm : public Term {
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
+  // What presses at each bond of the list in this step [Pa], of a stepper that knows it; otherwise it is the barrier.
+  void press(std::vector<double> pressures) { pressures_ = std::move(pressures); }
+
   // Of the step to x: what debonding dissipates, and what healing takes from what is stored (below zero: puts in) [J].
   struct Changes {
     double dissipated = 0, healed = 0;
@@ -66,7 +69,7 @@ class BondTerm : public Term {
   void hold_frames(const VecX& x) const;
   void frame_at(const VecX& x) const;
   void make_bonds(const VecX& x);
-  BondPlace place_of(const Bond& bond, const VecX& x) const;
+  BondPlace place_of(int bond, const VecX& x) const;
   // What the step to x makes of a bond and, in its place, of its memory.
   BondChange advance(int bond, const VecX& x, std::vector<double>& memory) const;
 
@@ -80,6 +83,7 @@ class BondTerm : public Term {
   bool begins_ = false;  // a step
   double h_ = 0;  // 0 between steps
   std::vector<int> unbonded_;
+  std::vector<double> pressures_;  // empty: those of the barrier
   std::vector<Block> blocks_;
   std::array<std::vector<int>, 2> batch_vertices_;  // of bonds of 4 vertices, and of 6
 };

@@ -13,7 +13,11 @@ namespace tack {
 
 void SolverEntry::fields(Fields& f) {
   f.text("name", name, "what tables and plots call it").required().line();
-  f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it").required();
+  f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it");
+  f.raw("stepper", stepper, "laid over the scene's time.stepper; another `type` replaces it");
+  f.check("solver", [this]() -> std::string {
+    return solver.is_null() && stepper.is_null() ? "give what is compared: a solver, a stepper, or both" : "";
+  });
 }
 
 void BaseEntry::fields(Fields& f) {

@@ -11,7 +11,8 @@ namespace tack {
 
 struct SolverEntry {
   std::string name;
-  Value solver;  // as written: laid over the scene's own solver block
+  Value solver;   // as written: laid over the scene's own solver block
+  Value stepper;  // likewise, over its time.stepper
   void fields(Fields& f);
 };
 

@@ -30,7 +30,7 @@ struct Entry {
   CompareRow row;
   std::vector<double> wall, cpu;
 
-  TrialSettings settings() const { return {solver->solver, row.tolerance, row.time_step}; }
+  TrialSettings settings() const { return {solver->solver, row.tolerance, row.time_step, solver->stepper}; }
 };
 
 std::vector<double> time_steps(const CompareConfig& config, const CompareCase& what) {
@@ -83,6 +83,8 @@ void run_once(Entry& e, bool first) {
   row.evaluations = found.evaluations;
   row.linear_solves = found.linear_solves;
   row.intersections = found.intersections;
+  row.penetration = found.penetration;
+  row.crossing_pairs = found.crossing_pairs;
   measure_errors(e, trial);
 }
 
@@ -149,7 +151,7 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
     if (config.reference_time_step && !c.single()) c.steps_of(*config.reference_time_step);
     for (const double h : time_steps(config, c)) {
       c.steps_of(h);
-      for (const SolverEntry& solver : config.solvers) Trial(c, {solver.solver, config.tolerances.front(), h});
+      for (const SolverEntry& solver : config.solvers) Trial(c, {solver.solver, config.tolerances.front(), h, solver.stepper});
     }
   }
   return cases;

@@ -29,6 +29,7 @@ struct CompareRow {
   double energy_gap = 0;                                         // J, over the reference's
   std::vector<std::pair<std::string, double>> probe_errors;
   int intersections = 0;
+  double penetration = 0, crossing_pairs = 0;  // TrialResult
   bool single_step = false;
   bool noise() const { return error_rms <= floor; }
   double known_error() const { return noise() ? floor : error_rms; }  // at most

@@ -169,7 +169,7 @@ std::string failures(const Comparison& c) {
   std::string rows;
   for (const CompareRow& r : c.rows) {
     const bool elsewhere = r.branch == "another" || r.branch == "inaccurate";
-    if (r.converged && !elsewhere && r.intersections == 0) continue;
+    if (r.converged && !elsewhere && r.intersections == 0 && r.crossing_pairs == 0) continue;
     std::string what = r.converged ? "" : r.status;
     if (r.branch == "another")
       what = r.single_step ? fmt::format("another minimum, {:.3g} J {} the reference's", std::abs(r.energy_gap),
@@ -178,6 +178,7 @@ std::string failures(const Comparison& c) {
     if (r.branch == "inaccurate")
       what = fmt::format("not accurate: ended {:.1e} m from the reference, closer with smaller tolerances", r.error_max);
     if (r.intersections > 0) what += fmt::format(" {} intersections", r.intersections);
+    if (r.crossing_pairs > 0) what += fmt::format(" surfaces passed through each other: at most {:g} pairs, {:.2g} m deep", r.crossing_pairs, r.penetration);
     rows += fmt::format("| {} | {} | {:.0e} | {:g} | {} |\n", cell(r.problem), cell(r.solver), r.tolerance, r.time_step,
                         cell(what));
   }

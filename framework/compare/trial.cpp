@@ -50,17 +50,25 @@ double extent_of_movable(const World& world) {
   return box.diagonal().norm();
 }
 
+// A component as it is in the scene, with what is written laid over it.
+template <class Kind>
+Value laid_over(const Kind* component, const Value& written) {
+  Value value = to_value(component);
+  if (!written.is_null()) merge(value, written);
+  if (value.is_scalar()) {  // a bare name
+    const Value type = value;
+    value = Value::map();
+    value.set("type", type);
+  }
+  return value;
+}
+
 LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings) {
   Experiment& experiment = loaded.experiment;
-  Value solver = to_value(experiment.solver.get());
-  merge(solver, settings.solver);
-  if (solver.is_scalar()) {  // a bare name
-    const Value type = solver;
-    solver = Value::map();
-    solver.set("type", type);
-  }
+  Value solver = laid_over(experiment.solver.get(), settings.solver);
   solver.set("tolerance", Value::number(settings.tolerance));
   experiment.solver = bind_component<Minimizer>(solver);
+  if (!settings.stepper.is_null()) experiment.time.stepper = bind_component<Stepper>(laid_over(experiment.time.stepper.get(), settings.stepper));
   experiment.time.step = settings.step_size;
   experiment.time.max_halvings = 0;  // a solve that fails is to be seen, not mended
   return loaded;
@@ -143,6 +151,7 @@ void Trial::solve_step(const VecX* guess) {
   result_.iterations = solve.iterations;
   result_.evaluations = solve.line_search_evaluations;
   result_.linear_solves = solve.linear_solves;
+  look_at(attempt->figures);
   result_.converged = attempt->failure.empty() && solve.status == MinimizerStatus::converged;
   result_.status = attempt->failure.empty() ? std::string(to_string(solve.status)) : attempt->failure;
   result_.complete = attempt->failure.empty() && attempt->x.allFinite();
@@ -161,6 +170,7 @@ void Trial::solve_run() {
       result_.iterations += report.solve.iterations;
       result_.evaluations += report.solve.line_search_evaluations;
       result_.linear_solves += report.solve.linear_solves;
+      look_at(report.figures);
     }
     result_.converged = result_.complete = true;
   } catch (const SimulationError& error) {
@@ -168,6 +178,13 @@ void Trial::solve_run() {
     return;
   }
   result_.energy += stored_energy(report.energies);
+}
+
+void Trial::look_at(const std::vector<StepFigure>& figures) {
+  for (const StepFigure& figure : figures) {
+    if (figure.name == "penetration") result_.penetration = std::max(result_.penetration, figure.value);
+    if (figure.name == "crossing_pairs") result_.crossing_pairs = std::max(result_.crossing_pairs, figure.value);
+  }
 }
 
 void Trial::look_at_end() {

@@ -38,6 +38,7 @@ struct TrialSettings {
   Value solver;           // laid over the scene's
   double tolerance = 0;   // m/s
   double step_size = 0;   // s
+  Value stepper = {};     // laid over the scene's
 };
 
 struct TrialResult {
@@ -47,6 +48,7 @@ struct TrialResult {
   double wall_seconds = 0, cpu_seconds = 0;
   long iterations = 0, evaluations = 0, linear_solves = 0;
   int intersections = 0;  // and inverted tets, in the last state
+  double penetration = 0, crossing_pairs = 0;  // the most of any step, of steppers that let surfaces pass through each other [m]
   VecX x;                 // 3n [m]
   double energy = 0;      // of a run's end [J]
   std::vector<double> probes;
@@ -77,6 +79,7 @@ class Trial {
  private:
   void solve_step(const VecX* guess);
   void solve_run();
+  void look_at(const std::vector<StepFigure>& figures);
   void look_at_end();
 
   const CompareCase& case_;

@@ -31,6 +31,14 @@ class LinearSolver : public Component {
   // The same once more for another b, leaving at most `relative` of it: what corrects a solution that
   // iterations stopped short of. Direct solvers need no such leave.
   virtual void correct(const VecX& b, VecX& x, double /*relative*/, PhaseClock& clock) { solve(b, x, clock); }
+  // columns <- A^-1 columns. Direct solvers may take several at once.
+  virtual void solve_columns(Eigen::MatrixXd& columns, PhaseClock& clock) {
+    VecX x;
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      solve(columns.col(i), x, clock);
+      columns.col(i) = x;
+    }
+  }
   virtual int analyses() const = 0;  // symbolic analyses so far
 
   // The relative residual that solves may leave from now on, for solvers that iterate; direct ones

@@ -26,7 +26,7 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
   world_ = build_world(e, loaded_.root, e.time.step, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr);
   loaded_.earlier.reset();
   check_damping(e, loaded_.root, *world_);
-  at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e); });
+  at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
   loaded_.experiment.solver = settled_solver(e, *world_, clock_);
 }

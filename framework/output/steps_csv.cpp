@@ -17,7 +17,7 @@ std::vector<std::string> terms_of(const StepReport& report) {
   return terms;
 }
 
-std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
+std::vector<std::string> columns_of(const std::vector<std::string>& terms, const StepReport& first) {
   std::vector<std::string> columns = {"step",
                                       "time",
                                       "step_size",
@@ -36,6 +36,7 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms) {
   for (const std::string_view phase : phase_names) {
     columns.push_back(fmt::format("seconds_{}", phase));
   }
+  for (const StepFigure& figure : first.figures) columns.push_back(figure.name);
   return columns;
 }
 
@@ -57,6 +58,7 @@ std::vector<double> row_of(const StepReport& r) {
   row.insert(row.end(), {r.solve.residual, r.unbalanced_force, r.tolerated_force, r.converged ? 1.0 : 0.0, double(r.lag_iterations),
                          r.friction_residual, r.wall_seconds});
   row.insert(row.end(), r.phases.begin(), r.phases.end());
+  for (const StepFigure& figure : r.figures) row.push_back(figure.value);
   return row;
 }
 
@@ -72,7 +74,7 @@ StepsCsv StepsCsv::continued(std::filesystem::path path, double last_time) {
 
 void StepsCsv::open(const StepReport& first) {
   terms_ = terms_of(first);
-  const std::vector<std::string> columns = columns_of(terms_);
+  const std::vector<std::string> columns = columns_of(terms_, first);
   if (!before_.columns.empty() && before_.columns != columns) {
     throw InputError(
         fmt::format("{}: has other columns than this scene writes ({}); resume with "

@@ -99,6 +99,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"max_affine_strain", finite(s.max_affine_strain)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
+          {"stepper", s.stepper},
           {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
           {"warnings", warnings_json(s.warnings)},
@@ -151,6 +152,10 @@ void RunSummary::add(const StepReport& report) {
   max_affine_strain = std::max(max_affine_strain, report.affine_strain);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;
+  for (const StepFigure& figure : report.figures) {
+    double& all = stepper[figure.name];
+    all = figure.run == StepFigure::Over::sum ? all + figure.value : std::max(all, figure.value);
+  }
   flows += report.flows;
   losses.add(report);
   refined_steps += report.flows.refined ? 1 : 0;

@@ -6,6 +6,8 @@
 namespace tack {
 namespace {
 
+const std::string of_stepper = "stepper_";
+
 // Calls act(name, number) for everything that adds up over the steps of a run.
 template <class Summary, class Act>
 void for_each_total(Summary& s, const Act& act) {
@@ -51,6 +53,7 @@ void for_each_total(Summary& s, const Act& act) {
 std::map<std::string, double> totals_of(const RunSummary& summary) {
   std::map<std::string, double> totals;
   for_each_total(summary, [&](const std::string& name, auto number) { totals[name] = static_cast<double>(number); });
+  for (const auto& [name, number] : summary.stepper) totals[of_stepper + name] = number;
   return totals;
 }
 
@@ -64,6 +67,8 @@ void set_totals(RunSummary& summary, const std::map<std::string, double>& totals
   for_each_total(summary, [&]<class Number>(const std::string& name, Number& number) {
     if (const auto found = totals.find(name); found != totals.end()) number = static_cast<Number>(found->second);
   });
+  for (const auto& [name, number] : totals)
+    if (name.starts_with(of_stepper)) summary.stepper[name.substr(of_stepper.size())] = number;
 }
 
 }  // namespace tack

@@ -10,6 +10,7 @@
 #include "framework/core/dof_map.hpp"
 #include "framework/core/records.hpp"
 #include "framework/core/state.hpp"
+#include "framework/core/step_figure.hpp"
 #include "framework/scene/bindings.hpp"
 #include "framework/scene/body.hpp"
 #include "framework/scene/load_terms.hpp"
@@ -59,6 +60,7 @@ struct World {
   StepParticipants participants;  // contact and the terms
   Records records;                // what the terms publish, and a stepper instead of them
   std::vector<AdhesionSummary> adhesion;
+  std::vector<StepFigure> step_figures;  // what the stepper tells of the last step
   State start;
   std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (earlier_state.hpp)
 

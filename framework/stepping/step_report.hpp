@@ -7,6 +7,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "framework/core/phase_clock.hpp"
+#include "framework/core/step_figure.hpp"
 #include "framework/core/records.hpp"
 #include "framework/stepping/energy_flows.hpp"
 
@@ -32,6 +33,7 @@ struct StepReport {
   int lag_iterations = 0;        // solves with tangential forces of their own; 0 without friction
   double friction_residual = 0;  // what tangential forces would change by, relative to the largest
   bool lag_converged = true;     // false: contact.lagging.until was not reached
+  std::vector<StepFigure> figures;  // of the stepper
   // Found by the exact check in this step's solves; a solve that has any is rolled back.
   int intersections = 0;
   int inverted_tets = 0;

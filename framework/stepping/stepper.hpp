@@ -6,8 +6,11 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
+#include "framework/core/history.hpp"
 #include "framework/core/minimizer.hpp"
+#include "framework/core/step_figure.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
@@ -56,6 +59,7 @@ struct Attempt {
   double friction_residual = 0;
   bool lag_converged = true;
   double unbalanced_force = 0, tolerated_force = 0;  // the largest that is left at a vertex, and may be [N]
+  std::vector<StepFigure> figures = {};  // the stepper's own
 };
 
 struct Verdict {
@@ -63,6 +67,7 @@ struct Verdict {
   std::string remedy;  // what users can do about it
   int intersections = 0, inverted_tets = 0;  // that were found: for records
   int parts = 2;           // into how many the step is cut if it is refused; a power of two
+  std::string told = "";   // what is doubtful of an attempt that may be kept: a warning
   bool tolerable = false;  // of the smallest steps that are tried, it may be kept all the same: what is wrong is warned of
 };
 
@@ -80,8 +85,8 @@ class Stepper : public Component {
   static constexpr const char* kind_doc = "Solves a time step.";
 
   // Throws InputError for a world that it cannot step. Asked when a scene is loaded.
-  virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/) const {}
-  // Once, before anything below.
+  virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/, const TimeConfig& /*time*/) const {}
+  // Once, before anything below. Who tells figures of steps names them: world.step_figures, of value 0.
   virtual void prepare(const StepperContext& context) = 0;
   // A step is about to be opened; new_unknowns: those of the world are others than before.
   virtual void begin(bool /*new_unknowns*/) {}
@@ -92,6 +97,8 @@ class Stepper : public Component {
   virtual void attempt(const Step& step, const VecX* guess, Attempt& attempt) = 0;
   // Asked of every attempt but interrupted ones, also of what OutOfTime has cut short.
   virtual Verdict verdict(const Attempt& attempt) = 0;
+  // The latest attempt is kept: writes what the next step is to know beside where everything is.
+  virtual void commit(History& /*history*/) const {}
 
   void observe(StepObservers observers) { observers_ = std::move(observers); }
 

@@ -57,7 +57,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   const Unlimited unlimited(clock_, time_);
   world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
-  if (world.friction && scene.contact->lagging.iterations == 1)
+  if (world.friction && scene.contact->lagging.iterations == 1 && !world.records.replaced(*world.friction))
     impulses_.emplace(*world.friction, masses_of_bodies(world), solver.velocity_tolerance());
   hold(state_.h_next);
 }
@@ -211,6 +211,7 @@ void TimeStepper::commit(const VecX& x, double h) {
   state_.a = std::move(a);
   state_.contact_before = std::exchange(state_.contact, std::move(contact));
   world_.participants.commit(x, state_.history);
+  stepper_->commit(state_.history);
   world_.participants.remember(state_.history);
   state_.h_before = h;
   state_.acted_before = impulses_ ? impulses_->acting() : 0;
@@ -247,6 +248,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   r.lag_iterations = attempt.lag_iterations;
   r.friction_residual = attempt.friction_residual;
   r.lag_converged = attempt.lag_converged;
+  r.figures = attempt.figures;
   r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
   if (world_.contact) {
     r.contacts = static_cast<int>(world_.contact->contacts().size());
@@ -279,6 +281,7 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
     state_.h_next = time_.step / state_.parts;
   }
   r = report(attempt, h);
+  world_.step_figures = attempt.figures;
   r.flows = balance_.close(state_, r.energies, h, held_.may_move(), *potential_);
   const bool free = r.contacts == 0;
   const bool finer = h > smallest_refined() * (1 + 1e-9) && (free || resolves_impact(h));
@@ -392,6 +395,7 @@ StepReport TimeStepper::advance() {
     }
     if (keep(attempt, h, r)) {
       warn_of(attempt, r);
+      if (!verdict.told.empty()) warn_({fmt::format("step {} at t = {:.6g} s: {}", state_.step, state_.time, verdict.told), "stepper"});
       if (tolerated)
         warn_({fmt::format("step {} at t = {:.6g} s: {}; {}", state_.step, state_.time, verdict.wrong, verdict.remedy), "tolerated step"});
       break;

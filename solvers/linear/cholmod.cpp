@@ -35,19 +35,29 @@ class Cholmod : public LinearSolver {
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::solve);
-    cholmod_dense right{};
-    right.nrow = right.d = right.nzmax = static_cast<size_t>(b.size());
-    right.ncol = 1;
-    right.x = const_cast<double*>(b.data());
-    right.xtype = CHOLMOD_REAL;
-    right.dtype = CHOLMOD_DOUBLE;
-    work_.solve(analysis_.factor(), &right, analysis_.common());
-    x = Eigen::Map<const VecX>(static_cast<const double*>(work_.solution->x), b.size());
+    x = Eigen::Map<const VecX>(solution(b.data(), b.size(), 1), b.size());
+  }
+  void solve_columns(Eigen::MatrixXd& columns, PhaseClock& clock) override {
+    const PhaseScope scope(clock, Phase::solve);
+    columns = Eigen::Map<const Eigen::MatrixXd>(solution(columns.data(), columns.rows(), columns.cols()), columns.rows(), columns.cols());
   }
 
   int analyses() const override { return analysis_.count(); }
 
  private:
+  // Of so many right-hand sides, one behind the other.
+  const double* solution(const double* b, Eigen::Index rows, Eigen::Index count) {
+    cholmod_dense right{};
+    right.nrow = right.d = static_cast<size_t>(rows);
+    right.ncol = static_cast<size_t>(count);
+    right.nzmax = right.nrow * right.ncol;
+    right.x = const_cast<double*>(b);
+    right.xtype = CHOLMOD_REAL;
+    right.dtype = CHOLMOD_DOUBLE;
+    work_.solve(analysis_.factor(), &right, analysis_.common());
+    return static_cast<const double*>(work_.solution->x);
+  }
+
   CholmodAnalysis analysis_;
   SolveWork work_{analysis_.common()};
   bool supernodal_ = true;

@@ -113,6 +113,10 @@ TEST_CASE("experiment affine/stack") { check_experiment("affine/stack.yaml"); }
 TEST_CASE("experiment affine/dominoes") { check_experiment("affine/dominoes.yaml"); }
 TEST_CASE("experiment affine/arch") { check_experiment("affine/arch.yaml"); }
 TEST_CASE("experiment affine/arch_collapses") { check_experiment("affine/arch_collapses.yaml"); }
+TEST_CASE("experiment lcp/slope") { check_experiment("lcp/slope.yaml"); }
+TEST_CASE("experiment lcp/slide") { check_experiment("lcp/slide.yaml"); }
+TEST_CASE("experiment lcp/hang") { check_experiment("lcp/hang.yaml"); }
+TEST_CASE("experiment lcp/fall") { check_experiment("lcp/fall.yaml"); }
 TEST_CASE("experiment first/tie") { check_experiment("first/tie.yaml"); }
 
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }

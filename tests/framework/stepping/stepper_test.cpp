@@ -21,7 +21,7 @@ class FreeFlight : public Stepper {
   void fields(Fields& f) override {
     f.number("longest", longest_, units::time, "the longest step that is not refused").positive();
   }
-  void admit(const World& world, const SceneConfig&) const override {
+  void admit(const World& world, const SceneConfig&, const TimeConfig&) const override {
     if (world.friction) throw InputError("free_flight knows no friction");
   }
   void prepare(const StepperContext& context) override { world_ = &context.world; }

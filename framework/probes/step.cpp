@@ -1,0 +1,39 @@
+// Probe of what the stepper tells of its steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/config/nearest.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class StepProbe : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.text("figure", figure_, "one of the stepper's columns of steps.csv; of lcp_pgs: sweeps, rows, row_residual [m/s], penetration [m] or crossing_pairs").required();
+  }
+  void prepare(const World&) override {}
+  Unit unit() const override { return units::none; }
+  std::vector<double> sample(const World& world, const State&) override {
+    std::vector<std::string> names;
+    for (const StepFigure& figure : world.step_figures) {
+      if (figure.name == figure_) return {figure.value};
+      names.push_back(figure.name);
+    }
+    if (names.empty()) throw InputError(fmt::format("probe '{}': the scene's stepper tells nothing of its steps; take the probe away", name_));
+    throw InputError(fmt::format("probe '{}': the stepper tells nothing named '{}'{}", name_, figure_, suggestion(figure_, names, "figures")));
+  }
+
+ private:
+  std::string figure_;
+};
+
+TACK_REGISTER(Probe, StepProbe, "step", "What the stepper tells of the last step (of lcp_pgs: how many surfaces have passed through each other, and how deep) [SI]; 0 before the first.", "");
+
+}  // namespace
+}  // namespace tack

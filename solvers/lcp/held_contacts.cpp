@@ -1,0 +1,93 @@
+#include "solvers/lcp/held_contacts.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+const std::string points_name = "lcp/points", edges_name = "lcp/edges";
+
+// triangle, side, gap, depth, force; edges a and b, normal, gap, depth, force. Triangles and edges are numbered in their object, so that other objects of
+// a scene do not matter.
+constexpr int point_width = 7, edge_width = 10;
+
+void require(bool fits) {
+  if (!fits) throw InputError("what is remembered of contacts does not fit the objects; it is of another scene: begin the run anew");
+}
+
+// Where the elements of each object begin in the mesh, whose they are in the order of objects.
+template <size_t N>
+std::vector<int> firsts(const CollisionMesh& mesh, const std::vector<std::array<int, N>>& elements) {
+  const int objects = mesh.vertex_object.empty() ? 0 : *std::max_element(mesh.vertex_object.begin(), mesh.vertex_object.end()) + 1;
+  std::vector<int> first(objects + 1, 0);
+  for (const auto& e : elements) ++first[mesh.vertex_object[e[0]] + 1];
+  for (int i = 0; i < objects; ++i) first[i + 1] += first[i];
+  return first;
+}
+
+int number(const std::vector<int>& first, int object, double in_object) {
+  require(object >= 0 && object + 1 < static_cast<int>(first.size()) && in_object >= 0 && in_object < first[object + 1] - first[object]);
+  return first[object] + static_cast<int>(in_object);
+}
+
+}  // namespace
+
+void HeldContacts::sort() {
+  const auto of_point = [](const HeldPoint& h) { return std::tuple(h.point, h.object, h.triangle); };
+  const auto of_edges = [](const HeldEdges& h) { return std::pair(h.a, h.b); };
+  std::stable_sort(points.begin(), points.end(), [&](const HeldPoint& m, const HeldPoint& n) { return of_point(m) < of_point(n); });
+  std::stable_sort(edges.begin(), edges.end(), [&](const HeldEdges& m, const HeldEdges& n) { return of_edges(m) < of_edges(n); });
+}
+
+HeldContacts HeldContacts::read(const History& history, const ContactSurface& surface) {
+  HeldContacts held;
+  const CollisionMesh& mesh = surface.mesh;
+  const auto triangles = firsts(mesh, mesh.triangles);
+  const auto edges = firsts(mesh, mesh.edges);
+  const auto object_of = [&](int v) {
+    require(v >= 0 && v < static_cast<int>(mesh.vertex_object.size()));
+    return mesh.vertex_object[v];
+  };
+  if (const auto found = history.find(points_name); found != history.end()) {
+    const HistoryArray& array = found->second;
+    require(array.width == point_width && array.keys.size() == static_cast<size_t>(array.entries()));
+    held.begun = true;
+    for (int i = 0; i < array.entries(); ++i) {
+      const double* v = &array.values[static_cast<size_t>(i) * point_width];
+      const auto [point, object] = array.keys[i];
+      object_of(point);
+      held.points.push_back({point, object, number(triangles, object, v[0]), v[1], v[2], v[3], Vec3(v[4], v[5], v[6])});
+    }
+  }
+  if (const auto found = history.find(edges_name); found != history.end()) {
+    const HistoryArray& array = found->second;
+    require(array.width == edge_width && array.keys.size() == static_cast<size_t>(array.entries()));
+    for (int i = 0; i < array.entries(); ++i) {
+      const double* v = &array.values[static_cast<size_t>(i) * edge_width];
+      const auto [vertex_of_a, object] = array.keys[i];
+      held.edges.push_back({number(edges, object_of(vertex_of_a), v[0]), number(edges, object, v[1]), Vec3(v[2], v[3], v[4]), v[5], v[6], Vec3(v[7], v[8], v[9])});
+    }
+  }
+  return held;
+}
+
+void HeldContacts::write(History& history, const ContactSurface& surface) const {
+  const CollisionMesh& mesh = surface.mesh;
+  const auto first_triangle = firsts(mesh, mesh.triangles), first_edge = firsts(mesh, mesh.edges);
+  HistoryArray &of_points = history[points_name] = {point_width, {}, {}}, &of_edges = history[edges_name] = {edge_width, {}, {}};
+  for (const HeldPoint& p : points) {
+    of_points.keys.push_back({p.point, p.object});
+    of_points.values.insert(of_points.values.end(), {double(p.triangle - first_triangle[p.object]), p.side, p.gap, p.depth, p.force.x(), p.force.y(), p.force.z()});
+  }
+  for (const HeldEdges& e : edges) {
+    const int vertex_of_a = mesh.edges[e.a][0], a = mesh.vertex_object[vertex_of_a], b = mesh.vertex_object[mesh.edges[e.b][0]];
+    of_edges.keys.push_back({vertex_of_a, b});
+    of_edges.values.insert(of_edges.values.end(), {double(e.a - first_edge[a]), double(e.b - first_edge[b]), e.normal.x(), e.normal.y(), e.normal.z(), e.gap, e.depth,
+                                                   e.force.x(), e.force.y(), e.force.z()});
+  }
+}
+
+}  // namespace tack

@@ -1,0 +1,43 @@
+// Contacts that are nobody's nearest when a step starts but meet on the straight ways to where it would end: by continuous collision detection,
+// with the normals and places of where they meet (Otaduy et al. 2009). Linearised where they start, what moves by several of its own
+// sizes in a step would be kept off planes that it never gets to.
+#pragma once
+
+#include <array>
+#include <set>
+
+#include "geometry/broad_phase/broad_phase.hpp"
+#include "solvers/lcp/contact_rows.hpp"
+
+namespace tack {
+
+class ImpactFinder {
+ public:
+  // Both must outlive it. margin: as of ContactFinder [m].
+  ImpactFinder(const ContactSystem& system, double margin);
+
+  // A step begins; near: who has rows already.
+  void begin(const HeldContacts& near);
+  // Adds the rows of what meets between x and end (3n) and was not found before, in the order of candidates, and what the next step is to
+  // know of it.
+  void find(const VecX& x, const VecX& end, ContactRows& out);
+
+ private:
+  struct Impact {
+    bool of_edges;
+    std::array<int, 2> who;  // point and triangle, or two edges
+    ContactRow row;
+    double side = 0;
+  };
+  bool meets(int point, int triangle, const VecX& x, const VecX& way, Impact& out) const;
+  bool edges_meet(int a, int b, const VecX& x, const VecX& way, Impact& out) const;
+  void finish(ContactRow& row, int object, int opposite, const VecX& x, double margin) const;
+
+  const ContactSystem& system_;
+  const ContactSurface& surface_;
+  double margin_;
+  BroadPhase broad_phase_;
+  std::set<std::array<int, 2>> found_points_, found_edges_;
+};
+
+}  // namespace tack

@@ -1,0 +1,147 @@
+// Constraints instead of potentials, to compare with: implicit Euler is linearised, contact is a linear complementarity problem with
+// Coulomb's friction and adhesion as rows, and projected Gauss-Seidel solves it, as far as its sweeps get (Otaduy et al. 2009, with adhesion Gascon
+// et al. 2010). Nothing promises that surfaces do not pass through each other: whether they did is looked at with exact predicates, recorded and told.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "framework/bond/bond_term.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/scene/world.hpp"
+#include "framework/stepping/time_config.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "geometry/exact/orientation.hpp"
+#include "solvers/lcp/bond_rows.hpp"
+#include "solvers/lcp/lcp_records.hpp"
+#include "solvers/lcp/lcp_step.hpp"
+
+namespace tack {
+namespace {
+
+// Of what the solver's tolerance is: sweeps are cheap, and forces are what they leave.
+constexpr double of_tolerance = 1e-3;
+constexpr int most_crossings = 1000000;
+
+void refuse_unless(bool can, const std::string& what, const std::string& remedy) {
+  if (!can) throw InputError(fmt::format("lcp_pgs {}; {}, or choose another stepper (incremental_potential)", what, remedy));
+}
+
+class LcpPgsStepper : public Stepper {
+ public:
+  void fields(Fields& f) override {
+    f.optional_number("margin", margin_, units::length, "the gap that surfaces keep; half of contact.distance unless given. What starts closer is not pushed apart").positive();
+    f.number("recovery", recovery_, units::none, "what of a gap that is too small, or of a depth, a step takes back. All of it in one step throws surfaces apart").positive().at_most(1);
+    f.integer("sweeps", sweeps_, "of projected Gauss-Seidel in a step, at most; what they leave is kept, and told").at_least(1);
+    f.optional_number("tolerance", tolerance_, units::velocity,
+                      "sweeps end when none changes a velocity by more; a thousandth of solver.tolerance unless given").positive();
+    f.integer("dense_rows", dense_rows_, "rows up to which the operator between impulses and velocities is one dense matrix; beyond, it is "
+              "dense in blocks of so many, and between them a solve for each block and sweep").at_least(3);
+    f.component("linear", linear_, "solver of the linearised step");
+  }
+
+  void admit(const World& world, const SceneConfig& scene, const TimeConfig& time) const override;
+  void prepare(const StepperContext& context) override {
+    world_ = &context.world;
+    LcpSettings settings;
+    settings.margin = margin_.value_or(context.scene.contact ? context.scene.contact->contact_distance / 2 : 0);
+    settings.tolerance = tolerance_.value_or(of_tolerance * context.solver.velocity_tolerance());
+    settings.sweeps = sweeps_;
+    settings.dense_rows = dense_rows_;
+    settings.recovery = recovery_;
+    step_ = std::make_shared<LcpStep>(*world_, context.clock, *linear_, settings);
+    publish_impulses(*world_, step_);
+    clock_ = &context.clock;
+    world_->step_figures = figures();
+  }
+  void begin(bool new_unknowns) override {
+    if (new_unknowns) step_->new_unknowns();
+  }
+  void attempt(const Step& step, const VecX* guess, Attempt& attempt) override;
+  Verdict verdict(const Attempt& attempt) override;
+  void commit(History& history) const override {
+    if (world_->contact) step_->held().write(history, world_->contact->surface());
+  }
+
+ private:
+  std::vector<StepFigure> figures() const {
+    using Over = StepFigure::Over;
+    return {{"sweeps", double(step_->sweeps()), Over::sum}, {"rows", double(step_->rows())}, {"row_residual", step_->residual()}, {"penetration", deepest_},
+            {"crossing_pairs", double(crossings_)}};
+  }
+
+  std::optional<double> margin_, tolerance_;  // m, m/s
+  double recovery_ = 0.2;
+  int sweeps_ = 100, dense_rows_ = 3000;
+  std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("cholmod");
+
+  World* world_ = nullptr;
+  PhaseClock* clock_ = nullptr;
+  std::shared_ptr<LcpStep> step_;  // what results ask may outlive this
+  int crossings_ = 0;
+  double deepest_ = 0;  // m
+};
+
+void LcpPgsStepper::admit(const World& world, const SceneConfig& scene, const TimeConfig& time) const {
+  refuse_unless(time.integrator->type() == "implicit_euler", fmt::format("is implicit Euler, linearised, and time.integrator is {}", time.integrator->type()),
+                "take implicit_euler");
+  for (const Body& body : world.bodies)
+    refuse_unless(body.edges.empty() && body.points.empty(), fmt::format("has rows for surfaces alone, and '{}' has {}", body.name,
+                  body.edges.empty() ? "particles" : "rods"), "take it out of the scene");
+  if (!scene.contact) return;
+  const PairTable& pairs = world.contact->pairs();
+  for (size_t i = 0; i < pairs.laws().size(); ++i) {
+    refuse_unless(pairs.tangential(static_cast<int>(i)).mu_a == 0, "knows no tangential adhesion beside that of RCC", "take `tangential_adhesion` away");
+    for (const auto& law : pairs.laws()[i].laws())
+      refuse_unless(dynamic_cast<const NormalAdhesion*>(law.get()) == nullptr, fmt::format("has rows for RCC adhesion alone, and a pair adheres by '{}'", law->name()),
+                    "take adhesion: {type: rcc} or rcc_explicit");
+  }
+  if (!world.bonds) return;
+  for (const BondRule& rule : world.bonds->table().rules())
+    refuse_unless(rule.type == "rcc" || rule.type == "rcc_explicit", fmt::format("has rows for RCC adhesion alone, and a pair adheres by '{}'", rule.type),
+                  "take adhesion: {type: rcc} or rcc_explicit");
+}
+
+void LcpPgsStepper::attempt(const Step& step, const VecX* /*guess*/, Attempt& attempt) {
+  crossings_ = 0;
+  deepest_ = 0;
+  step_->solve(step, attempt);
+  const bool solved = attempt.result.status == MinimizerStatus::converged || attempt.result.status == MinimizerStatus::iteration_limit;
+  if (solved && world_->contact) {
+    if (world_->bonds) world_->bonds->press(bond_pressures(*world_->bonds, step_->contacts(), *world_->contact));
+    const PhaseScope scope(*clock_, Phase::check);
+    const ContactSystem& contact = *world_->contact;
+    crossings_ = static_cast<int>(find_intersections(contact.surface().mesh, attempt.x, contact.colliding(), most_crossings).size());
+    deepest_ = step_->deepest();
+  }
+  attempt.figures = figures();
+}
+
+Verdict LcpPgsStepper::verdict(const Attempt& attempt) {
+  Verdict v{"", "refine time.step"};
+  const MinimizerStatus status = attempt.result.status;
+  if (status != MinimizerStatus::converged && status != MinimizerStatus::iteration_limit) {
+    v.wrong = to_string(status);
+    return v;
+  }
+  if (const int tet = first_inverted_tet(world_->tets, attempt.x); tet >= 0) {
+    v.inverted_tets = 1;
+    v.wrong = fmt::format("tet {} inverted", tet);
+  }
+  v.intersections = crossings_;
+  if (crossings_ > 0)
+    v.told = fmt::format("surfaces have passed through each other: {} pairs of an edge and a triangle cross, {:.3g} m deep; lcp_pgs keeps that (refine time.step, "
+                         "raise time.stepper.sweeps, or take the stepper incremental_potential)", crossings_, deepest_);
+  return v;
+}
+
+TACK_REGISTER(Stepper, LcpPgsStepper, "lcp_pgs",
+              "Linearised implicit Euler with contact, friction and RCC adhesion as constraints, solved by projected Gauss-Seidel; surfaces may pass through each "
+              "other, which is recorded. A baseline to compare with.",
+              "Gascon et al. 2010; Otaduy et al. 2009");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,73 @@
+#include "solvers/lcp/lcp_records.hpp"
+
+#include <cmath>
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/contact/held_surface.hpp"
+
+namespace tack {
+namespace {
+
+enum class Direction { normal, across };
+
+// Of a contact, on its point.
+Vec3 force_of(const ContactRow& c, Direction direction) {
+  const Vec3 normal = c.normal.dot(c.force) * c.normal;
+  return direction == Direction::normal ? normal : Vec3(c.force - normal);
+}
+
+ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name, Direction direction, std::vector<std::string> parts) {
+  ForceRecord record{name, direction == Direction::normal ? Acting::normal : Acting::tangential, std::move(parts)};
+  record.stored = false;
+  // Of both kinds of forces, the second part is adhesion, which bonds tell of.
+  const auto none = [](std::string_view part) { return part == "adhesion"; };
+  record.add = [=](const VecX&, std::string_view part, VecX& sum) {
+    if (none(part)) return;
+    for (const ContactRow& c : step->contacts())
+      for (int i = 0; i < 4; ++i) vertex(sum, c.vertices[i]) += c.coefficients[i] * force_of(c, direction);
+  };
+  record.between = [=](const VecX&, std::string_view part, ObjectPair pair) {
+    Vec3 sum = Vec3::Zero();
+    if (none(part)) return sum;
+    for (const ContactRow& c : step->contacts()) {
+      if (c.object == pair.a && c.opposite == pair.b) sum += force_of(c, direction);
+      else if (c.object == pair.b && c.opposite == pair.a) sum -= force_of(c, direction);
+    }
+    return sum;
+  };
+  return record;
+}
+
+}  // namespace
+
+void publish_impulses(World& world, std::shared_ptr<const LcpStep> step) {
+  if (!world.contact) return;
+  ForceRecord normal = forces(step, "contact", Direction::normal, {"barrier", "adhesion"});
+  normal.add_compressions = [=](const VecX&, std::string_view part, VecX& pressed) {
+    if (part == "adhesion") return;
+    for (const ContactRow& c : step->contacts())
+      for (int i = 0; i < 4; ++i) pressed(3 * c.vertices[i]) += std::abs(c.coefficients[i]) * c.normal.dot(c.force);
+  };
+  // A point stands for a third of the triangles around it, wherever that is pressed.
+  normal.add_areas = [=, system = world.contact.get()](const VecX&, VecX& areas) {
+    for (const ContactRow& c : step->contacts()) {
+      if (c.own != 1 || c.force.isZero(0)) continue;
+      const double area = system->held().whole(c.vertices[0]);
+      for (int i = 0; i < 4; ++i) areas(3 * c.vertices[i]) += std::abs(c.coefficients[i]) * area;
+    }
+  };
+  world.records.replace(std::move(normal));
+  for (const char* name : {"barrier", "adhesion"})
+    world.records.replace(EnergyRecord{name, EnergyKind::contact, [](const VecX&) { return 0.0; }});
+  if (!world.friction) return;
+  world.records.replace(forces(step, "friction", Direction::across, {"friction", "adhesion"}));
+  for (const char* name : {"friction", "tangential_adhesion"})
+    world.records.replace(EnergyRecord{name, EnergyKind::of_step, [](const VecX&) { return 0.0; }});
+  world.records.replace(FlowRecord{"friction", {{"dissipated_friction"}, {"dissipated_adhesion"}}, [=](const VecX&, double* amounts) {
+    amounts[0] = step->slid();
+    amounts[1] = 0;
+  }});
+}
+
+}  // namespace tack
