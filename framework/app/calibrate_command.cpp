@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double longest_trial = 3;  // s
-constexpr int usual_of_chains = 45;  // points for each number, by all searches after the design
+constexpr int usual_of_chains = 45, usual_with_derivatives = 30;  // points for each number, by all searches after the design
 
 // The phase that goes on, on a terminal in a line that is rewritten; elsewhere a line when it begins.
 class Told {
@@ -99,7 +99,10 @@ void show_plan(const CalibrateConfig& config, FittedScenes& scenes, BatchDescrip
   for (int run = 0; run < scenes.runs(); ++run) d.plan.cases.push_back(scenes.case_of(run, scenes.start()));
   for (const BatchCase& one : d.plan.cases) open.push_back(&one);
   const int numbers = static_cast<int>(scenes.numbers().size());
-  int points = (config.search.design > 0 ? config.search.design : 32 * numbers) + usual_of_chains * numbers;
+  bool by_runs = false;
+  if (config.search.gradients && config.search.polish)
+    for (const std::string& why : scenes.without_derivatives()) by_runs = by_runs || why.empty();
+  int points = (config.search.design > 0 ? config.search.design : 32 * numbers) + (by_runs ? usual_with_derivatives : usual_of_chains) * numbers;
   if (config.search.evaluations > 0) points = std::min(points, config.search.evaluations + 5 * numbers);
   const BatchEstimate estimate = estimate_of(fs::read_symlink("/proc/self/exe").string(), BatchFolder{}, d.plan, d.limits, open, longest_trial);
   double of_point = 0;
@@ -144,7 +147,7 @@ int calibrate_command(const CalibrateOptions& options) {
   evaluator.write_tables();
   record.wall_seconds = std::chrono::duration<double>(Clock::now() - begun).count();
   record.started = evaluator.started();
-  write_calibration(folder, record, found, scenes, evaluator.run_folders(found.search.best.values));
+  write_calibration(folder, record, found, scenes, evaluator.run_folders(found.search.best));
   const std::vector<std::string> failures = draw_calibration(folder, found, scenes);
   if (options.quiet) return exit_done;
   for (const std::string& failure : failures) fmt::print("{}\n", failure);

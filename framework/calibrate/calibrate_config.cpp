@@ -73,6 +73,7 @@ void SearchConfig::fields(Fields& f) {
   f.integer("chains", chains, "local searches (BOBYQA), each from one of the best points").at_least(0);
   f.integer("evaluations", evaluations, "most points of design and chains together; 0: as many as it takes").at_least(0);
   f.flag("polish", polish, "end with Gauss-Newton steps (Levenberg-Marquardt)");
+  f.flag("gradients", gradients, "take derivatives that runs give themselves where they do (output.gradients), instead of differences");
   f.number("step", step, units::none, "first step of a chain, in logarithms; of a linear scale, in thirds of the range").positive().at_most(1);
   f.number("difference", difference, units::none, "of values whose runs are compared for derivatives, likewise").positive().at_most(0.5);
   f.number("tolerance", tolerance, units::none, "of values at the end of a chain, likewise").positive().at_most(0.1);

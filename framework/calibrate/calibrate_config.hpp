@@ -43,7 +43,7 @@ struct SearchConfig {
   int design = 0;       // points; 0: 32 for each number
   int chains = 3;       // local searches, from the best points
   int evaluations = 0;  // most of design and chains together; 0: as many as it takes
-  bool polish = true;
+  bool polish = true, gradients = true;
   double step = 0.15, difference = 0.05, tolerance = 1e-3;  // in logarithms, or in thirds of the range
 
   void fields(Fields& f);

@@ -23,7 +23,7 @@ void warn_of_points_beyond(std::vector<std::string>& warnings, const PointEvalua
 }  // namespace
 
 Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell) {
-  Calibration found{search_for(scenes.numbers(), config, evaluator, tell), {}, {}};
+  Calibration found{search_for(scenes.numbers(), config, evaluator, tell, scenes.noise_known()), {}, {}};
   const SearchResult& s = found.search;
   if (s.derivatives.problem.empty()) {
     found.confidence = confidence_of(scenes.numbers(), s.best.values, s.derivatives.of_residuals, s.best.residuals, scenes.noise_known());
@@ -36,6 +36,20 @@ Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Ev
   if (failed > 0)
     found.warnings.push_back(fmt::format("{} of {} points failed, and counted as bad; evaluations.csv says why", failed, s.rows.size()));
   return found;
+}
+
+std::string derivatives_text(const SearchResult& search, const std::vector<FittedNumber>& numbers) {
+  const Derivatives& d = search.derivatives;
+  std::string text;
+  std::vector<std::string> own;
+  for (size_t i = 0; i < numbers.size(); ++i)
+    if (i < d.by_runs.size() && d.by_runs[i]) own.push_back(numbers[i].name);
+  if (!own.empty())
+    text += fmt::format("  derivatives by {} are those of the run itself{}\n", listed(own),
+                        d.compared > 0 ? fmt::format(", which tell all but {:.2g}% of what {} nearby differ by", 100 * d.missed, counted(d.compared, "point")) : "");
+  for (size_t i = 0; i < numbers.size(); ++i)
+    if (i < d.why.size() && !d.why[i].empty()) text += fmt::format("  derivatives by {} are differences of runs: {}\n", numbers[i].name, d.why[i]);
+  return text;
 }
 
 std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
@@ -57,6 +71,7 @@ std::string summary_text(const Calibration& found, const FittedScenes& scenes) {
     text += fmt::format("  {}: off by {:.3g}{} on average (root mean square of {}){}\n", m.name, rms * m.scale, unit_text(m.y_unit),
                         counted(static_cast<long>(m.curve.size()), "point"), m.noise_known ? fmt::format(", {:.3g} times the noise", rms) : fmt::format(", {:.3g}% of the largest", 100 * rms));
   }
+  text += derivatives_text(found.search, scenes.numbers());
   for (const std::string& warning : found.warnings) text += "warning: " + warning + "\n";
   return text;
 }

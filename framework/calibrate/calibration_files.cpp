@@ -28,6 +28,9 @@ Json number_json(const FittedNumber& n, size_t i, const Calibration& found, cons
   json["low"] = c ? finite(c->low[i]) : Json();
   json["high"] = c ? finite(c->high[i]) : Json();
   json["determined"] = c && c->sigma[i] <= largest_sigma;
+  const Derivatives& d = found.search.derivatives;
+  json["derivatives"] = i < d.by_runs.size() && d.by_runs[i] ? "run" : "differences";
+  json["why_differences"] = i < d.why.size() ? d.why[i] : "";
   return json;
 }
 
@@ -55,12 +58,13 @@ Json experiment_json(const CalibrationFolder& folder, const MeasuredPoints& m, s
 
 Json search_json(const SearchResult& search, int started) {
   Json phases = Json::object();
-  size_t failed = 0;
+  size_t failed = 0, with_derivatives = 0;
   for (const SearchRow& row : search.rows) {
     phases[row.phase] = phases.value(row.phase, 0) + 1;
     failed += row.evaluation.good ? 0 : 1;
+    with_derivatives += row.evaluation.asked_derivatives ? 1 : 0;
   }
-  return {{"started", started}, {"points", search.rows.size()}, {"failed", failed}, {"phases", phases}};
+  return {{"started", started}, {"points", search.rows.size()}, {"failed", failed}, {"phases", phases}, {"with_derivatives", with_derivatives}};
 }
 
 std::string description(const CalibrationFolder& folder, const CalibrationRecord& r, const Calibration& found, const FittedScenes& scenes) {
@@ -70,6 +74,7 @@ std::string description(const CalibrationFolder& folder, const CalibrationRecord
   json["noise"] = {{"known", scenes.noise_known()}, {"of_residuals", c ? finite(c->noise) : Json()}};
   json["numbers"] = Json::array();
   for (size_t i = 0; i < scenes.numbers().size(); ++i) json["numbers"].push_back(number_json(scenes.numbers()[i], i, found, r.config));
+  json["derivatives"] = {{"missed", found.search.derivatives.missed}, {"compared", found.search.derivatives.compared}};
   json["correlation"] = Json::array();
   json["combinations"] = Json::array();
   if (c) {
@@ -103,7 +108,7 @@ std::string evaluations_csv(const SearchResult& search, const FittedScenes& scen
   text += ",misfit";
   if (scenes.measured().size() > 1)
     for (const MeasuredPoints& m : scenes.measured()) text += "," + csv_cell("misfit:" + m.name);
-  text += ",status,error\n";
+  text += ",derivatives,status,error\n";
   for (size_t i = 0; i < search.rows.size(); ++i) {
     const PointEvaluation& e = search.rows[i].evaluation;
     text += fmt::format("{},{}", i + 1, csv_cell(search.rows[i].phase));
@@ -111,7 +116,7 @@ std::string evaluations_csv(const SearchResult& search, const FittedScenes& scen
     text += "," + cell(e.misfit);
     if (scenes.measured().size() > 1)
       for (size_t k = 0; k < scenes.measured().size(); ++k) text += "," + (e.good ? cell(e.misfits[k]) : std::string());
-    text += fmt::format(",{},{}\n", csv_cell(e.status), csv_cell(e.error));
+    text += fmt::format(",{},{},{}\n", e.asked_derivatives ? 1 : 0, csv_cell(e.status), csv_cell(e.error));
   }
   return text;
 }

@@ -1,10 +1,11 @@
 // The files of a calibration.
 //
-// calibration.json: name, about, file, provenance {...}, status ("done"), wall_seconds, runs {started, points, failed, phases {phase: points}},
-// misfit, noise {known, of_residuals}, numbers [{name, keys {experiment: [key]}, unit, scale, from, to, start, value, sigma, low, high, determined}],
-// correlation [[...]], combinations [{text, sigma, weights}], experiments [{name, base, data, x, y, x_unit, y_unit, points, beyond, misfit, rms, noise, weight,
-// fit, run, scene}], warnings [...]. Numbers that there are not, or that are infinite, are null.
-// evaluations.csv: number, phase, a column for each fitted number, misfit, misfit:EXPERIMENT, status, error.
+// calibration.json: name, about, file, provenance {...}, status ("done"), wall_seconds, runs {started, points, failed, phases {phase: points},
+// with_derivatives}, misfit, noise {known, of_residuals}, numbers [{name, keys {experiment: [key]}, unit, scale, from, to, start, value, sigma, low, high,
+// determined, derivatives ("run" or "differences"), why_differences}], derivatives {missed, compared}, correlation [[...]], combinations [{text, sigma,
+// weights}], experiments [{name, base, data, x, y, x_unit, y_unit, points, beyond, misfit, rms, noise, weight, fit, run, scene}], warnings [...]. Numbers that
+// there are not, or that are infinite, are null.
+// evaluations.csv: number, phase, a column for each fitted number, misfit, misfit:EXPERIMENT, derivatives (1 or 0: whether the runs gave them), status, error.
 #pragma once
 
 #include "framework/calibrate/calibration.hpp"

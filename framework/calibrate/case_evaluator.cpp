@@ -14,9 +14,10 @@ namespace {
 // Its probes can be held against data, whatever its own expectations say.
 bool comparable(CaseStatus status) { return status == CaseStatus::done || status == CaseStatus::expectation_failed; }
 
-PointEvaluation failed_evaluation(const Point& values, std::string status, std::string error) {
+PointEvaluation failed_evaluation(const PointQueue::Request& request, std::string status, std::string error) {
   PointEvaluation e;
-  e.values = values;
+  e.values = request.values;
+  e.asked_derivatives = request.derivatives;
   e.status = std::move(status);
   e.error = std::move(error);
   return e;
@@ -33,8 +34,8 @@ void CaseEvaluator::serve(PointQueue& queue) {
   else serve_here(queue);
 }
 
-const BatchCase* CaseEvaluator::case_of(int run, const Point& values) {
-  BatchCase one = scenes_.case_of(run, values);
+const BatchCase* CaseEvaluator::case_of(int run, const Point& values, bool derivatives) {
+  BatchCase one = scenes_.case_of(run, values, derivatives);
   const auto [known, anew] = by_name_.try_emplace(one.name, cases_.size());
   if (anew) cases_.push_back(std::move(one));
   return &cases_[known->second];
@@ -51,9 +52,9 @@ bool CaseEvaluator::to_run(const BatchCase& one) {
 void CaseEvaluator::begin(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& wanted) {
   Pending pending{&request, {}};
   try {
-    for (int run = 0; run < scenes_.runs(); ++run) pending.cases.push_back(case_of(run, request.values));
+    for (int run = 0; run < scenes_.runs(); ++run) pending.cases.push_back(case_of(run, request.values, request.derivatives));
   } catch (const InputError& error) {
-    PointEvaluation e = failed_evaluation(request.values, std::string(to_string(CaseStatus::refused)), error.what());
+    PointEvaluation e = failed_evaluation(request, std::string(to_string(CaseStatus::refused)), error.what());
     if (settings_.told) settings_.told(e);
     return queue.answer(request, std::move(e));
   }
@@ -82,10 +83,10 @@ PointEvaluation CaseEvaluator::outcome(const Pending& p) const {
   std::vector<std::filesystem::path> folders;
   for (const BatchCase* one : p.cases) {
     const CaseState state = state_of(settings_.folder, *one);
-    if (!comparable(state.status)) return failed_evaluation(p.request->values, std::string(to_string(state.status)), state.error);
+    if (!comparable(state.status)) return failed_evaluation(*p.request, std::string(to_string(state.status)), state.error);
     folders.push_back(settings_.folder.run(one->name));
   }
-  return scenes_.evaluation(p.request->values, folders);
+  return scenes_.evaluation(p.request->values, p.request->derivatives, folders);
 }
 
 void CaseEvaluator::serve_here(PointQueue& queue) {
@@ -150,9 +151,9 @@ void CaseEvaluator::write_tables() {
   replace_file(settings_.folder.table(), csv_text(results_of(settings_.folder, d.plan)));
 }
 
-std::vector<std::filesystem::path> CaseEvaluator::run_folders(const Point& values) {
+std::vector<std::filesystem::path> CaseEvaluator::run_folders(const PointEvaluation& of) {
   std::vector<std::filesystem::path> folders;
-  for (int run = 0; run < scenes_.runs(); ++run) folders.push_back(settings_.folder.run(case_of(run, values)->name));
+  for (int run = 0; run < scenes_.runs(); ++run) folders.push_back(settings_.folder.run(case_of(run, of.values, of.asked_derivatives)->name));
   return folders;
 }
 

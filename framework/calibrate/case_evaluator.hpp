@@ -27,11 +27,12 @@ class CaseEvaluator : public Evaluator {
   CaseEvaluator(FittedScenes& scenes, Settings settings);
 
   void serve(PointQueue& queue) override;
+  std::vector<std::string> without_derivatives() override { return scenes_.without_derivatives(); }
 
   // batch.json and results.csv of the folder, with all cases that were asked for.
   void write_tables();
   int started() const { return started_; }  // cases that were not done before
-  std::vector<std::filesystem::path> run_folders(const Point& values);
+  std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
 
  private:
   struct Pending {
@@ -39,7 +40,7 @@ class CaseEvaluator : public Evaluator {
     std::vector<const BatchCase*> cases;  // of each run
   };
 
-  const BatchCase* case_of(int run, const Point& values);
+  const BatchCase* case_of(int run, const Point& values, bool derivatives);
   bool to_run(const BatchCase& one);
   void begin(PointQueue& queue, PointQueue::Request& request, std::vector<const BatchCase*>& wanted);
   void settle(PointQueue& queue);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/config/words.hpp"
+
 namespace tack {
 namespace {
 
@@ -41,13 +43,6 @@ std::string text_of(const std::vector<FittedNumber>& numbers, const Eigen::Vecto
 
 std::string percent(double part) {
   return std::isfinite(part) ? fmt::format("{:.3g}%", 100 * part) : std::string("not at all");
-}
-
-// "strength", "strength and work", "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
 }
 
 void warn_of_undetermined(Confidence& c, const std::vector<FittedNumber>& numbers) {

@@ -20,6 +20,7 @@ struct FittedNumber {
 
   double u(double value) const;
   double value(double u) const;  // to six digits, within the range
+  double slope(double value) const { return log ? value : (to - from) / 3; }  // d value / d u
   double low() const { return u(from); }
   double high() const { return u(to); }
 };

@@ -4,21 +4,26 @@
 
 #include <algorithm>
 
+#include "framework/calibrate/run_gradients.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/words.hpp"
 #include "geometry/checksum.hpp"
+#include "framework/sensitivity/gradients.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
 constexpr size_t longest_name = 100;  // of a case
+constexpr double gradient_step = 1e-6;  // of u, on a linear scale, where a value may be zero
 
 Variant::Setting setting(const std::string& key, const std::string& text, const std::string& origin) {
   Value value = Value::scalar(text);
   value.mark.file = std::make_shared<const std::string>(origin);
   return {key, std::move(value)};
 }
+
+Variant::Setting without_frames() { return setting("output.frames", "false", "the calibration"); }
 
 std::string number_text(double value) { return fmt::format("{:.6g}", value); }
 
@@ -57,7 +62,7 @@ FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& pro
     try {
       const Scene& scene = scenes_[static_cast<size_t>(run_of(e))];
       check_keys(e, resolver_.resolve(scene.root, {}).resolved, config);
-      const ResolvedCase made = resolved(run_of(e), values, false);
+      const ResolvedCase made = resolved(run_of(e), values, {without_frames()});
       if (scene.experiment == e) check_case({}, {name, name, {}, made.scene, "", 0});
       measured_.push_back(measured_points(config.experiments[static_cast<size_t>(e)], made.loaded.experiment));
     } catch (const InputError& error) {
@@ -115,9 +120,9 @@ std::vector<Variant::Setting> FittedScenes::settings(int run, const Point& value
   return set;
 }
 
-ResolvedCase FittedScenes::resolved(int run, const Point& values, bool frames) {
+ResolvedCase FittedScenes::resolved(int run, const Point& values, const std::vector<Variant::Setting>& more) {
   std::vector<Variant::Setting> set = settings(run, values);
-  if (!frames) set.push_back(setting("output.frames", "false", "the calibration"));
+  set.insert(set.end(), more.begin(), more.end());
   ResolvedCase made = resolver_.resolve(scenes_[static_cast<size_t>(run)].root, set);
   const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
   for (size_t i = 0; i < numbers_.size(); ++i)
@@ -129,8 +134,37 @@ ResolvedCase FittedScenes::resolved(int run, const Point& values, bool frames) {
   return made;
 }
 
-BatchCase FittedScenes::case_of(int run, const Point& values) {
-  ResolvedCase made = resolved(run, values, false);
+const std::vector<std::string>& FittedScenes::keys_of(const FittedNumber& number, int run) const {
+  return number.keys[static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment)];
+}
+
+GradientConfig FittedScenes::gradient_of(const FittedNumber& number, const std::string& key) const {
+  GradientConfig one;
+  one.key = key;
+  if (!number.log) one.step = gradient_step * number.slope(0);
+  return one;
+}
+
+const std::vector<std::string>& FittedScenes::without_derivatives() {
+  if (without_) return *without_;
+  without_.emplace(numbers_.size());
+  for (int run = 0; run < runs(); ++run) {
+    const BuiltExperiment built(resolved(run, start(), {without_frames()}).loaded);
+    for (size_t i = 0; i < numbers_.size(); ++i)
+      for (const std::string& key : keys_of(numbers_[i], run))
+        if ((*without_)[i].empty()) (*without_)[i] = Gradients::why_not(built, gradient_of(numbers_[i], key));
+  }
+  return *without_;
+}
+
+BatchCase FittedScenes::case_of(int run, const Point& values, bool derivatives) {
+  std::vector<Variant::Setting> more{without_frames()};
+  std::vector<GradientConfig> gradients;
+  for (size_t i = 0; derivatives && i < numbers_.size(); ++i)
+    if (without_derivatives()[i].empty())
+      for (const std::string& key : keys_of(numbers_[i], run)) gradients.push_back(gradient_of(numbers_[i], key));
+  if (!gradients.empty()) more.push_back({"output.gradients", gradients_value(gradients)});
+  ResolvedCase made = resolved(run, values, more);
   BatchCase one;
   one.base = run_name(run);
   std::vector<std::pair<std::string, std::string>> parts;
@@ -139,6 +173,7 @@ BatchCase FittedScenes::case_of(int run, const Point& values) {
     parts.emplace_back(numbers_[i].name, number_text(values[i]));
     one.values[numbers_[i].name] = number_text(values[i]);
   }
+  if (!gradients.empty()) parts.emplace_back("derivatives", "true");
   one.name = case_name(parts);
   if (one.name.size() > longest_name) one.name = fmt::format("{}-{:08x}", one.name.substr(0, longest_name / 2), crc32_of(one.name.data(), one.name.size()));
   one.scene = std::move(made.scene);
@@ -147,15 +182,37 @@ BatchCase FittedScenes::case_of(int run, const Point& values) {
   return one;
 }
 
-std::string FittedScenes::scene_text(int run, const Point& values) { return resolved(run, values, true).scene; }
+std::string FittedScenes::scene_text(int run, const Point& values) { return resolved(run, values, {}).scene; }
 
-PointEvaluation FittedScenes::evaluation(const Point& values, const std::vector<std::filesystem::path>& run_folders) const {
+// d residuals / d u of all experiments; empty where a run has none.
+std::vector<double> FittedScenes::derivatives(size_t number, double value, const std::vector<ProbeSeries>& series, const std::vector<ProbeSeries>& gradients) const {
+  std::vector<double> all;
+  for (size_t k = 0; k < measured_.size(); ++k) {
+    const size_t run = static_cast<size_t>(run_of_[k]);
+    const std::vector<std::string>& keys = numbers_[number].keys[k];
+    std::vector<double> change(measured_[k].curve.size(), 0);
+    if (!keys.empty()) {
+      const std::vector<double> dx = gradient_column(gradients[run], measured_[k].x, keys), dy = gradient_column(gradients[run], measured_[k].y, keys);
+      if (dx.size() != series[run].rows.size() || dy.size() != dx.size()) return {};
+      change = measured_[k].derivatives(series[run], dx, dy);
+    }
+    for (const double one : change) all.push_back(one * numbers_[number].slope(value));
+  }
+  return all;
+}
+
+PointEvaluation FittedScenes::evaluation(const Point& values, bool derivatives, const std::vector<std::filesystem::path>& run_folders) const {
   PointEvaluation e;
   e.values = values;
+  e.asked_derivatives = derivatives;
   double misfit = 0;
   try {
-    std::vector<ProbeSeries> series;
-    for (const auto& folder : run_folders) series.push_back(read_csv(folder / "probes.csv"));
+    std::vector<ProbeSeries> series, gradients;
+    for (const auto& folder : run_folders) {
+      series.push_back(read_csv(folder / "probes.csv"));
+      if (derivatives) gradients.push_back(std::filesystem::exists(folder / "gradients.csv") ? read_csv(folder / "gradients.csv") : ProbeSeries{});
+    }
+    for (size_t i = 0; derivatives && i < numbers_.size(); ++i) e.derivatives.push_back(this->derivatives(i, values[i], series, gradients));
     for (size_t k = 0; k < measured_.size(); ++k) {
       int beyond = 0;
       const std::vector<double> r = measured_[k].residuals(measured_[k].simulated(series[static_cast<size_t>(run_of_[k])], beyond));
@@ -169,6 +226,7 @@ PointEvaluation FittedScenes::evaluation(const Point& values, const std::vector<
   } catch (const InputError& error) {
     PointEvaluation bad;
     bad.values = values;
+    bad.asked_derivatives = derivatives;
     bad.status = "not comparable";
     bad.error = error.what();
     return bad;

@@ -1,6 +1,7 @@
 // The experiments of a calibration: their scenes with any values of the fitted numbers, and the points that were measured of them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "framework/calibrate/point_evaluation.hpp"
 #include "framework/calibrate/fitted_number.hpp"
 #include "framework/calibrate/measured_points.hpp"
+#include "framework/output/gradient_config.hpp"
 
 namespace tack {
 
@@ -27,13 +29,17 @@ class FittedScenes {
   int run_of(int experiment) const { return run_of_[static_cast<size_t>(experiment)]; }
   const std::string& run_name(int run) const { return scenes_[static_cast<size_t>(run)].name; }
 
-  // As an evaluation runs it: without frames. Throws InputError if the scene does not take the values.
-  BatchCase case_of(int run, const Point& values);
+  // Why runs give no derivatives by a number (output.gradients), "" if they do. Builds scenes, the first time.
+  const std::vector<std::string>& without_derivatives();
+
+  // As an evaluation runs it: without frames, with derivatives by all numbers that have them if they are wanted. Throws InputError if the scene does not
+  // take the values.
+  BatchCase case_of(int run, const Point& values, bool derivatives = false);
   // As its file is, every key, with the values.
   std::string scene_text(int run, const Point& values);
 
   // From the folders of its runs, in their order. Bad, with the reason, if samples cannot be read or pass nothing that was measured.
-  PointEvaluation evaluation(const Point& values, const std::vector<std::filesystem::path>& run_folders) const;
+  PointEvaluation evaluation(const Point& values, bool derivatives, const std::vector<std::filesystem::path>& run_folders) const;
   Point start() const;
 
  private:
@@ -46,13 +52,17 @@ class FittedScenes {
   int scene_of(const CalibrateConfig& config, int experiment);
   std::vector<Variant::Setting> settings(int run, const Point& values) const;
   void check_keys(int experiment, const Value& resolved, const CalibrateConfig& config);
-  ResolvedCase resolved(int run, const Point& values, bool frames);
+  ResolvedCase resolved(int run, const Point& values, const std::vector<Variant::Setting>& more);
+  const std::vector<std::string>& keys_of(const FittedNumber& number, int run) const;
+  GradientConfig gradient_of(const FittedNumber& number, const std::string& key) const;
+  std::vector<double> derivatives(size_t number, double value, const std::vector<ProbeSeries>& series, const std::vector<ProbeSeries>& gradients) const;
 
   std::vector<FittedNumber> numbers_;
   std::vector<MeasuredPoints> measured_;
   std::vector<Scene> scenes_;
   std::vector<int> run_of_;
   CaseResolver resolver_;
+  std::optional<std::vector<std::string>> without_;
 };
 
 // "strength 3162.28, work 0.316"

@@ -55,32 +55,55 @@ MeasuredPoints points_of(const MeasuredExperiment& e, const Experiment& scene) {
   return points;
 }
 
+std::vector<double> column_of(const ProbeSeries& run, const std::string& wanted) {
+  const auto at = run.column(wanted);
+  if (!at) throw InputError(fmt::format("probes.csv has no column '{}'", wanted));
+  std::vector<double> numbers;
+  for (const auto& row : run.rows) numbers.push_back(row[*at]);
+  return numbers;
+}
+
+// Of each point where the run passes it, or else its sample of the nearest x.
+std::vector<std::pair<Passage, bool>> counted_passages(const std::vector<double>& points, const std::vector<double>& xs) {
+  std::vector<std::pair<Passage, bool>> all;
+  for (const std::optional<Passage>& passage : passages(points, xs)) {
+    const double point = points[all.size()];
+    const auto nearer = [&](double a, double b) { return std::abs(a - point) < std::abs(b - point); };
+    if (passage) all.emplace_back(*passage, true);
+    else all.emplace_back(Passage{static_cast<size_t>(std::min_element(xs.begin(), xs.end(), nearer) - xs.begin()), 0}, false);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::vector<double> MeasuredPoints::simulated(const ProbeSeries& run, int& beyond) const {
-  const auto column = [&](const std::string& wanted) {
-    const auto at = run.column(wanted);
-    if (!at) throw InputError(fmt::format("probes.csv has no column '{}'", wanted));
-    std::vector<double> numbers;
-    for (const auto& row : run.rows) numbers.push_back(row[*at]);
-    return numbers;
-  };
-  const std::vector<double> xs = column(x), ys = column(y);
+  const std::vector<double> xs = column_of(run, x), ys = column_of(run, y);
   const auto finite = [](double number) { return std::isfinite(number); };
   if (xs.empty() || !std::all_of(xs.begin(), xs.end(), finite) || !std::all_of(ys.begin(), ys.end(), finite))
     throw InputError(fmt::format("the run has {} of {} over {}", xs.empty() ? "no samples" : "samples that are no finite numbers", y, x));
-  std::vector<double> found = follow(curve.x, xs, ys);
+  std::vector<double> found;
   beyond = 0;
-  for (size_t i = 0; i < found.size(); ++i) {
-    if (!std::isnan(found[i])) continue;
-    ++beyond;
-    const auto nearer = [&](double a, double b) { return std::abs(a - curve.x[i]) < std::abs(b - curve.x[i]); };
-    found[i] = ys[static_cast<size_t>(std::min_element(xs.begin(), xs.end(), nearer) - xs.begin())];
+  for (const auto& [passage, passed] : counted_passages(curve.x, xs)) {
+    found.push_back(passage.of(ys));
+    beyond += passed ? 0 : 1;
   }
   if (beyond == static_cast<int>(found.size()))
     throw InputError(fmt::format("the run passes none of what was measured: its {} goes from {:.4g} to {:.4g}, that of {} from {:.4g} to {:.4g}", x,
                                  *std::min_element(xs.begin(), xs.end()), *std::max_element(xs.begin(), xs.end()), curve.path,
                                  *std::min_element(curve.x.begin(), curve.x.end()), *std::max_element(curve.x.begin(), curve.x.end())));
+  return found;
+}
+
+std::vector<double> MeasuredPoints::derivatives(const ProbeSeries& run, const std::vector<double>& dx, const std::vector<double>& dy) const {
+  const std::vector<double> xs = column_of(run, x), ys = column_of(run, y);
+  std::vector<double> found;
+  for (const auto& [at, passed] : counted_passages(curve.x, xs)) {
+    double change = at.of(dy);
+    if (passed && at.sample + 1 < xs.size() && xs[at.sample + 1] != xs[at.sample])
+      change -= (ys[at.sample + 1] - ys[at.sample]) / (xs[at.sample + 1] - xs[at.sample]) * at.of(dx);
+    found.push_back(std::sqrt(weight) * change / scale);
+  }
   return found;
 }
 

@@ -22,6 +22,9 @@ struct MeasuredPoints {
   // for a run without samples, or without any of the points.
   std::vector<double> simulated(const ProbeSeries& run, int& beyond) const;
   std::vector<double> residuals(const std::vector<double>& simulated) const;
+  // What residuals change by with some number, of which dx and dy are the derivatives of the run's x and y at its samples. At a measured x that is dy less
+  // the slope of the curve times dx; where the run does not pass the point, dy of the sample that counts.
+  std::vector<double> derivatives(const ProbeSeries& run, const std::vector<double>& dx, const std::vector<double>& dy) const;
 };
 
 // Throws InputError, with the name of the experiment, for probes that `scene` does not have, a file that cannot be read, another unit than the probe's,

@@ -21,6 +21,10 @@ struct PointEvaluation {
   std::vector<double> misfits;    // of each experiment
   std::vector<double> residuals;  // of the points of all experiments, one after the other
   std::vector<int> beyond;        // of each experiment: points that its run does not pass, where its nearest sample counts
+
+  bool asked_derivatives = false;  // its runs had to give them too (output.gradients)
+  // d residuals / d u (fitted_number.hpp) for each number; empty of one that they do not give.
+  std::vector<std::vector<double>> derivatives;
 };
 
 }  // namespace tack

@@ -8,23 +8,23 @@
 
 namespace tack {
 
-std::list<PointQueue::Request>::iterator PointQueue::put(const Point& values) {
-  requests_.push_back({values, {}});
+std::list<PointQueue::Request>::iterator PointQueue::put(const Point& values, bool derivatives) {
+  requests_.push_back({values, derivatives, {}});
   fresh_.push_back(&requests_.back());
   ++waiting_;
   asked_.notify_all();
   return std::prev(requests_.end());
 }
 
-PointQueue::Request& PointQueue::add(const Point& values) {
+PointQueue::Request& PointQueue::add(const Point& values, bool derivatives) {
   const std::lock_guard lock(mutex_);
-  return *put(values);
+  return *put(values, derivatives);
 }
 
 std::optional<PointEvaluation> PointQueue::ask(const Point& values) {
   std::unique_lock lock(mutex_);
   if (cancelled_) return std::nullopt;
-  const auto mine = put(values);
+  const auto mine = put(values, false);
   answered_.wait(lock, [&] { return mine->answer || cancelled_; });
   std::optional<PointEvaluation> answer = std::move(mine->answer);
   requests_.erase(mine);
@@ -65,10 +65,10 @@ bool PointQueue::over() const {
   return searching_ == 0 && waiting_ == 0;
 }
 
-std::vector<PointEvaluation> Evaluator::at(const std::vector<Point>& points) {
+std::vector<PointEvaluation> Evaluator::at(const std::vector<Point>& points, bool derivatives) {
   PointQueue queue;
   std::vector<PointQueue::Request*> requests;
-  for (const Point& p : points) requests.push_back(&queue.add(p));
+  for (const Point& p : points) requests.push_back(&queue.add(p, derivatives));
   serve(queue);
   if (interrupt_requested) throw Interrupted{};
   std::vector<PointEvaluation> found;

@@ -16,6 +16,7 @@ class PointQueue {
  public:
   struct Request {
     Point values;
+    bool derivatives = false;  // are wanted too
     std::optional<PointEvaluation> answer;
   };
 
@@ -27,7 +28,7 @@ class PointQueue {
   void end_search();
 
   // Of the main thread. Asks itself, and does not wait; the request stays as long as the queue.
-  Request& add(const Point& values);
+  Request& add(const Point& values, bool derivatives = false);
   // What was asked since, in the order in which it was. A request stays where it is until it is answered.
   std::vector<Request*> take();
   void answer(Request& request, PointEvaluation evaluation);
@@ -36,7 +37,7 @@ class PointQueue {
   bool over() const;    // no search goes on, and everything is answered
 
  private:
-  std::list<Request>::iterator put(const Point& values);
+  std::list<Request>::iterator put(const Point& values, bool derivatives);
 
   mutable std::mutex mutex_;
   std::condition_variable answered_, asked_;
@@ -52,9 +53,11 @@ class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual void serve(PointQueue& queue) = 0;
+  // For each number why runs give no derivatives by it, "" if they do; nothing if they give none at all.
+  virtual std::vector<std::string> without_derivatives() { return {}; }
 
-  // Evaluations in the order of the points. Throws Interrupted.
-  std::vector<PointEvaluation> at(const std::vector<Point>& points);
+  // Evaluations in the order of the points, with derivatives by numbers that have them if they are wanted. Throws Interrupted.
+  std::vector<PointEvaluation> at(const std::vector<Point>& points, bool derivatives = false);
   // Runs all searches side by side, each on a thread. Throws Interrupted.
   using Ask = std::function<std::optional<PointEvaluation>(const Point&)>;
   void search(const std::vector<std::function<void(const Ask&)>>& searches);

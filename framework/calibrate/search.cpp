@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "framework/batch/sobol.hpp"
 #include "framework/calibrate/bobyqa.hpp"
-#include "framework/calibrate/differences.hpp"
+#include "framework/calibrate/confidence.hpp"
 #include "framework/calibrate/polish.hpp"
 #include "geometry/errors.hpp"
 
@@ -16,13 +17,16 @@ namespace {
 
 constexpr int design_of_each = 32, chain_of_each = 20, final_chain_of_each = 30;  // points for each number
 constexpr int polish_steps = 5;
-constexpr double early = 10;      // tolerances, at which all chains end but the final one
+constexpr double early = 10, early_by_runs = 30;  // tolerances, at which all chains end but the final one; of the latter, if runs give derivatives
 constexpr double final_step = 3;  // of those ends
+constexpr double reach = 3;       // differences, within which points are compared with what derivatives say of them
+constexpr double most_missed = 0.5;
+constexpr double widest = 2;      // differences, up to which a standard deviation is found from derivatives of the best point alone
 
 class Search {
  public:
-  Search(const std::vector<FittedNumber>& numbers, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell)
-      : numbers_(numbers), config_(config), evaluator_(evaluator), tell_(tell) {
+  Search(const std::vector<FittedNumber>& numbers, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell, bool noise_known)
+      : numbers_(numbers), config_(config), evaluator_(evaluator), tell_(tell), noise_known_(noise_known) {
     for (const FittedNumber& n : numbers) {
       low_.push_back(n.low());
       high_.push_back(n.high());
@@ -31,11 +35,13 @@ class Search {
 
   SearchResult run() {
     design();
+    look_for_gradients();
     chains();
-    if (config_.polish) polish();
-    begin("derivatives", 2 * count());
-    result_.derivatives = differences(numbers_, u_of(result_.best.values), config_.difference, result_.best,
-                                      [&](const std::vector<Point>& points) { return keep("derivatives", evaluator_.at(points)); });
+    if (!polished_by_runs()) {
+      final_chain();
+      if (config_.polish) begin("polish", 0), polish();
+    }
+    derivatives();
     return std::move(result_);
   }
 
@@ -58,10 +64,16 @@ class Search {
 
   std::vector<PointEvaluation> keep(const std::string& phase, std::vector<PointEvaluation> found) {
     for (const PointEvaluation& e : found) {
-      if (e.misfit < result_.best.misfit) result_.best = e;
-      if (known_.insert(e.values).second) result_.rows.push_back({phase, e});
+      const bool more = e.values == result_.best.values && e.good && !e.derivatives.empty() && result_.best.derivatives.empty();
+      if (e.misfit < result_.best.misfit || more) result_.best = e;
+      if (known_.emplace(e.values, e.asked_derivatives).second) result_.rows.push_back({phase, e});
     }
     return found;
+  }
+
+  // With their derivatives as long as runs give them.
+  std::vector<PointEvaluation> evaluate(const std::string& phase, const std::vector<Point>& points, bool derivatives) {
+    return keep(phase, evaluator_.at(points, derivatives && gradients_));
   }
 
   void design() {
@@ -133,47 +145,125 @@ class Search {
       begin("chains", 0);
       std::vector<Chain> all;
       for (size_t i = 0; i < starts.size(); ++i)
-        all.push_back({fmt::format("chain {}", i + 1), starts[i], config_.step, std::min(early * config_.tolerance, 0.5 * config_.step), each});
+        all.push_back({fmt::format("chain {}", i + 1), starts[i], config_.step, std::min(ends() * config_.tolerance, 0.5 * config_.step), each});
       run_chains(all);
     }
+  }
+
+  double ends() const { return by_runs_ ? early_by_runs : early; }
+
+  void final_chain() {
     const int most = std::min(final_chain_of_each * count(), left());
-    if (most <= 0) return;
+    if (config_.chains == 0 || most <= 0) return;
     begin("final chain", 0);
-    run_chains({{"final chain", result_.best.values, std::min(final_step * early * config_.tolerance, config_.step), config_.tolerance, most}});
+    run_chains({{"final chain", result_.best.values, std::min(final_step * ends() * config_.tolerance, config_.step), config_.tolerance, most}});
   }
 
   void polish() {
-    begin("polish", 0);
-    const auto evaluate = [&](const std::vector<Point>& points) { return keep("polish", evaluator_.at(points)); };
+    const auto at = [&](const std::vector<double>& u) { return evaluate("polish", {point_of(u)}, true).front(); };
     PolishProblem problem{low_, high_, config_.tolerance, polish_steps, {}, {}};
     problem.residuals = [&](const std::vector<double>& u, std::vector<double>& residuals) {
-      PointEvaluation e = evaluate({point_of(u)}).front();
+      PointEvaluation e = at(u);
       residuals = std::move(e.residuals);
       return e.good;
     };
     problem.jacobian = [&](const std::vector<double>& u, Eigen::MatrixXd& jacobian) {
-      const PointEvaluation middle = evaluate({point_of(u)}).front();
-      Derivatives d = differences(numbers_, u, config_.difference, middle, evaluate);
+      Derivatives d = derivatives_of("polish", at(u));
       jacobian = std::move(d.of_residuals);
       return d.problem.empty();
     };
     tack::polish(problem, u_of(result_.best.values), static_cast<int>(result_.best.residuals.size()));
   }
 
+  void look_for_gradients() {
+    if (config_.gradients) why_ = evaluator_.without_derivatives();
+    gradients_ = std::any_of(why_.begin(), why_.end(), [](const std::string& why) { return why.empty(); });
+    by_runs_ = gradients_ && config_.polish;
+  }
+
+  Derivatives derivatives_of(const std::string& phase, const PointEvaluation& e) {
+    return derivatives_at(numbers_, u_of(e.values), config_.difference, e, [&](const std::vector<Point>& points) { return evaluate(phase, points, false); });
+  }
+
+  // Of the best point by its runs, if these give any and tell what the points nearby are like; otherwise they are not asked any more.
+  bool take_from_runs(const std::string& phase) {
+    if (!gradients_) return false;
+    PointEvaluation e = result_.best;
+    if (e.derivatives.empty()) e = evaluate(phase, {e.values}, true).front();
+    std::string why;
+    if (!e.good || std::all_of(e.derivatives.begin(), e.derivatives.end(), [](const auto& one) { return one.empty(); })) {
+      why = fmt::format("the run with derivatives failed ({}{})", e.good ? "it has none" : e.status, e.error.empty() ? "" : ": " + e.error);
+    } else {
+      result_.derivatives = derivatives_of(phase, e);
+      std::vector<const PointEvaluation*> others;
+      for (const SearchRow& row : result_.rows) others.push_back(&row.evaluation);
+      compare_with(others, numbers_, e, reach * config_.difference, result_.derivatives);
+      if (result_.derivatives.missed > most_missed)
+        why = fmt::format("the curves have steps there: the runs' own derivatives miss {:.0f}% of what {} points nearby differ by", 100 * result_.derivatives.missed,
+                          result_.derivatives.compared);
+    }
+    for (std::string& one : why_)
+      if (one.empty()) one = why;
+    gradients_ = why.empty();
+    return gradients_;
+  }
+
+  bool polished_by_runs() {
+    if (!gradients_ || !config_.polish) return false;
+    begin("polish", 0);
+    if (!take_from_runs("polish")) return false;
+    polish();
+    return take_from_runs("polish");
+  }
+
+  // Derivatives of a point say nothing of intervals that are wide: where a curve has ripples, it looks better determined than it is.
+  void difference_what_is_loose() {
+    const Confidence c = confidence_of(numbers_, result_.best.values, result_.derivatives.of_residuals, result_.best.residuals, noise_known_);
+    PointEvaluation best = result_.best;
+    bool any = false;
+    for (size_t i = 0; i < numbers_.size(); ++i) {
+      if (!result_.derivatives.by_runs[i] || c.sigma[i] <= widest * config_.difference) continue;
+      best.derivatives[i].clear();
+      why_[i] = "its interval is wide, and the run's own hold near the best point";
+      any = true;
+    }
+    if (!any) return;
+    Derivatives d = derivatives_of("derivatives", best);
+    d.missed = result_.derivatives.missed;
+    d.compared = result_.derivatives.compared;
+    result_.derivatives = std::move(d);
+  }
+
+  void derivatives() {
+    begin("derivatives", 0);
+    if (take_from_runs("derivatives")) {
+      difference_what_is_loose();
+    } else {
+      PointEvaluation best = result_.best;
+      best.derivatives.clear();
+      result_.derivatives = derivatives_of("derivatives", best);
+    }
+    for (size_t i = 0; i < why_.size(); ++i) result_.derivatives.why[i] = why_[i];
+  }
+
   const std::vector<FittedNumber>& numbers_;
   const SearchConfig& config_;
   Evaluator& evaluator_;
   const SearchProgress& tell_;
+  bool noise_known_;
   std::vector<double> low_, high_;
-  std::set<Point> known_;
+  std::set<std::pair<Point, bool>> known_;
+  bool gradients_ = false;        // runs give derivatives by some of the numbers
+  bool by_runs_ = false;          // the search is to end with them
+  std::vector<std::string> why_;  // not, of each of them
   double worst_ = 0;  // misfit of the design
   SearchResult result_;
 };
 
 }  // namespace
 
-SearchResult search_for(const std::vector<FittedNumber>& numbers, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell) {
-  return Search(numbers, config, evaluator, tell).run();
+SearchResult search_for(const std::vector<FittedNumber>& numbers, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell, bool noise_known) {
+  return Search(numbers, config, evaluator, tell, noise_known).run();
 }
 
 }  // namespace tack

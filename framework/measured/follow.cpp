@@ -10,15 +10,9 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double slack = 1e-9;  // of the run's range: sums of steps end a little off
 
-// A place on the run's polyline: between two samples.
-struct Place {
-  size_t segment = 0;
-  double part = 0;
-};
-
 class Run {
  public:
-  Run(std::span<const double> x, std::span<const double> y) : x_(x), y_(y) {
+  explicit Run(std::span<const double> x) : x_(x) {
     if (x.empty()) return;
     const auto [low, high] = std::minmax_element(x.begin(), x.end());
     low_ = *low;
@@ -30,26 +24,25 @@ class Run {
   }
 
   // The first passage of `wanted` from `place` on, upwards (1), downwards (-1) or any way (0); moves there.
-  double pass(double wanted, int direction, Place& place) const {
-    if (x_.empty()) return nan;
+  std::optional<Passage> pass(double wanted, int direction, Passage& place) const {
+    if (x_.empty()) return std::nullopt;
     const double reach = slack * (high_ - low_);
-    if (wanted < low_ - reach || wanted > high_ + reach) return nan;
+    if (wanted < low_ - reach || wanted > high_ + reach) return std::nullopt;
     wanted = std::clamp(wanted, low_, high_);
-    if (x_.size() == 1) return y_[0];
-    for (size_t i = place.segment; i + 1 < x_.size(); ++i) {
+    if (x_.size() == 1) return Passage{};
+    for (size_t i = place.sample; i + 1 < x_.size(); ++i) {
       const double before = x_[i], after = x_[i + 1];
       const bool upward = before <= wanted && wanted <= after, downward = before >= wanted && wanted >= after;
       if (!(direction > 0 ? upward : direction < 0 ? downward : upward || downward)) continue;
       const double part = after == before ? 0 : (wanted - before) / (after - before);
-      if (i == place.segment && part < place.part) continue;
-      place = {i, part};
-      return (1 - part) * y_[i] + part * y_[i + 1];
+      if (i == place.sample && part < place.part) continue;
+      return place = {i, part};
     }
-    return nan;
+    return std::nullopt;
   }
 
  private:
-  std::span<const double> x_, y_;
+  std::span<const double> x_;
   double low_ = 0, high_ = 0;
 };
 
@@ -64,16 +57,23 @@ int direction_at(std::span<const double> points, size_t i) {
 
 }  // namespace
 
-std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y) {
-  const Run run(x, y);
+std::vector<std::optional<Passage>> passages(std::span<const double> points, std::span<const double> x) {
+  const Run run(x);
   const bool by_time = run.turns_back();
-  std::vector<double> found;
+  std::vector<std::optional<Passage>> found;
   found.reserve(points.size());
-  Place place;
+  Passage place;
   for (size_t i = 0; i < points.size(); ++i) {
-    Place start;
+    Passage start;
     found.push_back(by_time ? run.pass(points[i], direction_at(points, i), place) : run.pass(points[i], 0, start));
   }
+  return found;
+}
+
+std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y) {
+  std::vector<double> found;
+  found.reserve(points.size());
+  for (const std::optional<Passage>& passage : passages(points, x)) found.push_back(passage ? passage->of(y) : nan);
   return found;
 }
 

@@ -8,7 +8,6 @@ namespace tack {
 namespace {
 
 void require_minimised_steps(const Experiment& e) {
-  if (e.output.gradients.empty()) return;
   if (e.time.stepper->type() == "incremental_potential") return;
   throw InputError(fmt::format("output.gradients: steps of time.stepper: {} end at no least of a potential, which derivatives are found from; "
                                "take incremental_potential, or the gradients out", e.time.stepper->type()));
@@ -17,8 +16,18 @@ void require_minimised_steps(const Experiment& e) {
 }  // namespace
 
 Gradients::Gradients(BuiltExperiment& run) : run_(run), system_(run.clock()) {
-  require_minimised_steps(run.experiment());
+  if (!run.experiment().output.gradients.empty()) require_minimised_steps(run.experiment());
   for (const GradientConfig& config : run.experiment().output.gradients) neighbours_.push_back(std::make_unique<Neighbour>(run, config));
+}
+
+std::string Gradients::why_not(const BuiltExperiment& run, const GradientConfig& config) {
+  try {
+    require_minimised_steps(run.experiment());
+    Neighbour(run, config);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 std::vector<std::string> Gradients::columns(const std::vector<std::string>& probes) const {

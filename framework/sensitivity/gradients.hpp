@@ -16,6 +16,8 @@ class Gradients {
  public:
   // Of those that the experiment asks for; it must outlive this. Throws InputError for what cannot be differentiated.
   explicit Gradients(BuiltExperiment& run);
+  // Why an experiment has no derivatives by a number; "" if it has. Builds it once more.
+  static std::string why_not(const BuiltExperiment& run, const GradientConfig& config);
   bool empty() const { return neighbours_.empty(); }
 
   // "d(force)/d(young)": of the first number, all probes, then of the next. In SI: units of the probe over those of the number.

@@ -24,9 +24,11 @@ export function calibrationWarnings({ warnings = [] }) {
 function numbers({ numbers: all = [] }) {
   const interval = ({ low, high, unit }) => (low === null || high === null || low === undefined ? "not known" : `${scaledNumber(low, unit)} to ${scaledNumber(high, unit)}`);
   const sigma = ({ scale, sigma: s, from, to, unit }) => (scale === "log" ? percent(s) : s === null || s === undefined ? "not known" : scaledNumber((s * (to - from)) / 3, unit));
-  return section("numbers", "The numbers", plainTable(["number", "value", "95 % interval", "standard deviation", "searched from", "to", "keys"],
+  const derivatives = ({ derivatives: from, why_differences: why }) =>
+    from === "run" ? "of the run itself" : from === "differences" ? (why ? `differences of runs: ${why}` : "differences of runs") : "not known";
+  return section("numbers", "The numbers", plainTable(["number", "value", "95 % interval", "standard deviation", "searched from", "to", "derivatives", "keys"],
     all.map((n) => [n.name, h("strong", {}, scaledNumber(n.value, n.unit)), interval(n), h("span", { class: `mark ${n.determined ? "good" : "bad"}` }, sigma(n)), scaledNumber(n.from, n.unit),
-      scaledNumber(n.to, n.unit), [...new Set(Object.values(n.keys ?? {}).flat())].join(", ")]), "The numbers"));
+      scaledNumber(n.to, n.unit), derivatives(n), [...new Set(Object.values(n.keys ?? {}).flat())].join(", ")]), "The numbers"));
 }
 
 function fitted({ experiments = [] }, fits) {

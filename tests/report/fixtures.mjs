@@ -87,15 +87,15 @@ export function makeCalibration(folder) {
   const number = { keys: { pull: ["a.b"] }, scale: "log", from: 1, to: 100 };
   writeFileSync(join(root, "calibration.json"), JSON.stringify({
     name: "a fit", about: evil, status: "done", misfit: 3, provenance: { host: "somewhere" },
-    numbers: [{ ...number, name: evil, unit: "Pa", value: 5000, sigma: null, low: null, high: null, determined: false },
-      { ...number, name: "work", unit: "J/m^2", value: 1, sigma: 0.01, low: 0.98, high: 1.02, determined: true }],
+    numbers: [{ ...number, name: evil, unit: "Pa", value: 5000, sigma: null, low: null, high: null, determined: false, derivatives: "differences", why_differences: evil },
+      { ...number, name: "work", unit: "J/m^2", value: 1, sigma: 0.01, low: 0.98, high: 1.02, determined: true, derivatives: "run", why_differences: "" }],
     correlation: [[1, null], [null, 1]], combinations: [{ text: "work", sigma: 0.01, weights: [0, 1] }, { text: evil, sigma: null, weights: [1, 0] }],
     experiments: [{ name: "pull", x: "way", y: "force", x_unit: "m", y_unit: "N", points: 3, rms: 0.1, noise: 0.2, fit: "fits/pull.csv", run: "fits/pull_run.csv" }],
     warnings: [`the data do not determine ${evil}; only work (to 1%) is determined`],
   }));
   writeFileSync(join(root, "fits", "pull.csv"), "way,measured,simulated\n0,1,1.1\n0.5,2,1.9\n1,1,1\n");
   writeFileSync(join(root, "fits", "pull_run.csv"), "way,simulated\n0,1.1\n0.25,1.6\n0.5,1.9\n1,1\n");
-  writeFileSync(join(root, "evaluations.csv"), `number,phase,"${evil}",work,misfit,status,error\n1,design,5,1,30,done,\n2,design,50,1,,timed out,too slow\n3,polish,7,1,3,done,\n`);
+  writeFileSync(join(root, "evaluations.csv"), `number,phase,"${evil}",work,misfit,derivatives,status,error\n1,design,5,1,30,0,done,\n2,design,50,1,,0,timed out,too slow\n3,polish,7,1,3,1,done,\n`);
 }
 
 export function makeReport(tack, folder, folders, output, options = []) {

@@ -241,6 +241,8 @@ const tests = {
     assert.match((await one.text(".warnings li"))[0], /^the data do not determine <\/script>.*only work/);
     const rows = await one.text("#numbers tbody tr");
     assert.match(rows[0], /5 kPa\s*not known\s*not known/);
+    assert.match(rows[0], /differences of runs: /);
+    assert.match(rows[1], /of the run itself/);
     assert.match(rows[1], /1 J\/m²\s*0\.98 J\/m² to 1\.02 J\/m²\s*1 %/);
     assert.deepEqual(await one.text("#fits h3"), ["pull: force over way", "pull: what is left"]);
     assert.deepEqual(await one.text("#fits figure:first-child .legend li span:nth-child(2)"), ["simulated", "measured"]);

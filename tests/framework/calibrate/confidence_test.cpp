@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/calibrate/differences.hpp"
+#include "framework/calibrate/derivatives.hpp"
 #include "tests/framework/calibrate/pulled_patch.hpp"
 
 using namespace tack;
@@ -75,7 +75,7 @@ TEST_CASE("a cantilever determines the work and not the strength, a pulled patch
     ModelEvaluator evaluator(model, data, 0.02 * *std::max_element(data.begin(), data.end()));
     const PointEvaluation middle = evaluator.at({truth}).front();
     const std::vector<double> u{numbers[0].u(truth[0]), numbers[1].u(truth[1])};
-    const Derivatives d = differences(numbers, u, 0.05, middle, [&](const std::vector<Point>& points) { return evaluator.at(points); });
+    const Derivatives d = derivatives_at(numbers, u, 0.05, middle, [&](const std::vector<Point>& points) { return evaluator.at(points); });
     REQUIRE(d.problem.empty());
     return confidence_of(numbers, truth, d.of_residuals, middle.residuals, true);
   };

@@ -32,6 +32,23 @@ TEST_CASE("residuals are in units of the noise, with the root of the weight", "[
   CHECK(p.residuals(found) == std::vector<double>{-5, 10});
 }
 
+TEST_CASE("derivatives at a measured x are those of y less what x moves along the curve", "[calibrate]") {
+  // y = p^2 x over x = p t, at p = 2: dy/dp at x is 2 p x.
+  const double p = 2;
+  ProbeSeries run{{"time", "gap", "force"}, {}};
+  std::vector<double> dx, dy;
+  for (int i = 0; i <= 4; ++i) {
+    const double t = 0.25 * i;
+    run.rows.push_back({t, p * t, p * p * p * t});
+    dx.push_back(t);
+    dy.push_back(3 * p * p * t);
+  }
+  const std::vector<double> found = points({0, 0.3, 1.1, 2, 5}, {1, 1, 1, 1, 1}).derivatives(run, dx, dy);
+  const double root = 2, scale = 2;
+  for (const auto& [i, x] : {std::pair(0, 0.0), std::pair(1, 0.3), std::pair(2, 1.1), std::pair(3, 2.0)}) CHECK(found[i] == Approx(root / scale * 2 * p * x));
+  CHECK(found[4] == Approx(root / scale * dy.back()));  // beyond: of the last sample
+}
+
 TEST_CASE("where a run does not get to a measured point, its nearest sample counts; where it gets to none, it failed", "[calibrate]") {
   int beyond = -1;
   const ProbeSeries run{{"time", "gap", "force"}, {{0, 0, 1}, {1, 1, 10}, {2, 2, 30}}};

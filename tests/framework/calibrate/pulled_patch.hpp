@@ -72,17 +72,28 @@ class ModelEvaluator : public Evaluator {
   using Model = std::function<std::vector<double>(const Point&)>;
   ModelEvaluator(Model model, std::vector<double> data, double scale) : model_(std::move(model)), data_(std::move(data)), scale_(scale) {}
 
+  // With derivatives of `smooth` by each number for which `without` is empty, the model itself may be noisy.
+  ModelEvaluator(Model model, std::vector<double> data, double scale, Model smooth, std::vector<std::string> without)
+      : model_(std::move(model)), smooth_(std::move(smooth)), data_(std::move(data)), scale_(scale), without_(std::move(without)) {}
+  std::vector<std::string> without_derivatives() override { return without_; }
+
   void serve(PointQueue& queue) override {
     for (queue.wait_for_all(); !queue.over(); queue.wait_for_all())
-      for (PointQueue::Request* request : queue.take()) queue.answer(*request, evaluation(request->values));
+      for (PointQueue::Request* request : queue.take()) {
+        PointEvaluation e = evaluation(request->values);
+        e.asked_derivatives = request->derivatives;
+        if (request->derivatives && e.good) e.derivatives = derivatives(request->values);
+        differentiated += request->derivatives ? 1 : 0;
+        queue.answer(*request, std::move(e));
+      }
   }
-  int runs = 0;
+  int runs = 0, differentiated = 0;
 
  private:
   PointEvaluation evaluation(const Point& values) {
     ++runs;
-    PointEvaluation e{values, true, "done", "", 0, {}, model_(values), {}};
-    if (e.residuals.empty()) return {values, false, "simulation failed", "", std::numeric_limits<double>::infinity(), {}, {}, {}};
+    PointEvaluation e{values, true, "done", "", 0, {}, model_(values), {}, false, {}};
+    if (e.residuals.empty()) return {values, false, "simulation failed", "", std::numeric_limits<double>::infinity(), {}, {}, {}, false, {}};
     for (size_t i = 0; i < data_.size(); ++i) {
       e.residuals[i] = (e.residuals[i] - data_[i]) / scale_;
       e.misfit += e.residuals[i] * e.residuals[i];
@@ -91,9 +102,24 @@ class ModelEvaluator : public Evaluator {
     return e;
   }
 
-  Model model_;
+  // By u = ln(value).
+  std::vector<std::vector<double>> derivatives(const Point& values) const {
+    std::vector<std::vector<double>> all;
+    for (size_t i = 0; i < values.size(); ++i) {
+      all.emplace_back();
+      if (!without_[i].empty()) continue;
+      Point other = values;
+      other[i] *= 1 + 1e-7;
+      const std::vector<double> a = smooth_(values), b = smooth_(other);
+      for (size_t k = 0; k < a.size(); ++k) all.back().push_back((b[k] - a[k]) / 1e-7 / scale_);
+    }
+    return all;
+  }
+
+  Model model_, smooth_;
   std::vector<double> data_;
   double scale_;
+  std::vector<std::string> without_;
 };
 
 }  // namespace tack

@@ -72,6 +72,86 @@ TEST_CASE("strength and work of a pulled patch are found within 3% from starts t
     }
 }
 
+TEST_CASE("with derivatives that runs give, a search finds the same and asks for fewer points", "[calibrate]") {
+  const PulledPatch patch;
+  const auto curve = [&](const Point& p) { return patch.curve(p[0], p[1], p.size() > 2 ? p[2] : stiffness); };
+  for (const int unknowns : {2, 3}) {
+    std::vector<double> truth{strength, work, stiffness};
+    truth.resize(static_cast<size_t>(unknowns));
+    int good = 0, by_runs = 0;
+    size_t points = 0, before = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      ModelEvaluator evaluator(curve, noisy(curve(truth), noise, seed), noise, curve, std::vector<std::string>(truth.size()));
+      const SearchResult found = search_for(numbers(truth, seed % 2 ? 3 : 1. / 3), {}, evaluator, silent);
+      good += right(found) ? 1 : 0;
+      points += found.rows.size();
+      before += pulled(seed, seed % 2 ? 3 : 1. / 3, unknowns).rows.size();
+      REQUIRE(found.derivatives.problem.empty());
+      by_runs += found.derivatives.by_runs[0] ? 1 : 0;
+      CHECK(found.derivatives.by_runs[0] == found.derivatives.why[0].empty());
+      if (!found.derivatives.by_runs[0]) CHECK_THAT(found.derivatives.why[0], Catch::Contains("the curves have steps there"));
+    }
+    CAPTURE(unknowns, points, before, by_runs);
+    CHECK(good >= 11);
+    CHECK(by_runs >= 1);
+    CHECK(points < before);
+  }
+}
+
+TEST_CASE("of numbers by which runs give no derivatives differences are taken, and of all if those that they give are wrong", "[calibrate]") {
+  // Smooth, and two numbers of which one has no derivatives.
+  const auto model = [](const Point& p) {
+    std::vector<double> y;
+    for (int i = 0; i < 30; ++i) y.push_back(p[0] * std::sin(0.2 * i) + 1e4 * p[1] * std::cos(0.3 * i));
+    return y;
+  };
+  const std::vector<double> data = noisy(model({strength, work}), noise, 1);
+  ModelEvaluator one(model, data, noise, model, {"", "it changes the mesh"});
+  const SearchResult mixed = search_for(numbers({strength, work}, 3), {}, one, silent);
+  CHECK(right(mixed));
+  CHECK(mixed.derivatives.by_runs == std::vector<bool>{true, false});
+  CHECK(mixed.derivatives.why == std::vector<std::string>{"", "it changes the mesh"});
+  CHECK(mixed.derivatives.missed < 0.1);
+  CHECK(mixed.derivatives.compared > 3);
+  ModelEvaluator reference(model, data, noise);
+  const SearchResult differenced = search_for(numbers({strength, work}, 3), {}, reference, silent);
+  CHECK((mixed.derivatives.of_residuals - differenced.derivatives.of_residuals).norm() < 0.02 * differenced.derivatives.of_residuals.norm());
+  CHECK(one.runs < reference.runs);
+
+  ModelEvaluator wrong(model, data, noise, [&](const Point& p) { return model({p[1] * strength, p[0] / strength}); }, {"", ""});
+  const SearchResult distrusted = search_for(numbers({strength, work}, 3), {}, wrong, silent);
+  CHECK(right(distrusted));
+  CHECK(wrong.differentiated == 1);
+  CHECK(distrusted.derivatives.by_runs == std::vector<bool>{false, false});
+  CHECK_THAT(distrusted.derivatives.why[1], Catch::Contains("nearby differ by"));
+
+  SearchConfig off;
+  off.gradients = false;
+  ModelEvaluator unasked(model, data, noise, model, {"", ""});
+  CHECK(search_for(numbers({strength, work}, 3), off, unasked, silent).best.values == differenced.best.values);
+  CHECK(unasked.differentiated == 0);
+}
+
+TEST_CASE("what the data leave open is differenced, as ripples of a curve look like knowledge at one point", "[calibrate]") {
+  const auto rippled = [](const Point& p) {
+    std::vector<double> force = cantilever_curve(p[0], p[1]);
+    for (size_t i = 0; i < force.size(); ++i) force[i] *= 1 + 1e-3 * std::sin(40 * std::log(p[0]) + static_cast<double>(i));
+    return force;
+  };
+  const std::vector<double> truth = rippled({strength, work});
+  const double deviation = 0.02 * *std::max_element(truth.begin(), truth.end());
+  const std::vector<double> data = noisy(truth, deviation, 2);
+  ModelEvaluator with(rippled, data, deviation, rippled, {"", ""}), without(rippled, data, deviation);
+  const SearchResult found = search_for(numbers({strength, work}, 3), {}, with, silent), differenced = search_for(numbers({strength, work}, 3), {}, without, silent);
+  CHECK(found.derivatives.by_runs == std::vector<bool>{false, true});
+  CHECK_THAT(found.derivatives.why[0], Catch::Contains("its interval is wide"));
+  const Confidence c = confidence_of(numbers({strength, work}, 3), found.best.values, found.derivatives.of_residuals, found.best.residuals, true);
+  const Confidence d = confidence_of(numbers({strength, work}, 3), differenced.best.values, differenced.derivatives.of_residuals, differenced.best.residuals, true);
+  CHECK(c.sigma[0] > 0.2);
+  CHECK(c.sigma[1] == Approx(d.sigma[1]).epsilon(0.2));
+  CHECK(found.rows.size() < differenced.rows.size());
+}
+
 TEST_CASE("a search asks for the same points every time, each once, and its intervals hold the truth", "[calibrate]") {
   const SearchResult a = pulled(3, 3, 2), b = pulled(3, 3, 2);
   REQUIRE(a.rows.size() == b.rows.size());
