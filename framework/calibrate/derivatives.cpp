@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 namespace tack {
 namespace {
+
+constexpr double narrow = 0.02;  // of the reach: points that spread by less in some direction tell no slope there
 
 Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& v) { return {v.data(), static_cast<long>(v.size())}; }
 
@@ -14,7 +17,7 @@ Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& v) { retu
 
 Derivatives derivatives_at(const std::vector<FittedNumber>& numbers, const std::vector<double>& u, double step, const PointEvaluation& middle,
                            const EvaluateAll& evaluate) {
-  Derivatives d{Eigen::MatrixXd::Zero(static_cast<long>(middle.residuals.size()), static_cast<long>(numbers.size())), "", {}, {}, 0, 0};
+  Derivatives d{Eigen::MatrixXd::Zero(static_cast<long>(middle.residuals.size()), static_cast<long>(numbers.size())), "", {}, {}, 0, 0, {}};
   std::vector<Point> points;
   for (size_t i = 0; i < numbers.size(); ++i) {
     d.by_runs.push_back(i < middle.derivatives.size() && !middle.derivatives[i].empty());
@@ -48,19 +51,29 @@ Derivatives derivatives_at(const std::vector<FittedNumber>& numbers, const std::
 
 void compare_with(const std::vector<const PointEvaluation*>& others, const std::vector<FittedNumber>& numbers, const PointEvaluation& middle, double reach,
                   Derivatives& d) {
+  const auto n = static_cast<long>(numbers.size());
   double missed = 0, all = 0;
   d.compared = 0;
+  Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(n, n), misses = Eigen::MatrixXd::Zero(d.of_residuals.rows(), n);  // sums of w w^T, of e w^T
   for (const PointEvaluation* other : others) {
-    Eigen::VectorXd way(static_cast<long>(numbers.size()));
+    Eigen::VectorXd way(n);
     for (size_t i = 0; i < numbers.size(); ++i) way[static_cast<long>(i)] = numbers[i].u(other->values[i]) - numbers[i].u(middle.values[i]);
     const double length = way.lpNorm<Eigen::Infinity>();
     if (!other->good || length == 0 || length > reach) continue;
     const Eigen::VectorXd change = vector_of(other->residuals) - vector_of(middle.residuals);
-    missed += (change - d.of_residuals * way).squaredNorm();
+    const Eigen::VectorXd miss = change - d.of_residuals * way;
+    missed += miss.squaredNorm();
     all += change.squaredNorm();
+    ways += way * way.transpose();
+    misses += miss * way.transpose();
     ++d.compared;
   }
   d.missed = all > 0 ? std::sqrt(missed / all) : 0;
+  d.missed_of.clear();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(ways);
+  if (d.compared < 2 * n + 1 || !(eigen.eigenvalues()[0] > narrow * reach * narrow * reach * d.compared)) return;
+  const Eigen::MatrixXd off = eigen.operatorInverseSqrt() * eigen.operatorInverseSqrt() * misses.transpose();
+  for (long i = 0; i < n; ++i) d.missed_of.push_back(off.row(i).norm() / std::max(d.of_residuals.col(i).norm(), 1e-300));
 }
 
 }  // namespace tack

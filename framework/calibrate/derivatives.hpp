@@ -17,6 +17,7 @@ struct Derivatives {
   std::vector<std::string> why;  // of each number whose column is of differences, why; "" if it is as asked for
   double missed = 0;             // of what residuals change by from here to `compared` points nearby, the part that runs' own derivatives do not tell
   int compared = 0;
+  std::vector<double> missed_of;  // of each number: the same of its column, by the slopes that fit those points best; empty if they lie too badly for that
 };
 
 using EvaluateAll = std::function<std::vector<PointEvaluation>(const std::vector<Point>&)>;

@@ -216,21 +216,23 @@ class Search {
     return take_from_runs("polish");
   }
 
-  // Derivatives of a point say nothing of intervals that are wide: where a curve has ripples, it looks better determined than it is.
+  // Derivatives of a point say nothing of intervals that are wide; and where a curve has ripples, numbers look better determined by them than they are.
   void difference_what_is_loose() {
-    const Confidence c = confidence_of(numbers_, result_.best.values, result_.derivatives.of_residuals, result_.best.residuals, noise_known_);
+    const Derivatives& own = result_.derivatives;
+    const Confidence c = confidence_of(numbers_, result_.best.values, own.of_residuals, result_.best.residuals, noise_known_);
     PointEvaluation best = result_.best;
     bool any = false;
     for (size_t i = 0; i < numbers_.size(); ++i) {
-      if (!result_.derivatives.by_runs[i] || c.sigma[i] <= widest * config_.difference) continue;
+      const bool wide = !(c.sigma[i] <= widest * config_.difference), rippled = i < own.missed_of.size() && own.missed_of[i] > most_missed;
+      if (!own.by_runs[i] || (!wide && !rippled)) continue;
       best.derivatives[i].clear();
-      why_[i] = "its interval is wide, and the run's own hold near the best point";
+      why_[i] = wide ? "its interval is wide, and the run's own hold near the best point" : "points nearby have other slopes than the run's own, as where curves have ripples";
       any = true;
     }
     if (!any) return;
     Derivatives d = derivatives_of("derivatives", best);
-    d.missed = result_.derivatives.missed;
-    d.compared = result_.derivatives.compared;
+    d.missed = own.missed;
+    d.compared = own.compared;
     result_.derivatives = std::move(d);
   }
 
