@@ -46,9 +46,12 @@ nlohmann::json json_of(const fs::path& folder) { return parse_json(file_text(fol
 std::map<std::string, fs::file_time_type> done_runs(const fs::path& folder) {
   std::map<std::string, fs::file_time_type> times;
   if (!fs::exists(folder / "evaluations/state")) return times;
-  for (const auto& entry : fs::directory_iterator(folder / "evaluations/state"))
-    if (const std::string state = file_text(entry.path()); contains(state, "\"status\": \"done\"") || contains(state, "\"status\": \"expectation failed\""))
-      times[entry.path().stem()] = fs::last_write_time(folder / "evaluations/cases" / entry.path().stem() / "summary.json");
+  for (const auto& entry : fs::directory_iterator(folder / "evaluations/state")) {
+    if (entry.path().extension() != ".json") continue;  // one that is being written
+    const std::string state = file_text(entry.path()), name = entry.path().stem();
+    if (contains(state, "\"status\": \"done\"") || contains(state, "\"status\": \"expectation failed\""))
+      times[name] = fs::last_write_time(folder / "evaluations/cases" / name / "summary.json");
+  }
   return times;
 }
 
