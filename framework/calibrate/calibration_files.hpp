@@ -2,7 +2,7 @@
 //
 // calibration.json: name, about, file, provenance {...}, status ("done"), wall_seconds, runs {started, points, failed, phases {phase: points},
 // with_derivatives}, misfit, noise {known, of_residuals}, numbers [{name, keys {experiment: [key]}, unit, scale, from, to, start, value, sigma, low, high,
-// determined, derivatives ("run" or "differences"), why_differences}], derivatives {missed, compared}, correlation [[...]], combinations [{text, sigma,
+// determined, derivatives ("run" or "differences"), why_differences}], derivatives {missed, compared} (those of the runs themselves), correlation [[...]], combinations [{text, sigma,
 // weights}], experiments [{name, base, data, x, y, x_unit, y_unit, points, beyond, misfit, rms, noise, weight, fit, run, scene}], warnings [...]. Numbers that
 // there are not, or that are infinite, are null.
 // evaluations.csv: number, phase, a column for each fitted number, misfit, misfit:EXPERIMENT, derivatives (1 or 0: whether the runs gave them), status, error.

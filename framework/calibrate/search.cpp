@@ -230,9 +230,13 @@ class Search {
       any = true;
     }
     if (!any) return;
-    Derivatives d = derivatives_of("derivatives", best);
-    d.missed = own.missed;
-    d.compared = own.compared;
+    take(derivatives_of("derivatives", best));
+  }
+
+  // In place of those of the runs, of which stays how they did.
+  void take(Derivatives d) {
+    d.missed = result_.derivatives.missed;
+    d.compared = result_.derivatives.compared;
     result_.derivatives = std::move(d);
   }
 
@@ -243,7 +247,7 @@ class Search {
     } else {
       PointEvaluation best = result_.best;
       best.derivatives.clear();
-      result_.derivatives = derivatives_of("derivatives", best);
+      take(derivatives_of("derivatives", best));
     }
     for (size_t i = 0; i < why_.size(); ++i) result_.derivatives.why[i] = why_[i];
   }

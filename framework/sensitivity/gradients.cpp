@@ -7,6 +7,8 @@
 namespace tack {
 namespace {
 
+const std::string asked_by = "output.gradients: ";
+
 void require_minimised_steps(const Experiment& e) {
   if (e.time.stepper->type() == "incremental_potential") return;
   throw InputError(fmt::format("output.gradients: steps of time.stepper: {} end at no least of a potential, which derivatives are found from; "
@@ -25,7 +27,8 @@ std::string Gradients::why_not(const BuiltExperiment& run, const GradientConfig&
     require_minimised_steps(run.experiment());
     Neighbour(run, config);
   } catch (const InputError& error) {
-    return error.what();
+    const std::string what = error.what();
+    return what.starts_with(asked_by) ? what.substr(asked_by.size()) : what;
   }
   return "";
 }

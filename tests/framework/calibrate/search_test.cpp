@@ -124,6 +124,7 @@ TEST_CASE("of numbers by which runs give no derivatives differences are taken, a
   CHECK(wrong.differentiated == 1);
   CHECK(distrusted.derivatives.by_runs == std::vector<bool>{false, false});
   CHECK_THAT(distrusted.derivatives.why[1], Catch::Contains("nearby differ by"));
+  CHECK(distrusted.derivatives.missed > 0.5);
 
   SearchConfig off;
   off.gradients = false;

@@ -231,6 +231,12 @@ TEST_CASE("numbers that nothing can be differentiated by are refused", "[sensiti
   refused(drawn, "objects.block.shape.type", "no number");
   refused(drawn, "objects.block.shape.cells.0", "whole");
   CHECK_THROWS_WITH(scene(drawn + "output: {gradients: [{key: a}, {key: a}]}\n"), Contains("two of them are called 'a'"));
+  const Simulation asked(scene(drawn));
+  GradientConfig config;
+  config.key = "time.step";
+  CHECK_THAT(Gradients::why_not(asked.built(), config), Catch::StartsWith("'time.step' is a key of the run"));
+  config.key = "objects.block.energies.0.young";
+  CHECK(Gradients::why_not(asked.built(), config).empty());
   Simulation simulation(scene(drawn + "output: {gradients: [{key: objects.block.energies.0.poisson, step: 1e-6}]}\n"));
   CHECK_NOTHROW(Gradients(simulation.built()));
 }
