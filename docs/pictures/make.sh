@@ -28,7 +28,7 @@ draw results/phases -- phase_shares=phases
 draw results/phases/cases/base=plates --x gap --y adhesion --x-range 0 2.5e-3 -- adhesion_over_gap=pull_force_gap
 draw results/distances -- iterations=distances_iterations probe_taken=distances_taken
 draw results/jkr_dmt --x tabor --y pull_off --log-x --data experiments/measured/data/maugis.csv -- pull_off_by_tabor=jkr_dmt
-draw results/paper_figures -- $(for name in 5 9_right 10_stuck 10_iterations 12_taken 18; do echo "figure_$name=paper_figure_$name"; done)
+draw results/paper_figures -- $(for name in 5 9_right 10_stuck 10_iterations 12_taken 13_crossings 13_waist 18; do echo "figure_$name=paper_figure_$name"; done)
 draw results/strengths -- step_seconds=strengths_step_seconds iterations=strengths_iterations probe_taken=strengths_taken
 
 [[ -d results/compare_pull ]] || "$tack" compare experiments/compare/pull.yaml -o results/compare_pull

@@ -164,14 +164,17 @@ void Trial::solve_run() {
   result_.status = "converged";
   try {
     const Stopwatch watch(result_);
+    int unconverged = 0;  // that were kept all the same
     for (int i = 0; i < steps; ++i) {
       report = simulation_.step();
       if (simulation_.interrupted()) throw SimulationError("interrupted");
       result_.iterations += report.solve.iterations;
       result_.evaluations += report.solve.line_search_evaluations;
       result_.linear_solves += report.solve.linear_solves;
+      unconverged += report.converged ? 0 : 1;
       look_at(report.figures);
     }
+    if (unconverged > 0) result_.status = fmt::format("{} of {} steps kept without having converged", unconverged, steps);
     result_.converged = result_.complete = true;
   } catch (const SimulationError& error) {
     result_.status = error.what();

@@ -27,6 +27,7 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
   loaded_.earlier.reset();
   check_damping(e, loaded_.root, *world_);
   at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
+  world_->step_figures = e.time.stepper->figures();
   at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
   loaded_.experiment.solver = settled_solver(e, *world_, clock_);
 }

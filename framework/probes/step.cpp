@@ -17,20 +17,20 @@ class StepProbe : public Probe {
     Probe::fields(f);
     f.text("figure", figure_, "one of the stepper's columns of steps.csv; of lcp_pgs: sweeps, rows, row_residual [m/s], penetration [m] or crossing_pairs").required();
   }
-  void prepare(const World&) override {}
-  Unit unit() const override { return units::none; }
-  std::vector<double> sample(const World& world, const State&) override {
+  void prepare(const World& world) override {
     std::vector<std::string> names;
-    for (const StepFigure& figure : world.step_figures) {
-      if (figure.name == figure_) return {figure.value};
-      names.push_back(figure.name);
-    }
+    for (const StepFigure& figure : world.step_figures) names.push_back(figure.name);
     if (names.empty()) throw InputError(fmt::format("probe '{}': the scene's stepper tells nothing of its steps; take the probe away", name_));
-    throw InputError(fmt::format("probe '{}': the stepper tells nothing named '{}'{}", name_, figure_, suggestion(figure_, names, "figures")));
+    at_ = std::find(names.begin(), names.end(), figure_) - names.begin();
+    if (at_ == names.size())
+      throw InputError(fmt::format("probe '{}': the stepper tells nothing named '{}'{}", name_, figure_, suggestion(figure_, names, "figures")));
   }
+  Unit unit() const override { return units::none; }
+  std::vector<double> sample(const World& world, const State&) override { return {world.step_figures[at_].value}; }
 
  private:
   std::string figure_;
+  size_t at_ = 0;
 };
 
 TACK_REGISTER(Probe, StepProbe, "step", "What the stepper tells of the last step (of lcp_pgs: how many surfaces have passed through each other, and how deep) [SI]; 0 before the first.", "");

@@ -86,7 +86,9 @@ class Stepper : public Component {
 
   // Throws InputError for a world that it cannot step. Asked when a scene is loaded.
   virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/, const TimeConfig& /*time*/) const {}
-  // Once, before anything below. Who tells figures of steps names them: world.step_figures, of value 0.
+  // What it tells of its steps beside what all do: its attempts' figures, or before the first of them 0.
+  virtual std::vector<StepFigure> figures() const { return {}; }
+  // Once, before anything below.
   virtual void prepare(const StepperContext& context) = 0;
   // A step is about to be opened; new_unknowns: those of the world are others than before.
   virtual void begin(bool /*new_unknowns*/) {}

@@ -44,6 +44,11 @@ class LcpPgsStepper : public Stepper {
   }
 
   void admit(const World& world, const SceneConfig& scene, const TimeConfig& time) const override;
+  std::vector<StepFigure> figures() const override {
+    using Over = StepFigure::Over;
+    return {{"sweeps", step_ ? double(step_->sweeps()) : 0, Over::sum}, {"rows", step_ ? double(step_->rows()) : 0}, {"row_residual", step_ ? step_->residual() : 0},
+            {"penetration", deepest_}, {"crossing_pairs", double(crossings_)}};
+  }
   void prepare(const StepperContext& context) override {
     world_ = &context.world;
     LcpSettings settings;
@@ -55,7 +60,6 @@ class LcpPgsStepper : public Stepper {
     step_ = std::make_shared<LcpStep>(*world_, context.clock, *linear_, settings);
     publish_impulses(*world_, step_);
     clock_ = &context.clock;
-    world_->step_figures = figures();
   }
   void begin(bool new_unknowns) override {
     if (new_unknowns) step_->new_unknowns();
@@ -67,12 +71,6 @@ class LcpPgsStepper : public Stepper {
   }
 
  private:
-  std::vector<StepFigure> figures() const {
-    using Over = StepFigure::Over;
-    return {{"sweeps", double(step_->sweeps()), Over::sum}, {"rows", double(step_->rows())}, {"row_residual", step_->residual()}, {"penetration", deepest_},
-            {"crossing_pairs", double(crossings_)}};
-  }
-
   std::optional<double> margin_, tolerance_;  // m, m/s
   double recovery_ = 0.2;
   int sweeps_ = 100, dense_rows_ = 3000;

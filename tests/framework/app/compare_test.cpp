@@ -151,3 +151,45 @@ TEST_CASE("a solver's name is never run", "[compare]") {
   CHECK_FALSE(fs::exists(place.folder.path() / "results/two/plots/owned"));
   CHECK_FALSE(fs::exists(place.folder.path() / "owned"));
 }
+
+TEST_CASE("tack compare lays steppers over a scene, and tells what passes through what", "[compare]") {
+  const Place place;
+  write_file(place.folder.path() / "scene.yaml",
+             "name: press\n"
+             "time: {step: 20 ms, duration: 0.4 s}\n"
+             "gravity: [0, -100, 0]\n"
+             "objects:\n"
+             "  - {name: floor, shape: {type: box, size: [1, 0.2, 1]}, place: {translate: [0, -0.1, 0]}, motion: [fixed]}\n"
+             "  - {name: a, shape: {type: box, size: [0.2, 0.2, 0.2], cells: [3, 3, 3]}, place: {translate: [0.01, 0.101, 0]}, energies: [{type: neo_hookean, young: 1 MPa}]}\n"
+             "contact: {distance: 1 mm, friction: {mu: 0.5}}\n");
+  write_file(place.folder.path() / "compare.yaml",
+             "name: two\nabout: a test\nbase: scene.yaml\nsteps: 6\nrepeat: 1\ntolerances: [0.1 mm/s]\n"
+             "solvers:\n"
+             "  - {name: minimised, solver: {type: projected_newton}}\n"
+             "  - {name: constraints, stepper: {type: lcp_pgs, sweeps: 1000}}\n"
+             "  - {name: one sweep, stepper: {type: lcp_pgs, sweeps: 1}}\n");
+  const ProgramResult result = place.compare();
+  INFO(result.out << result.err);
+  REQUIRE(result.exit_code == 0);
+  const std::string csv = place.text("results/two/compare.csv");
+  const auto cell = [&](const std::string& solver, const std::string& column) {
+    const auto split = [](const std::string& line) {
+      std::vector<std::string> cells(1);
+      for (const char c : line) {
+        if (c == ',') cells.emplace_back();
+        else cells.back() += c;
+      }
+      return cells;
+    };
+    const std::vector<std::string> header = split(csv.substr(0, csv.find('\n')));
+    const auto at = csv.find("press," + solver + ",");
+    REQUIRE(at != std::string::npos);
+    return split(csv.substr(at, csv.find('\n', at) - at)).at(std::find(header.begin(), header.end(), column) - header.begin());
+  };
+  CHECK(cell("minimised", "crossing_pairs") == "0");
+  CHECK(cell("constraints", "crossing_pairs") == "0");
+  CHECK(std::stod(cell("constraints", "error_rms")) < 2e-3);
+  CHECK(contains(csv, ",penetration,crossing_pairs"));
+  CHECK(std::stod(cell("one sweep", "error_rms")) > 5 * std::stod(cell("constraints", "error_rms")));
+  CHECK(contains(place.text("results/two/compare.csv"), "6 of 6 steps kept without having converged"));
+}

@@ -274,3 +274,35 @@ TEST_CASE("contact forces, friction and reactions are the impulses over h", "[lc
   CHECK(dissipated == Approx(0.5 * weight * std::cos(steep) * slid({0.55, 0.5})).epsilon(0.01));
   CHECK(numerics > 0);
 }
+
+TEST_CASE("a probe of what no stepper tells is refused where it stands", "[lcp]") {
+  const TemporaryFolder folder;
+  const auto error_of_probe = [&](const std::string& time, const std::string& figure) {
+    write_file(folder.path() / "scene.yaml",
+               "name: probed\ntime: {step: 0.01, duration: 0.02" + time + "}\nobjects:\n"
+               "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5}]}\n"
+               "probes:\n  - {name: p, type: step, figure: " + figure + "}\n");
+    const ProgramResult result = run_tack(folder.path(), {"check", "scene.yaml"});
+    return std::pair(result.exit_code, result.err);
+  };
+  CHECK(error_of_probe(", stepper: lcp_pgs", "crossing_pairs").first == 0);
+  const auto [misspelt, text] = error_of_probe(", stepper: lcp_pgs", "crossing_pair");
+  CHECK(misspelt == 2);
+  CHECK(contains(text, "scene.yaml:6:5: probe 'p': the stepper tells nothing named 'crossing_pair'; did you mean 'crossing_pairs'?"));
+  CHECK(contains(error_of_probe("", "sweeps").second, "the scene's stepper tells nothing of its steps; take the probe away"));
+}
+
+TEST_CASE("what meets on the way between two distant places is stopped there", "[lcp]") {
+  // Ten times its own size in a step, at a sheet a millimetre thick.
+  TestRun run(
+      "time: {step: 0.01, duration: 0.05, stepper: {type: lcp_pgs, sweeps: 500}}\n"
+      "objects:\n"
+      "  - {name: sheet, shape: {type: grid, size: [1, 1], cells: [6, 6]}, place: {axis: [0, 0, 1], angle: 90 deg}, shell: {thickness: 1 mm}, motion: [fixed]}\n"
+      "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [-0.53, 0.03, 0.01]}, velocity: [100, 0, 0],\n"
+      "     body: {type: affine, density: 200}}\n"
+      "contact: {distance: 1 mm}\n");
+  run_to_end(run);
+  const int block = run.world->index_of("block");
+  CHECK(run.world->centre_of_mass(block, run.state().x).x() == Approx(-0.05).margin(2e-3));
+  CHECK(std::abs(run.world->centre_of_mass(block, run.state().v).x()) < 1);
+}
