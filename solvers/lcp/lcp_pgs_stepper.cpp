@@ -90,6 +90,8 @@ void LcpPgsStepper::admit(const World& world, const SceneConfig& scene, const Ti
     refuse_unless(body.edges.empty() && body.points.empty(), fmt::format("has rows for surfaces alone, and '{}' has {}", body.name,
                   body.edges.empty() ? "particles" : "rods"), "take it out of the scene");
   if (!scene.contact) return;
+  refuse_unless(scene.contact->lagging.iterations == 1 && !scene.contact->lagging.until, "finds friction and what presses together, without contact.lagging",
+                "take `lagging` away");
   const PairTable& pairs = world.contact->pairs();
   for (size_t i = 0; i < pairs.laws().size(); ++i) {
     refuse_unless(pairs.tangential(static_cast<int>(i)).mu_a == 0, "knows no tangential adhesion beside that of RCC", "take `tangential_adhesion` away");

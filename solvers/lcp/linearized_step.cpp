@@ -67,7 +67,10 @@ VecX LinearizedStep::end(const VecX& p) const {
   return x;
 }
 
-void LinearizedStep::solve(Eigen::MatrixXd& rhs) { solver_.solve_columns(rhs, clock_); }
+void LinearizedStep::solve(Eigen::MatrixXd& rhs) {
+  clock_.deadline().check();
+  solver_.solve_columns(rhs, clock_);
+}
 
 void LinearizedStep::take_held_out(Eigen::Ref<VecX> column) const {
   for (const DofMap::HeldBlock& h : world_.dofs.held_blocks())

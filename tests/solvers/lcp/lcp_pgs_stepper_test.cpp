@@ -240,6 +240,9 @@ TEST_CASE("what constraints do not know is refused by name", "[lcp]") {
   CHECK(contains(error_of(scene(", integrator: newmark", block, "friction: {mu: 0.5}")), "time.integrator is newmark"));
   CHECK(contains(error_of(scene("", block, "adhesion: {type: fang, critical_strain: 0.01}")), "rows for RCC adhesion alone, and a pair adheres by 'fang'"));
   CHECK(contains(error_of(scene("", block, "adhesion: {type: bilinear, peak_traction: 1e3, work_of_adhesion: 0.1}")), "adheres by 'bilinear'"));
+  std::string lagged = scene("", block, "friction: {mu: 0.5}");
+  lagged.insert(lagged.find("pairs:"), "lagging: {iterations: 3}, ");
+  CHECK(contains(error_of(lagged), "finds friction and what presses together, without contact.lagging"));
   const std::string dust = "  - {name: dust, shape: {type: points}, place: {translate: [0, 1, 0]}, particle: {radius: 1 mm}, energies: [{type: particle, mass: 1}]}\n";
   CHECK(contains(error_of(scene("", block + dust, "friction: {mu: 0.5}")), "'dust' has particles"));
 }
