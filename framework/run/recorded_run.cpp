@@ -329,8 +329,9 @@ void RecordedRun::finish(const Recorder& recorder) {
   progress_.message(profiler_ && simulation_.started() ? profile_of_run() : phase_table(summary_));
   if (complete) progress_.message(expect_table(summary_.expect));
   const std::string warned = summary_.warnings.empty() ? "" : fmt::format(", {}", counted(summary_.warnings.size(), "warning"));
-  progress_.message(fmt::format("{}: {} steps, {} Newton iterations, {}{}; results in {}", to_string(summary_.status),
-                                summary_.steps, summary_.newton_iterations, smallest_gap_of(summary_), warned, folder_.root().string()));
+  const char* iterations = summary_.stepper.contains("sweeps") ? "sweeps" : "Newton iterations";
+  progress_.message(fmt::format("{}: {} steps, {} {}, {}{}; results in {}", to_string(summary_.status), summary_.steps, summary_.newton_iterations, iterations,
+                                smallest_gap_of(summary_), warned, folder_.root().string()));
 }
 
 }  // namespace tack
