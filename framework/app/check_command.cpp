@@ -82,7 +82,7 @@ int check_gradient_of(const CheckOptions& options) {
   fmt::print("half of the {} times are off by less than {:.1e}\n", c.times.size(), c.middle);
   fmt::print("the run takes {:.2f} of the user time of one without\n", c.cost);
   if (c.error(c.worst) <= tolerated_error) return exit_done;
-  fmt::print("they differ by more than {:g}: solve more exactly (solver.tolerance, solver.balance_tolerance), and look whether the differences change with "
+  fmt::print("they differ by more than {:g}: solve more exactly (solver.tolerance; quasi-static solver.force_tolerance), and look whether the differences change with "
              "--gradient-step\n", tolerated_error);
   return exit_expectation_failed;
 }

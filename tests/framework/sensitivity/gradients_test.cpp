@@ -57,7 +57,7 @@ objects:
     place: {translate: [0, 11.7 mm, 0]}
     motion: [{type: translate, velocity: [0, -2 mm/s, 0]}]
 contact: {distance: 0.5 mm, barrier: {stiffness: 1e6}}
-solver: {tolerance: 1e-10, balance_tolerance: 1e-8, linear: multifrontal}
+solver: {force_tolerance: 1e-8, linear: multifrontal}
 probes:
   - {name: force, type: reaction, object: plate, direction: [0, 1, 0]}
 )";
@@ -210,7 +210,7 @@ objects:
       - {type: fixed, along: [0, 1, 0], select: {type: face, direction: [0, -1, 0]}}
       - {type: fixed, along: [0, 0, 1], select: {type: face, direction: [0, 0, -1]}}
       - {type: translate, velocity: [0.6 mm/s, 0, 0], along: [1, 0, 0], select: {type: face, direction: [1, 0, 0]}}
-solver: {tolerance: 1e-10, balance_tolerance: 1e-8, linear: multifrontal}
+solver: {force_tolerance: 1e-8, linear: multifrontal}
 probes:
   - {name: force, type: reaction, object: bar, direction: [1, 0, 0], select: {type: face, direction: [1, 0, 0]}}
 )"), "force", "objects.bar.energies.0.yield_stress", 1e-5);
