@@ -179,7 +179,7 @@ TEST_CASE("a batch that is killed has noted the seconds of its running cases", "
 }
 
 TEST_CASE("Ctrl-C ends a batch with its cases, and they go on later", "[batch]") {
-  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=100 s, output.checkpoint_interval=0.02 s, output.frames=false]\n"
+  const Files files("name: long\nbase: tiny.yaml\nset: [time.duration=10000 s, output.checkpoint_interval=0.02 s, output.frames=false]\n"
                     "vary: [{type: repeat, count: 3}]\njobs: 2\n");
   Program batch(files.path, {"batch", "batch.yaml", "-o", "b"});
   const auto steps = [&](const std::string& name) { return file_text(files.path / "b" / "cases" / name / "steps.csv").size(); };
