@@ -21,6 +21,7 @@
 #include "framework/output/progress.hpp"
 #include "framework/output/run_folder.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {

@@ -1,18 +1,11 @@
 // Ctrl-C, `kill` and the end of the terminal end what runs in an orderly way (geometry/interrupt.hpp).
 #pragma once
 
-#include <csignal>
-
-#include "geometry/interrupt.hpp"
-
 namespace tack {
 
-extern "C" inline void request_interrupt(int) { interrupt_requested = true; }
-
-inline void let_signals_interrupt() {
-  std::signal(SIGINT, request_interrupt);
-  std::signal(SIGTERM, request_interrupt);
-  if (std::signal(SIGHUP, request_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
-}
+// From now on those signals, but SIGHUP where the caller ignores it (nohup), are blocked in this thread and all that it starts, and one thread
+// waits for them: a handler would not do, METIS has its own for SIGTERM while it orders a matrix, which leaves METIS by a jump and nothing else.
+// Call it before threads are started. Programs that are started inherit what is blocked.
+void let_signals_interrupt();
 
 }  // namespace tack

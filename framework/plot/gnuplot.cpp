@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <csignal>
 #include <numeric>
 #include <utility>
 
@@ -240,10 +241,17 @@ int run_gnuplot(const fs::path& folder, const std::string& script, const fs::pat
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   posix_spawn_file_actions_addopen(&actions, 1, messages.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
   posix_spawn_file_actions_adddup2(&actions, 1, 2);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);  // Ctrl-C ends it
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   std::string program = "gnuplot", argument = script;
   char* argv[] = {program.data(), argument.data(), nullptr};
   pid_t pid = 0;
-  const int failed = ::posix_spawnp(&pid, "gnuplot", &actions, nullptr, argv, environ);
+  const int failed = ::posix_spawnp(&pid, "gnuplot", &actions, &attributes, argv, environ);
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (failed) return -1;
   int status = 0;

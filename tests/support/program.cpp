@@ -49,6 +49,16 @@ bool Program::has_child() const {
   return false;
 }
 
+int Program::threads_open_to(int signal) const {
+  int open = 0;
+  for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(pid_) + "/task")) {
+    const std::string text = file_text(thread.path() / "status");
+    const size_t at = text.find("SigBlk:");
+    open += at == text.npos || !(std::stoull(text.substr(at + 7), nullptr, 16) >> (signal - 1) & 1);
+  }
+  return open;
+}
+
 void Program::kill() { ::kill(pid_, SIGKILL); }
 
 ProgramResult Program::wait() {

@@ -30,6 +30,7 @@ class Program {
   void terminate();      // as `kill` does
   void hang_up();        // as the end of its terminal does
   bool has_child() const;  // whether it has forked a process that runs
+  int threads_open_to(int signal) const;  // that do not block it
   void kill();           // as `kill -9` does
   ProgramResult wait();  // kills it after two minutes, with sanitizers after forty
 

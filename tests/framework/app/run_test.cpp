@@ -1,6 +1,7 @@
 // tack run from the command line: exit codes, options, and what remains of a run.
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <csignal>
 
 #include "framework/output/csv.hpp"
 #include "tests/support/json.hpp"
@@ -189,6 +190,23 @@ contact:)"));
     CHECK(contains(result.out, "interrupted: "));
     CHECK(result.err == "");
     CHECK_FALSE(fs::exists(place.path("results/tiny")));
+  }
+}
+
+// METIS takes SIGTERM for an error of its own while it orders a matrix, in whatever thread it arrives.
+TEST_CASE("of a run's threads one waits for the signals that end it, and no other takes them") {
+  const Place place;
+  for (const int signal : {SIGTERM, SIGHUP}) {
+    const std::string results = "results-" + std::to_string(signal);
+    Program program(place.folder.path(), {"run", "scene.yaml", "-o", results, "--threads", "2", "--set", "time.duration=1000",
+                                          "solver.linear={type: cholmod, ordering: metis}"});
+    for (int i = 0; i < 20000 && !contains(file_text(place.path(results) / "steps.csv"), "\n3,"); ++i) ::usleep(1000);
+    REQUIRE(contains(file_text(place.path(results) / "steps.csv"), "\n3,"));
+    for (const int each : {SIGINT, SIGTERM, SIGHUP}) CHECK(program.threads_open_to(each) == 1);
+    if (signal == SIGTERM) program.terminate();
+    else program.hang_up();
+    CHECK(program.wait().exit_code == 130);
+    CHECK(place.summary(results)["status"] == "interrupted");
   }
 }
 

@@ -1,0 +1,38 @@
+#include "framework/app/interrupt_signals.hpp"
+
+#include <csignal>
+#include <thread>
+
+#include "geometry/interrupt.hpp"
+
+// Of OpenBLAS, without a header; other builds of it may not have it.
+extern "C" [[gnu::weak]] int blas_thread_shutdown_();
+
+namespace tack {
+namespace {
+
+extern "C" void request_interrupt(int) { interrupt_requested = true; }
+
+bool ignored(int signal) {
+  struct sigaction action{};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+void let_signals_interrupt() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (signal == SIGHUP && ignored(signal)) continue;
+    sigaddset(&signals, signal);
+    std::signal(signal, request_interrupt);  // for a thread that a library has started before
+  }
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  if (blas_thread_shutdown_) blas_thread_shutdown_();  // its threads were there before; it starts others when it needs them
+  std::thread([signals] {
+    for (int signal = 0;; ) if (::sigwait(&signals, &signal) == 0) interrupt_requested = true;
+  }).detach();
+}
+
+}  // namespace tack
