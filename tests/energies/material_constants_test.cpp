@@ -91,6 +91,12 @@ TEST_CASE("small shear and small dilation show the shear and bulk moduli", "[sol
   }
 }
 
+// Of fixed_corotated, below a tenth of the volume.
+double crushed_barrier(double j, double mu, double lambda) {
+  const double r = j / 0.1;
+  return r < 1 ? -(lambda + 2 * mu) * 0.1 * (1 - r) * (1 - r) * std::log(r) : 0;
+}
+
 TEST_CASE("large deformations have the energy of the formula", "[solids]") {
   constexpr double nu = 0.3;
   const double mu = young / (2 * (1 + nu)), lambda = young * nu / ((1 + nu) * (1 - 2 * nu));
@@ -103,9 +109,27 @@ TEST_CASE("large deformations have the energy of the formula", "[solids]") {
     CHECK(Solid("neo_hookean", nu).density(f) ==
           Approx(mu / 2 * (s.squaredNorm() - 3) - mu * log_j + lambda / 2 * log_j * log_j));
     CHECK(Solid("fixed_corotated", nu).density(f) ==
-          Approx(mu * (s - Vec3::Ones()).squaredNorm() + lambda / 2 * (j - 1) * (j - 1)));
+          Approx(mu * (s - Vec3::Ones()).squaredNorm() + lambda / 2 * (j - 1) * (j - 1) + crushed_barrier(j, mu, lambda)));
     CHECK(Solid("stvk_hencky", nu).density(f) ==
           Approx(mu * log_s.squaredNorm() + lambda / 2 * log_j * log_j));
+  }
+}
+
+TEST_CASE("nothing crushes a solid flat", "[solids]") {
+  for (const std::string& type : solids) {
+    INFO(type);
+    const Solid solid(type, 0.3);
+    const auto resistance = [&](double s) {
+      const double step = 1e-6 * s;
+      return (solid.density(Mat3(Vec3(1, s - step, 1).asDiagonal())) - solid.density(Mat3(Vec3(1, s + step, 1).asDiagonal()))) / (2 * step);
+    };
+    double before = 0;
+    for (const double s : {0.05, 0.01, 1e-3, 1e-4, 1e-5}) {
+      const double pressure = resistance(s);
+      CHECK(pressure > 1.5 * before);
+      before = pressure;
+    }
+    CHECK(before > 1e3 * young);
   }
 }
 
