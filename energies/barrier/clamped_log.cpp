@@ -17,8 +17,9 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
                              {"squared", Form::squared, "logarithm of the squared gap"}},
              "the argument of the barrier");
     f.optional_number("stiffness", given_stiffness_, units::pressure,
-                      "kappa; by default a tenth of the softer Young's modulus (of an affine body: a hundredth of its stiffness), or a twentieth of the "
-                      "pair's peak adhesive traction if that is less")
+                      "kappa; by default a tenth of the softer Young's modulus (of an affine body: a hundredth of its stiffness; of a soft body that "
+                      "may fly or fall faster than waves run in it: density times that speed squared, up to ten times the modulus), or a twentieth "
+                      "of the pair's peak adhesive traction if that is less")
         .positive();
   }
 

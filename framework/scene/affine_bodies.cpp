@@ -10,6 +10,7 @@
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/extent.hpp"
 #include "framework/scene/local_mesh.hpp"
+#include "framework/scene/reachable_speed.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -63,19 +64,10 @@ struct Loading {
 };
 
 Loading loading_of(const SceneConfig& scene, const World& world) {
-  Eigen::AlignedBox3d all;
-  double speed = 0, mass = 0;
-  for (size_t i = 0; i < world.bodies.size(); ++i) {
-    const Eigen::AlignedBox3d box = extent_of(world.bodies[i], world.rest);
-    all.extend(box);
-    if (!world.bodies[i].movable) continue;
-    speed = std::max(speed, scene.objects[i].velocity.norm() + scene.objects[i].spin.norm() * box.diagonal().norm() / 2);
-  }
+  double mass = 0;
   for (int v = 0; v < static_cast<int>(world.mass.size()); ++v)
     if (world.script.ever_free(v)) mass += world.weighing_mass(v);
-  const double g = scene.gravity.norm();
-  if (g > 0) speed = std::hypot(speed, std::sqrt(2 * all.diagonal().dot(scene.gravity.cwiseAbs())));
-  return {speed, mass * g};
+  return {reachable_speed(scene, world), mass * scene.gravity.norm()};
 }
 
 double default_stiffness(const ObjectConfig& object, const Body& body, const Loading& loading, const VecX& rest, double step) {

@@ -1,6 +1,8 @@
 // Which objects touch and adhere, with which laws: from the scene's contact section to a PairTable.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -13,6 +15,7 @@
 #include "framework/scene/hulls.hpp"
 #include "framework/scene/local_mesh.hpp"
 #include "framework/scene/pair_configs.hpp"
+#include "framework/scene/reachable_speed.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -66,6 +69,9 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hul
 // An affine body is far stiffer than its contacts need: they carry the stress that strains it by 1e-4 at half their
 // distance with a tenth of this part of its stiffness.
 constexpr double affine_modulus = 0.01;
+// What stops a soft body that moves faster than waves run in it presses with about density times speed^2, and the barrier has to
+// carry that: it takes the body for as stiff, up to so many times its modulus.
+constexpr double most_times = 10;
 
 // The lowest modulus of its energies [Pa]; 0: none has one.
 double softest_young(const ObjectConfig& object) {
@@ -75,14 +81,39 @@ double softest_young(const ObjectConfig& object) {
   return least;
 }
 
-// Objects are alike if every entry of pairs means them in the same way, they are as stiff, as thick and held alike, and
+// Density times speed^2 [Pa] of a body of tets that may move faster than waves run in it; otherwise 0. To two digits, so that
+// copies of one body are alike however they are turned.
+double dynamic_pressure(const ObjectConfig& object, const Body& body, const World& world, double speed) {
+  if (body.tets.empty() || !body.movable || !body.frame.empty()) return 0;
+  double mass = 0, volume = 0;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) mass += world.mass(v);
+  for (const Tet& t : body.tets) {
+    const Vec3 a = vertex(world.rest, t[0]);
+    const auto side = [&](int k) { return Vec3(vertex(world.rest, t[k]) - a); };
+    volume += side(1).cross(side(2)).dot(side(3)) / 6;
+  }
+  const double pressure = mass / volume * speed * speed;
+  if (!(pressure > softest_young(object))) return 0;
+  const double digit = std::pow(10, std::floor(std::log10(pressure)) - 1);
+  return std::round(pressure / digit) * digit;
+}
+
+std::vector<double> dynamic_pressures(const SceneConfig& scene, const World& world) {
+  const double speed = reachable_speed(scene, world);
+  std::vector<double> pressures;
+  for (size_t i = 0; i < world.bodies.size(); ++i)
+    pressures.push_back(dynamic_pressure(scene.objects[i], world.bodies[i], world, speed));
+  return pressures;
+}
+
+// Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
 // attached to the same ones.
-ObjectClasses classes_of(const SceneConfig& scene, const World& world) {
+ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures) {
   std::set<std::string> names;
   for (const PairConfig& pair : scene.contact->pairs) names.insert(pair.between.begin(), pair.between.end());
   std::vector<std::set<int>> attached(world.bodies.size());
   for (const auto& [a, b] : world.attached) attached[a].insert(b), attached[b].insert(a);
-  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double>;
+  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double>;
   std::map<Key, int> known;
   std::vector<int> classes;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -90,7 +121,7 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world) {
     const Body& body = world.bodies[i];
     std::vector<NamedAs> named;
     for (const std::string& name : names) named.push_back(named_as(object, name));
-    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness};
+    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i]};
     classes.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
   }
   return ObjectClasses(std::move(classes));
@@ -105,7 +136,8 @@ std::vector<double> cells_of(const std::vector<SurfaceSize>& sizes) {
 class PairBuilder {
  public:
   PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<SurfaceSize>& sizes, World& world)
-      : scene_(scene), contact_(*scene.contact), root_(root), world_(world), classes_(classes_of(scene, world)),
+      : scene_(scene), contact_(*scene.contact), root_(root), world_(world), pressures_(dynamic_pressures(scene, world)),
+        classes_(classes_of(scene, world, pressures_)),
         configs_(scene, root, classes_), table_(classes_, cells_of(sizes)), colliding_(classes_), bonds_(classes_) {
     table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   }
@@ -169,6 +201,8 @@ class PairBuilder {
       lower(m.softer_stiffness, affine_modulus * world_.bodies[object].stiffness);
     }
     lower(m.softer_stiffness, m.softer_young);
+    const double dynamic = std::max(pressures_[a], pressures_[b]);
+    if (dynamic > 0) m.softer_stiffness = std::clamp(dynamic, m.softer_stiffness, most_times * m.softer_stiffness);
     return m;
   }
 
@@ -310,6 +344,7 @@ class PairBuilder {
   const ContactConfig& contact_;
   const Value& root_;
   World& world_;
+  const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
   ObjectClasses classes_;
   PairConfigs configs_;
   PairTable table_;

@@ -1,0 +1,43 @@
+// The barrier that a pair of objects gets where the scene does not say.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "framework/contact/contact_system.hpp"
+#include "tests/support/scene.hpp"
+
+using namespace tack;
+
+namespace {
+
+// Of a cube of 0.1 m that flies at a floor; inverted from the barrier's traction at half the contact distance of 1 mm.
+double stiffness(double young, double speed, double turned = 0, const std::string& gravity = "", const std::string& contact = "") {
+  const TestScene scene(fmt::format(
+      "{}objects:\n"
+      "  - {{name: cube, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, place: {{axis: [0.3, 0.5, 0.2], angle: {}, translate: [0, 0.2, 0]}},\n"
+      "     velocity: [0, {}, 0], energies: [{{type: neo_hookean, young: {}, poisson: 0.3, density: 500}}]}}\n"
+      "  - {{name: floor, shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, -0.05, 0]}}, motion: [fixed]}}\n"
+      "contact: {{distance: 1 mm{}}}\n",
+      gravity, turned, -speed, young, contact));
+  const PairTable& pairs = scene.world->contact->pairs();
+  const double traction = -pairs.laws()[pairs.point(0, 1).law].at(0.5e-3).slope;
+  return traction / (std::log(2.0) + 0.5);
+}
+
+}  // namespace
+
+TEST_CASE("the barrier is a tenth as stiff as the softer body", "[contact][barrier]") {
+  CHECK(stiffness(1e6, 0) == Approx(1e5));
+  CHECK(stiffness(1e6, 10) == Approx(1e5));  // of 1 MPa, waves run at 45 m/s
+  CHECK(stiffness(1e4, 4) == Approx(1e3));   // and at 4.5 m/s of 10 kPa
+}
+
+TEST_CASE("the barrier carries what stops a soft body that is faster than its waves", "[contact][barrier]") {
+  CHECK(stiffness(1e4, 6) == Approx(0.1 * 500 * 36));
+  CHECK(stiffness(1e4, 10) == Approx(0.1 * 500 * 100));
+  CHECK(stiffness(1e4, 100) == Approx(1e4));  // the modulus at most
+  CHECK(stiffness(1e6, 100) == Approx(0.1 * 500 * 1e4));
+  CHECK(stiffness(1e4, 10, 1.234) == stiffness(1e4, 10));  // however it is turned
+  CHECK(stiffness(1e4, 0, 0, "gravity: [0, -200, 0]\n") == Approx(0.1 * 500 * 2 * 200 * 0.35));  // a fall over the whole scene
+  CHECK(stiffness(1e4, 100, 0, "", ", barrier: {stiffness: 3 kPa}") == Approx(3e3));
+}
