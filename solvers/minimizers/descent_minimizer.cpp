@@ -20,6 +20,7 @@ constexpr double longish = 0.3, too_much = 1.25;
 // Bent steps: of what a straight one gains, the part that it may lose to strains; the shortest; of a feasible length, what
 // is tried next; Armijo's condition.
 constexpr double little_loss = 1e-6, shortest_bent = 1e-4, shorter = 0.9, sufficient = 1e-4;
+constexpr double almost_whole = 0.9;  // a step that is shorter was cut
 constexpr double descent = 0.1;  // part of a Newton direction's slope that one conjugate to the last step must keep
 
 }  // namespace
@@ -47,7 +48,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   Objective& objective = problem.objective;
   objective.move_to(q);
   gradient_before_.resize(0);
-  too_stiff_ = false;
+  too_stiff_ = cut_ = false;
   judge_.begin();
   begin(problem, result);
   const TellIteration tell(problem);
@@ -78,6 +79,10 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
 // p <- p + beta s, s the last step, so that p . (change of the gradient along s) = 0: the exact Hessian's curvature
 // along s, which a projection may have missed. Where the model holds, beta vanishes. Not below 0, as after a restart.
 void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
+  if (cut_) {  // what a part of a step did says little of the metric, and directions that grew would be cut again
+    gradient_before_.resize(0);
+    too_stiff_ = false;
+  }
   if (too_stiff_ && gradient_before_.size() == gradient.size()) {
     const VecX s = q - q_before_, change = gradient - gradient_before_;
     const double curvature = s.dot(change), beta = curvature > 0 ? -p.dot(change) / curvature : 0;
@@ -92,6 +97,7 @@ void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
 MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const VecX& p, VecX& q,
                                           MinimizerResult& result) {
   Objective& objective = problem.objective;
+  cut_ = false;
   if (problem.bend && newton_like() && advance_bent(problem, p, q, result)) return MinimizerStatus::converged;
   const double t_max = problem.feasible_step(q, p);
   if (!(t_max > 1e-12)) return MinimizerStatus::blocked;
@@ -108,6 +114,7 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
   q += found.step * p;
   const double decrease = before - objective.value(), predicted = -(found.step - found.step * found.step / 2) * slope;
   too_stiff_ |= found.step > longish && decrease > too_much * predicted && decrease > 2 * objective.value_noise();
+  cut_ = found.step < almost_whole;
   stepped(problem, {p, found.step, t_max, found.evaluations, slope, decrease});
   if (newton_like() && result.residual > 1 && found.step == 1) extend(problem, p, slope, before, q, result);
   return MinimizerStatus::converged;

@@ -53,7 +53,8 @@ class DescentMinimizer : public Minimizer {
 
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
   VecX gradient_before_, q_before_;  // of the last iteration of this minimisation
-  bool too_stiff_ = false;  // Hessians of this minimisation, after some step
+  bool too_stiff_ = false;  // Hessians of this minimisation, since some step, and none was cut
+  bool cut_ = false;        // the last step
   ConvergenceJudge judge_;
 };
 

@@ -174,11 +174,11 @@ TEST_CASE("sheets, rods and particles hit what is in their way", "[stepping]") {
 }
 
 TEST_CASE("what smaller steps may not help is kept and told of", "[stepping]") {
-  TestRun run(scene(0.01, block("a", origin, 30) + block("b", beside), ", max_halvings: 1"));
+  TestRun run(scene(0.01, block("a", origin, 60) + block("b", beside), ", max_halvings: 1"));
   const StepReport report = run.step();
   CHECK(report.step_size == 0.005);
   REQUIRE(run.warnings.size() >= 2);
-  CHECK(contains(run.warnings[0], "'a' went around 'b', which is in its way: 0.3"));
+  CHECK(contains(run.warnings[0], "'a' went around 'b', which is in its way: 0.6"));
   CHECK(contains(run.warnings[0], "rolled back, h halved to 0.005 s (1/2 of the step)"));
   CHECK(told(run, "m/s, and the smaller one of them is 0.1 m long; take a smaller time.step or a larger time.max_halvings") == 1);
 }
