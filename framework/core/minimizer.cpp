@@ -18,9 +18,10 @@ void Minimizer::fields(Fields& f) {
                     "(eps_v, down to 0.1 mm/s)").positive();
   f.number("force_tolerance", force_tolerance_, units::none,
            "of the residual force, as a part of the largest force of any element or contact").positive();
-  f.number("balance_tolerance", balance_tolerance_, units::none,
-           "of the force that nothing balances, as a part of the largest force of inertia, loads or elements: must "
-           "hold too when `stopping` is velocity or acceleration").positive();
+  f.optional_number("balance_tolerance", balance_tolerance_, units::none,
+                    "of the force that nothing balances, as a part of the largest force of inertia, loads or elements: must "
+                    "hold too when `stopping` is velocity or acceleration; unless given 0.01, and steps may end above it where they "
+                    "crawl (unbalanced_steps in summary.json)").positive();
   f.optional_number("force_floor", force_floor_, units::force,
                     "unbalanced force that is tolerated whatever else acts; unless given, what changes the velocity of "
                     "the heaviest vertex by `tolerance` in a step, and the round-off of elements").nonnegative();

@@ -94,7 +94,7 @@ class Minimizer : public Component {
   Stopping stopping() const { return stopping_; }
   double velocity_tolerance() const { return tolerance_.value_or(0.01); }     // m/s
   double force_tolerance() const { return force_tolerance_; }                // relative
-  double balance_tolerance() const { return balance_tolerance_; }            // relative
+  double balance_tolerance() const { return balance_tolerance_.value_or(0.01); }  // relative
   std::optional<double> force_floor() const { return force_floor_; }         // N
   double acceleration_tolerance() const { return acceleration_tolerance_; }  // m/s^2
 
@@ -103,6 +103,7 @@ class Minimizer : public Component {
 
   // What a scene that does not say gets: framework/experiment/tolerances.hpp.
   bool tolerance_given() const { return tolerance_.has_value(); }
+  bool balance_given() const { return balance_tolerance_.has_value(); }
   void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }
   void set_force_floor(double floor) { force_floor_ = floor; }
 
@@ -122,7 +123,7 @@ class Minimizer : public Component {
   Stopping stopping_ = Stopping::velocity;
   std::optional<double> tolerance_;    // m/s
   std::optional<double> force_floor_;  // N
-  double balance_tolerance_ = 0.01;
+  std::optional<double> balance_tolerance_;  // relative
   double force_tolerance_ = 1e-4;
   double acceleration_tolerance_ = 1;  // m/s^2
   std::optional<double> time_limit_;   // s

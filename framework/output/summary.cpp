@@ -96,6 +96,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"min_distance", finite(s.min_distance)},
           {"min_gap", finite(s.min_gap)},
           {"max_unbalanced_force", finite(s.max_unbalanced_force)},
+          {"unbalanced_steps", s.unbalanced_steps},
           {"max_affine_strain", finite(s.max_affine_strain)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
@@ -149,6 +150,7 @@ void RunSummary::add(const StepReport& report) {
   min_distance = std::min(min_distance, report.min_distance);
   min_gap = std::min(min_gap, report.min_gap);
   max_unbalanced_force = std::max(max_unbalanced_force, report.unbalanced_force);
+  unbalanced_steps += report.converged && report.unbalanced_force > report.tolerated_force ? 1 : 0;
   max_affine_strain = std::max(max_affine_strain, report.affine_strain);
   intersections += report.intersections;
   inverted_tets += report.inverted_tets;

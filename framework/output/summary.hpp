@@ -2,7 +2,7 @@
 //
 // Keys: name, version, commit ("-dirty" behind it if the sources are others), provenance {...} (output/provenance_json.hpp), status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
-// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], max_affine_strain, intersections,
+// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], unbalanced_steps, max_affine_strain, intersections,
 // inverted_tets, stepper {what it tells of its steps beside all that: the sum or the most}, energy {work_loads, work_script, work_rim, work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
 // dissipated_numerics, and what else terms publish, at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator, repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
 // damped_steps, refined_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
@@ -51,6 +51,7 @@ struct RunSummary {
   double min_distance = std::numeric_limits<double>::infinity();  // m
   double min_gap = std::numeric_limits<double>::infinity();       // of different objects [m]
   double max_unbalanced_force = 0;  // at the end of a step [N]
+  int unbalanced_steps = 0;         // that ended with more than is tolerated, because it crawled where nothing moved
   double max_affine_strain = 0;     // of any affine body
   int intersections = 0;
   int inverted_tets = 0;

@@ -24,6 +24,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("min_distance", s.min_distance);
   act("min_gap", s.min_gap);
   act("max_unbalanced_force", s.max_unbalanced_force);
+  act("unbalanced_steps", s.unbalanced_steps);
   act("max_affine_strain", s.max_affine_strain);
   act("intersections", s.intersections);
   act("inverted_tets", s.inverted_tets);

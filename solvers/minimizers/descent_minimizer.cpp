@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "framework/config/field.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr double steep = 0.25;  // part of the first slope that is left where going on is worth it
 constexpr double longest = 4;   // further step, in units of the way so far
 constexpr int most_further = 10;
+constexpr double least_further = 0.1;
 // A Hessian is too stiff where a step that is at least so long decreases the objective so many times as much as predicted.
 constexpr double longish = 0.3, too_much = 1.25;
 // Bent steps: of what a straight one gains, the part that it may lose to strains; the shortest; of a feasible length, what
@@ -48,8 +50,9 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   Objective& objective = problem.objective;
   objective.move_to(q);
   gradient_before_.resize(0);
-  too_stiff_ = cut_ = false;
+  too_stiff_ = cut_ = unbalanced_ = false;
   judge_.begin();
+  crawl_.begin();
   begin(problem, result);
   const TellIteration tell(problem);
   VecX p;
@@ -65,11 +68,23 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     ++result.iterations;
     if (newton_like()) result.residual = newton_norm(problem, p, result);
     const bool last = newton_like() && result.residual <= 1;
-    if (newton_like() && !last) conjugate(objective.gradient(), q, p);
+    // Directions that would end it are left as they are. Where forces did not balance after one, they are accelerated like all
+    // others, but within the tolerance: what is near its end may not be carried past what holds it.
+    accelerated_ = newton_like() && (!last || unbalanced_);
+    if (accelerated_) conjugate(problem, q, p, last);
+    room_ = last ? 1 / problem.stopping_norm(p, objective.gradient()) : std::numeric_limits<double>::infinity();
+    const VecX before = last ? q : VecX();
     const MinimizerStatus moved = advance(problem, p, q, result);
     tell(result);
     // Below the tolerance the point is accepted as it is, whether or not the last step helped, if forces balance.
     if (last && balanced(problem, result)) return end(MinimizerStatus::converged);
+    unbalanced_ = last;
+    if (!last) {
+      crawl_.begin();
+    } else if (moved == MinimizerStatus::converged && !balance_given()) {  // what a scene states is met
+      const double way = problem.stopping_norm(q - before, objective.gradient());
+      if (crawl_.crawls(way, problem.imbalance(objective.gradient()))) return end(MinimizerStatus::converged);
+    }
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
     if (moved != MinimizerStatus::converged) return end(moved);
   }
@@ -78,7 +93,9 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
 
 // p <- p + beta s, s the last step, so that p . (change of the gradient along s) = 0: the exact Hessian's curvature
 // along s, which a projection may have missed. Where the model holds, beta vanishes. Not below 0, as after a restart.
-void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
+// Within the tolerance, if that is asked for.
+void DescentMinimizer::conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within) {
+  const VecX& gradient = problem.objective.gradient();
   if (cut_) {  // what a part of a step did says little of the metric, and directions that grew would be cut again
     gradient_before_.resize(0);
     too_stiff_ = false;
@@ -87,7 +104,10 @@ void DescentMinimizer::conjugate(const VecX& gradient, const VecX& q, VecX& p) {
     const VecX s = q - q_before_, change = gradient - gradient_before_;
     const double curvature = s.dot(change), beta = curvature > 0 ? -p.dot(change) / curvature : 0;
     const bool short_enough = std::abs(beta) * s.norm() < longest * (p.norm() + s.norm());
-    if (beta > 0 && short_enough && (p + beta * s).dot(gradient) < descent * p.dot(gradient)) p += beta * s;
+    const VecX to = p + beta * s;
+    if (beta > 0 && short_enough && to.dot(gradient) < descent * p.dot(gradient) &&
+        (!within || problem.stopping_norm(to, gradient) <= 1))
+      p = to;
   }
   gradient_before_ = gradient;
   q_before_ = q;
@@ -116,7 +136,7 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
   too_stiff_ |= found.step > longish && decrease > too_much * predicted && decrease > 2 * objective.value_noise();
   cut_ = found.step < almost_whole;
   stepped(problem, {p, found.step, t_max, found.evaluations, slope, decrease});
-  if (newton_like() && result.residual > 1 && found.step == 1) extend(problem, p, slope, before, q, result);
+  if (accelerated_ && found.step == 1) extend(problem, p, slope, before, q, result);
   return MinimizerStatus::converged;
 }
 
@@ -164,6 +184,8 @@ void DescentMinimizer::extend(const MinimizerProblem& problem, const VecX& p, do
     if (!(next < steep * first_slope) || !(-change > 2 * objective.value_noise())) return;
     const double bend = (next - slope) / length;
     length = bend > 0 ? std::min(-next / bend, longest * way) : longest * way;
+    if (room_ - way < least_further) return;
+    length = std::min(length, room_ - way);
     const VecX step = length * p;
     if (problem.feasible_step(q, step) < 1) return;
     objective.move_to(q + step);

@@ -6,6 +6,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "solvers/line_search/line_search.hpp"
+#include "solvers/minimizers/balance_crawl.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
 
 namespace tack {
@@ -47,7 +48,7 @@ class DescentMinimizer : public Minimizer {
   MinimizerResult descend(const MinimizerProblem& problem, VecX& q, MinimizerResult& result);
   MinimizerStatus advance(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result);
   bool advance_bent(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result);
-  void conjugate(const VecX& gradient, const VecX& q, VecX& p);
+  void conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within);
   void extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before, VecX& q,
               MinimizerResult& result);
 
@@ -55,7 +56,11 @@ class DescentMinimizer : public Minimizer {
   VecX gradient_before_, q_before_;  // of the last iteration of this minimisation
   bool too_stiff_ = false;  // Hessians of this minimisation, since some step, and none was cut
   bool cut_ = false;        // the last step
+  bool unbalanced_ = false;  // after the last step, which was below the tolerance
+  bool accelerated_ = false;  // the present one: conjugate to the last, and prolonged
+  double room_ = 0;           // for it, in units of its direction
   ConvergenceJudge judge_;
+  BalanceCrawl crawl_;
 };
 
 }  // namespace tack

@@ -91,7 +91,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
                                          "inverted_tets", "linear_solver", "max_affine_strain",
                                          "max_contacts", "max_unbalanced_force", "min_distance", "min_gap", "name",
                                          "phases", "provenance", "status", "stepper", "steps", "threads", "totals",
-                                         "unconverged_lags", "version", "wall_seconds", "warnings"});
+                                         "unbalanced_steps", "unconverged_lags", "version", "wall_seconds", "warnings"});
   CHECK(json["expect"] == nlohmann::json::array());
   CHECK(json["min_distance"].is_null());  // nothing was ever near
 }
@@ -132,6 +132,7 @@ TEST_CASE("a summary counts the steps in") {
                                           {"broad_phase_builds", 3}}));
   CHECK(json["max_contacts"] == 9);
   CHECK(json["max_unbalanced_force"] == 9.0);
+  CHECK(json["unbalanced_steps"] == 2);  // the one that did not converge is not counted twice
   CHECK(json["min_distance"] == 0.1);
   CHECK(json["intersections"] == 3);
 }

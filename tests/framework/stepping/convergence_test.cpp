@@ -88,5 +88,5 @@ TEST_CASE("a step reports the forces that it leaves unbalanced", "[stepping]") {
   CHECK(r.unbalanced_force > 0);
   CHECK(r.unbalanced_force <= r.tolerated_force);
   TestRun loose(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e9}\n");
-  CHECK(loose.step().solve.iterations < r.solve.iterations);  // the balance is a criterion of its own
+  CHECK(loose.step().unbalanced_force > 10 * r.unbalanced_force);  // the balance is a criterion of its own
 }

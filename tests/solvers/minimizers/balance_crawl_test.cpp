@@ -1,0 +1,39 @@
+// Forces that fall are waited for, those that crawl where nothing moves are not.
+#include "solvers/minimizers/balance_crawl.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tack;
+
+namespace {
+
+// After how many of at most 100 iterations of that norm, whose imbalance falls by that factor each, it is given up; 0: never.
+int given_up(double norm, double factor) {
+  BalanceCrawl crawl;
+  double imbalance = 1e4;
+  for (int i = 1; i <= 100; ++i, imbalance *= factor)
+    if (crawl.crawls(norm, imbalance)) return i;
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("forces that halve are waited for", "[minimizers][crawl]") {
+  CHECK(given_up(1e-6, 0.5) == 0);
+  CHECK(given_up(1e-6, 0.9) == 0);  // to 0.48 within the window
+  CHECK(given_up(0.5, 1.0) == 0);   // what still moves by a tolerance is no crawl
+}
+
+TEST_CASE("forces that crawl are given up", "[minimizers][crawl]") {
+  CHECK(given_up(1e-3, 1.0) == 8);
+  CHECK(given_up(1e-3, 0.95) == 8);
+  CHECK(given_up(0.12, 1.1) == 8);
+}
+
+TEST_CASE("a step above the tolerance begins it anew", "[minimizers][crawl]") {
+  BalanceCrawl crawl;
+  for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.crawls(1e-3, 10));
+  crawl.begin();
+  for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.crawls(1e-3, 10));
+  CHECK(crawl.crawls(1e-3, 10));
+}
