@@ -110,7 +110,7 @@ const Coverage& ContactSystem::coverage() const { return narrow_phase_->coverage
 const HeldSurface& ContactSystem::held() const { return narrow_phase_->held(); }
 
 void ContactSystem::triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const {
-  broad_phase_->triangles_near(t, &inside, out);
+  broad_phase_->triangles_near(t, inside, out);
 }
 
 const RimForces& ContactSystem::rim_forces() const { return narrow_phase_->rim_forces(); }
@@ -123,10 +123,7 @@ void ContactSystem::forget() {
   contacts_ = {};
   ShareMemory shares = narrow_phase_ ? narrow_phase_->shares_before() : ShareMemory();
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);
-  narrow_phase_ = std::make_unique<NarrowPhase>(
-      surface_, pairs_, [this](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
-        broad_phase_->triangles_near(t, inside, out);
-      });
+  narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_, *broad_phase_);
   narrow_phase_->set_shares_before(std::move(shares));
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "framework/contact/triangle_division.hpp"
-#include "geometry/broad_phase/aabb.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -34,6 +33,19 @@ struct Coverage::Found {
   std::vector<Share> shares;
   std::vector<ContactSample> samples;
   CoveredParts parts{};
+};
+
+// What lies opposite some triangles.
+struct Coverage::Opposite {
+  int object;
+  Aabb reached;  // where it may be seen from
+  Found* found;  // by chunk
+};
+
+// Triangles of one object.
+struct Coverage::Chunk {
+  std::vector<Opposite> opposite;
+  int index, first, last;
 };
 
 Coverage::Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held)
@@ -97,60 +109,69 @@ void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& si
   sides.choose();
 }
 
-void Coverage::weigh_pair(int a, int b, const NearTriangles& near, const std::vector<GroupView>& views,
-                          std::vector<Found>& found) const {
+// Of a triangle that is covered at its corners.
+void Coverage::take_covered(int triangle, double reach, bool bonds, const std::array<Corner, 3>& at,
+                            const std::vector<GroupView>& views, Found& found) const {
+  double area_of_all = 0;
+  bool close_by = false;
+  for (const Corner& corner : at) {
+    const SeenPiece& piece = views[corner.view].view.pieces[corner.piece];
+    const double area = held_.area(triangle) / 3 * held_.cosine(triangle, piece.normal);
+    area_of_all += area;
+    close_by = close_by || piece.distance < reach;
+    found.shares.push_back({corner, area});
+    if (piece.distance < reach) found.parts.parts.push_back({triangle, piece.triangle, area, piece.distance});
+  }
+  if (bonds && close_by) found.parts.whole.push_back({triangle, area_of_all});
+}
+
+void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupView>& views) const {
   const CollisionMesh& mesh = surface_.mesh;
-  const double reach = 2 * pairs_.point(a, b).range;
-  const bool bonds = pairs_.point(a, b).bonds;
-  Aabb box;
-  for (int t = first_triangle_[b]; t < first_triangle_[b + 1]; ++t)
-    for (const int v : mesh.triangles[t]) box.include(Vec3(vertex(held_.x(), v)));
-  box.inflate(reach);
-  const int begin = first_triangle_[a], n = first_triangle_[a + 1] - begin;
-  found.resize(chunk_count(n));
-  for_each_chunk(n, [&](int c, int first, int last) {
-    TriangleDivision division(mesh, held_);
-    std::vector<int> close;
-    for (int t = begin + first; t < begin + last; ++t) {
-      Aabb own;
-      for (const int v : mesh.triangles[t]) own.include(Vec3(vertex(held_.x(), v)));
-      if (!own.overlaps(box)) continue;
-      const auto at = corners(views, t, b);
+  TriangleDivision division(mesh, held_);
+  std::vector<int> near, facing;
+  for (int t = chunk.first; t < chunk.last; ++t) {
+    Aabb own;
+    for (const int v : mesh.triangles[t]) own.include(Vec3(vertex(held_.x(), v)));
+    bool listed = false;
+    for (const Opposite& other : chunk.opposite) {
+      if (!own.overlaps(other.reached)) continue;
+      const PairRole& role = pairs_.point(mesh.vertex_object[mesh.triangles[t][0]], other.object);
+      const double reach = 2 * role.range;
+      Found& found = other.found[chunk.index];
+      const auto at = corners(views, t, other.object);
       if (covered(views, t, at)) {
-        double area_of_all = 0;
-        bool close_by = false;
-        for (int i = 0; i < 3; ++i) {
-          const SeenPiece& piece = views[at[i].view].view.pieces[at[i].piece];
-          const double area = held_.area(t) / 3 * held_.cosine(t, piece.normal);
-          area_of_all += area;
-          close_by = close_by || piece.distance < reach;
-          found[c].shares.push_back({at[i], area});
-          if (piece.distance < reach) found[c].parts.parts.push_back({t, piece.triangle, area, piece.distance});
-        }
-        if (bonds && close_by) found[c].parts.whole.push_back({t, area_of_all});
+        take_covered(t, reach, role.bonds, at, views, found);
         continue;
       }
-      close.clear();
-      near(mesh.triangles[t], nullptr, close);
-      std::erase_if(close, [&](int other) {
-        return mesh.vertex_object[mesh.triangles[other][0]] != b || !may_face(t, other);
-      });
-      if (!close.empty()) division.divide(t, b, reach, close, found[c].samples, found[c].parts);
+      if (!listed) {
+        near.clear();
+        broad_phase.others_near(mesh.triangles[t], near);
+        listed = true;
+      }
+      facing.clear();
+      const int end = first_triangle_[other.object + 1];
+      for (auto i = std::lower_bound(near.begin(), near.end(), first_triangle_[other.object]); i != near.end() && *i < end; ++i)
+        if (may_face(t, *i)) facing.push_back(*i);
+      if (!facing.empty()) division.divide(t, other.object, reach, facing, found.samples, found.parts);
     }
-  });
+  }
 }
 
 bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
   return pairs_.point(a, b).covered && sides.integrates(a, b);
 }
 
-std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& sides) const {
-  const int n = pairs_.objects();
-  std::vector<Aabb> boxes(n);
-  for_each(n, [&](int a) {
+std::vector<Aabb> Coverage::object_boxes() const {
+  std::vector<Aabb> boxes(pairs_.objects());
+  for_each(pairs_.objects(), [&](int a) {
     for (int t = first_triangle_[a]; t < first_triangle_[a + 1]; ++t)
       for (const int v : surface_.mesh.triangles[t]) boxes[a].include(Vec3(vertex(held_.x(), v)));
   });
+  return boxes;
+}
+
+std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& sides, const std::vector<Aabb>& boxes) const {
+  const int n = pairs_.objects();
   // From left to right, each with those that begin before it ends.
   double widest = 0;
   for (const PairLaw& law : pairs_.laws()) widest = std::max(widest, 2 * law.range());
@@ -173,17 +194,33 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
   return found;
 }
 
-void Coverage::weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views) {
+void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views) {
   samples_.clear();
   parts_.clear();
-  std::vector<std::vector<Found>> all;
-  for (const auto& [a, b] : near_objects(sides)) {
-    weigh_pair(a, b, near, views, all.emplace_back());
-    parts_.push_back({a, b, {}, {}, {}});
-    for (const Found& found : all.back()) {
-      parts_.back().parts.insert(parts_.back().parts.end(), found.parts.parts.begin(), found.parts.parts.end());
-      parts_.back().rims.insert(parts_.back().rims.end(), found.parts.rims.begin(), found.parts.rims.end());
-      parts_.back().whole.insert(parts_.back().whole.end(), found.parts.whole.begin(), found.parts.whole.end());
+  const std::vector<Aabb> boxes = object_boxes();
+  const std::vector<std::array<int, 2>> near = near_objects(sides, boxes);
+  std::vector<std::vector<Found>> all(near.size());
+  // All pairs of one object together: what is near a triangle is asked once.
+  std::vector<Chunk> chunks;
+  for (size_t first = 0, last = 0; first < near.size(); first = last) {
+    const int a = near[first][0], begin = first_triangle_[a], n = first_triangle_[a + 1] - begin;
+    std::vector<Opposite> opposite;
+    for (; last < near.size() && near[last][0] == a; ++last) {
+      const int b = near[last][1];
+      all[last].resize(chunk_count(n));
+      opposite.push_back({b, boxes[b], all[last].data()});
+      opposite.back().reached.inflate(2 * pairs_.point(a, b).range);
+    }
+    for (int c = 0; c < chunk_count(n); ++c)
+      chunks.push_back({opposite, c, begin + c * chunk_size, begin + std::min(n, (c + 1) * chunk_size)});
+  }
+  for_each(static_cast<int>(chunks.size()), [&](int i) { weigh_chunk(chunks[i], broad_phase, views); }, 1);
+  for (size_t pair = 0; pair < near.size(); ++pair) {
+    CoveredParts& parts = parts_.emplace_back(CoveredParts{near[pair][0], near[pair][1], {}, {}, {}});
+    for (const Found& found : all[pair]) {
+      parts.parts.insert(parts.parts.end(), found.parts.parts.begin(), found.parts.parts.end());
+      parts.rims.insert(parts.rims.end(), found.parts.rims.begin(), found.parts.rims.end());
+      parts.whole.insert(parts.whole.end(), found.parts.whole.begin(), found.parts.whole.end());
     }
   }
   for (GroupView& group : views)

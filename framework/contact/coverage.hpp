@@ -6,11 +6,11 @@
 // overlap, whatever the meshes, and what only comes near a rim from beside does not count.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "framework/contact/covered_parts.hpp"
 #include "framework/contact/point_pieces.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
 
 namespace tack {
 
@@ -23,10 +23,6 @@ struct ContactSample {
   double area;   // towards that [m^2]
 };
 
-// Appends the triangles that may come within the largest range of a point inside a triangle (global vertices),
-// or of any, without coordinates, before candidates are searched anew.
-using NearTriangles = std::function<void(const Triangle&, const Vec3* inside, std::vector<int>&)>;
-
 class Coverage {
  public:
   Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held);
@@ -34,7 +30,7 @@ class Coverage {
   // The area and points that each side has in covered triangles, for the pairs that choose by it.
   void capture(const std::vector<GroupView>& views, IntegrationSides& sides) const;
   // Sets the areas of the views of pairs that want it to what is covered, and makes their samples.
-  void weigh(const IntegrationSides& sides, const NearTriangles& near, std::vector<GroupView>& views);
+  void weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views);
 
   const std::vector<ContactSample>& samples() const { return samples_; }
   // What those areas are made of, of each pair that has any.
@@ -46,14 +42,18 @@ class Coverage {
     int view, piece;  // that the triangle faces most
   };
   struct Found;
+  struct Opposite;
+  struct Chunk;
   std::array<Corner, 3> corners(const std::vector<GroupView>& views, int triangle, int object) const;
   bool covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const;
   bool may_face(int triangle, int other) const;
   bool weighs(int a, int b, const IntegrationSides& sides) const;
   // Ordered pairs of objects that want weights, integrate and may be near, ascending.
-  std::vector<std::array<int, 2>> near_objects(const IntegrationSides& sides) const;
-  void weigh_pair(int a, int b, const NearTriangles& near, const std::vector<GroupView>& views,
-                  std::vector<Found>& found) const;
+  std::vector<std::array<int, 2>> near_objects(const IntegrationSides& sides, const std::vector<Aabb>& boxes) const;
+  std::vector<Aabb> object_boxes() const;
+  void weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupView>& views) const;
+  void take_covered(int triangle, double reach, bool bonds, const std::array<Corner, 3>& at, const std::vector<GroupView>& views,
+                    Found& found) const;
 
   const ContactSurface& surface_;
   const PairTable& pairs_;

@@ -164,9 +164,9 @@ void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& 
 
 }  // namespace
 
-NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, NearTriangles near)
+NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const BroadPhase& broad_phase)
     : surface_(surface), pairs_(pairs), held_(surface), sides_(pairs), coverage_(surface, pairs, held_),
-      near_(std::move(near)), rods_(surface, pairs) {}
+      broad_phase_(broad_phase), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
   const int own = surface_.mesh.vertex_object[group.point];
@@ -237,7 +237,7 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   look(candidates);
   coverage_.capture(views_, sides_);
   if (coverage_.wanted()) {
-    coverage_.weigh(sides_, near_, views_);
+    coverage_.weigh(sides_, broad_phase_, views_);
     rim_forces_.take(coverage_.parts(), pairs_, surface_.mesh, held_);
   }
   make_lists(candidates);
@@ -246,7 +246,7 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
 void NarrowPhase::make_lists(const Candidates& candidates) {
   if (!pairs_.plain_sums) rods_.find(candidates, held_);
   pieces_ = make_pieces({surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, shares_at_start_});
-  sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, near_);
+  sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
 }
 
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const {

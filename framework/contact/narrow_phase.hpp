@@ -14,8 +14,8 @@ namespace tack {
 
 class NarrowPhase {
  public:
-  // Both must outlive the narrow phase.
-  NarrowPhase(const ContactSurface& surface, const PairTable& pairs, NearTriangles near);
+  // All must outlive the narrow phase. The candidates that it is given are those of the broad phase.
+  NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const BroadPhase& broad_phase);
 
   // Takes a new list of candidates before a step is begun with it.
   void take(const Candidates& candidates);
@@ -51,7 +51,7 @@ class NarrowPhase {
   IntegrationSides sides_;
   Coverage coverage_;
   RimForces rim_forces_;
-  NearTriangles near_;
+  const BroadPhase& broad_phase_;
   std::vector<char> free_;        // per global vertex, or empty
   PointGroups groups_;
   std::vector<GroupView> views_;  // of this step, by key

@@ -14,6 +14,6 @@ struct SamplePieces {
 };
 
 SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                                const HeldSurface& held, const NearTriangles& near);
+                                const HeldSurface& held, const BroadPhase& broad_phase);
 
 }  // namespace tack

@@ -67,13 +67,15 @@ bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_
   if (builds_ > 0 && range <= range_ && edge_range <= edge_range_) changed = strayed(x, p);
   if (changed.empty()) {
     safe_boxes_ = std::move(boxes);
-    finder_.find(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, candidates_);
+    inflation_ = 0.5 * range + rounding;
+    finder_.find(safe_boxes_, inflation_, 0.5 * edge_range + rounding, candidates_);
   } else {
     for (const int v : mesh_.vertices)
       if (changed[mesh_.vertex_object[v]]) safe_boxes_[v] = boxes[v];
     range = range_;  // that of the other candidates
     edge_range = edge_range_;
-    finder_.find_again(safe_boxes_, 0.5 * range + rounding, 0.5 * edge_range + rounding, changed, candidates_);
+    inflation_ = 0.5 * range + rounding;
+    finder_.find_again(safe_boxes_, inflation_, 0.5 * edge_range + rounding, changed, candidates_);
   }
   find_clearances(mesh_, safe_boxes_, candidates_);
   tight_boxes_.clear();
@@ -151,20 +153,47 @@ bool BroadPhase::covers(const VecX& x) const {
   return all_of(mesh_.vertices, [&](int v) { return safe_boxes_[v].contains(vertex(x, v)); });
 }
 
-void BroadPhase::triangles_near(const Triangle& triangle, const Vec3* inside, std::vector<int>& out) const {
+Aabb BroadPhase::box_of(const Triangle& triangle) const {
   Aabb box;
-  if (inside) box.lo = box.hi = Vec3::Zero();
+  for (const int v : triangle) box.include(safe_boxes_[v]);
+  return box;
+}
+
+Aabb BroadPhase::box_of(const Triangle& triangle, const Vec3& inside) const {
+  Aabb box;
+  box.lo = box.hi = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
-    const Aabb& corner = safe_boxes_[triangle[i]];
-    if (inside) {
-      box.lo += (*inside)[i] * corner.lo;
-      box.hi += (*inside)[i] * corner.hi;
-    } else {
-      box.include(corner);
-    }
+    box.lo += inside[i] * safe_boxes_[triangle[i]].lo;
+    box.hi += inside[i] * safe_boxes_[triangle[i]].hi;
   }
+  return box;
+}
+
+// Half of the range, and rounding.
+void BroadPhase::reach_out(Aabb& box) const {
   box.inflate(0.5 * range_ + 4.0 * std::numeric_limits<double>::epsilon() * (box.hi.cwiseAbs().maxCoeff() + range_));
-  finder_.triangles_in(box, out);
+}
+
+void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::vector<int>& out) const {
+  Aabb box = box_of(triangle, inside);
+  reach_out(box);
+  finder_.triangles_in(box, -1, out);
+}
+
+void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const {
+  Aabb box = box_of(triangle, inside);
+  reach_out(box);
+  for (const int t : among) {
+    Aabb other = box_of(mesh_.triangles[t]);
+    other.inflate(inflation_);
+    if (other.overlaps(box)) out.push_back(t);
+  }
+}
+
+void BroadPhase::others_near(const Triangle& triangle, std::vector<int>& out) const {
+  Aabb box = box_of(triangle);
+  reach_out(box);
+  finder_.triangles_in(box, mesh_.vertex_object[triangle[0]], out);
 }
 
 void BroadPhase::check(const VecX& x, const VecX& p, double range, double skin) const {

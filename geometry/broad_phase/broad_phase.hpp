@@ -14,6 +14,7 @@
 // boxes, and found anew where vertices have come to rest far from there.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/broad_phase/candidate_finder.hpp"
@@ -43,9 +44,12 @@ class BroadPhase {
 
   const Candidates& candidates() const { return candidates_; }
   // Appends the triangles that may come within range of a point inside the triangle of these vertices (global),
-  // given by its barycentric coordinates, or of any of its points, while vertices stay in their safe boxes;
-  // ascending.
-  void triangles_near(const Triangle& triangle, const Vec3* inside, std::vector<int>& out) const;
+  // given by its barycentric coordinates, while vertices stay in their safe boxes; ascending.
+  void triangles_near(const Triangle& triangle, const Vec3& inside, std::vector<int>& out) const;
+  // The same among these.
+  void triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const;
+  // The same of any of its points, without those of its own object.
+  void others_near(const Triangle& triangle, std::vector<int>& out) const;
   // The number of full candidate builds so far.
   int builds() const { return builds_; }
 
@@ -53,6 +57,9 @@ class BroadPhase {
   void check(const VecX& x, const VecX& p, double range, double skin) const;
   std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double inflation) const;
   bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
+  Aabb box_of(const Triangle& triangle) const;
+  Aabb box_of(const Triangle& triangle, const Vec3& inside) const;
+  void reach_out(Aabb& box) const;
   void renew_distances(const VecX& x, const VecX& p, double range);
   bool renew_clearances(const VecX& x, const VecX& p, double skin);
   std::vector<char> strayed(const VecX& x, const VecX& p) const;
@@ -65,6 +72,7 @@ class BroadPhase {
   int served_ = 0;     // updates since clearances were found
   int patience_ = 16;  // updates before boxes are tightened
   double range_ = 0.0, edge_range_ = 0.0;
+  double inflation_ = 0.0;  // of primitives' boxes
   int builds_ = 0;
   bool dissolved_ = false;
 };

@@ -104,12 +104,14 @@ void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, double infla
                 candidates.point_point);
 }
 
-void CandidateFinder::triangles_in(const Aabb& box, std::vector<int>& out) const {
+void CandidateFinder::triangles_in(const Aabb& box, int without, std::vector<int>& out) const {
   if (triangles_.tree.size() == 0) return;
   const size_t before = out.size();
   detail::visit_groups(triangles_.tree, box, false, -1, [&](int group) {
-    for (unsigned lanes = triangles_.tree.boxes(0, group).overlap_mask(box); lanes != 0; lanes &= lanes - 1)
-      out.push_back(triangles_.ids[triangles_.tree.primitives(group)[std::countr_zero(lanes)]]);
+    for (unsigned lanes = triangles_.tree.boxes(0, group).overlap_mask(box); lanes != 0; lanes &= lanes - 1) {
+      const int i = triangles_.tree.primitives(group)[std::countr_zero(lanes)];
+      if (triangles_.objects[i] != without) out.push_back(triangles_.ids[i]);
+    }
   });
   std::sort(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());
 }

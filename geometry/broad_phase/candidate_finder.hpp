@@ -24,8 +24,8 @@ class CandidateFinder {
   // Whether pairs of one rigid group are searched too.
   void dissolve_groups(bool dissolved) { dissolved_ = dissolved; }
 
-  // Appends the triangles whose boxes overlap this one, by the boxes of the last search; ascending.
-  void triangles_in(const Aabb& box, std::vector<int>& out) const;
+  // Appends the triangles, but those of one object (-1: of all), whose boxes overlap this one, by the boxes of the last search; ascending.
+  void triangles_in(const Aabb& box, int without, std::vector<int>& out) const;
 
  private:
   void search(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,

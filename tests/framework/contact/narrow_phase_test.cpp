@@ -44,10 +44,7 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
     const ContactSystem& system = *scene.world->contact;
     RandomMotions random(23);
     BroadPhase broad_phase(system.surface().mesh, system.colliding());
-    const NearTriangles near = [&](const Triangle& t, const Vec3* inside, std::vector<int>& out) {
-      broad_phase.triangles_near(t, inside, out);
-    };
-    NarrowPhase culled(system.surface(), system.pairs(), near), whole(system.surface(), system.pairs(), near);
+    NarrowPhase culled(system.surface(), system.pairs(), broad_phase), whole(system.surface(), system.pairs(), broad_phase);
     const double range = system.range(), skin = range;
     size_t contacts = 0, known = 0;
     VecX x = scene.world->rest;
