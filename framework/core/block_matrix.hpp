@@ -15,6 +15,7 @@ struct BlockMatrix {
   std::vector<int> row;           // block row of each block, >= its column
   std::vector<double> values;     // 9 per block, column major
   std::uint64_t version = 0;      // changes when column_start or row do
+  VecX place;                     // of each block column: where what it moves is [m]; may be empty
   std::vector<int> part;          // of each block column, from 0: columns that lasting stencils connect; may be empty
 
   int columns() const { return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1; }

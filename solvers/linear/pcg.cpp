@@ -8,6 +8,7 @@
 #include "solvers/linear/conjugate_gradients.hpp"
 #include "solvers/linear/part_translations.hpp"
 #include "solvers/linear/preconditioner.hpp"
+#include "solvers/linear/rigid_motions.hpp"
 
 namespace tack {
 
@@ -19,6 +20,9 @@ class Pcg : public LinearSolver {
              "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
     f.flag("translations", with_translations_,
            "let the preconditioner know the translations of whole bodies: what moves a body is then solved as well as the rest");
+    f.flag("rigid_motions", with_rigid_motions_,
+           "in systems of 5000 vertices and more, let it know the rigid motions of pieces of bodies as well: then the number of iterations "
+           "hardly grows with the mesh");
     f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
         .at_least(1);
     f.flag("truncate", truncate_,
@@ -31,7 +35,8 @@ class Pcg : public LinearSolver {
     clock.count_factorization();
     matrix_ = &matrix;
     if (!preconditioner_->update(matrix, clock.deadline())) return false;
-    if (with_translations_) translations_.update(matrix);
+    moved_rigidly_ = with_rigid_motions_ && matrix.columns() >= many && rigid_motions_.update(matrix);
+    if (with_translations_ && !moved_rigidly_) translations_.update(matrix);
     return true;
   }
 
@@ -51,7 +56,8 @@ class Pcg : public LinearSolver {
   struct Apply {
     void operator()(const VecX& r, VecX& z) const {
       pcg.preconditioner_->apply(r, z);
-      if (pcg.with_translations_) pcg.translations_.add(r, z);
+      if (pcg.moved_rigidly_) pcg.rigid_motions_.add(r, z);
+      else if (pcg.with_translations_) pcg.translations_.add(r, z);
     }
     Pcg& pcg;
   };
@@ -60,8 +66,11 @@ class Pcg : public LinearSolver {
   double tolerance_ = 1e-2;
   int max_iterations_ = 1000;
   bool truncate_ = false;
-  bool with_translations_ = true;
+  bool with_translations_ = true, with_rigid_motions_ = true;
+  static constexpr int many = 5000;  // vertices: iterations of fewer are few, or a factor is cheap
   PartTranslations translations_;
+  RigidMotions rigid_motions_;
+  bool moved_rigidly_ = false;  // the present system: what is added are rigid motions
 
   const BlockMatrix* matrix_ = nullptr;
   ConjugateGradients cg_;

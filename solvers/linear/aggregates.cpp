@@ -1,0 +1,94 @@
+#include "solvers/linear/aggregates.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace tack {
+namespace {
+
+constexpr int smallest_part = 24;   // vertices: incomplete factors solve what is smaller nearly as well as a whole one
+constexpr int flat_size = 20;       // vertices of a piece of a sheet or a rod,
+constexpr int flat_pieces = 2000;   // in systems of up to 20 times as many: at most so many pieces of that kind
+constexpr int solid_size = 250;     // vertices of a piece of a solid,
+constexpr int solid_pieces = 400;   // and so on: the factor of the pieces' motions grows faster than the system
+constexpr int fragment = 3;         // a piece that has come out so many times too small joins a neighbour
+constexpr double flat = 0.02;       // square of the thickness over that of the width
+
+// The couplings within parts, both ways.
+struct Neighbours {
+  explicit Neighbours(const BlockMatrix& matrix) : start(matrix.columns() + 1, 0) {
+    const auto for_each_pair = [&](const auto& body) {
+      for (int c = 0; c < matrix.columns(); ++c)
+        for (int k = matrix.column_start[c] + 1; k < matrix.column_start[c + 1]; ++k)
+          if (matrix.part[matrix.row[k]] == matrix.part[c]) body(matrix.row[k], c);
+    };
+    for_each_pair([&](int r, int c) { ++start[r + 1], ++start[c + 1]; });
+    for (int c = 0; c < matrix.columns(); ++c) start[c + 1] += start[c];
+    of.resize(start.back());
+    auto next = start;
+    for_each_pair([&](int r, int c) { of[next[r]++] = c, of[next[c]++] = r; });
+  }
+  std::vector<int> start, of;
+};
+
+bool is_flat(const BlockMatrix& matrix, const std::vector<int>& columns) {
+  Vec3 centre = Vec3::Zero();
+  for (const int c : columns) centre += matrix.place.segment<3>(3 * c) / static_cast<double>(columns.size());
+  Mat3 spread = Mat3::Zero();
+  for (const int c : columns) {
+    const Vec3 arm = matrix.place.segment<3>(3 * c) - centre;
+    spread += arm * arm.transpose();
+  }
+  const Vec3 squares = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return !(squares(0) > flat * squares(2));
+}
+
+}  // namespace
+
+void Aggregates::build(const BlockMatrix& matrix) {
+  const int n = matrix.columns();
+  const Neighbours neighbours(matrix);
+  std::vector<int> part_size(n > 0 ? *std::max_element(matrix.part.begin(), matrix.part.end()) + 1 : 0, 0);
+  for (const int part : matrix.part) ++part_size[part];
+  const size_t flat_limit = std::max(flat_size, n / flat_pieces), solid_limit = std::max(solid_size, n / solid_pieces);
+
+  of.assign(n, -1);
+  std::vector<int> size, piece;
+  for (int seed = 0; seed < n; ++seed) {
+    if (of[seed] >= 0 || part_size[matrix.part[seed]] < smallest_part) continue;
+    const int number = static_cast<int>(size.size());
+    piece.assign(1, seed);
+    of[seed] = number;
+    size_t limit = flat_limit;
+    for (size_t i = 0; i < piece.size(); ++i) {
+      for (int k = neighbours.start[piece[i]]; k < neighbours.start[piece[i] + 1]; ++k) {
+        if (of[neighbours.of[k]] >= 0 || piece.size() >= limit) continue;
+        of[neighbours.of[k]] = number;
+        piece.push_back(neighbours.of[k]);
+        if (piece.size() == flat_limit && !is_flat(matrix, piece)) limit = solid_limit;
+      }
+    }
+    int other = -1;
+    if (fragment * piece.size() < limit) {
+      for (const int c : piece)
+        for (int k = neighbours.start[c]; k < neighbours.start[c + 1]; ++k)
+          if (const int at = of[neighbours.of[k]]; at >= 0 && at != number && (other < 0 || size[at] < size[other])) other = at;
+    }
+    if (other < 0) {
+      size.push_back(static_cast<int>(piece.size()));
+    } else {
+      for (const int c : piece) of[c] = other;
+      size[other] += static_cast<int>(piece.size());
+    }
+  }
+
+  start.assign(size.size() + 1, 0);
+  for (size_t a = 0; a < size.size(); ++a) start[a + 1] = start[a] + size[a];
+  column.resize(start.back());
+  auto next = start;
+  for (int c = 0; c < n; ++c)
+    if (of[c] >= 0) column[next[of[c]]++] = c;
+}
+
+}  // namespace tack

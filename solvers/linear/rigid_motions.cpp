@@ -1,0 +1,188 @@
+#include "solvers/linear/rigid_motions.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double slender = 1e-4;  // of the largest moment of inertia of a piece: rotations about axes of less are left out
+constexpr double shift = 1e-12;   // of the diagonal: keeps the factor of what is free to move from breaking down by rounding
+
+// v x, as a matrix.
+Mat3 cross_matrix(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v(2), v(1), v(2), 0, -v(0), -v(1), v(0), 0;
+  return m;
+}
+
+// Six columns, from one that holds translations and one that holds rotations.
+template <class Left, class Right>
+Eigen::Matrix<double, Left::RowsAtCompileTime, 6> beside(const Left& left, const Right& right) {
+  Eigen::Matrix<double, Left::RowsAtCompileTime, 6> both;
+  both << left, right;
+  return both;
+}
+
+}  // namespace
+
+bool RigidMotions::update(const BlockMatrix& matrix) {
+  const size_t n = matrix.columns();
+  if (matrix.part.size() != n || static_cast<size_t>(matrix.place.size()) != 3 * n) return false;
+  const bool cut = part_ != matrix.part;
+  if (cut) {
+    pieces_.build(matrix);
+    part_ = matrix.part;
+  }
+  if (pieces_.count() == 0) return false;
+  if (cut || matrix.version != version_) index(matrix);
+  find_frames(matrix);
+  for_each(pieces_.count(), [&](int a) { sum_columns(matrix, a); }, 1);
+  return factorize();
+}
+
+// Which blocks go into which sums, and the pattern of Z^T A Z.
+void RigidMotions::index(const BlockMatrix& matrix) {
+  version_ = matrix.version;
+  const int count = pieces_.count();
+  std::vector<std::vector<int>> rows(count);  // pieces that are coupled to each: few
+  for (int a = 0; a < count; ++a) rows[a].push_back(a);
+  const auto for_each_coupling = [&](const auto& body) {
+    for (int c = 0; c < matrix.columns(); ++c)
+      for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k)
+        if (const int a = pieces_.of[c], b = pieces_.of[matrix.row[k]]; a >= 0 && b >= 0) body(k, a, b);
+  };
+  for_each_coupling([&](int, int a, int b) {
+    if (a == b || std::find(rows[a].begin(), rows[a].end(), b) != rows[a].end()) return;
+    rows[a].push_back(b);
+    rows[b].push_back(a);
+  });
+  sum_start_.assign(1, 0);
+  sums_.clear();
+  for (std::vector<int>& of_piece : rows) {
+    std::sort(of_piece.begin(), of_piece.end());
+    for (const int b : of_piece) sums_.push_back({b, -1, Mat6::Zero()});
+    sum_start_.push_back(static_cast<int>(sums_.size()));
+  }
+  const auto find = [&](int a, int b) {
+    return sum_start_[a] + static_cast<int>(std::lower_bound(rows[a].begin(), rows[a].end(), b) - rows[a].begin());
+  };
+  for (int a = 0; a < count; ++a)
+    for (int s = sum_start_[a]; s < sum_start_[a + 1]; ++s) sums_[s].mirror = find(sums_[s].row, a);
+  sum_of_.assign(matrix.row.size(), -1);
+  for_each_coupling([&](int k, int a, int b) { sum_of_[k] = find(a, b); });
+
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int a = 0; a < count; ++a)
+    for (int s = find(a, a); s < sum_start_[a + 1]; ++s)
+      for (int j = 0; j < 6; ++j)
+        for (int i = sums_[s].row == a ? j : 0; i < 6; ++i) entries.emplace_back(6 * sums_[s].row + i, 6 * a + j, 1.0);
+  coarse_.resize(6 * count, 6 * count);
+  coarse_.setFromTriplets(entries.begin(), entries.end());
+  factor_.analyzePattern(coarse_);
+}
+
+void RigidMotions::find_frames(const BlockMatrix& matrix) {
+  rotations_.resize(pieces_.count());
+  arms_.setZero(3, matrix.columns());
+  for_each(pieces_.count(), [&](int a) {
+    const int first = pieces_.start[a], last = pieces_.start[a + 1];
+    Vec3 centre = Vec3::Zero();
+    for (int i = first; i < last; ++i) centre += matrix.place.segment<3>(3 * pieces_.column[i]);
+    centre /= last - first;
+    Mat3 inertia = Mat3::Zero();
+    for (int i = first; i < last; ++i) {
+      const Vec3 arm = matrix.place.segment<3>(3 * pieces_.column[i]) - centre;
+      arms_.col(pieces_.column[i]) = arm;
+      inertia += arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia / (last - first));
+    const Vec3 squares = axes.eigenvalues();
+    for (int j = 0; j < 3; ++j)
+      rotations_[a].col(j) = squares(j) > slender * squares(2) ? Vec3(axes.eigenvectors().col(j) / std::sqrt(squares(j))) : Vec3::Zero();
+  }, 8);
+}
+
+// Blocks on one side of the diagonal alone, half of those on it: coarse_ adds the mirror image.
+void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
+  const int begin = sum_start_[piece], end = sum_start_[piece + 1];
+  for (int s = begin; s < end; ++s) sums_[s].value.setZero();
+  struct Product {  // of transposed motions of rows with blocks of one column
+    Mat3 force, moment;
+  };
+  std::vector<Product> products(end - begin, {Mat3::Zero(), Mat3::Zero()});
+  std::vector<int> touched;
+  for (int i = pieces_.start[piece]; i < pieces_.start[piece + 1]; ++i) {
+    const int c = pieces_.column[i];
+    touched.clear();
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      if (sum_of_[k] < 0) continue;
+      const int s = sum_of_[k] - begin, r = matrix.row[k];
+      if (std::find(touched.begin(), touched.end(), s) == touched.end()) {
+        touched.push_back(s);
+        products[s] = {Mat3::Zero(), Mat3::Zero()};
+      }
+      const Mat3 block = (r == c ? 0.5 : 1.0) * matrix.block(k);
+      products[s].force += block;
+      for (int j = 0; j < 3; ++j) products[s].moment.col(j) += arms_.col(r).cross(block.col(j));
+    }
+    const Mat3 turned = -cross_matrix(arms_.col(c));
+    for (const int s : touched) {
+      Mat6& value = sums_[begin + s].value;
+      value.topRows<3>() += beside(products[s].force, products[s].force * turned);
+      value.bottomRows<3>() += beside(products[s].moment, products[s].moment * turned);
+    }
+  }
+  for (int s = begin; s < end; ++s) {
+    Mat6& value = sums_[s].value;
+    value.bottomRows<3>() = (rotations_[sums_[s].row].transpose() * value.bottomRows<3>()).eval();
+    value.rightCols<3>() = (value.rightCols<3>() * rotations_[piece]).eval();
+  }
+}
+
+bool RigidMotions::factorize() {
+  for_each(pieces_.count(), [&](int a) {
+    const int own = static_cast<int>(std::lower_bound(sums_.begin() + sum_start_[a], sums_.begin() + sum_start_[a + 1], a,
+                                                      [](const Sum& s, int piece) { return s.row < piece; }) - sums_.begin());
+    for (int j = 0; j < 6; ++j) {
+      double* to = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a + j];
+      for (int s = own; s < sum_start_[a + 1]; ++s) {
+        const Mat6& value = sums_[s].value;
+        const Mat6& mirrored = sums_[sums_[s].mirror].value;
+        for (int i = s == own ? j : 0; i < 6; ++i) *to++ = value(i, j) + mirrored(j, i);
+      }
+      double& diagonal = coarse_.valuePtr()[coarse_.outerIndexPtr()[6 * a + j]];
+      diagonal = diagonal == 0 ? 1 : (1 + shift) * diagonal;  // a rotation that was left out
+    }
+  }, 8);
+  factor_.factorize(coarse_);
+  return factor_.info() == Eigen::Success;
+}
+
+void RigidMotions::add(const VecX& r, VecX& z) {
+  moments_.resize(6 * static_cast<Eigen::Index>(pieces_.count()));
+  for_each(pieces_.count(), [&](int a) {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    for (int i = pieces_.start[a]; i < pieces_.start[a + 1]; ++i) {
+      const int c = pieces_.column[i];
+      const Vec3 at = r.segment<3>(3 * c);
+      force += at;
+      moment += arms_.col(c).cross(at);
+    }
+    moments_.segment<6>(6 * a) << force, rotations_[a].transpose() * moment;
+  }, 8);
+  moments_ = factor_.solve(moments_).eval();
+  for_each(pieces_.count(), [&](int a) {
+    const Vec3 shift = moments_.segment<3>(6 * a), turn = rotations_[a] * moments_.segment<3>(6 * a + 3);
+    for (int i = pieces_.start[a]; i < pieces_.start[a + 1]; ++i) {
+      const int c = pieces_.column[i];
+      z.segment<3>(3 * c) += shift + turn.cross(Vec3(arms_.col(c)));
+    }
+  }, 8);
+}
+
+}  // namespace tack
