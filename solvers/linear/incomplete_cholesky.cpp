@@ -1,7 +1,7 @@
 // Incomplete Cholesky factorisation without fill, IC(0), on 3x3 blocks (Meijerink and van der Vorst
 // 1977), domains side by side and then what separates them. Where a pivot turns indefinite, it starts
-// again with a larger multiple of the diagonal blocks added (Manteuffel 1980). The factor is stored in
-// single precision: applying it takes as long as reading it.
+// again with a larger multiple of the diagonal blocks added (Manteuffel 1980); large systems begin with the multiple that the
+// last one ended with. The factor is stored in single precision: applying it takes as long as reading it.
 #include <Eigen/Cholesky>
 
 #include <atomic>
@@ -28,9 +28,16 @@ class IncompleteCholesky : public Preconditioner {
       lower_.resize(matrix.values.size() + 1);
       upper_.resize(matrix.values.size() + 1);
     }
-    for (double shift = 0; shift < largest_shift; shift = std::max(4 * shift, smallest_shift))
+    const bool as_before = rows_.size() >= many && rows_.size() == kept_size_;
+    const int systems = as_before ? systems_ + 1 : 0;
+    const double kept = as_before ? kept_shift_ : 0, first = systems % systems_per_look > 0 ? kept : kept / larger;
+    kept_size_ = 0;  // unless this one is made: time may run out
+    for (double shift = first < smallest_shift ? 0 : first; shift < largest_shift; shift = std::max(larger * shift, smallest_shift))
       if (factorize(matrix, shift, deadline)) {
         for_each(rows_.size(), [&](int i) { round(i); }, 512);
+        kept_size_ = rows_.size();
+        kept_shift_ = shift;
+        systems_ = systems;
         return true;
       }
     return false;
@@ -151,11 +158,16 @@ class IncompleteCholesky : public Preconditioner {
 
   static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix
   static constexpr int rows_per_look = 64;  // at the deadline
-  static constexpr double smallest_shift = 1e-3, largest_shift = 1e3;
+  static constexpr double smallest_shift = 1e-3, largest_shift = 1e3, larger = 4;
+  static constexpr int many = 5000;          // vertices of a system that is worth remembering a shift for
+  static constexpr int systems_per_look = 8;  // whether a smaller shift would do
 
   int domain_ = 2000;
   DomainRows rows_;
   std::uint64_t version_ = 0;
+  int kept_size_ = 0;      // of the last system; 0: it was not made
+  double kept_shift_ = 0;  // of it
+  int systems_ = 0;        // of that size, one after the other
   std::vector<double> exact_;         // blocks of L, by rows
   std::vector<float> lower_, upper_;  // blocks of L and of L^T, by rows
   VecX x_;                            // by rows
