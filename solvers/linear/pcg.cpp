@@ -21,8 +21,8 @@ class Pcg : public LinearSolver {
     f.flag("translations", with_translations_,
            "let the preconditioner know the translations of whole bodies: what moves a body is then solved as well as the rest");
     f.flag("rigid_motions", with_rigid_motions_,
-           "in systems of 5000 vertices and more, let it know the rigid motions of pieces of bodies as well: then the number of iterations "
-           "hardly grows with the mesh");
+           "in systems of 5000 vertices and more that take more than a few iterations, let it know the rigid motions of pieces of bodies as "
+           "well: then the number of iterations hardly grows with the mesh");
     f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
         .at_least(1);
     f.flag("truncate", truncate_,
@@ -35,12 +35,18 @@ class Pcg : public LinearSolver {
     clock.count_factorization();
     matrix_ = &matrix;
     if (!preconditioner_->update(matrix, clock.deadline())) return false;
-    moved_rigidly_ = with_rigid_motions_ && matrix.columns() >= many && rigid_motions_.update(matrix);
+    if (matrix.columns() != columns_) easy_ = 0;
+    columns_ = matrix.columns();
+    moved_rigidly_ = with_rigid_motions_ && columns_ >= many && easy_ < in_a_row && rigid_motions_.update(matrix);
     if (with_translations_ && !moved_rigidly_) translations_.update(matrix);
     return true;
   }
 
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override { correct(b, x, tolerance_, clock); }
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+    correct(b, x, tolerance_, clock);
+    if (moved_rigidly_) easy_ = cg_.iterations() <= few ? easy_ + 1 : 0;
+    else if (cg_.iterations() > too_many) easy_ = 0;
+  }
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     using Outcome = ConjugateGradients::Outcome;
     const Outcome outcome = cg_.solve(*matrix_, b, x, {relative, max_iterations_}, clock, Apply{*this});
@@ -69,6 +75,9 @@ class Pcg : public LinearSolver {
   bool with_translations_ = true, with_rigid_motions_ = true;
   static constexpr int many = 5000;  // vertices: iterations of fewer are few, or a factor is cheap
   PartTranslations translations_;
+  static constexpr int few = 4, in_a_row = 4;  // iterations, of systems: rigid motions cost as much as they save
+  static constexpr int too_many = 10;          // iterations without them
+  int columns_ = 0, easy_ = 0;                 // of the last systems
   RigidMotions rigid_motions_;
   bool moved_rigidly_ = false;  // the present system: what is added are rigid motions
 

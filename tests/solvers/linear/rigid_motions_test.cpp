@@ -148,6 +148,30 @@ TEST_CASE("with rigid motions conjugate gradients take a fraction of the iterati
   }
 }
 
+TEST_CASE("rigid motions are left out while systems are easy", "[linear]") {
+  const BlockMatrix easy = solid_sheet_and_rod(1e5), hard = solid_sheet_and_rod();
+  RandomMotions random(7);
+  const VecX b = random.vectors(easy.size());
+  const std::string pcg = "{type: pcg, preconditioner: block_jacobi, tolerance: 1e-3, max_iterations: 20000";
+  const Solved with_easy = solve(pcg + "}", easy, b), without_easy = solve(pcg + ", rigid_motions: false}", easy, b);
+  const Solved with_hard = solve(pcg + "}", hard, b), without_hard = solve(pcg + ", rigid_motions: false}", hard, b);
+  REQUIRE(with_easy.iterations <= 4);
+  REQUIRE(without_hard.iterations > 10);
+  REQUIRE((with_easy.x != without_easy.x));
+  const auto solver = component<LinearSolver>(pcg + "}");
+  PhaseClock clock;
+  const auto next = [&](const BlockMatrix& matrix) {
+    VecX x;
+    REQUIRE(solver->factorize(matrix, clock));
+    solver->solve(b, x, clock);
+    return x;
+  };
+  for (int i = 0; i < 4; ++i) CHECK((next(easy) == with_easy.x));
+  for (int i = 0; i < 3; ++i) CHECK((next(easy) == without_easy.x));
+  CHECK((next(hard) == without_hard.x));
+  for (int i = 0; i < 6; ++i) CHECK((next(hard) == with_hard.x));
+}
+
 TEST_CASE("many bodies that nothing connects are solved in a few iterations", "[linear]") {
   std::vector<SpringLattice> bodies;
   for (int i = 0; i < 100; ++i) bodies.push_back({{4, 4, 4}, std::pow(10.0, i % 7 - 3), 1e-6, Vec3(10 * i, 0, 0)});
