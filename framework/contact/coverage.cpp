@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
 
 #include "framework/contact/triangle_division.hpp"
-#include "geometry/distance/triangle_triangle.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -16,10 +13,6 @@ namespace {
 // surface ends, too, and the rim can uncover nothing else: plates of one size that contract a little differently would be
 // divided all along their rims.
 constexpr double on_the_rim = 1e-6, on_both_rims = 1e-3;
-// Triangles larger than the reach give their area to their corners where the gap changes by no more than this part of the range from one to
-// another, and all that they face is parallel to them.
-constexpr double even = 0.25, parallel = 0.999;
-constexpr double accuracy = 1e-9;  // of distances, relative: far above rounding
 
 // By key; -1: none.
 int find_view(const std::vector<GroupView>& views, int point, int object) {
@@ -40,15 +33,6 @@ struct Coverage::Found {
   std::vector<Share> shares;
   std::vector<ContactSample> samples;
   CoveredParts parts{};
-  std::vector<Waiting> waiting;
-  std::vector<int> around;  // what those that wait refer to
-
-  // All or cells of a triangle.
-  void wait(int triangle, int object, int depth, const std::vector<int>& near, const std::vector<TriangleDivision::Left>& left) {
-    const int begin = static_cast<int>(around.size());
-    around.insert(around.end(), near.begin(), near.end());
-    for (const auto& [cell, away] : left) waiting.push_back({triangle, object, depth, cell, begin, static_cast<int>(around.size()), away});
-  }
 };
 
 // What lies opposite some triangles.
@@ -141,17 +125,10 @@ void Coverage::take_covered(int triangle, double reach, bool bonds, const std::a
   if (bonds && close_by) found.parts.whole.push_back({triangle, area_of_all});
 }
 
-// Of a triangle that is covered at its corners.
-bool Coverage::even_gap(const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) {
-  const auto gap = [&](const Corner& corner) { return views[corner.view].view.pieces[corner.piece].distance; };
-  const auto [low, high] = std::minmax({gap(at[0]), gap(at[1]), gap(at[2])});
-  return low >= 2 * range || high - low <= even * range;
-}
-
 void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupView>& views) const {
   const CollisionMesh& mesh = surface_.mesh;
   TriangleDivision division(mesh, held_);
-  std::vector<int> near;
+  std::vector<int> near, facing;
   for (int t = chunk.first; t < chunk.last; ++t) {
     Aabb own;
     for (const int v : mesh.triangles[t]) own.include(Vec3(vertex(held_.x(), v)));
@@ -162,8 +139,7 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
       const double reach = 2 * role.range;
       Found& found = other.found[chunk.index];
       const auto at = corners(views, t, other.object);
-      const bool whole = covered(views, t, at), small = 2 * held_.area(t) <= reach * reach;
-      if (whole && (small || role.bonds)) {
+      if (covered(views, t, at)) {
         take_covered(t, reach, role.bonds, at, views, found);
         continue;
       }
@@ -172,158 +148,13 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
         broad_phase.others_near(mesh.triangles[t], near);
         listed = true;
       }
-      const Around around = find_around(t, other.object, near);
-      if (whole && even_gap(at, views, role.range) && around.parallel) take_covered(t, reach, role.bonds, at, views, found);
-      else if (around.faced) divide_or_wait(t, other.object, around, division, found);
+      facing.clear();
+      const int end = first_triangle_[other.object + 1];
+      for (auto i = std::lower_bound(near.begin(), near.end(), first_triangle_[other.object]); i != near.end() && *i < end; ++i)
+        if (may_face(t, *i)) facing.push_back(*i);
+      if (!facing.empty()) division.divide(t, other.object, reach, facing, found.samples, found.parts);
     }
   }
-}
-
-std::vector<int> Coverage::facing(int triangle, std::span<const int> others) const {
-  std::vector<int> found;
-  std::copy_if(others.begin(), others.end(), std::back_inserter(found), [&](int other) { return may_face(triangle, other); });
-  return found;
-}
-
-// near: triangles of any object, ascending.
-Coverage::Around Coverage::find_around(int triangle, int object, const std::vector<int>& near) const {
-  const CollisionMesh& mesh = surface_.mesh;
-  const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).range;
-  Around around{{}, 2 * range, true, false};
-  const auto first = std::lower_bound(near.begin(), near.end(), first_triangle_[object]);
-  const auto last = std::lower_bound(first, near.end(), first_triangle_[object + 1]);
-  if (std::none_of(first, last, [&](int t) { return may_face(triangle, t); })) return around;
-  const std::array<Vec3, 3> own = tack::corners(held_.x(), mesh.triangles[triangle]);
-  for (auto i = first; i != last; ++i) {
-    const double apart = (1 - accuracy) * triangles_apart(own, tack::corners(held_.x(), mesh.triangles[*i]), range);
-    if (apart >= 2 * range) continue;
-    around.nearest = std::min(around.nearest, apart);
-    around.triangles.push_back(*i);
-    if (!may_face(triangle, *i)) continue;
-    around.faced = true;
-    around.parallel = around.parallel && held_.cosine(triangle, held_.normal(*i)) > parallel;
-  }
-  return around;
-}
-
-void Coverage::divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const {
-  const PairRole& role = pairs_.point(surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]], object);
-  // Samples are no larger than the reach, as what they stand for has about one gap; where it varies, than the range.
-  const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.range : role.range);
-  if (around.nearest > role.range && !role.bonds) return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.range}});
-  std::vector<TriangleDivision::Left> left;
-  division.divide(triangle, object, role.range, depth, facing(triangle, around.triangles),
-                  role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
-  if (!left.empty()) found.wait(triangle, object, depth, around.triangles, left);
-}
-
-// around: what `some` refers to.
-void Coverage::add_waiting(int a, int b, std::span<const Waiting> some, const std::vector<int>& around) {
-  if (some.empty()) return;
-  WaitingPair& pair = waiting_pairs_.emplace_back(WaitingPair{a, b, static_cast<int>(waiting_.size()), 0, std::numeric_limits<double>::infinity()});
-  const int low = some.front().begin, high = some.back().end, shift = static_cast<int>(around_.size()) - low;
-  around_.insert(around_.end(), around.begin() + low, around.begin() + high);
-  for (Waiting w : some) {
-    w.begin += shift;
-    w.end += shift;
-    waiting_.push_back(w);
-    pair.away = std::min(pair.away, w.away);
-  }
-  pair.end = static_cast<int>(waiting_.size());
-}
-
-// How vertices have moved since the step began. Points of two triangles have come nearer by no more than the largest difference of
-// how their corners have moved, and so of boxes around these.
-class Coverage::Moves {
- public:
-  Moves(const VecX& x, const VecX& start) : moved_(x - start) {}
-
-  void include(Aabb& box, const Triangle& t) const {
-    for (const int v : t) box.include(Vec3(vertex(moved_, v)));
-  }
-  static double nearer(const Aabb& a, const Aabb& b) { return (a.hi - b.lo).cwiseMax(b.hi - a.lo).norm(); }
-
- private:
-  VecX moved_;
-};
-
-std::vector<int> Coverage::approach(const VecX& x) {
-  if (waiting_.empty()) return {};
-  const CollisionMesh& mesh = surface_.mesh;
-  const Moves moves(x, held_.x());
-  std::vector<Aabb> objects(pairs_.objects());
-  for_each(pairs_.objects(), [&](int a) {
-    for (int t = first_triangle_[a]; t < first_triangle_[a + 1]; ++t) moves.include(objects[a], mesh.triangles[t]);
-  }, 1);
-  std::vector<int> pairs;
-  for (size_t i = 0; i < waiting_pairs_.size(); ++i)
-    if (const WaitingPair& pair = waiting_pairs_[i]; Moves::nearer(objects[pair.a], objects[pair.b]) >= pair.away) pairs.push_back(static_cast<int>(i));
-  std::vector<int> chosen;
-  std::vector<char> come(waiting_.size(), 0);
-  for_each(static_cast<int>(pairs.size()), [&](int i) {
-    const WaitingPair& pair = waiting_pairs_[pairs[i]];
-    const double range = pairs_.point(pair.a, pair.b).range;
-    for (int k = pair.begin; k < pair.end; ++k) {
-      Waiting& w = waiting_[k];
-      if (w.begin == w.end) continue;
-      Aabb own, other;
-      moves.include(own, mesh.triangles[w.triangle]);
-      const double farthest = Moves::nearer(own, objects[pair.b]);
-      if (farthest < w.away) continue;
-      for (int j = w.begin; j < w.end; ++j) moves.include(other, mesh.triangles[around_[j]]);
-      come[k] = farthest >= range || Moves::nearer(own, other) >= w.away;
-    }
-  }, 1);
-  for (const int i : pairs)
-    for (int k = waiting_pairs_[i].begin; k < waiting_pairs_[i].end; ++k)
-      if (come[k]) chosen.push_back(k);
-  return chosen.empty() ? std::vector<int>() : divide(chosen);
-}
-
-// numbers: of those that wait, ascending. What their parts are made of is out of range as the step begins, and exerts no force.
-std::vector<int> Coverage::divide(const std::vector<int>& numbers) {
-  constexpr int few = 16;
-  const int n = static_cast<int>(numbers.size());
-  const auto own = [&](int triangle) { return surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]]; };
-  std::vector<Found> found(chunk_count(n, few));
-  for_each_chunk(n, [&](int c, int first, int last) {
-    TriangleDivision division(surface_.mesh, held_);
-    for (int i = first; i < last; ++i) {
-      Waiting& w = waiting_[numbers[i]];
-      const std::vector<int> around(around_.begin() + w.begin, around_.begin() + w.end), faced = facing(w.triangle, around);
-      w.end = w.begin;  // it waits no more
-      const double range = pairs_.point(own(w.triangle), w.object).range;
-      if (w.cell == TriangleDivision::all) {
-        std::vector<TriangleDivision::Left> none;
-        division.divide(w.triangle, w.object, range, w.depth, faced, {}, found[c].samples, found[c].parts, none);
-      } else division.divide_cell(w.triangle, w.object, range, w.depth, w.cell, faced, found[c].samples, found[c].parts);
-    }
-  }, few);
-  std::vector<ContactSample> added;
-  for (const Found& chunk : found) added.insert(added.end(), chunk.samples.begin(), chunk.samples.end());
-  return insert(added);
-}
-
-// Cells of one triangle may come one after another.
-std::vector<int> Coverage::insert(std::vector<ContactSample>& added) {
-  const auto key = [&](const ContactSample& s) {
-    return std::array{surface_.mesh.vertex_object[surface_.mesh.triangles[s.triangle][0]], s.object, s.triangle, s.cell};
-  };
-  const auto before = [&](const ContactSample& a, const ContactSample& b) { return key(a) < key(b); };
-  std::sort(added.begin(), added.end(), before);
-  std::vector<ContactSample> all;
-  all.reserve(samples_.size() + added.size());
-  std::vector<int> places;
-  places.reserve(added.size());
-  auto known = samples_.begin();
-  for (const ContactSample& s : added) {
-    while (known != samples_.end() && before(*known, s)) all.push_back(*known++);
-    places.push_back(static_cast<int>(all.size()));
-    all.push_back(s);
-  }
-  all.insert(all.end(), known, samples_.end());
-  samples_ = std::move(all);
-  return places;
 }
 
 bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
@@ -366,9 +197,6 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
 void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views) {
   samples_.clear();
   parts_.clear();
-  waiting_pairs_.clear();
-  waiting_.clear();
-  around_.clear();
   const std::vector<Aabb> boxes = object_boxes();
   const std::vector<std::array<int, 2>> near = near_objects(sides, boxes);
   std::vector<std::vector<Found>> all(near.size());
@@ -394,7 +222,6 @@ void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phas
       parts.rims.insert(parts.rims.end(), found.parts.rims.begin(), found.parts.rims.end());
       parts.whole.insert(parts.whole.end(), found.parts.whole.begin(), found.parts.whole.end());
     }
-    for (const Found& found : all[pair]) add_waiting(near[pair][0], near[pair][1], found.waiting, found.around);
   }
   for (GroupView& group : views)
     if (weighs(surface_.mesh.vertex_object[group.point], group.object, sides))
