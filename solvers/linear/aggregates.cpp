@@ -4,10 +4,11 @@
 
 #include <algorithm>
 
+#include "solvers/linear/part_sizes.hpp"
+
 namespace tack {
 namespace {
 
-constexpr int smallest_part = 24;   // vertices: incomplete factors solve what is smaller nearly as well as a whole one
 constexpr int flat_size = 20;       // vertices of a piece of a sheet or a rod,
 constexpr int flat_pieces = 2000;   // in systems of up to 20 times as many: at most so many pieces of that kind
 constexpr int solid_size = 250;     // vertices of a piece of a solid,
@@ -49,8 +50,7 @@ bool is_flat(const BlockMatrix& matrix, const std::vector<int>& columns) {
 void Aggregates::build(const BlockMatrix& matrix) {
   const int n = matrix.columns();
   const Neighbours neighbours(matrix);
-  std::vector<int> part_size(n > 0 ? *std::max_element(matrix.part.begin(), matrix.part.end()) + 1 : 0, 0);
-  for (const int part : matrix.part) ++part_size[part];
+  const std::vector<int> part_size = part_sizes(matrix);
   const size_t flat_limit = std::max(flat_size, n / flat_pieces), solid_limit = std::max(solid_size, n / solid_pieces);
 
   of.assign(n, -1);

@@ -4,12 +4,12 @@
 #include <map>
 
 #include "geometry/parallel.hpp"
+#include "solvers/linear/part_sizes.hpp"
 
 namespace tack {
 namespace {
 
-constexpr int longest_run = 512;   // columns
-constexpr int smallest_part = 24;  // vertices: incomplete factors solve what is smaller nearly as well as a whole one
+constexpr int longest_run = 512;  // columns
 
 // The columns first .. last - 1 of vectors, 3 numbers each.
 template <class Matrix, class Number>
@@ -25,10 +25,9 @@ void PartTranslations::index(const BlockMatrix& matrix) {
   parts_ = 0;
   part_of_.assign(columns_, -1);
   if (static_cast<int>(matrix.part.size()) != columns_) return;
-  const int last = columns_ > 0 ? *std::max_element(matrix.part.begin(), matrix.part.end()) : -1;
-  std::vector<int> size(last + 1, 0), number(last + 1, -1);
-  for (const int part : matrix.part) ++size[part];
-  for (int p = 0; p <= last; ++p)
+  const std::vector<int> size = part_sizes(matrix);
+  std::vector<int> number(size.size(), -1);
+  for (size_t p = 0; p < size.size(); ++p)
     if (size[p] >= smallest_part) number[p] = parts_++;
   for (int c = 0; c < columns_; ++c) part_of_[c] = number[matrix.part[c]];
 

@@ -6,6 +6,7 @@
 #include "solvers/linear/domain_rows.hpp"
 #include "solvers/linear/preconditioner.hpp"
 #include "tests/support/component_variants.hpp"
+#include "tests/support/linear_solve.hpp"
 #include "tests/support/random_blocks.hpp"
 
 using namespace tack;
@@ -16,19 +17,6 @@ std::vector<std::string> preconditioners() { return Registry<Preconditioner>::ki
 
 std::string pcg(const std::string& preconditioner, const std::string& settings) {
   return "{type: pcg, preconditioner: " + preconditioner + ", " + settings + "}";
-}
-
-struct Solved {
-  VecX x;
-  int iterations;
-};
-Solved solve(const std::string& yaml, const BlockMatrix& matrix, const VecX& b) {
-  const auto solver = component<LinearSolver>(yaml);
-  PhaseClock clock;
-  REQUIRE(solver->factorize(matrix, clock));
-  VecX x;
-  solver->solve(b, x, clock);
-  return {x, solver->iterations()};
 }
 
 double relative_residual(const BlockMatrix& matrix, const VecX& x, const VecX& b) {

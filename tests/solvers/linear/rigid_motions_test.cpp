@@ -6,6 +6,7 @@
 
 #include "framework/core/linear_solver.hpp"
 #include "tests/support/component_variants.hpp"
+#include "tests/support/linear_solve.hpp"
 #include "tests/support/spring_lattice.hpp"
 #include "tests/support/tet_body.hpp"
 
@@ -26,19 +27,6 @@ BlockMatrix solid_sheet_and_rod(double mass = 1e-6) {
     contacts.push_back({sheet + i * 50, rod + i, 1e3, Vec3::UnitZ()});
   }
   return spring_lattices(bodies, contacts);
-}
-
-struct Solved {
-  VecX x;
-  int iterations;
-};
-Solved solve(const std::string& yaml, const BlockMatrix& matrix, const VecX& b) {
-  const auto solver = component<LinearSolver>(yaml);
-  PhaseClock clock;
-  REQUIRE(solver->factorize(matrix, clock));
-  VecX x;
-  solver->solve(b, x, clock);
-  return {x, solver->iterations()};
 }
 
 }  // namespace
