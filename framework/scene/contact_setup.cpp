@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -12,10 +11,10 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/scene/build_world.hpp"
+#include "framework/scene/dynamic_pressure.hpp"
 #include "framework/scene/hulls.hpp"
 #include "framework/scene/local_mesh.hpp"
 #include "framework/scene/pair_configs.hpp"
-#include "framework/scene/reachable_speed.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -72,39 +71,6 @@ constexpr double affine_modulus = 0.01;
 // What stops a soft body that moves faster than waves run in it presses with about density times speed^2, and the barrier has to
 // carry that: it takes the body for as stiff, up to so many times its modulus.
 constexpr double most_times = 10;
-
-// The lowest modulus of its energies [Pa]; 0: none has one.
-double softest_young(const ObjectConfig& object) {
-  double least = 0;
-  for (const auto& energy : object.energies)
-    if (const double young = energy->young().value_or(0); young > 0 && (least == 0 || young < least)) least = young;
-  return least;
-}
-
-// Density times speed^2 [Pa] of a body of tets that may move faster than waves run in it; otherwise 0. To two digits, so that
-// copies of one body are alike however they are turned.
-double dynamic_pressure(const ObjectConfig& object, const Body& body, const World& world, double speed) {
-  if (body.tets.empty() || !body.movable || !body.frame.empty()) return 0;
-  double mass = 0, volume = 0;
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) mass += world.mass(v);
-  for (const Tet& t : body.tets) {
-    const Vec3 a = vertex(world.rest, t[0]);
-    const auto side = [&](int k) { return Vec3(vertex(world.rest, t[k]) - a); };
-    volume += side(1).cross(side(2)).dot(side(3)) / 6;
-  }
-  const double pressure = mass / volume * speed * speed;
-  if (!(pressure > softest_young(object))) return 0;
-  const double digit = std::pow(10, std::floor(std::log10(pressure)) - 1);
-  return std::round(pressure / digit) * digit;
-}
-
-std::vector<double> dynamic_pressures(const SceneConfig& scene, const World& world) {
-  const double speed = reachable_speed(scene, world);
-  std::vector<double> pressures;
-  for (size_t i = 0; i < world.bodies.size(); ++i)
-    pressures.push_back(dynamic_pressure(scene.objects[i], world.bodies[i], world, speed));
-  return pressures;
-}
 
 // Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
 // attached to the same ones.
