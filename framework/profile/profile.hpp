@@ -45,6 +45,13 @@ struct StepCuts {
   double left = 0;  // sum over those that were cut: the part of them that was allowed
 };
 
+// How near surfaces were to each other at the ends of steps in which they touched: the smallest distance as a part of contact's.
+struct Nearness {
+  int steps = 0;
+  double sum = 0;  // over these steps
+  double mean() const { return steps > 0 ? sum / steps : 0; }
+};
+
 // How far contact reaches in an object's mesh.
 struct Reach {
   std::string object;
@@ -67,6 +74,7 @@ struct Profile {
   LinearCost linear;
   std::vector<HardStep> hardest;  // most iterations first
   StepCuts cuts;
+  Nearness nearness;
   std::vector<Reach> reaches;  // of objects that move, longest in edges first
 
   double seconds() const;

@@ -65,6 +65,7 @@ void write_profile(const std::filesystem::path& path, const Profile& p) {
   t.add("run", "", "most_iterations", p.most_iterations);
   t.add("run", "", "steps_tried", p.cuts.tried);
   t.add("run", "", "steps_cut", p.cuts.cut);
+  if (p.nearness.steps > 0) t.add("run", "", "nearness", p.nearness.mean());
   for (int i = 0; i < phase_count; ++i) t.add("phase", std::string(phase_names[i]), "seconds", p.phases[i]);
   add_pairs(t, p);
   add_terms(t, p);

@@ -120,6 +120,7 @@ class Text {
   void iterations() {
     line("\niterations: {} in {} steps, {:.2f} on average, {} at most; {} of {} steps tried were cut", p_.iterations, p_.steps,
          double(p_.iterations) / steps_, p_.most_iterations, p_.cuts.cut, p_.cuts.tried);
+    if (p_.nearness.steps > 0) line("{} steps ended in contact, with a smallest distance of {:.2g} of contact's on average", p_.nearness.steps, p_.nearness.mean());
     for (const HardStep& step : p_.hardest)
       line("step {:<6} t {:<10.6g} {:>4} iterations  {}", step.step, step.time, step.iterations, step.blocker);
   }

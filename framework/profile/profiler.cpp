@@ -27,8 +27,8 @@ std::string label(const World& world, const Term& term) {
 
 }  // namespace
 
-Profiler::Profiler(const World& world, const Minimizer& solver, PhaseClock& clock)
-    : world_(world), solver_(solver), clock_(clock) {
+Profiler::Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance)
+    : world_(world), solver_(solver), clock_(clock), contact_distance_(contact_distance) {
   clock_.time_terms(&times_);
 }
 
@@ -45,6 +45,10 @@ void Profiler::step(const State& state, const StepReport& report) {
   const ClockPause pause(clock_);
   totals_.most_iterations = std::max(totals_.most_iterations, report.solve.iterations);
   totals_.lag_iterations += report.lag_iterations;
+  if (report.contacts > 0 && report.min_distance < contact_distance_) {
+    ++totals_.nearness.steps;
+    totals_.nearness.sum += report.min_distance / contact_distance_;
+  }
   keep_if_hard(report);
   cut_ = {};
   if (!world_.contact) return;

@@ -16,8 +16,8 @@ namespace tack {
 
 class Profiler {
  public:
-  // `solver`: as specified. All three must outlive it.
-  Profiler(const World& world, const Minimizer& solver, PhaseClock& clock);
+  // `solver`: as specified. All three must outlive it. contact_distance: the scene's [m]; 0: without contact.
+  Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance);
   ~Profiler() { clock_.time_terms(nullptr); }
   Profiler(const Profiler&) = delete;
   Profiler& operator=(const Profiler&) = delete;
@@ -51,6 +51,7 @@ class Profiler {
   const World& world_;
   const Minimizer& solver_;
   PhaseClock& clock_;
+  double contact_distance_;  // m
   TermTimes times_;
   struct Pair {
     PairCount count;

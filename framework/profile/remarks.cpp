@@ -17,6 +17,9 @@ constexpr double long_range = 1;          // edges
 constexpr double search_matters = 0.15;   // of the run's time
 constexpr double often_searched = 0.5;    // of the iterations
 constexpr double often_cut = 0.2;         // of the steps that are tried
+constexpr double pressed_flat = 0.02;     // of the contact distance
+constexpr double kept_apart = 0.2;        // of the contact distance
+constexpr double crawling = 30;           // iterations of a step
 constexpr double often_failed = 0.01;     // of the steps
 constexpr double linear_matters = 0.5;    // of the run's time
 constexpr double many_iterations = 30;    // of conjugate gradients for a system
@@ -104,9 +107,19 @@ class Remarks {
   void cut_steps() {
     const StepCuts& c = p_.cuts;
     if (double(c.cut) < often_cut * double(c.tried) || c.cut == 0) return;
-    add(all_ * double(c.cut) / double(c.tried), "contact or inversion cut {:.0f}% of {} Newton steps, to {:.2g} of their length on average: "
-        "a smaller `time.step`, or a larger `contact.distance`, so that surfaces push before they meet",
-        percent(double(c.cut), double(c.tried)), c.tried, c.left / double(c.cut));
+    add(all_ * double(c.cut) / double(c.tried), "contact or inversion cut {:.0f}% of {} Newton steps, to {:.2g} of their length on average: {}",
+        percent(double(c.cut), double(c.tried)), c.tried, c.left / double(c.cut), remedy_of_cuts());
+  }
+
+  // A barrier that is too soft lets surfaces meet before it pushes; one that is too stiff for what it stops acts like a wall within its distance.
+  std::string remedy_of_cuts() const {
+    const double near = p_.nearness.mean(), its = double(p_.iterations) / std::max(p_.steps, 1);
+    const std::string measured = fmt::format("surfaces end their steps {:.2g} of `contact.distance` apart", near);
+    if (p_.nearness.steps > 0 && near < pressed_flat)
+      return fmt::format("{}, so the barrier is soft for what it stops: ten times the `contact.barrier.stiffness`", measured);
+    if (near > kept_apart && its >= crawling)
+      return fmt::format("{} in {:.2g} iterations each, so the barrier may be stiffer than it need be: a tenth of the `contact.barrier.stiffness`", measured, its);
+    return "a smaller `time.step`, or a larger `contact.distance`, so that surfaces push before they meet";
   }
 
   void failed_solves() {

@@ -87,7 +87,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   if (!world_.adhesion.empty()) adhesion_.emplace(experiment_, world_);
   const TimeConfig& time = experiment_.time;
   if (world_.contact && !time.integrator->predict(world_.start, time.step).inertia) approach_.emplace(experiment_, world_);
-  if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_);
+  if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
   };

@@ -23,6 +23,8 @@ std::string scene() {
   return text.insert(text.find(adhesion) + adhesion.size(), "      friction: {mu: 0.4}\n");
 }
 
+constexpr double contact_distance = 1e-3;  // m, of the scene
+
 // By "table,row,quantity"; in the order of the file.
 struct Rows {
   explicit Rows(const fs::path& path) {
@@ -88,6 +90,14 @@ TEST_CASE("a profiled run has the bits of another one, writes no frames, and its
   CHECK(rows.sum("pair", "points") + rows.sum("pair", "samples") + rows.sum("pair", "guards") +
             rows.sum("pair", "edges") == sum_of(steps, "contacts"));
   CHECK(sum_of(steps, "contacts") > 0);
+  double nearness = 0, in_contact = 0;
+  for (const auto& row : steps.rows) {
+    const double smallest = row[steps.column("min_distance").value()];
+    if (row[steps.column("contacts").value()] == 0 || smallest >= contact_distance) continue;
+    nearness += smallest / contact_distance, ++in_contact;
+  }
+  CHECK(rows.number("run,,nearness") == Approx(nearness / in_contact).epsilon(1e-5));
+  CHECK(contains(profiled.out, fmt::format("{} steps ended in contact", in_contact)));
   CHECK(rows.number("pair,floor - block,friction") > 0);
   CHECK(rows.number("pair,floor - block,touching_steps") > 0);
   CHECK(rows.number("pair,block - block,touching_steps") == 0);

@@ -75,6 +75,22 @@ TEST_CASE("the linear solver's remark depends on what the scene says and on its 
   CHECK_THAT(remarks_on(p).at(0), Contains("`solver.linear: auto`"));
 }
 
+TEST_CASE("where steps are cut, how near surfaces came tells whether the barrier is soft or stiff for them") {
+  Profile p = quiet();
+  p.cuts = {200, 50, 10};
+  const auto remark = [&](double nearness, long iterations) {
+    p.nearness = {10, 10 * nearness};
+    p.iterations = p.line_search_evaluations = iterations;
+    return remarks_on(p).at(0);
+  };
+  CHECK_THAT(remark(0.004, 200), Contains("0.004 of `contact.distance` apart") && Contains("ten times the `contact.barrier.stiffness`"));
+  CHECK_THAT(remark(0.36, 9000), Contains("in 90 iterations each") && Contains("a tenth of the `contact.barrier.stiffness`"));
+  CHECK_THAT(remark(0.36, 2000), Contains("a smaller `time.step`") && !Contains("stiffness"));
+  CHECK_THAT(remark(0.1, 9000), Contains("a smaller `time.step`") && !Contains("stiffness"));
+  p.nearness = {};
+  CHECK_THAT(remarks_on(p).at(0), Contains("a smaller `time.step`"));
+}
+
 TEST_CASE("of many remarks the five most expensive are told, in order") {
   Profile p = quiet();
   phase_of(p, Phase::assembly) = 0;
