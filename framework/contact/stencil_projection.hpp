@@ -116,10 +116,10 @@ template <class Kind>
 void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int first, int last, const double* thresholds,
                           const double* gap, const LawSample* law, Projection projection, double* gradient,
                           double* hessian) {
-  using Energy = StencilEnergy<Kind>;
-  constexpr int n = Energy::n, slots = 9 * hessian_blocks(Kind::arity);
+  using Stencil = StencilEnergy<Kind>;
+  constexpr int n = Stencil::n, slots = 9 * hessian_blocks(Kind::arity);
   constexpr int points = is_sample<Kind> ? Kind::arity - 2 : Kind::arity;
-  using PointKind = typename PointKindOf<Kind>::type;
+  using Point = typename PointKindOf<Kind>::type;
   StencilPack<points> pack;
   for (int at = first; at < last; at += pack_width) {
     const int lanes = std::min(pack_width, last - at);
@@ -127,8 +127,8 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
     for (int l = 0; l < pack_width; ++l) {
       const int i = at + std::min(l, lanes - 1);
       const auto c = corners(x, stencils[i]);
-      pack.set(l, distance_between<FrameKernels>(PointKind{}, c), law[i - first], gap[i - first], stencils[i].weight);
-      if (thresholds && is_mollified<PointKind>(c, thresholds[i])) mollified |= 1u << l;
+      pack.set(l, distance_between<FrameKernels>(Point{}, c), law[i - first], gap[i - first], stencils[i].weight);
+      if (thresholds && is_mollified<Point>(c, thresholds[i])) mollified |= 1u << l;
     }
     Pack g[3 * points], h[9 * StencilPack<points>::blocks];
     pack.derivatives(projection, g, h);
@@ -144,7 +144,7 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
         Eigen::Matrix<double, 3 * points, 3 * points> of_point;
         load_blocks<points>(point_h + point_slots * l, of_point);
         store_blocks<Kind::arity>(chain_to_triangle<3 * points>(of_point, inside), h_out + slots * l);
-        Eigen::Map<typename Energy::Vector>(g_out + n * l) = chain_to_triangle<3 * points>(
+        Eigen::Map<typename Stencil::Vector>(g_out + n * l) = chain_to_triangle<3 * points>(
             Eigen::Matrix<double, 3 * points, 1>(Eigen::Map<Eigen::Matrix<double, 3 * points, 1>>(point_g + 3 * points * l)),
             inside);
       }
@@ -155,11 +155,11 @@ void projected_derivatives(const VecX& x, const StencilsOf<Kind>& stencils, int 
     for (int l = 0; l < lanes; ++l) {
       if (!(mollified >> l & 1u)) continue;
       const int i = at + l;
-      typename Energy::Vector full_g;
-      typename Energy::Matrix full_h;
-      Energy::derivatives(x, stencils[i], law[i - first], gap[i - first], thresholds[i], full_g, full_h);
+      typename Stencil::Vector full_g;
+      typename Stencil::Matrix full_h;
+      Stencil::derivatives(x, stencils[i], law[i - first], gap[i - first], thresholds[i], full_g, full_h);
       project_stencil_psd<Kind::arity>(full_h, projection);
-      Eigen::Map<typename Energy::Vector>(g_out + n * l) = full_g;
+      Eigen::Map<typename Stencil::Vector>(g_out + n * l) = full_g;
       store_blocks<Kind::arity>(full_h, h_out + slots * l);
     }
   }

@@ -114,21 +114,21 @@ TEST_CASE("no samples, one sample, samples that are no numbers") {
 
 TEST_CASE("an abscissa that is no number matters only where it is used") {
   const ProbeSeries series{{"time", "p", "s"}, {{0, 1, 0}, {1, 2, nan_value}}};
-  CHECK(evaluate({Statistic::max, "p", "s", 0, {}}, series).value == 2);
-  CHECK(evaluate({Statistic::integral, "p", "s", 0, {}}, series).problem ==
+  CHECK(evaluate(StatisticQuery{Statistic::max, "p", "s", 0, {}}, series).value == 2);
+  CHECK(evaluate(StatisticQuery{Statistic::integral, "p", "s", 0, {}}, series).problem ==
         "s is not a number at t = 1 s");
 }
 
 TEST_CASE("infinite samples are left to the statistics that stay finite") {
   const ProbeSeries series{{"time", "p"}, {{0, infinity}, {1, 3}}};
-  CHECK(evaluate({Statistic::min, "p", "time", 0, {}}, series).value == 3);
-  CHECK(evaluate({Statistic::max, "p", "time", 0, {}}, series).problem == "the max is not finite");
-  CHECK(evaluate({Statistic::mean, "p", "time", 0, {}}, series).problem ==
+  CHECK(evaluate(StatisticQuery{Statistic::min, "p", "time", 0, {}}, series).value == 3);
+  CHECK(evaluate(StatisticQuery{Statistic::max, "p", "time", 0, {}}, series).problem == "the max is not finite");
+  CHECK(evaluate(StatisticQuery{Statistic::mean, "p", "time", 0, {}}, series).problem ==
         "the mean is not finite");
 }
 
 TEST_CASE("an unknown column is an error with the nearest name") {
-  CHECK_THROWS_WITH(evaluate({Statistic::max, "forse", "time", 0, {}}, pull()),
+  CHECK_THROWS_WITH(evaluate(StatisticQuery{Statistic::max, "forse", "time", 0, {}}, pull()),
                     "unknown column 'forse'; did you mean 'force'? (columns: time, force, gap)");
-  CHECK_THROWS_AS(evaluate({Statistic::integral, "force", "gab", 0, {}}, pull()), InputError);
+  CHECK_THROWS_AS(evaluate(StatisticQuery{Statistic::integral, "force", "gab", 0, {}}, pull()), InputError);
 }
