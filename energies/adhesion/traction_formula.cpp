@@ -30,11 +30,11 @@ bool has_name(const std::string& text, const std::string& name) {
 
 // An energy that jumps has a derivative all the same, between knots.
 double energy_error(const CubicCurve& curve, const std::function<double(double)>& energy) {
-  constexpr int places = 1000;
+  constexpr int checks = 1000;
   const double end = energy(curve.last());
   double error = 0, largest = 0;
-  for (int i = 0; i < places; ++i) {
-    const double d = curve.last() * i / places, exact = energy(d) - end;
+  for (int i = 0; i < checks; ++i) {
+    const double d = curve.last() * i / checks, exact = energy(d) - end;
     largest = std::max(largest, std::abs(exact));
     error = std::max(error, std::abs(exact + curve.at(d).rest));
   }

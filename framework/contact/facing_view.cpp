@@ -10,8 +10,6 @@ namespace tack {
 namespace {
 
 const double one_piece = std::cos(50 * M_PI / 180);  // of the angle between normals within a piece
-constexpr double own_front = 0.15;     // of the distance, that a point is in front of what faces it on its own object
-constexpr double same_distance = 1e-6; // relative: faces that meet in the closest point
 
 }  // namespace
 

@@ -21,6 +21,12 @@ namespace tack {
 // Between a triangle and what it faces.
 inline constexpr double least_cosine = 0.1;
 
+// Height over distance, from which on a point is in front of a face of its own object: neighbours on a slightly hollow surface are no other side.
+inline constexpr double own_front = 0.15;
+
+// Relative: faces that meet in the closest point have that in common.
+inline constexpr double same_distance = 1e-6;
+
 class HeldSurface {
  public:
   // The mesh must outlive this.

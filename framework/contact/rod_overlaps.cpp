@@ -16,7 +16,7 @@ namespace {
 // the pair of edges does. The mollifier of edge pairs begins at 0.03.
 constexpr double parallel = 0.03, crossing = 0.06;
 
-constexpr double same_distance = 1e-12;  // relative: of points that are one but for rounding
+constexpr double same_point = 1e-12;  // relative: of points that are one but for rounding
 
 constexpr double reach = 2;  // in ranges: what is farther away when the step begins is only guarded against
 
@@ -137,10 +137,10 @@ RodOverlaps::RodOverlaps(const ContactSurface& surface, const PairTable& pairs) 
 // counts for all.
 bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance, const HeldSurface& held) const {
   for (const int end : surface_.mesh.edges[edge]) {
-    if ((vertex(held.x(), end) - opposite).norm() > (1 + same_distance) * distance) continue;
+    if ((vertex(held.x(), end) - opposite).norm() > (1 + same_point) * distance) continue;
     const auto rods = held.topology().rods_at(end);
     const bool first = rods.front() == edge && std::all_of(rods.begin(), rods.end(), [&](int other) {
-      return distance_to(opposite, corners(held.x(), surface_.mesh.edges[other])) >= (1 - same_distance) * distance;
+      return distance_to(opposite, corners(held.x(), surface_.mesh.edges[other])) >= (1 - same_point) * distance;
     });
     if (!first) return false;
   }

@@ -12,14 +12,13 @@
 namespace tack {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-const double crease = std::cos(40 * M_PI / 180);
+constexpr double never = std::numeric_limits<double>::infinity();
+const double crease_cosine = std::cos(40 * M_PI / 180);
 const double one_direction = std::cos(30 * M_PI / 180), other_direction = std::cos(70 * M_PI / 180);
-constexpr double in_front = 0.5, own_front = 0.15;  // cosines
+constexpr double in_front = 0.5;                    // height over distance
 constexpr double as_near = 0.3;                    // relative: by how much farther a triangle still leads
 constexpr double flat = 0.1;                        // sine of the angle that a ridge rises by
 constexpr double near_end = 0.9;                    // of the range, where z begins to fall
-constexpr double same_distance = 1e-6;              // relative: triangles that meet where both are nearest
 
 // From 0 at a to 1 at b.
 double rise(double x, double a, double b) {
@@ -58,7 +57,7 @@ Vec3 ThinViewer::turned_like(int triangle, const Vec3& normal) const {
 }
 
 double ThinViewer::sharpness(int triangle, int side, const Vec3& normal, const Vec3& beside) const {
-  return held_.topology().smooth_edge(triangle, side) ? 0 : 1 - rise(normal.dot(beside), 0, crease);
+  return held_.topology().smooth_edge(triangle, side) ? 0 : 1 - rise(normal.dot(beside), 0, crease_cosine);
 }
 
 // The triangles around a corner of one of them, with normals to the same side.
@@ -158,10 +157,10 @@ ThinViewer::Seen ThinViewer::see(int vertex_index, int triangle, double range) {
   if (held_.topology().two_sided(triangle)) height = std::abs(height);
   const double front = at.distance > 0 ? rise(height / at.distance, low, low + in_front) : 0;
   const double reach = 1 - rise(at.distance / range, near_end, 1);
-  if (!(front > 0)) return {0, at.distance, reach, infinity};
+  if (!(front > 0)) return {0, at.distance, reach, never};
   const double above = 1 - rise(beyond(p, at), 0, half_width_);
   return {held_.thin(vertex_index, held_.normal(triangle)) / held_.thin(vertex_index) * above * front, at.distance, reach,
-          reach > 0 ? at.distance / (front * reach) : infinity};
+          reach > 0 ? at.distance / (front * reach) : never};
 }
 
 // Over edges, of those within range.
@@ -225,13 +224,13 @@ std::vector<TriangleShare>& ThinViewer::look(int vertex_index, std::span<const i
   leaders_.clear();
   for (int i = 0; i < n; ++i) {
     seen_.push_back(see(vertex_index, triangles[i], range));
-    if (seen_[i].away < infinity) leaders_.push_back(i);
+    if (seen_[i].away < never) leaders_.push_back(i);
     const auto [a, b, c] = corners(held_.x(), mesh_.triangles[triangles[i]]);
     shares_.push_back({0, held_.normal(triangles[i]), (a + b + c) / 3, held_.topology().two_sided(triangles[i]), seen_[i].distance});
   }
   std::stable_sort(leaders_.begin(), leaders_.end(), [&](int a, int b) { return seen_[a].away < seen_[b].away; });
   if (!leaders_.empty()) find_neighbours(triangles, range);
-  nearest_.assign(n, infinity);
+  nearest_.assign(n, never);
   int used = 0;
   for (const int j : leaders_) {
     // Those that follow are too far away to lead what is led already.
@@ -243,7 +242,7 @@ std::vector<TriangleShare>& ThinViewer::look(int vertex_index, std::span<const i
       if (way[i] > 0) nearest_[i] = std::min(nearest_[i], seen_[j].away / way[i]);
   }
   for (int i = 0; i < n; ++i)
-    if (nearest_[i] == infinity) shares_[i].share = seen_[i].strength;
+    if (nearest_[i] == never) shares_[i].share = seen_[i].strength;
   for (int k = 0; k < used; ++k) {
     const Seen& leader = seen_[leaders_[k]];
     for (int i = 0; i < n; ++i) {

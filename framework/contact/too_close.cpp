@@ -9,7 +9,7 @@ namespace tack {
 namespace {
 
 constexpr size_t most = 5;
-constexpr double rounding = 1e-14;  // of the extent of two primitives: that far apart they touch
+constexpr double touching_part = 1e-14;  // of the extent of two primitives: that far apart they touch
 
 template <size_t N>
 double extent(const std::array<Vec3, N>& x) {
@@ -41,7 +41,7 @@ class Search {
     const auto ca = corners(x_, a);
     const auto cb = corners(x_, b);
     const double distance = std::sqrt(squared_distance(ca, cb));
-    const bool touching = distance <= rounding * std::max(extent(ca), extent(cb));
+    const bool touching = distance <= touching_part * std::max(extent(ca), extent(cb));
     const bool overlapping = offset > 0 && distance <= offset;
     if (!touching && (!overlapping || rest_neighbours(surface, a, b, contact_.pairs().edge(object_a, object_b).range))) return;
     found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset, touching, place(ca, cb)});

@@ -147,7 +147,7 @@ void ContactFinder::add_edges(int a, int b, const VecX& x, const VecX& way, cons
   const CollisionMesh& mesh = surface_.mesh;
   const Edge &ea = mesh.edges[a], &eb = mesh.edges[b];
   const int object = mesh.vertex_object[ea[0]], opposite = mesh.vertex_object[eb[0]];
-  const double offset = system_.pairs().offset(object, opposite), margin = of_edges * margin_;
+  const double offset = system_.pairs().offset(object, opposite), margin = part_for_edges * margin_;
   const auto at = std::lower_bound(before.edges.begin(), before.edges.end(), std::pair(a, b),
                                    [](const HeldEdges& h, const std::pair<int, int>& key) { return std::pair(h.a, h.b) < key; });
   const HeldEdges* held = at != before.edges.end() && at->a == a && at->b == b ? &*at : nullptr;

@@ -42,7 +42,7 @@ struct ContactRows {
 // What is within so many margins of each other has rows from the start of a step; the rest, if it meets on the way (impact_rows.hpp).
 constexpr double near_in_margins = 2;
 // Of the margin: what is kept between edges, which only see to it that nothing passes between the points.
-constexpr double of_edges = 0.5;
+constexpr double part_for_edges = 0.5;
 // Below this cosine a point is beside a surface rather than on one side of it.
 constexpr double beside = 0.2;
 

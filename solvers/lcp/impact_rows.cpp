@@ -65,7 +65,7 @@ bool ImpactFinder::edges_meet(int a, int b, const VecX& x, const VecX& way, Impa
   const CollisionMesh& mesh = surface_.mesh;
   const Edge &ea = mesh.edges[a], &eb = mesh.edges[b];
   const int object = mesh.vertex_object[ea[0]], opposite = mesh.vertex_object[eb[0]];
-  const double offset = system_.pairs().offset(object, opposite), margin = of_edges * margin_;
+  const double offset = system_.pairs().offset(object, opposite), margin = part_for_edges * margin_;
   const auto [a0, a1] = corners(x, ea);
   const auto [b0, b1] = corners(x, eb);
   const auto [da0, da1] = corners(way, ea);

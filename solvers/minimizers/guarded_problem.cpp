@@ -21,12 +21,12 @@ VecX diagonal_of(const BlockMatrix& matrix) {
 
 // The longest side of the box around all points.
 double extent(const VecX& q) {
-  double longest = 0;
+  double side = 0;
   for (int c = 0; c < 3; ++c) {
     const Eigen::Map<const VecX, 0, Eigen::InnerStride<3>> along(q.data() + c, q.size() / 3);
-    longest = std::max(longest, along.maxCoeff() - along.minCoeff());
+    side = std::max(side, along.maxCoeff() - along.minCoeff());
   }
-  return longest;
+  return side;
 }
 
 }  // namespace
@@ -87,8 +87,8 @@ GuardedProblem::Trial GuardedProblem::evaluate(const double* z, double& f, doubl
   const bool moved = trial_ != q_;
   tried_ += moved;
   VecX p = trial_ - q_;
-  const double longest = p.lpNorm<Eigen::Infinity>();
-  const double part = longest > longest_ ? longest_ / longest : 1;
+  const double largest = p.lpNorm<Eigen::Infinity>();
+  const double part = largest > longest_ ? longest_ / largest : 1;
   p *= part;
   reach_ = moved ? part * problem_.feasible_step(q_, p) : 1;
   if (reach_ < 1) {
