@@ -83,7 +83,7 @@ void TriangleDivision::part(const Corners& c, int depth, const std::vector<int>&
   }
   Sum own;
   examine(c, depth, near, &own);
-  if (!(own.area > 0) || own.normal.isZero()) return;
+  if (!(own.area > 0) || !(own.normal.norm() > 1e-9 * own.area)) return;
   out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area});
   parts_->parts.push_back({triangle_, own.leader, own.area, own.distance / own.area});
 }

@@ -93,6 +93,29 @@ TEST_CASE("contact integral: the ground integrates, if the scene says so", "[con
   }
 }
 
+TEST_CASE("contact integral: metres or micrometres, over a solid and over both sides of a sheet", "[contact]") {
+  const double expected = 1e-4 * traction(gap);
+  const std::string box = "{type: box, size: [0.04, 0.01, 0.04], cells: [8, 1, 8]}", sheet = "{type: grid, size: [0.04, 0.04], cells: [8, 8]}";
+  for (const double scale : {1.0, 1e-4, 1e-6})
+    for (const auto& [shape, height, angle, side] : {std::tuple(box, -0.005, 0, "upper"), std::tuple(box, -0.005, 0, "lower"), std::tuple(sheet, 0.0, 0, "lower"),
+                                                     std::tuple(sheet, 0.0, 180, "lower"), std::tuple(sheet, 0.0, 0, "upper"), std::tuple(sheet, 0.0, 180, "upper")}) {
+      const auto placed = [&](double x, double y, int turned) {
+        return fmt::format("place: {{scale: [{0}, {0}, {0}], axis: [1, 0, 0], angle: {1} deg, translate: [{2}, {3}, {2}]}}", scale, turned, scale * x, scale * y);
+      };
+      TestScene scene(fmt::format("objects:\n  - {{name: upper, shape: {{type: box, size: [0.01, 0.01, 0.01], cells: [2, 2, 2]}}, {}, {}}}\n"
+                                  "  - {{name: lower, shape: {}, {}, motion: [{{type: fixed}}]}}\n"
+                                  "contact:\n  distance: {}\n  barrier: {{type: clamped_log, stiffness: 3e3}}\n  pairs: [{{between: [upper, lower], integrate: {}{}}}]\n",
+                                  placed(0, gap + 0.005, 0), material, shape, placed(1.7e-3, height, angle), scale * dhat, side, sticks));
+      World& world = *scene.world;
+      world.contact->begin_step({world.rest});
+      world.contact->move_to(world.rest);
+      const Vec3 f = -world.contact_term->force_between(world.rest, LawPart::all, {0, 1}) / (scale * scale);
+      INFO("scale " << scale << ", " << shape << " turned by " << angle << ", integrates: " << side);
+      CHECK(f.y() == Approx(expected).epsilon(1e-3));
+      CHECK(std::hypot(f.x(), f.z()) < 1e-3 * expected);
+    }
+}
+
 TEST_CASE("contact integral: crossed bars", "[contact]") {
   const double expected = 1e-4 * traction(gap);
   const std::vector<std::array<int, 2>> cells = {{2, 2}, {2, 3}, {3, 8}, {10, 8}, {20, 16}, {40, 3}, {40, 40}};
