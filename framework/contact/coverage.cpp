@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "framework/contact/triangle_division.hpp"
+#include "geometry/distance/triangle_triangle.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -13,6 +16,10 @@ namespace {
 // surface ends, too, and the rim can uncover nothing else: plates of one size that contract a little differently would be
 // divided all along their rims.
 constexpr double on_the_rim = 1e-6, on_both_rims = 1e-3;
+// Triangles larger than the reach give their area to their corners where the gap changes by no more than this part of the range from one to
+// another, and what these face is parallel to them.
+constexpr double even = 0.25, parallel = 0.999;
+constexpr double accuracy = 1e-9;  // of distances, relative: far above rounding
 
 // By key; -1: none.
 int find_view(const std::vector<GroupView>& views, int point, int object) {
@@ -33,6 +40,15 @@ struct Coverage::Found {
   std::vector<Share> shares;
   std::vector<ContactSample> samples;
   CoveredParts parts{};
+  std::vector<Waiting> waiting;
+  std::vector<int> around;  // what those that wait refer to
+
+  // All or cells of a triangle.
+  void wait(int triangle, int object, int depth, const std::vector<int>& near, const std::vector<TriangleDivision::Left>& left) {
+    const int begin = static_cast<int>(around.size());
+    around.insert(around.end(), near.begin(), near.end());
+    for (const auto& [cell, away] : left) waiting.push_back({triangle, object, depth, cell, begin, static_cast<int>(around.size()), away});
+  }
 };
 
 // What lies opposite some triangles.
@@ -125,10 +141,23 @@ void Coverage::take_covered(int triangle, double reach, bool bonds, const std::a
   if (bonds && close_by) found.parts.whole.push_back({triangle, area_of_all});
 }
 
+// Of a triangle that is covered at its corners.
+bool Coverage::even_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) const {
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  bool level = true;
+  for (const Corner& corner : at) {
+    const SeenPiece& piece = views[corner.view].view.pieces[corner.piece];
+    low = std::min(low, piece.distance);
+    high = std::max(high, piece.distance);
+    level = level && held_.cosine(triangle, piece.normal) > parallel;
+  }
+  return level && high - low <= even * range;
+}
+
 void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupView>& views) const {
   const CollisionMesh& mesh = surface_.mesh;
   TriangleDivision division(mesh, held_);
-  std::vector<int> near, facing;
+  std::vector<int> near;
   for (int t = chunk.first; t < chunk.last; ++t) {
     Aabb own;
     for (const int v : mesh.triangles[t]) own.include(Vec3(vertex(held_.x(), v)));
@@ -139,7 +168,8 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
       const double reach = 2 * role.range;
       Found& found = other.found[chunk.index];
       const auto at = corners(views, t, other.object);
-      if (covered(views, t, at)) {
+      const bool whole = covered(views, t, at), small = 2 * held_.area(t) <= reach * reach;
+      if (whole && (small || role.bonds || even_gap(t, at, views, role.range))) {
         take_covered(t, reach, role.bonds, at, views, found);
         continue;
       }
@@ -148,13 +178,50 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
         broad_phase.others_near(mesh.triangles[t], near);
         listed = true;
       }
-      facing.clear();
-      const int end = first_triangle_[other.object + 1];
-      for (auto i = std::lower_bound(near.begin(), near.end(), first_triangle_[other.object]); i != near.end() && *i < end; ++i)
-        if (may_face(t, *i)) facing.push_back(*i);
-      if (!facing.empty()) division.divide(t, other.object, reach, facing, found.samples, found.parts);
+      const Around around = find_around(t, other.object, near);
+      if (around.faced) divide_or_wait(t, other.object, around, division, found);
     }
   }
+}
+
+std::vector<int> Coverage::facing(int triangle, std::span<const int> others) const {
+  std::vector<int> found;
+  std::copy_if(others.begin(), others.end(), std::back_inserter(found), [&](int other) { return may_face(triangle, other); });
+  return found;
+}
+
+// near: triangles of any object, ascending.
+Coverage::Around Coverage::find_around(int triangle, int object, const std::vector<int>& near) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).range;
+  Around around{{}, 2 * range, true, false};
+  const auto first = std::lower_bound(near.begin(), near.end(), first_triangle_[object]);
+  const auto last = std::lower_bound(first, near.end(), first_triangle_[object + 1]);
+  if (std::none_of(first, last, [&](int t) { return may_face(triangle, t); })) return around;
+  const std::array<Vec3, 3> own = tack::corners(held_.x(), mesh.triangles[triangle]);
+  for (auto i = first; i != last; ++i) {
+    const double apart = (1 - accuracy) * triangles_apart(own, tack::corners(held_.x(), mesh.triangles[*i]), range);
+    if (apart >= 2 * range) continue;
+    around.nearest = std::min(around.nearest, apart);
+    around.triangles.push_back(*i);
+    if (!may_face(triangle, *i)) continue;
+    around.faced = true;
+    const double cosine = held_.cosine(triangle, held_.normal(*i));
+    around.parallel = around.parallel && (held_.topology().two_sided(*i) ? std::abs(cosine) : cosine) > parallel;
+  }
+  return around;
+}
+
+void Coverage::divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const {
+  const PairRole& role = pairs_.point(surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]], object);
+  // Samples are no larger than the reach, as what they stand for has about one gap; where it varies, than the range.
+  const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.range : role.range);
+  if (around.nearest > role.range && !role.bonds)
+    return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.range}});
+  std::vector<TriangleDivision::Left> left;
+  division.divide(triangle, object, role.range, depth, facing(triangle, around.triangles),
+                  role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
+  if (!left.empty()) found.wait(triangle, object, depth, around.triangles, left);
 }
 
 bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
@@ -197,6 +264,9 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
 void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views) {
   samples_.clear();
   parts_.clear();
+  waiting_pairs_.clear();
+  waiting_.clear();
+  around_.clear();
   const std::vector<Aabb> boxes = object_boxes();
   const std::vector<std::array<int, 2>> near = near_objects(sides, boxes);
   std::vector<std::vector<Found>> all(near.size());
@@ -222,6 +292,7 @@ void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phas
       parts.rims.insert(parts.rims.end(), found.parts.rims.begin(), found.parts.rims.end());
       parts.whole.insert(parts.whole.end(), found.parts.whole.begin(), found.parts.whole.end());
     }
+    for (const Found& found : all[pair]) add_waiting(near[pair][0], near[pair][1], found.waiting, found.around);
   }
   for (GroupView& group : views)
     if (weighs(surface_.mesh.vertex_object[group.point], group.object, sides))

@@ -101,7 +101,7 @@ class SampleSearch : StencilSearch {
     const Triangle& own = mesh_.triangles[sample.triangle];
     const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object);
     triangles_.clear();
-    for (int k = pieces_.begin[i]; k < pieces_.begin[i + 1]; ++k) triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
+    for (int k = pieces_.pieces[i].begin; k < pieces_.pieces[i].end; ++k) triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
     const Vec3 p = point_inside(x_, own, sample.inside);
     for (const PointFeature& f : features_.reduce(x_, p, triangles_, {}, {}, role.range, false)) {
       const auto [a, b, c] = own;
@@ -249,7 +249,9 @@ void NarrowPhase::make_lists(const Candidates& candidates) {
   sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
 }
 
-void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const {
+void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) {
+  if (const std::vector<int> added = coverage_.approach(x); !added.empty())
+    add_sample_pieces(added, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
   const int points = static_cast<int>(pieces_.pieces.size());
   const int edges = static_cast<int>(edge_pairs_.size());
   const Strays strays(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });

@@ -33,7 +33,7 @@ class NarrowPhase {
   // Stencils without a free vertex (non-zero) are left out; empty: every candidate has one.
   void set_free(std::vector<char> free) { free_ = std::move(free); }
   // The stencils closer than their law's range.
-  void find(const Candidates& candidates, const VecX& x, ContactSet& contacts) const;
+  void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
   const RimForces& rim_forces() const { return rim_forces_; }  // of this step
   const Coverage& coverage() const { return coverage_; }       // likewise
   const HeldSurface& held() const { return held_; }

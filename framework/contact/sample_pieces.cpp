@@ -1,6 +1,7 @@
 #include "framework/contact/sample_pieces.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "geometry/parallel.hpp"
 
@@ -49,19 +50,38 @@ class PieceFinder {
 
 }  // namespace
 
-SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                                const HeldSurface& held, const BroadPhase& broad_phase) {
-  const int n = static_cast<int>(samples.size());
+void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                       const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
+  const int n = static_cast<int>(numbers.size());
   std::vector<std::vector<int>> kept(chunk_count(n, chunk));
-  SamplePieces pieces;
-  pieces.begin.assign(n + 1, 0);
+  std::vector<int> found(n);
   for_each_chunk(n, [&](int c, int first, int last) {
     PieceFinder finder(mesh, held, broad_phase);
-    for (int i = first; i < last; ++i) pieces.begin[i + 1] = finder.find(samples[i], kept[c]);
+    for (int i = first; i < last; ++i) found[i] = finder.find(samples[numbers[i]], kept[c]);
   }, chunk);
-  for (int i = 0; i < n; ++i) pieces.begin[i + 1] += pieces.begin[i];
-  pieces.triangles.reserve(pieces.begin.back());
+  std::vector<SamplePieces::Piece> all;
+  all.reserve(samples.size());
+  auto known = pieces.pieces.begin();
+  int end = static_cast<int>(pieces.triangles.size());
+  for (int i = 0; i < n; ++i) {
+    const auto before = numbers[i] - static_cast<std::ptrdiff_t>(all.size());
+    all.insert(all.end(), known, known + before);
+    known += before;
+    all.push_back({end, end + found[i]});
+    end += found[i];
+  }
+  all.insert(all.end(), known, pieces.pieces.end());
+  pieces.pieces = std::move(all);
+  pieces.triangles.reserve(end);
   for (const auto& list : kept) pieces.triangles.insert(pieces.triangles.end(), list.begin(), list.end());
+}
+
+SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                                const HeldSurface& held, const BroadPhase& broad_phase) {
+  std::vector<int> all(samples.size());
+  std::iota(all.begin(), all.end(), 0);
+  SamplePieces pieces;
+  add_sample_pieces(all, samples, mesh, held, broad_phase, pieces);
   return pieces;
 }
 

@@ -9,11 +9,17 @@
 namespace tack {
 
 struct SamplePieces {
-  std::vector<int> begin;      // into triangles; per sample, and the end
+  struct Piece {
+    int begin, end;  // into triangles
+  };
+  std::vector<Piece> pieces;   // per sample
   std::vector<int> triangles;  // of the mesh
 };
 
 SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
                                 const HeldSurface& held, const BroadPhase& broad_phase);
+// The same for those of these numbers (ascending), which have been put among the others since.
+void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                       const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
 
 }  // namespace tack

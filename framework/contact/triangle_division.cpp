@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/distance/point_triangle.hpp"
+#include "geometry/distance/triangle_triangle.hpp"
 
 namespace tack {
 namespace {
@@ -12,22 +13,54 @@ namespace {
 constexpr int finer = 3;       // divisions within one sample
 constexpr int most_depth = 6;  // of samples: 4096 in a triangle
 constexpr int most_lines = 6;  // of rims that cut one piece
+constexpr double accuracy = 1e-9;  // relative: far above rounding
+
+using Corners = std::array<Vec3, 3>;
+const Corners whole = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+
+Corners middles_of(const Corners& c) { return {(c[0] + c[1]) / 2, (c[1] + c[2]) / 2, (c[2] + c[0]) / 2}; }
+
+// Of corners, or of what is seen from there, and the middles of sides.
+template <class T>
+std::array<std::array<T, 3>, 4> children_of(const std::array<T, 3>& c, const std::array<T, 3>& m) {
+  return {{{c[0], m[0], m[2]}, {m[0], c[1], m[1]}, {m[2], m[1], c[2]}, {m[1], m[2], m[0]}}};
+}
+
+std::array<Corners, 4> children_of(const Corners& c) { return children_of(c, middles_of(c)); }
 
 }  // namespace
 
-void TriangleDivision::divide(int triangle, int object, double reach, const std::vector<int>& near,
-                              std::vector<ContactSample>& out, CoveredParts& parts) {
+int TriangleDivision::depth_of(double area, double size) {
+  return std::clamp(static_cast<int>(std::ceil(std::log2(std::sqrt(2 * area) / size))), 1, most_depth);
+}
+
+void TriangleDivision::begin(int triangle, int object, double range, int depth, std::vector<ContactSample>& out, CoveredParts& parts) {
   parts_ = &parts;
   triangle_ = triangle;
   object_ = object;
-  reach_ = reach;
+  range_ = range;
+  reach_ = 2 * range;
   out_ = &out;
   size_ = std::sqrt(2 * held_.area(triangle));
   slack_ = 1e-9 * size_;
-  // Samples are no larger than the reach: what they stand for has about one gap.
-  sample_depth_ = std::clamp(static_cast<int>(std::ceil(std::log2(size_ / reach))), 1, most_depth);
+  sample_depth_ = depth;
   last_depth_ = sample_depth_ + finer;
-  part({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, 0, near, nullptr);
+}
+
+void TriangleDivision::divide(int triangle, int object, double range, int depth, const std::vector<int>& facing, std::span<const int> around,
+                              std::vector<ContactSample>& out, CoveredParts& parts, std::vector<Left>& left) {
+  begin(triangle, object, range, depth, out, parts);
+  around_ = around;
+  left_ = &left;
+  part(whole, 0, 0, facing);
+}
+
+void TriangleDivision::divide_cell(int triangle, int object, double range, int depth, int cell, const std::vector<int>& facing,
+                                   std::vector<ContactSample>& out, CoveredParts& parts) {
+  begin(triangle, object, range, depth, out, parts);
+  Corners c = whole;
+  for (int below = depth - 1; below >= 0; --below) c = children_of(c)[cell >> 2 * below & 3];
+  gather(c, cell, those_near(c, facing));
 }
 
 Vec3 TriangleDivision::place(const Vec3& inside) const {
@@ -46,10 +79,7 @@ TriangleDivision::Seen TriangleDivision::look(const Vec3& inside, const std::vec
 
 TriangleDivision::Look TriangleDivision::look_from(const Corners& points, const std::vector<int>& near) {
   Look seen;
-  for (int i = 0; i < 3; ++i) {
-    seen.from[i] = look(points[i], near);
-    seen.covered += seen.from[i].covered;
-  }
+  for (int i = 0; i < 3; ++i) seen.from[i] = look(points[i], near);
   return seen;
 }
 
@@ -75,38 +105,52 @@ bool TriangleDivision::hopeless(const Look& seen, double size) const {
   });
 }
 
-// One sample is made of all that is covered below its depth.
-void TriangleDivision::part(const Corners& c, int depth, const std::vector<int>& near, Sum* sum) {
-  if (depth != sample_depth_) {
-    examine(c, depth, near, sum);
+// By how much all around a cell is; 0 if something is within it.
+double TriangleDivision::out_of_range(const Corners& c) const {
+  const Corners at = {place(c[0]), place(c[1]), place(c[2])};
+  double nearest = around_.empty() ? range_ : reach_;
+  for (size_t i = 0; i < around_.size() && nearest > range_; ++i)
+    nearest = std::min(nearest, (1 - accuracy) * triangles_apart(at, corners(held_.x(), mesh_.triangles[around_[i]]), range_));
+  return std::max(0.0, nearest - range_);
+}
+
+// Down to cells.
+void TriangleDivision::part(const Corners& c, int depth, int cell, const std::vector<int>& near) {
+  const std::vector<int> close = those_near(c, near);
+  if (close.empty()) return;
+  if (depth == sample_depth_) {
+    if (const double away = out_of_range(c); away > 0) left_->push_back({cell, away});
+    else gather(c, cell, close);
     return;
   }
+  const auto children = children_of(c);
+  for (int i = 0; i < 4; ++i) part(children[i], depth + 1, 4 * cell + i, close);
+}
+
+// One sample is made of all that is covered in its cell.
+void TriangleDivision::gather(const Corners& c, int cell, const std::vector<int>& near) {
   Sum own;
-  examine(c, depth, near, &own);
-  if (!(own.area > 0) || !(own.normal.norm() > 1e-9 * own.area)) return;
-  out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area});
+  examine(c, sample_depth_, look_from(c, near), near, own);
+  if (!(own.area > 0) || !(own.normal.norm() > accuracy * own.area)) return;
+  out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell});
   parts_->parts.push_back({triangle_, own.leader, own.area, own.distance / own.area});
 }
 
-void TriangleDivision::examine(const Corners& c, int depth, const std::vector<int>& near, Sum* sum) {
-  const std::vector<int> close = those_near(c, near);
-  if (close.empty()) return;
-  const double size = size_ / (1 << depth);
-  if (sum) {
-    const Look seen = look_from(c, close);
-    if (seen.covered == 3) return add(c, depth, seen, *sum);
-    if (seen.covered == 0 && hopeless(seen, size)) return;
-    if (depth == last_depth_) {
-      if (cut(c, seen, close, *sum)) return;
-      // Corners may lie on the rim itself; points inside tell what part is covered.
-      const Vec3 centre = (c[0] + c[1] + c[2]) / 3;
-      const Corners inner = {(c[0] + centre) / 2, (c[1] + centre) / 2, (c[2] + centre) / 2};
-      return add(inner, depth, look_from(inner, close), *sum);
-    }
+void TriangleDivision::examine(const Corners& c, int depth, const Look& seen, const std::vector<int>& near, Sum& sum) {
+  if (seen.covered() == 3) return add(c, depth, seen, sum);
+  if (seen.covered() == 0 && hopeless(seen, size_ / (1 << depth))) return;
+  if (depth == last_depth_) {
+    if (cut(c, seen, near, sum)) return;
+    // Corners may lie on the rim itself; points inside tell what part is covered.
+    const Vec3 centre = (c[0] + c[1] + c[2]) / 3;
+    const Corners inner = {(c[0] + centre) / 2, (c[1] + centre) / 2, (c[2] + centre) / 2};
+    return add(inner, depth, look_from(inner, near), sum);
   }
-  const Vec3 m0 = (c[0] + c[1]) / 2, m1 = (c[1] + c[2]) / 2, m2 = (c[2] + c[0]) / 2;
-  for (const Corners& child : {Corners{c[0], m0, m2}, Corners{m0, c[1], m1}, Corners{m2, m1, c[2]}, Corners{m1, m2, m0}})
-    part(child, depth + 1, close, sum);
+  const Corners middles = middles_of(c);
+  const auto children = children_of(c, middles);
+  const auto views = children_of(seen.from, look_from(middles, near).from);
+  for (int i = 0; i < 4; ++i)
+    if (const std::vector<int> close = those_near(children[i], near); !close.empty()) examine(children[i], depth + 1, {views[i]}, close, sum);
 }
 
 // False if the rim there is none that lines can say: where what lies opposite ends at the reach.
@@ -160,18 +204,18 @@ void TriangleDivision::add(double area, const Vec3& inside, const Seen& seen, Su
 
 // The part of the points that are covered is the part of the piece that is.
 void TriangleDivision::add(const Corners& points, int depth, const Look& seen, Sum& sum) const {
-  if (seen.covered == 0) return;
+  if (seen.covered() == 0) return;
   Seen mean;
   Vec3 inside = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
     if (!seen.from[i].covered) continue;
-    inside += points[i] / seen.covered;
+    inside += points[i] / seen.covered();
     mean.normal += seen.from[i].normal;
-    mean.distance += seen.from[i].distance / seen.covered;
+    mean.distance += seen.from[i].distance / seen.covered();
     mean.triangle = seen.from[i].triangle;
   }
   const double cosine = held_.cosine(triangle_, mean.normal.normalized());
-  add(held_.area(triangle_) / std::pow(4.0, depth) * seen.covered / 3 * cosine, inside, mean, sum);
+  add(held_.area(triangle_) / std::pow(4.0, depth) * seen.covered() / 3 * cosine, inside, mean, sum);
 }
 
 }  // namespace tack

@@ -1,7 +1,9 @@
 // Divides a triangle that is covered in part until its pieces are, or are not, or are small, cuts these along the rim
-// (rim_cut.hpp), and gathers what is covered into samples (coverage.hpp). Only what is within reach counts.
+// (rim_cut.hpp), and gathers what is covered into samples (coverage.hpp). Only what is within reach counts. Cells of which one sample is
+// made each are left out where all is out of range.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "framework/contact/coverage.hpp"
@@ -14,9 +16,21 @@ class TriangleDivision {
  public:
   TriangleDivision(const CollisionMesh& mesh, const HeldSurface& held) : mesh_(mesh), held_(held), viewer_(mesh, held) {}
 
-  // near: triangles of the object. reach: how far away something may lie opposite [m]. parts: of that pair.
-  void divide(int triangle, int object, double reach, const std::vector<int>& near, std::vector<ContactSample>& out,
-              CoveredParts& parts);
+  // A cell that is left out.
+  struct Left {
+    int cell;
+    double away;  // of all that is near it, out of range by so much [m]
+  };
+  static constexpr int all = -1;  // cells of a triangle
+  // How often a triangle of that area is divided into four until cells have about this size [m^2, m].
+  static int depth_of(double area, double size);
+  // facing: those triangles of the object that it may face. range: of the law [m]; what lies opposite may be twice as far. depth: of cells.
+  // parts: of that pair. Cells are left out by the triangles `around`, which samples may act on; none is without any.
+  void divide(int triangle, int object, double range, int depth, const std::vector<int>& facing, std::span<const int> around,
+              std::vector<ContactSample>& out, CoveredParts& parts, std::vector<Left>& left);
+  // One that was left out.
+  void divide_cell(int triangle, int object, double range, int depth, int cell, const std::vector<int>& facing,
+                   std::vector<ContactSample>& out, CoveredParts& parts);
 
  private:
   using Corners = std::array<Vec3, 3>;  // barycentric coordinates
@@ -28,7 +42,7 @@ class TriangleDivision {
   };
   struct Look {
     std::array<Seen, 3> from;
-    int covered = 0;
+    int covered() const { return from[0].covered + from[1].covered + from[2].covered; }
   };
   struct Sum {
     double area = 0, distance = 0;  // the latter times the area
@@ -39,10 +53,13 @@ class TriangleDivision {
   Vec3 place(const Vec3& inside) const;
   Seen look(const Vec3& inside, const std::vector<int>& near);
   Look look_from(const Corners& points, const std::vector<int>& near);
+  void begin(int triangle, int object, double range, int depth, std::vector<ContactSample>& out, CoveredParts& parts);
   std::vector<int> those_near(const Corners& c, const std::vector<int>& near) const;
+  double out_of_range(const Corners& c) const;
   bool hopeless(const Look& seen, double size) const;
-  void part(const Corners& c, int depth, const std::vector<int>& near, Sum* sum);
-  void examine(const Corners& c, int depth, const std::vector<int>& near, Sum* sum);
+  void part(const Corners& c, int depth, int cell, const std::vector<int>& near);
+  void gather(const Corners& c, int cell, const std::vector<int>& near);
+  void examine(const Corners& c, int depth, const Look& seen, const std::vector<int>& near, Sum& sum);
   bool cut(const Corners& c, const Look& seen, const std::vector<int>& near, Sum& sum);
   void add(const Corners& points, int depth, const Look& seen, Sum& sum) const;
   void add(double area, const Vec3& inside, const Seen& seen, Sum& sum) const;
@@ -52,9 +69,11 @@ class TriangleDivision {
   const HeldSurface& held_;
   FacingViewer viewer_;
   int triangle_ = 0, object_ = 0, sample_depth_ = 0, last_depth_ = 0;
-  double reach_ = 0, size_ = 0, slack_ = 0;  // m
+  double range_ = 0, reach_ = 0, size_ = 0, slack_ = 0;  // m
   std::vector<ContactSample>* out_ = nullptr;
   CoveredParts* parts_ = nullptr;
+  std::span<const int> around_;
+  std::vector<Left>* left_ = nullptr;
   std::vector<RimLine> lines_;
 };
 

@@ -8,6 +8,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/coverage.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
@@ -93,6 +94,33 @@ TEST_CASE("contact integral: the ground integrates, if the scene says so", "[con
   }
 }
 
+TEST_CASE("contact integral: a ball over a ground that integrates, whatever the ground's cells", "[contact]") {
+  const double radius = 5e-3, height = radius + 0.7e-3;
+  // Of the ground's points at a distance r from below the ball: distance to it, along a line that is tilted, towards which areas count.
+  double expected = 0;
+  const int rings = 2000;
+  const double far = std::sqrt(std::pow(radius + 2 * dhat, 2) - height * height), width = far / rings;
+  for (int i = 0; i < rings; ++i) {
+    const double r = (i + 0.5) * width, away = std::hypot(r, height);
+    expected += traction(away - radius) * std::pow(height / away, 2) * 2 * M_PI * r * width;
+  }
+  for (const int n : {5, 7, 10, 14, 20, 40})
+    for (const Vec2& shift : {Vec2(0.1, 0.2), Vec2(0.5, 0.5), Vec2(0.33, 0.9)}) {
+      const double cell = 0.1 / n;
+      const Box ground{{0.1, 0.01, 0.1}, {n, 1, n}, {-0.05 + shift.x() * cell, -0.01, -0.05 + shift.y() * cell}};
+      TestScene scene(fmt::format("objects:\n  - {{name: ball, shape: {{type: sphere, radius: {}, cells: 12}}, place: {{translate: [0, {}, 0]}}, {}}}\n",
+                                  radius, height, material) +
+                      ground.yaml("ground", material) + contact("between: [ball, ground], integrate: ground" + sticks));
+      World& world = *scene.world;
+      world.contact->begin_step({world.rest});
+      world.contact->move_to(world.rest);
+      const Vec3 f = -world.contact_term->force_between(world.rest, LawPart::all, {0, 1});
+      INFO("cells of " << cell << ", shift " << shift.transpose() << ": " << f.y() / expected);
+      CHECK(f.y() == Approx(expected).epsilon(0.06));
+      CHECK(std::hypot(f.x(), f.z()) < 0.06 * expected);
+    }
+}
+
 TEST_CASE("contact integral: metres or micrometres, over a solid and over both sides of a sheet", "[contact]") {
   const double expected = 1e-4 * traction(gap);
   const std::string box = "{type: box, size: [0.04, 0.01, 0.04], cells: [8, 1, 8]}", sheet = "{type: grid, size: [0.04, 0.04], cells: [8, 8]}";
@@ -114,6 +142,51 @@ TEST_CASE("contact integral: metres or micrometres, over a solid and over both s
       CHECK(f.y() == Approx(expected).epsilon(1e-3));
       CHECK(std::hypot(f.x(), f.z()) < 1e-3 * expected);
     }
+}
+
+TEST_CASE("contact integral: a tilted plate over a coarse ground that integrates", "[contact]") {
+  const double slope = 0.1, low = 0.6e-3;  // from within range to far out of it
+  double expected = 0;
+  for (int i = 0; i < 2000; ++i) expected += 0.02 * 1e-5 * traction(low + slope * (i + 0.5) * 1e-5);
+  for (const int n : {2, 4, 10, 40}) {
+    const Box upper{{0.02, 2e-3, 0.02}, {20, 1, 20}, {0, low, -0.01}};
+    const Box lower{{0.06, 0.01, 0.06}, {n, 1, n}, {-0.0213, -0.01, -0.0308}};
+    TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
+                    contact("between: [upper, lower], integrate: lower" + sticks));
+    World& world = *scene.world;
+    VecX x = world.rest;
+    for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v + 1) += slope * x(3 * v);
+    world.contact->begin_step({x});
+    world.contact->move_to(x);
+    const double force = -world.contact_term->force_between(x, LawPart::all, {0, 1}).y();
+    INFO("cells " << n << ": " << force / expected);
+    CHECK(force == Approx(expected).epsilon(0.05));
+  }
+}
+
+TEST_CASE("contact integral: what is out of range as a step begins is divided when it comes near", "[contact]") {
+  const Box cube{{0.01, 0.01, 0.01}, {2, 2, 2}, {-0.005, 2.4e-3, -0.005}};
+  const Box ground{{0.04, 0.01, 0.04}, {8, 1, 8}, {-0.0185, -0.01, -0.018}};
+  TestScene scene("objects:\n" + cube.yaml("upper", material) + ground.yaml("lower", material) +
+                  contact("between: [upper, lower], integrate: lower" + sticks));
+  World& world = *scene.world;
+  const auto moved = [&](double upper, double lower) {
+    VecX x = world.rest;
+    const int own = world.bodies[0].vertex_count;
+    for (int v = 0; v < static_cast<int>(x.size() / 3); ++v) vertex(x, v) += Vec3(0.3, v < own ? upper : lower, -0.2);
+    return x;
+  };
+  world.contact->begin_step({moved(0, 0)});
+  world.contact->move_to(moved(0, 0));
+  CHECK(world.contact->coverage().samples().empty());
+  world.contact->move_to(moved(-5e-3, -5e-3));  // in company
+  CHECK(world.contact->coverage().samples().empty());
+  for (const double approach : {0.5e-3, 1e-3, 1.5e-3}) {
+    world.contact->move_to(moved(-approach, 0));
+    CHECK(world.contact->coverage().samples().size() > 10);
+    const double force = -world.contact_term->force_between(moved(-approach, 0), LawPart::all, {0, 1}).y();
+    CHECK(force == Approx(1e-4 * traction(2.4e-3 - approach)).epsilon(0.02));
+  }
 }
 
 TEST_CASE("contact integral: crossed bars", "[contact]") {

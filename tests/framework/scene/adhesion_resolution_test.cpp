@@ -64,16 +64,16 @@ double pull(const Adhered& adhered, double degrees) {
 }  // namespace
 
 TEST_CASE("adhesion on elements across which the gap changes by much of its range is told", "[contact]") {
-  const Adhered coarse = adhered(tilted(5, 8));
-  CHECK(std::abs(pull(coarse, 5) - 1) > 0.1);
+  const Adhered coarse = adhered(tilted(10, 26));  // just smaller than twice the range
+  CHECK(std::abs(pull(coarse, 10) - 1) > 0.1);
   REQUIRE(coarse.told.size() == 1);
   CHECK(contains(coarse.told[0], "where 'upper' adhered to 'lower', the gap changed by more than a quarter of the range"));
   INFO(coarse.told[0]);
-  CHECK(contains(coarse.told[0], "elements of 0.00057 m would do"));  // a quarter of the range over sin(5 degrees)
+  CHECK(contains(coarse.told[0], "elements of 0.0002"));  // no more than a quarter of the range over sin(10 degrees), 0.29 mm
 }
 
-TEST_CASE("adhesion on elements that are as small as was told is right, and silent", "[contact]") {
-  for (const auto& [degrees, cells] : {std::pair(5, 24), std::pair(1, 8), std::pair(0, 2)}) {
+TEST_CASE("adhesion on elements that are as small as was told is right, and silent, and on those that are larger than twice the range", "[contact]") {
+  for (const auto& [degrees, cells] : {std::pair(5, 24), std::pair(5, 8), std::pair(5, 2), std::pair(1, 8), std::pair(0, 2)}) {
     INFO(degrees << " degrees, " << cells << " cells");
     const Adhered fine = adhered(tilted(degrees, cells));
     CHECK(fine.told.empty());
