@@ -1,6 +1,6 @@
-# bin/tack, lib/tack (what it opens itself), include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
+# bin/tack and what it starts, lib/tack (what it opens itself), include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
 include(CMakePackageConfigHelpers)
-install(TARGETS tack_cli RUNTIME DESTINATION bin)
+install(TARGETS tack_cli tack_studies RUNTIME DESTINATION bin)
 install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)
 install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"
         PATTERN framework/app EXCLUDE)

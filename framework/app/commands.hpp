@@ -2,6 +2,7 @@
 // Each returns the exit code, or throws InputError or SimulationError.
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,9 @@ namespace tack {
 
 inline constexpr int exit_done = 0, exit_expectation_failed = 1, exit_bad_input = 2,
                      exit_simulation_failed = 3, exit_interrupted = 130;
+
+// Thrown by a command that this program lacks and tack_studies, beside it, has (in_studies.cpp): main goes on there.
+struct InStudies : std::exception {};
 
 // The experiment file and its overrides, as every command takes that reads a scene.
 struct SceneOptions {
@@ -103,8 +107,10 @@ struct ListOptions {
   std::string reference, schema, compare_schema, batch_schema, calibrate_schema;  // files to write instead
   std::vector<std::string> plugins;                             // whose components are listed too
 };
-// What can be named in a scene file; also writes the reference page and the JSON schemas.
+// What can be named in a scene file; describe_command if files are to be written.
 int list_command(const ListOptions& options);
+// Writes the reference page and the JSON schemas.
+int describe_command(const ListOptions& options);
 
 struct LawOptions {
   std::vector<std::string> words;  // a scene or the file of an adhesion, and keys of it ("a.b=c")

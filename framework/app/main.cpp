@@ -4,9 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
 
 #include "framework/app/commands.hpp"
 #include "framework/config/nearest.hpp"
@@ -310,6 +313,18 @@ void let_script_build_library(char** argv) {
   ::execv(script, argv);
 }
 
+// tack_studies, with the same words. Returns if it cannot be started.
+int go_on_in_studies(char** argv) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const std::string program = (fs::read_symlink("/proc/self/exe", none).parent_path() / "tack_studies").string();
+  std::fflush(nullptr);
+  ::execv(program.c_str(), argv);
+  fmt::print(stderr, "error: the program with this command, {}, cannot be started ({}); run `./tack`, which builds it, or "
+                     "`cmake --build --preset release --target tack_studies`\n", program, std::strerror(errno));
+  return exit_bad_input;
+}
+
 }  // namespace
 }  // namespace tack
 
@@ -317,6 +332,8 @@ int main(int argc, char** argv) {
   try {
     tack::keep_meshes_in(tack::usual_mesh_folder());
     return tack::CommandLine().execute(argc, argv);
+  } catch (const tack::InStudies&) {
+    return tack::go_on_in_studies(argv);
   } catch (const tack::InputError& error) {
     tack::let_script_build_library(argv);
     fmt::print(stderr, "error: {}\n", error.what());

@@ -14,7 +14,7 @@ namespace tack {
 
 namespace fs = std::filesystem;
 
-Program::Program(const fs::path& directory, const Arguments& arguments) {
+Program::Program(const fs::path& directory, const Arguments& arguments, const std::string& program) {
   const std::string out = printed_.path() / "out", err = printed_.path() / "err";
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
@@ -22,14 +22,14 @@ Program::Program(const fs::path& directory, const Arguments& arguments) {
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, 1, out.c_str(), O_CREAT | O_WRONLY, 0600);
   posix_spawn_file_actions_addopen(&actions, 2, err.c_str(), O_CREAT | O_WRONLY, 0600);
-  std::vector<std::string> words = {TACK_PROGRAM};
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  const int failed = ::posix_spawn(&pid_, TACK_PROGRAM, &actions, nullptr, argv.data(), environ);
+  const int failed = ::posix_spawn(&pid_, program.c_str(), &actions, nullptr, argv.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed) throw std::runtime_error("cannot start " TACK_PROGRAM);
+  if (failed) throw std::runtime_error("cannot start " + program);
 }
 
 Program::~Program() {
@@ -76,8 +76,8 @@ ProgramResult Program::wait() {
           file_text(printed_.path() / "err")};
 }
 
-ProgramResult run_tack(const fs::path& directory, const Arguments& arguments) {
-  return Program(directory, arguments).wait();
+ProgramResult run_tack(const fs::path& directory, const Arguments& arguments, const std::string& program) {
+  return Program(directory, arguments, program).wait();
 }
 
 std::string file_text(const fs::path& path) {

@@ -22,6 +22,22 @@ TEST_CASE("the committed reference page and schema are those of the program") {
   CHECK((file_text(folder.path() / "calibrate.json") == file_text(docs / "calibrate.schema.json")));
 }
 
+TEST_CASE("without the program that has it, a command says what to build, and the others work") {
+  const TemporaryFolder folder;
+  const fs::path alone = folder.path() / "tack";
+  fs::copy_file(TACK_PROGRAM, alone);
+  const std::vector<Arguments> in_studies = {{"batch", "b.yaml"},   {"calibrate", "c.yaml"}, {"compare", "c.yaml"}, {"list", "--schema", "s.json"},
+                                             {"law", "--type", "fang"}, {"plot", "results"},     {"report", "results"}};
+  for (const Arguments& arguments : in_studies) {
+    CAPTURE(arguments);
+    const ProgramResult missing = run_tack(folder.path(), arguments, alone);
+    CHECK(missing.exit_code == 2);
+    CHECK(contains(missing.err, (folder.path() / "tack_studies").string() + ", cannot be started (No such file or directory)"));
+    CHECK(contains(missing.err, "--target tack_studies"));
+  }
+  CHECK(run_tack(folder.path(), {"list", "adhesion"}, alone).exit_code == 0);
+}
+
 TEST_CASE("tack check validates without running") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", tiny_scene);
