@@ -14,9 +14,16 @@ TACK_REGISTER(PublishedField, PlasticStrain, "plastic_strain", "Accumulated.", "
 
 void publish_plasticity(Records& records, const std::string& term, std::function<double(const VecX& x)> work,
                         const std::vector<double>& strain) {
+  publish_plasticity(records, term, std::move(work), [&strain] { return VecX(Eigen::Map<const VecX>(strain.data(), static_cast<Eigen::Index>(strain.size()))); },
+                     nullptr);
+}
+
+void publish_plasticity(Records& records, const std::string& term, std::function<double(const VecX& x)> work,
+                        std::function<VecX()> strain, const std::vector<Tet>* tets) {
   records.add(FlowRecord{term, {{"dissipated_plastic"}}, [work = std::move(work)](const VecX& x, double* amounts) { amounts[0] = work(x); }});
-  FieldRecord field{"plastic_strain", [&strain](const VecX&) { return VecX(Eigen::Map<const VecX>(strain.data(), static_cast<Eigen::Index>(strain.size()))); }};
+  FieldRecord field{"plastic_strain", [strain = std::move(strain)](const VecX&) { return strain(); }};
   field.of_elements = true;
+  field.tets = tets;
   records.add(std::move(field));
 }
 

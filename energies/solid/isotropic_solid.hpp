@@ -1,10 +1,11 @@
 // What every isotropic solid energy has in common: parameters, lumped mass, the term. An elastic material is
-// one file: its density, its derivatives, and a TACK_REGISTER of IsotropicSolid<Material>.
+// its density and derivatives, which it may split (material_split.hpp), and a TACK_REGISTER of IsotropicSolid<Material>.
 #pragma once
 
 #include <limits>
 
 #include "energies/solid/least_squares_solid.hpp"
+#include "energies/solid/material_split.hpp"
 #include "framework/config/field.hpp"
 #include "framework/scene/energy.hpp"
 
@@ -42,12 +43,22 @@ class SolidEnergy : public Energy {
   double density_ = 1000;   // kg/m^3
 };
 
+// Of tets that are taken together (Body::elements). Defined in grouped_solid.hpp, for a file of its own or that of a plugin's material: in the file of linear
+// ones the compiler would inline other functions, so that those round differently.
+template <SplitMaterial Material>
+std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material, const Body& body, const VecX& rest);
+
 template <class Material>
 class IsotropicSolid : public SolidEnergy {
  public:
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
-    return std::make_unique<LeastSquaresSolid<Material>>(std::string(type()), Material{lame()}, body, rest);
+    const std::string name(type());
+    const Material material{lame()};
+    if constexpr (SplitMaterial<Material>)
+      if (body.elements != Elements::linear) return make_grouped_solid(name, material, body, rest);
+    return std::make_unique<LeastSquaresSolid<Material>>(name, material, body, rest);
   }
+  bool takes_elements() const override { return SplitMaterial<Material>; }
 };
 
 }  // namespace tack

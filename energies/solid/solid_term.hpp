@@ -54,7 +54,7 @@ class SolidTerm : public Term, public StencilRanges {
   void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
                          double* hessian) const override {
     for (int t = first; t < last; t += pack_width, gradient += 12 * pack_width) {
-      elements(t, std::min(pack_width, last - t), x, projection, gradient, hessian);
+      elements(material(t / pack_width), t, std::min(pack_width, last - t), x, projection, gradient, hessian);
       if (hessian) hessian += 90 * pack_width;
     }
   }
@@ -87,17 +87,35 @@ class SolidTerm : public Term, public StencilRanges {
   }
   Mat3 deformation(int t, const VecX& x) const { return deformation_gradient(rest_of(t), tets_[t], x); }
 
+  decltype(auto) material(int pack) const {
+    if constexpr (requires { material_.at(pack); }) return material_.at(pack);
+    else return (material_);
+  }
+
+  // Slots of the tets first .. first + n, with their derivatives in principal stretches.
+  template <class Lanes>
+  void elements(const Lanes& lanes, int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
+    const TetRest<Pack>& rest = rest_[first / pack_width];
+    const Svd3<Pack> svd = svd3(deformation_gradient(rest, &tets_[first], n, x));
+    const PrincipalDerivatives d = lanes.derivatives(svd.s);
+    const PackMat3 shape = rest.shape * svd.v;  // row a-1: V^T grad N_a
+    PackMatrix<3, 4> g;
+    for (int a = 0; a < 3; ++a)
+      g.col(a + 1) = rest.volume * (svd.u * d.gradient.cwiseProduct(shape.row(a).transpose()));
+    g.col(0) = -(g.col(1) + g.col(2) + g.col(3));
+    store_lanes(g.data(), 12, gradient, n);
+    if (!hessian) return;
+    alignas(64) Pack slots[90];
+    blocks(svd.u, shape, principal_hessian(svd.s, d, projection), rest.volume, slots);
+    store_lanes(slots, 90, hessian, n);
+  }
+
   Material material_;
   std::vector<Tet> tets_;
   std::vector<TetRest<Pack>> rest_;  // of pack_width tets each; the last lanes repeat the last tet
 
  private:
   static_assert(chunk_size % pack_width == 0 && grain % pack_width == 0);
-
-  decltype(auto) material(int pack) const {
-    if constexpr (requires { material_.at(pack); }) return material_.at(pack);
-    else return (material_);
-  }
 
   static std::vector<TetRest<Pack>> packed(const std::vector<TetRest<double>>& rest) {
     const size_t packs = (rest.size() + pack_width - 1) / pack_width;
@@ -109,23 +127,6 @@ class SolidTerm : public Term, public StencilRanges {
       pack.volume.set(t % pack_width, tet.volume);
     }
     return out;
-  }
-
-  // Slots of the tets first .. first + n.
-  void elements(int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
-    const TetRest<Pack>& rest = rest_[first / pack_width];
-    const Svd3<Pack> svd = svd3(deformation_gradient(rest, &tets_[first], n, x));
-    const PrincipalDerivatives d = material(first / pack_width).derivatives(svd.s);
-    const PackMat3 shape = rest.shape * svd.v;  // row a-1: V^T grad N_a
-    PackMatrix<3, 4> g;
-    for (int a = 0; a < 3; ++a)
-      g.col(a + 1) = rest.volume * (svd.u * d.gradient.cwiseProduct(shape.row(a).transpose()));
-    g.col(0) = -(g.col(1) + g.col(2) + g.col(3));
-    store_lanes(g.data(), 12, gradient, n);
-    if (!hessian) return;
-    alignas(64) Pack slots[90];
-    blocks(svd.u, shape, principal_hessian(svd.s, d, projection), rest.volume, slots);
-    store_lanes(slots, 90, hessian, n);
   }
 
   // K_ab = volume U K^_ab U^T for a, b = 1..3; the rows and columns of vertex 0 make sums vanish.

@@ -74,12 +74,21 @@ struct VonMises {
   std::vector<Pack> limits = {};  // of pack_width tets each
 
   VonMisesLanes at(int pack) const { return {lame, lame.mu * hardening / (3 * lame.mu + hardening), limits[pack]}; }
+  // Elements whose mean volume counts keep hardly any of the bulk modulus at points: in plastic flow, which has no other stiffness, the rest would lock.
+  auto split() const {
+    const double kept = share_of_parts * std::min(bulk(), 2 * lame.mu / 3);
+    const VonMises shape{{lame.mu, kept - 2 * lame.mu / 3}, yield_stress, hardening};
+    return MaterialSplit<VonMises, VonMises, LogVolume>{shape, shape, {bulk() - kept}};
+  }
   // The largest elastic |dev e| at an accumulated plastic strain.
   double limit(double strain) const { return std::sqrt(2.0 / 3) * (yield_stress + hardening * strain) / (2 * lame.mu); }
   // The plastic strain that the return mapping adds where |dev e| of the trial deformation is beyond a limit by r.
   double flow(double r) const { return r > 0 ? std::sqrt(2.0 / 3) * r * 3 * lame.mu / (3 * lame.mu + hardening) : 0; }
   // Work per volume of plastic flow that adds to an accumulated strain [J/m^3].
   double work(double strain, double added) const { return added * (yield_stress + hardening * (strain + added / 2)); }
+
+ private:
+  double bulk() const { return lame.lambda + 2 * lame.mu / 3; }
 };
 
 }  // namespace tack

@@ -15,14 +15,15 @@
 #include "framework/scene/law_check.hpp"
 #include "framework/scene/resolution.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/tets/divide_tets.hpp"
 
 namespace tack {
 namespace {
 
 void print_contents(const World& world) {
   for (const Body& body : world.bodies) {
-    fmt::print("object '{}': {} vertices, {} tets, {} surface triangles{}{}\n", body.name, body.vertex_count,
-               body.tets.size(), body.triangles.size(),
+    fmt::print("object '{}': {} vertices, {} tets{}, {} surface triangles{}{}\n", body.name, body.vertex_count, body.tets.size(),
+               body.elements == Elements::composite ? fmt::format(" ({} composite ones)", body.tets.size() / composite_parts) : "", body.triangles.size(),
                body.surface_triangles.empty() ? "" : fmt::format(" ({} in contact)", body.surface_triangles.size()),
                body.movable ? "" : ", held");
     for (const std::string& line : body.notes) fmt::print("  {}\n", line);

@@ -123,5 +123,6 @@ template void project_stencil_psd<6>(Eigen::Matrix<double, 18, 18>&, Projection)
 template void project_stencil_psd<7>(Eigen::Matrix<double, 21, 21>&, Projection);
 template void project_stencil_psd<8>(Eigen::Matrix<double, 24, 24>&, Projection);
 template void project_stencil_psd<9>(Eigen::Matrix<double, 27, 27>&, Projection);
+template void project_stencil_psd<10>(Eigen::Matrix<double, 30, 30>&, Projection);
 
 }  // namespace tack

@@ -12,7 +12,7 @@ namespace tack {
 template <int N>
 void project_psd(Eigen::Matrix<double, N, N>& hessian, Projection projection);
 
-// Arity 2 to 9, translation invariant: 3K x 3K.
+// Arity 2 to 10, translation invariant: 3K x 3K.
 template <int K>
 void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projection projection);
 

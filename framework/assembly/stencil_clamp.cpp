@@ -17,7 +17,7 @@ void clamp_slots(double* slots) {
   store_blocks<K>(hessian, slots);
 }
 
-static_assert(largest_arity == 9);
+static_assert(largest_arity == 10);
 
 void clamp_slots(int arity, double* slots) {
   switch (arity) {
@@ -30,8 +30,22 @@ void clamp_slots(int arity, double* slots) {
     case 7: return clamp_slots<7>(slots);
     case 8: return clamp_slots<8>(slots);
     case 9: return clamp_slots<9>(slots);
+    case 10: return clamp_slots<10>(slots);
   }
   throw std::logic_error("no projection of stencils of this arity");
+}
+
+// c v v^T is negative if its trace is.
+void clamp_rank_one(int arity, double* slots) {
+  double trace = 0;
+  for (int i = 0; i < arity; ++i) trace += Eigen::Map<const Mat3>(slots + 9 * (hessian_blocks(i + 1) - 1)).trace();
+  if (trace < 0) std::fill_n(slots, 9 * hessian_blocks(arity), 0.0);
+}
+
+void clamp_stencil(const StencilBatch& batch, double* slots) {
+  if (batch.rank_one) clamp_rank_one(batch.arity, slots);
+  else if (batch.twists > 0) project_twisted_slots(slots, Projection::clamp);
+  else clamp_slots(batch.arity, slots);
 }
 
 }  // namespace
@@ -53,7 +67,7 @@ void clamp_stencils(const StencilBatch& batch, int first, int last, const std::v
   };
   for (int s = first; s < last; ++s, slots += 9 * hessian_blocks(batch.arity)) {
     const int* v = batch.vertices + static_cast<size_t>(batch.arity) * s;
-    if (std::any_of(v, v + batch.arity, flagged)) batch.twists > 0 ? project_twisted_slots(slots, Projection::clamp) : clamp_slots(batch.arity, slots);
+    if (std::any_of(v, v + batch.arity, flagged)) clamp_stencil(batch, slots);
   }
 }
 

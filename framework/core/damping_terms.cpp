@@ -25,8 +25,8 @@ void multiply(const double* blocks, int arity, const int* vertices, const VecX& 
 
 std::vector<StencilBatch> checked(std::vector<StencilBatch> batches) {
   for (const StencilBatch& b : batches)
-    if (b.arity < 1 || b.arity > largest_arity)
-      throw std::logic_error(fmt::format("damping: stencils of {} vertices, and {} are the most (framework/core/term.hpp)", b.arity, largest_arity));
+    if (const int most = b.rank_one ? largest_rank_one : largest_arity; b.arity < 1 || b.arity > most)
+      throw std::logic_error(fmt::format("damping: stencils of {} vertices, and {} are the most (framework/core/term.hpp)", b.arity, most));
   return batches;
 }
 
@@ -63,7 +63,7 @@ double DampingTerm::square(const VecX& d) const {
   for (const StencilBatch& b : batches_) {
     const size_t slots = 9 * static_cast<size_t>(hessian_blocks(b.arity));
     sum += sum_chunks(b.count, [&](int first, int last) {
-      double part = 0, product[3 * largest_arity];
+      double part = 0, product[3 * largest_rank_one];
       for (int s = first; s < last; ++s) {
         const int* vertices = b.vertices + b.arity * static_cast<size_t>(s);
         multiply(blocks + slots * s, b.arity, vertices, d, product);
@@ -100,7 +100,7 @@ void DampingTerm::add_mean_forces(const VecX& x, VecX& forces) const {
   const VecX v = (x - start_) / h_;
   const double* blocks = blocks_.data();
   for (const StencilBatch& b : batches_) {
-    double product[3 * largest_arity];
+    double product[3 * largest_rank_one];
     for (int s = 0; s < b.count; ++s, blocks += 9 * hessian_blocks(b.arity)) {
       const int* vertices = b.vertices + b.arity * static_cast<size_t>(s);
       multiply(blocks, b.arity, vertices, v, product);

@@ -96,6 +96,7 @@ struct FieldRecord {
   bool of_elements = false;
   bool summed = false;
   const Term* term = nullptr;  // that published it
+  const std::vector<Tet>* tets = nullptr;  // of elements: those, in the place of the term's stencils
 
   void combine(double value, double& with) const;
 };
@@ -104,6 +105,7 @@ struct FieldRecord {
 struct StressRecord {
   std::function<std::vector<Mat3>(const VecX& x)> values = {};  // Pa
   const Term* term = nullptr;  // that published it
+  const std::vector<Tet>* tets = nullptr;  // those, in the place of the term's stencils
 };
 
 class Records {

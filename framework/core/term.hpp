@@ -18,7 +18,8 @@ namespace tack {
 class Records;
 class ResidualView;
 
-inline constexpr int largest_arity = 9;  // of a stencil
+inline constexpr int largest_arity = 10;    // of a stencil
+inline constexpr int largest_rank_one = 24;  // of one whose Hessian is of rank one
 
 constexpr int hessian_blocks(int arity) { return arity * (arity + 1) / 2; }
 
@@ -28,6 +29,7 @@ struct StencilBatch {
   int count = 0;
   const int* vertices = nullptr;
   int twists = 0;  // so many of each, the last ones, are no places but twists (rod/rod_frames.hpp): one number, first of three
+  bool rank_one = false;  // every Hessian is a number times the square of a vector: negative as a whole, or not at all
 };
 
 // What terms may offer for each batch of lasting stencils: stencils a few at a time, so that their Hessians are summed

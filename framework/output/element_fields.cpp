@@ -49,14 +49,20 @@ class Cells {
   std::vector<std::pair<Key, int>> cells_;
 };
 
-// Calls act(cell, stencil) for each stencil of a term that is a cell.
+// What the numbers of a record are of.
+template <class Record>
+StencilBatch elements_of(const Record& record) {
+  if (record.tets) return {4, static_cast<int>(record.tets->size()), record.tets->empty() ? nullptr : record.tets->front().data()};
+  const auto batches = record.term ? record.term->batches() : std::vector<StencilBatch>();
+  return batches.size() == 1 ? batches[0] : StencilBatch();
+}
+
+// Calls act(cell, element) for each of the elements that is a cell.
 template <class Act>
-void for_each_cell(const Term& term, const Cells& cells, const Act& act) {
-  const auto batches = term.batches();
-  if (batches.size() != 1 || (batches[0].arity != 3 && batches[0].arity != 4)) return;
-  const int arity = batches[0].arity;
-  for (int s = 0; s < batches[0].count; ++s)
-    if (const int cell = cells.find(batches[0].vertices + static_cast<size_t>(arity) * s, arity); cell >= 0) act(cell, s);
+void for_each_cell(const StencilBatch& elements, const Cells& cells, const Act& act) {
+  if (elements.arity != 3 && elements.arity != 4) return;
+  for (int s = 0; s < elements.count; ++s)
+    if (const int cell = cells.find(elements.vertices + static_cast<size_t>(elements.arity) * s, elements.arity); cell >= 0) act(cell, s);
 }
 
 // Of all energies of an element together, by cell.
@@ -64,7 +70,7 @@ std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const Cel
   std::map<int, Mat3> sums;
   for (const StressRecord& record : world.records.stresses()) {
     const std::vector<Mat3> stresses = record.values(x);
-    for_each_cell(*record.term, cells, [&](int cell, int stencil) {
+    for_each_cell(elements_of(record), cells, [&](int cell, int stencil) {
       sums.try_emplace(cell, Mat3::Zero()).first->second += stresses[stencil];
     });
   }
@@ -133,10 +139,10 @@ VecX published(const FrameFieldInfo& field, const World& world, const VecX& x, c
   for (const FieldRecord& record : world.records.fields()) {
     if (record.name != field.name || !record.of_elements) continue;
     const VecX values = record.values(x);
-    const auto batches = record.term ? record.term->batches() : std::vector<StencilBatch>();
-    if (batches.size() != 1 || values.size() != n * batches[0].count)
+    const StencilBatch elements = elements_of(record);
+    if (elements.arity == 0 || values.size() != n * elements.count)
       throw std::logic_error("the field '" + field.name + "' has not " + std::to_string(n) + " numbers for each stencil of one batch of its term");
-    for_each_cell(*record.term, cells, [&](int cell, int stencil) {
+    for_each_cell(elements, cells, [&](int cell, int stencil) {
       for (int k = 0; k < n; ++k) record.combine(values(n * stencil + k), all(n * cell + k));
     });
   }

@@ -1,5 +1,5 @@
 // Slender bodies of few linear tets across, which resist bending too much: with 1, 2, 4, 8 cells over its thickness a bar bends by
-// 0.22, 0.50, 0.79, 0.93 of what it should at a Poisson's ratio of 0.3, by 0.04, 0.10, 0.29, 0.58 at 0.49. Whether a body bends
+// 0.22, 0.50, 0.79, 0.93 of what it should at a Poisson's ratio of 0.3, by 0.04, 0.10, 0.29, 0.58 at 0.49; composite tets (Elements) do not. Whether a body bends
 // shows in the run: over a patch that is some thicknesses wide, the strain of bending has no mean, that of stretching, shearing or
 // pressing all of it is its mean. What is left of the mean square without the squares of the means of patches is the share of bending.
 #pragma once

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/scene/elements.hpp"
 #include "framework/scene/rod_section.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/types.hpp"
@@ -23,6 +24,7 @@ struct Body {
   int energy = 0;       // which of its energies is made, from 0: what terms that remember are told apart by
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
+  Elements elements = Elements::linear;  // composite: each eight of the tets are one
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, then those of `sheet`
   std::vector<Triangle> sheet;      // explicit triangles of the mesh that are no faces of its tets: shells
   double thickness = 0;             // of the sheet [m]; 0: none is given

@@ -28,6 +28,7 @@
 #include "geometry/exact/orientation.hpp"
 #include "geometry/mesh/surface.hpp"
 #include "geometry/mesh/validate.hpp"
+#include "geometry/tets/divide_tets.hpp"
 
 namespace tack {
 namespace {
@@ -35,6 +36,27 @@ namespace {
 Mesh placed(Mesh mesh, const ObjectConfig& object) {
   object.place.apply(mesh);
   validate_mesh(mesh, fmt::format("object '{}'", object.name));
+  return mesh;
+}
+
+// The mesh as the object's elements need it. Notes in the digest, which is that of the mesh before it was placed, that it has others.
+Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
+  if (object.elements == Elements::linear) return mesh;
+  const char* remedy = "take `elements` away";
+  if (mesh.tets.empty())
+    throw InputError(fmt::format("object '{}' has no tets of which `elements` could be; {}, or use a tet mesh or shape", object.name, remedy));
+  if (object.body)
+    throw InputError(fmt::format("object '{}' is an affine body, which does not strain: `elements` would do nothing; {}", object.name, remedy));
+  for (const auto& energy : object.energies)
+    if (energy->poisson() && !energy->takes_elements())
+      throw InputError(fmt::format("object '{}': the energy {} knows linear tets only (its material has no volume of its own, "
+                                   "energies/solid/material_split.hpp); {}", object.name, energy->type(), remedy));
+  if (object.elements != Elements::composite) return mesh;
+  mesh = divide_tets(mesh);
+  const MeshDigest divided = digest_of(mesh);
+  digest.vertex_count = divided.vertex_count;
+  digest.element_count = divided.element_count;
+  digest.elements = divided.elements;
   return mesh;
 }
 
@@ -54,6 +76,7 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   };
   body.tags = mesh.tags;
   body.tets = shifted(mesh.tets);
+  body.elements = object.elements;
   const Surface surface = extract_surface(mesh);
   body.triangles = shifted(surface.triangles);
   body.sheet.assign(body.triangles.begin() + surface.first_sheet, body.triangles.end());
@@ -300,7 +323,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     const auto shape = made(*object.shape);
     Mesh mesh = shape->mesh;
     digests.push_back(digest_of(mesh));
-    mesh = placed(std::move(mesh), object);
+    mesh = with_elements(placed(std::move(mesh), object), object, digests.back());
     if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
     meshes.push_back(std::move(mesh));
     notes.push_back(shape->notes);

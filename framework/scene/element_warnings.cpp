@@ -17,10 +17,10 @@ constexpr double largest_poisson = 0.45;
 constexpr int least_edges = 32;  // of a full turn
 constexpr double corner = 75 * std::numbers::pi / 180;  // between edges: not a part of a curve
 
-// Of what a body's tets are made of, the largest; 0 without tets.
+// Of what a body's linear tets are made of, the largest; 0 without any.
 double poisson_of(const ObjectConfig& object, const Body& body) {
   double largest = 0;
-  if (body.tets.empty() || !body.frame.empty() || !body.movable) return largest;
+  if (body.tets.empty() || body.elements != Elements::linear || !body.frame.empty() || !body.movable) return largest;
   for (const auto& energy : object.energies)
     if (const auto poisson = energy->poisson()) largest = std::max(largest, *poisson);
   return largest;
@@ -59,7 +59,8 @@ std::vector<std::string> element_warnings(const SceneConfig& scene, const World&
     if (const double poisson = poisson_of(object, body); poisson > largest_poisson * (1 + 1e-9))
       lines.tell(object, "poisson",
                  fmt::format("the linear tets of '{}' lock in volume with a Poisson's ratio of {:.4g}: it is too stiff wherever its strain is not "
-                             "the same all over, when bent with 8 cells across by a factor of 1.7 at 0.49 and 6 at 0.499; take {:g} or less",
+                             "the same all over, when bent with 8 cells across by a factor of 1.7 at 0.49 and 6 at 0.499; take `elements: "
+                             "composite` (or patches, which bend as they do at 0.3), or {:g} or less",
                              body.name, poisson, largest_poisson));
     if (!body.movable || body.edges.empty() || !twists(object)) continue;
     if (const double turn = turn_of(body, world.rest); turn > (1 + 1e-6) * 2 * std::numbers::pi / least_edges)

@@ -22,6 +22,8 @@ class Energy : public Component {
   // rest: the rest configuration of all vertices (3n). Throws InputError if the body lacks the
   // elements that the energy needs. Null: inertia alone.
   virtual std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const = 0;
+  // Whether what it makes of tets depends on what elements they are (Body::elements).
+  virtual bool takes_elements() const { return false; }
   // Whether it asks for the twist of edges (Body::rod).
   virtual bool twists() const { return false; }
   // Adds the body's lumped mass [kg] per vertex.

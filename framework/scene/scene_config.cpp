@@ -24,6 +24,13 @@ void ObjectConfig::fields(Fields& f) {
   f.texts("groups", groups, "names under which pairs may mean it together with others").line();
   f.component("shape", shape, "mesh").required();
   f.object("place", place, "scale, rotate, translate the mesh");
+  f.choice("elements", elements,
+           {{"linear", Elements::linear, "each tet by itself: few over a thickness hardly bend, and volume locks with a Poisson's ratio near 1/2"},
+            {"composite", Elements::composite, "every tet becomes one of ten nodes, made of eight: its edges are halved, and the middles are vertices like all "
+             "others. Bends with one cell over a thickness, and volume does not lock"},
+            {"patches", Elements::patches, "linear tets of which neighbours (in boxes, cylinders and spheres the six of a cell) share their change of volume, which "
+             "then does not lock; no new vertices, but hardly better at bending"}},
+           "what the energies of its tets make of them");
   f.optional_object("fill", fill, "many copies of it in a region, at random");
   f.list("selections", selections, "vertices with a name, for `select: {type: tag, name: ...}` in motion, loads and probes");
   f.optional_object("surface", surface, "what contact sees, finer than the mesh; unless given, the surface of the mesh");

@@ -49,6 +49,7 @@ struct ObjectConfig {
   std::vector<std::string> groups;  // that it belongs to
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
+  Elements elements = Elements::linear;
   std::optional<FillConfig> fill;  // of what was loaded, none: copies stand in its place
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;

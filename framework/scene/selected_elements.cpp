@@ -5,8 +5,25 @@
 #include <algorithm>
 
 #include "geometry/errors.hpp"
+#include "geometry/tets/divide_tets.hpp"
 
 namespace tack {
+namespace {
+
+// Of tets of which each eight are one: those all of whose corners are chosen.
+template <class Out>
+void keep_whole(std::vector<Tet>& parts, const Out& out) {
+  const std::vector<CompositeTet> all = composite_tets_of(parts);
+  std::vector<Tet> kept;
+  for (size_t t = 0; t < all.size(); ++t) {
+    if (std::any_of(all[t].begin(), all[t].begin() + 4, out)) continue;
+    const auto first = parts.begin() + static_cast<std::ptrdiff_t>(composite_parts * t);
+    kept.insert(kept.end(), first, first + composite_parts);
+  }
+  parts = std::move(kept);
+}
+
+}  // namespace
 
 Body selected_elements(const Selection& selection, const SelectionContext& context) {
   Body body = context.body;
@@ -16,7 +33,8 @@ Body selected_elements(const Selection& selection, const SelectionContext& conte
   const auto cut = [&](auto& elements) {
     std::erase_if(elements, [&](const auto& element) { return std::any_of(element.begin(), element.end(), out); });
   };
-  cut(body.tets);
+  if (body.elements == Elements::composite) keep_whole(body.tets, out);
+  else cut(body.tets);
   cut(body.triangles);
   cut(body.sheet);
   cut(body.edges);

@@ -5,8 +5,8 @@
 
 namespace tack {
 
-// The body with those of its tets, triangles, edges and points all of whose vertices are chosen. Throws InputError if there
-// are none.
+// The body with those of its tets, triangles, edges and points all of whose vertices are chosen; of composite tets the corners
+// count. Throws InputError if there are none.
 Body selected_elements(const Selection& selection, const SelectionContext& context);
 
 }  // namespace tack

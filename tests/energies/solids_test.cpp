@@ -11,21 +11,27 @@ using namespace tack;
 
 namespace {
 
-const TetBody& box() {
-  static const TetBody b(Vec3(0.1, 0.07, 0.05), {2, 1, 1});
-  return b;
+// A body of tets of each kind.
+const std::vector<TetBody>& boxes() {
+  static const std::vector<TetBody> all = [] {
+    const Vec3 size(0.1, 0.07, 0.05);
+    return std::vector{TetBody(size, {2, 1, 1}), TetBody(size, {1, 1, 1}, Elements::composite), TetBody(size, {2, 1, 1}, Elements::patches)};
+  }();
+  return all;
 }
 
 // Energies that need elements that a body of tets lacks. What is not named here has to work on tets.
 const std::set<std::string> of_other_bodies = {
     "remembering",  // springs of tests/framework/stepping/history_test.cpp
   "tether",       // of tests/framework/core/records_test.cpp
+    "unsplit",      // of tests/framework/scene/elements_test.cpp
     "stvk_membrane", "neo_hookean_membrane", "von_mises_membrane", "hinge_bending", "elastic_rod", "string", "particle"};
 const std::map<std::string, std::string> bends = {{"stiffness", "1e-3"}};  // what hinge_bending has to be given
 
 // The tested terms, made once: all energies of solids, in every variant.
 struct NamedTerm {
   std::string yaml;
+  const TetBody& box;
   std::unique_ptr<Term> term;
 };
 const std::vector<NamedTerm>& terms() {
@@ -33,7 +39,11 @@ const std::vector<NamedTerm>& terms() {
     std::vector<NamedTerm> made;
     for (const ComponentVariant& v : variants<Energy>({{}, {{"poisson", "0.45"}}, {{"poisson", "-0.2"}}, bends}))
       if (!of_other_bodies.count(v.type))
-        made.push_back({v.yaml, component<Energy>(v.yaml)->make_term(box().body, box().rest)});
+        for (const TetBody& box : boxes()) {
+          const auto energy = component<Energy>(v.yaml);
+          if (box.body.elements != Elements::linear && !energy->takes_elements()) continue;
+          made.push_back({v.yaml, box, energy->make_term(box.body, box.rest)});
+        }
     return made;
   }();
   return all;
@@ -41,10 +51,10 @@ const std::vector<NamedTerm>& terms() {
 
 template <class Check>
 void for_each_term(const Check& check) {
-  REQUIRE(terms().size() >= 9);  // three materials, three ratios of Poisson each
-  for (const auto& [yaml, term] : terms()) {
-    INFO(yaml);
-    check(*term);
+  REQUIRE(terms().size() >= 9 * boxes().size());  // three materials, three ratios of Poisson each
+  for (const auto& [yaml, box, term] : terms()) {
+    INFO(yaml << ", elements " << static_cast<int>(box.body.elements));
+    check(*term, box);
   }
 }
 
@@ -56,23 +66,23 @@ const std::vector<Vec3> stretches = {
 
 // check(x) on homogeneous deformations and on disturbed ones.
 template <class Check>
-void for_each_deformation(const Check& check) {
+void for_each_deformation(const TetBody& box, const Check& check) {
   RandomMotions random(3);
   for (const Vec3& s : stretches) {
     INFO("stretches " << s.transpose());
     const Mat3 f = random.rotation() * s.asDiagonal() * random.rotation().transpose();
-    check(box().deformed(f));
-    check(box().deformed(Mat3(s.asDiagonal())));
+    check(box.deformed(f));
+    check(box.deformed(Mat3(s.asDiagonal())));
     const double noise = 0.003 * s.minCoeff();
-    check(box().deformed(f) + noise * random.vectors(box().rest.size()));
+    check(box.deformed(f) + noise * random.vectors(box.rest.size()));
   }
 }
 
 }  // namespace
 
 TEST_CASE("solids: gradient and Hessian are those of the value", "[solids]") {
-  for_each_term([](const Term& term) {
-    for_each_deformation([&](const VecX& x) {
+  for_each_term([](const Term& term, const TetBody& box) {
+    for_each_deformation(box, [&](const VecX& x) {
       const VecX gradient = dense_gradient(term, x);
       const MatX hessian = dense_hessian(term, x, Projection::none);
       const double stiffness = hessian.cwiseAbs().maxCoeff(), step = 2e-5 * 0.1;
@@ -87,9 +97,9 @@ TEST_CASE("solids: gradient and Hessian are those of the value", "[solids]") {
 }
 
 TEST_CASE("solids: projected Hessians are positive semi-definite", "[solids]") {
-  for_each_term([](const Term& term) {
+  for_each_term([](const Term& term, const TetBody& box) {
     bool projected_something = false;
-    for_each_deformation([&](const VecX& x) {
+    for_each_deformation(box, [&](const VecX& x) {
       const MatX exact = dense_hessian(term, x, Projection::none);
       const MatX clamped = dense_hessian(term, x, Projection::clamp);
       const MatX absolute = dense_hessian(term, x, Projection::absolute);
@@ -103,19 +113,19 @@ TEST_CASE("solids: projected Hessians are positive semi-definite", "[solids]") {
       projected_something = projected_something || (clamped - exact).norm() > 1e6 * tiny;
     });
     CHECK(projected_something);  // or the deformations above are too tame
-    const MatX rest = dense_hessian(term, box().rest, Projection::none);
-    CHECK((dense_hessian(term, box().rest, Projection::clamp) - rest).norm() <= 1e-12 * rest.norm());
+    const MatX rest = dense_hessian(term, box.rest, Projection::none);
+    CHECK((dense_hessian(term, box.rest, Projection::clamp) - rest).norm() <= 1e-12 * rest.norm());
   });
 }
 
 TEST_CASE("solids: rigid motions cost nothing", "[solids]") {
   RandomMotions random(4);
-  for_each_term([&](const Term& term) {
-    for_each_deformation([&](const VecX& x) {
+  for_each_term([&](const Term& term, const TetBody& box) {
+    for_each_deformation(box, [&](const VecX& x) {
       VecX moved(x.size());
       const Mat3 rotation = random.rotation();
       const Vec3 offset = random.vector();
-      for (int v = 0; v < box().body.vertex_count; ++v) vertex(moved, v) = rotation * vertex(x, v) + offset;
+      for (int v = 0; v < box.body.vertex_count; ++v) vertex(moved, v) = rotation * vertex(x, v) + offset;
       const double scale = std::abs(term.value(x)) + 35;  // J: Young's modulus times volume
       CHECK(std::abs(term.value(moved) - term.value(x)) <= 1e-12 * scale);
     });
@@ -123,17 +133,17 @@ TEST_CASE("solids: rigid motions cost nothing", "[solids]") {
 }
 
 TEST_CASE("solids: at rest there is no energy and no force", "[solids]") {
-  for_each_term([](const Term& term) {
-    const double stiffness = dense_hessian(term, box().rest, Projection::none).cwiseAbs().maxCoeff();
-    CHECK(dense_gradient(term, box().rest).lpNorm<Eigen::Infinity>() <= 1e-14 * stiffness);
-    CHECK(std::abs(term.value(box().rest)) <= 1e-15 * stiffness);
-    for_each_deformation([&](const VecX& x) { CHECK(term.value(x) >= -1e-15 * stiffness); });
+  for_each_term([](const Term& term, const TetBody& box) {
+    const double stiffness = dense_hessian(term, box.rest, Projection::none).cwiseAbs().maxCoeff();
+    CHECK(dense_gradient(term, box.rest).lpNorm<Eigen::Infinity>() <= 1e-14 * stiffness);
+    CHECK(std::abs(term.value(box.rest)) <= 1e-15 * stiffness);
+    for_each_deformation(box, [&](const VecX& x) { CHECK(term.value(x) >= -1e-15 * stiffness); });
   });
 }
 
 TEST_CASE("solids: internal forces and their moments add up to zero", "[solids]") {
-  for_each_term([](const Term& term) {
-    for_each_deformation([&](const VecX& x) {
+  for_each_term([](const Term& term, const TetBody& box) {
+    for_each_deformation(box, [&](const VecX& x) {
       const VecX force = -dense_gradient(term, x);
       const double scale = force.cwiseAbs().sum() + 1e-6;
       CHECK(total(force).norm() <= 1e-13 * scale);
@@ -146,21 +156,23 @@ TEST_CASE("solids: lumped masses add up to density times volume", "[solids]") {
   for (const ComponentVariant& v : variants<Energy>({{}, bends})) {
     if (of_other_bodies.count(v.type)) continue;
     const auto energy = component<Energy>(v.yaml);
-    VecX mass = VecX::Zero(box().body.vertex_count);
     const Fields fields = Registry<Energy>::kind().prototype(v.type);
     const Field* density = fields.find("density");
     if (!density) continue;  // an energy without mass
     INFO(v.yaml);
-    energy->add_mass(box().body, box().rest, mass);
-    CHECK(mass.minCoeff() > 0);
-    CHECK(mass.sum() == Approx(std::stod(density->write().text) * box().volume));
+    for (const TetBody& box : boxes()) {
+      VecX mass = VecX::Zero(box.body.vertex_count);
+      energy->add_mass(box.body, box.rest, mass);
+      CHECK(mass.minCoeff() > 0);
+      CHECK(mass.sum() == Approx(std::stod(density->write().text) * box.volume));
+    }
   }
 }
 
 TEST_CASE("solids refuse bodies without tets and with inverted ones", "[solids]") {
   Body empty;
   empty.name = "sheet";
-  TetBody flipped = box();
+  TetBody flipped = boxes().front();
   std::swap(flipped.body.tets[3][0], flipped.body.tets[3][1]);
   for (const std::string name : {"neo_hookean", "fixed_corotated", "stvk_hencky"}) {
     const auto energy = component<Energy>("{type: " + name + ", young: 1e5}");

@@ -119,6 +119,20 @@ TEST_CASE("experiment lcp/hang") { check_experiment("lcp/hang.yaml"); }
 TEST_CASE("experiment lcp/fall") { check_experiment("lcp/fall.yaml"); }
 TEST_CASE("experiment first/tie") { check_experiment("first/tie.yaml"); }
 
+TEST_CASE("experiment locking/cantilever") { check_experiment("locking/cantilever.yaml"); }
+TEST_CASE("experiment locking/cook") { check_experiment("locking/cook.yaml"); }
+
+// What is hard with linear tets is hard with others.
+TEST_CASE("experiments hard: blocks of composite tets and of patches are pressed flat") {
+  const std::string elements = GENERATE("composite", "patches");
+  for (const char* hard : {"squash_neo_hookean", "squash_fixed_corotated", "nu_0499_pressed", "offset_1e6_distance_1e-6"}) {
+    INFO(hard << " " << elements);
+    const Outcome o = run(std::string("hard/") + hard + ".yaml", {"--set", "objects.block.elements=" + elements});
+    CHECK(o.result.exit_code == 0);
+    check_states(o);
+  }
+}
+
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }

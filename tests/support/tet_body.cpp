@@ -4,11 +4,13 @@
 
 #include "geometry/mesh/surface.hpp"
 #include "geometry/shapes/solids.hpp"
+#include "geometry/tets/divide_tets.hpp"
 
 namespace tack {
 
-TetBody::TetBody(const Vec3& size, const std::array<int, 3>& cells) : volume(size.prod()) {
-  const Mesh mesh = box_tets(size, cells);
+TetBody::TetBody(const Vec3& size, const std::array<int, 3>& cells, Elements elements) : volume(size.prod()) {
+  const Mesh box = box_tets(size, cells), mesh = elements == Elements::composite ? divide_tets(box) : box;
+  body.elements = elements;
   body.name = "box";
   body.vertex_count = static_cast<int>(mesh.vertices.size());
   body.tets = mesh.tets;

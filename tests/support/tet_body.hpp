@@ -9,7 +9,7 @@
 namespace tack {
 
 struct TetBody {
-  TetBody(const Vec3& size, const std::array<int, 3>& cells);
+  TetBody(const Vec3& size, const std::array<int, 3>& cells, Elements elements = Elements::linear);
 
   VecX deformed(const Mat3& f) const;  // x = F X
 

@@ -13,20 +13,23 @@ using namespace tack;
 namespace {
 
 // A held plate of 6 tets between two blocks of 6 and 12, the last one of two energies.
-const std::string scene =
-    "objects:\n"
-    "  - {name: soft, shape: {type: box, size: [1, 1, 1]}, energies: [{type: stvk_hencky, young: 1e5, poisson: 0.25}]}\n"
+std::string scene_of(const std::string& elements) {
+  return "objects:\n"
+    "  - {name: soft, shape: {type: box, size: [1, 1, 1]}, elements: " + elements + ", energies: [{type: stvk_hencky, young: 1e5, poisson: 0.25}]}\n"
     "  - {name: plate, shape: {type: box, size: [1, 1, 1]}, place: {translate: [2, 0, 0]}, motion: [fixed]}\n"
-    "  - {name: plastic, shape: {type: box, size: [1, 1, 1], cells: [2, 1, 1]}, place: {translate: [4, 0, 0]},\n"
+    "  - {name: plastic, shape: {type: box, size: [1, 1, 1], cells: [2, 1, 1]}, place: {translate: [4, 0, 0]}, elements: " + elements + ",\n"
     "     energies: [{type: von_mises, young: 1e5, poisson: 0.25, yield_stress: 1e3}, {type: neo_hookean, young: 2e5}]}\n";
+}
 
 }  // namespace
 
 TEST_CASE("von Mises stress and plastic strain of every element, where there are any") {
-  TestScene s(scene);
+  const std::string elements = GENERATE("linear", "composite", "patches");
+  INFO(elements);
+  TestScene s(scene_of(elements));
   FrameGeometry geometry;
   for (const Body& body : s.world->bodies) geometry.tets.insert(geometry.tets.end(), body.tets.begin(), body.tets.end());
-  const int plate = 6, plastic = 12, all = 24;
+  const int parts = elements == "composite" ? 8 : 1, plate = 6 * parts, plastic = plate + 6, all = plastic + 12 * parts;
   REQUIRE(geometry.cells() == all);
   // Pure shear in logarithmic strains of +-0.1, about an axis askew.
   const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();

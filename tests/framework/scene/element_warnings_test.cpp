@@ -51,7 +51,9 @@ TEST_CASE("elements: tets that lock in volume are told") {
   const auto lines = warnings(cube(0.49));
   REQUIRE(lines.size() == 1);
   CHECK(contains(lines[0], "the linear tets of 'it' lock in volume with a Poisson's ratio of 0.49"));
+  CHECK(contains(lines[0], "elements: composite"));
   CHECK(warnings(cube(0.45)).empty());
+  for (const std::string elements : {"composite", "patches"}) CHECK(warnings("elements: " + elements + ", " + cube(0.49)).empty());
   // Sheets in plane stress do not.
   CHECK(warnings("shape: {type: grid, size: [1, 1]}, shell: {thickness: 1 mm}, energies: [{type: stvk_membrane, young: 1e5, poisson: 0.49}]").empty());
 }
@@ -74,12 +76,17 @@ TEST_CASE("elements: slender bodies of few tets that bend are told") {
   const auto lines = after_a_step(bar(2, down));
   REQUIRE(lines.size() == 1);
   CHECK(contains(lines[0], "'bar' has at most 3 linear tets across"));
-  CHECK(contains(lines[0], "use 8 or more, or a shell"));
+  CHECK(contains(lines[0], "use 8 or more, `elements: composite`, or a shell"));
   CHECK(after_a_step(bar(1, down)).size() == 1);
   CHECK(after_a_step(bar(4, down)).size() == 1);
   CHECK(after_a_step(bar(8, down)).empty());
   CHECK(after_a_step(bar(2, along)).empty());  // stretched
   CHECK(after_a_step(bar(2, "value: [0, 0, 0]")).empty());
+  const std::string material = ", energies: [{type: neo_hookean, young: 1e6, poisson: 0.3}]";
+  CHECK(after_a_step(bar(1, down, "elements: composite" + material)).empty());
+  const auto patches = after_a_step(bar(2, down, "elements: patches" + material));
+  REQUIRE(patches.size() == 1);
+  CHECK(contains(patches[0], "0.32, 0.61, 0.85, 0.95"));
 }
 
 TEST_CASE("elements: before the run, slender bodies of few tets are named") {

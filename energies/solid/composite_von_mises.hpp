@@ -1,0 +1,26 @@
+// Plastic flow of composite tets: every sample (composite_samples.hpp) has its own, parts included, so that a homogeneous flow is that of a linear tet.
+#pragma once
+
+#include "energies/solid/composite_term.hpp"
+#include "energies/solid/plastic_memory.hpp"
+
+namespace tack {
+
+class CompositeVonMises : public CompositeTerm<VonMises> {
+ public:
+  CompositeVonMises(std::string name, const VonMises& material, const Body& body, const VecX& rest);
+
+  void remember(const History& history) override;
+  void commit(const VecX& x, History& history) const override;
+  void publish(Records& records) const override;
+  double dissipated(const VecX& x) const;  // plastic work of a step to x [J]
+
+ private:
+  // Of the parts, as stresses are.
+  VecX plastic_strain() const;
+
+  VonMises material_;
+  PlasticMemory memory_;
+};
+
+}  // namespace tack

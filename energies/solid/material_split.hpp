@@ -1,0 +1,68 @@
+// An isotropic energy as psi(F) = psi_s(F) + U(J), for elements whose volume counts as a mean over several points: there U(mean J) takes the place
+// of U(J), and volume does not lock. A material that can be split has
+//   auto split() const;   a MaterialSplit
+// of materials (solid_term.hpp, solid_residuals.hpp) and a law of volume. What is left of U where it would be no sum of squares, or where it
+// keeps volume from vanishing, stays with the shape.
+#pragma once
+
+#include <cmath>
+
+#include "geometry/pack.hpp"
+
+namespace tack {
+
+// Of psi_s, what composite tets leave to their parts (composite_term.hpp): below 0.02 steps stall, beyond 0.1 bending stiffens.
+inline constexpr double share_of_parts = 0.05;
+
+// psi_s; what stands for it where small tets have to be kept from inverting: of the same stiffness at rest, and infinite at J = 0; and U.
+template <class Shape, class Part, class Volume>
+struct MaterialSplit {
+  Shape shape;
+  Part part;
+  Volume volume;
+};
+
+// U and its derivatives [Pa].
+template <class T>
+struct VolumeSample {
+  T energy, pressure, bulk;
+};
+
+// U = modulus/2 (ln J)^2, modulus >= 0.
+struct LogVolume {
+  double modulus;  // Pa
+
+  // growth: J - 1.
+  template <class T>
+  VolumeSample<T> at(const T& growth) const {
+    using std::log1p;
+    const T log_j = log1p(growth), inverse = 1 / (1 + growth);
+    return {modulus / 2 * log_j * log_j, modulus * log_j * inverse, modulus * (1 - log_j) * inverse * inverse};
+  }
+  // g with U = g^2 / 2, and its slope.
+  double root(double j) const { return std::sqrt(modulus) * std::log(j); }
+  double root_slope(double j) const { return std::sqrt(modulus) / j; }
+};
+
+// U = modulus/2 (J - 1)^2, modulus >= 0.
+struct QuadraticVolume {
+  double modulus;  // Pa
+
+  template <class T>
+  VolumeSample<T> at(const T& growth) const { return {modulus / 2 * growth * growth, modulus * growth, modulus}; }
+  double root(double j) const { return std::sqrt(modulus) * (j - 1); }
+  double root_slope(double) const { return std::sqrt(modulus); }
+};
+
+// det F - 1, without the terms of first order that cancel on paper where F is close to a rotation.
+inline Pack volume_growth(const PackMat3& f) {
+  PackMat3 h = f;
+  for (int i = 0; i < 3; ++i) h(i, i) -= 1;
+  const Pack minors = h(0, 0) * h(1, 1) - h(0, 1) * h(1, 0) + h(1, 1) * h(2, 2) - h(1, 2) * h(2, 1) + h(2, 2) * h(0, 0) - h(2, 0) * h(0, 2);
+  return h.trace() + minors + h.determinant();
+}
+
+template <class Material>
+concept SplitMaterial = requires(const Material& material) { material.split(); };
+
+}  // namespace tack

@@ -1,0 +1,76 @@
+// What a von Mises material remembers at each of its samples, which are tets or points of them, and the return mapping.
+#pragma once
+
+#include <string>
+
+#include "energies/solid/svd3.hpp"
+#include "energies/solid/von_mises.hpp"
+#include "framework/core/history.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+
+class PlasticMemory {
+ public:
+  explicit PlasticMemory(const Body& body);
+
+  void remember(const History& history, int samples);
+  Mat3 inverse(int i) const { return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]); }  // Fp^-1
+  const std::vector<double>& strain() const { return strain_; }  // accumulated plastic strains
+
+  // The return mapping. deformation(i): F Fp^-1 at the end of the step.
+  template <class Deformation>
+  void commit(const VonMises& material, const Deformation& deformation, History& history) const {
+    HistoryArray inverses{9, inverse_, {}}, strains{1, strain_, {}};
+    for_each(samples(), [&](int i) {
+      const Trial trial(deformation(i));
+      const double r = trial.norm - material.limit(strain_[i]);
+      if (!(r > 0)) return;
+      const double added = material.flow(r);
+      strains.values[i] += added;
+      const double back = std::min(std::sqrt(1.5) * added + inside, trial.norm) / trial.norm;
+      const Vec3 flow = (-back * trial.deviator).array().exp();
+      const Mat3 next = inverse(i) * trial.svd.v * flow.asDiagonal() * trial.svd.v.transpose();
+      Eigen::Map<Mat3>(&inverses.values[9 * static_cast<size_t>(i)]) = next / std::cbrt(next.determinant());
+    });
+    history[name_ + inverse_name] = std::move(inverses);
+    history[name_ + strain_name] = std::move(strains);
+  }
+
+  // Plastic work: what a commit takes off the value [J]. volume(i): what sample i counts for [m^3].
+  template <class Deformation, class Volume>
+  double dissipated(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
+    return sum_chunks(samples(), [&](int first, int last) {
+      double sum = 0;
+      for (int i = first; i < last; ++i) {
+        const double added = material.flow(Trial(deformation(i)).norm - material.limit(strain_[i]));
+        if (added > 0) sum += volume(i) * material.work(strain_[i], added);
+      }
+      return sum;
+    });
+  }
+
+ private:
+  static constexpr const char* inverse_name = "plastic_inverse";
+  static constexpr const char* strain_name = "plastic_strain";
+  // The return mapping leaves |dev e| so far within the yield surface that rounding does not cross it: what does not
+  // move does not flow.
+  static constexpr double inside = 1e-13;
+
+  struct Trial {
+    explicit Trial(const Mat3& f) : svd(svd3(f)), deviator(svd.s.array().log()) {
+      deviator.array() -= deviator.sum() / 3;
+      norm = deviator.norm();
+    }
+    Svd3<double> svd;
+    Vec3 deviator;
+    double norm;
+  };
+
+  int samples() const { return static_cast<int>(strain_.size()); }
+
+  std::string name_;                      // its arrays in the history begin so
+  std::vector<double> inverse_, strain_;  // per sample: Fp^-1, column by column, and the accumulated plastic strain
+};
+
+}  // namespace tack

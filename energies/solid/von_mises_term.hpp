@@ -1,0 +1,57 @@
+// Plastic flow of tets, each of which has its own.
+#pragma once
+
+#include "energies/plasticity/plastic_records.hpp"
+#include "energies/solid/plastic_memory.hpp"
+#include "energies/solid/solid_term.hpp"
+
+namespace tack {
+
+// Base: SolidTerm<VonMises>, or what is one beside pressures of patches.
+template <class Base>
+class VonMisesTerm : public Base {
+ public:
+  template <class... Args>
+  explicit VonMisesTerm(const Body& body, Args&&... args) : Base(std::forward<Args>(args)...), memory_(body), rest_shapes_(rest_) {
+    remember({});
+  }
+
+  // Within a step the yield surface and Fp stand still: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
+  void remember(const History& history) override {
+    const int n = count();
+    memory_.remember(history, n);
+    rest_ = rest_shapes_;
+    material_.limits.resize(rest_.size());
+    for (size_t p = 0; p < rest_.size(); ++p)
+      for (int l = 0; l < pack_width; ++l) {
+        const int t = std::min(static_cast<int>(p) * pack_width + l, n - 1);
+        set_lane<3, 3>(rest_[p].shape, l, get_lane<3, 3>(rest_[p].shape, l) * memory_.inverse(t));
+        material_.limits[p].set(l, material_.limit(memory_.strain()[t]));
+      }
+  }
+
+  void commit(const VecX& x, History& history) const override {
+    memory_.commit(material_, [&](int t) { return deformation(t, x); }, history);
+  }
+
+  double dissipated(const VecX& x) const {
+    return memory_.dissipated(material_, [&](int t) { return deformation(t, x); }, [&](int t) { return rest_of(t).volume; });
+  }
+
+  void publish(Records& records) const override {
+    Base::publish(records);
+    const auto strain = [this] { return VecX(Eigen::Map<const VecX>(memory_.strain().data(), count())); };
+    publish_plasticity(records, this->name(), [this](const VecX& x) { return dissipated(x); }, strain, &tets_);
+  }
+
+ private:
+  using Base::count, Base::deformation, Base::material_, Base::rest_, Base::rest_of, Base::tets_;
+
+  PlasticMemory memory_;
+  std::vector<TetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
+};
+
+// Of tets that are taken together (Body::elements).
+std::unique_ptr<Term> make_grouped_von_mises(const std::string& name, const VonMises& material, const Body& body, const VecX& rest);
+
+}  // namespace tack
