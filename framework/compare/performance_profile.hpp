@@ -7,12 +7,12 @@
 
 namespace tack {
 
-struct Profile {
+struct PerformanceProfile {
   std::string solver;
   std::vector<double> ratios;  // to the fastest, ascending; infinity where it failed
 };
 
 // In the order in which the solvers first occur. Tasks that nobody solves count as failed by all.
-std::vector<Profile> performance_profiles(const std::vector<CompareRow>& rows);
+std::vector<PerformanceProfile> performance_profiles(const std::vector<CompareRow>& rows);
 
 }  // namespace tack

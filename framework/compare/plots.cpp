@@ -142,13 +142,13 @@ Plot profile_plot(const std::vector<CompareRow>& rows) {
   plot.y_label = "part of the tasks done";
   plot.log_x = true;
   plot.style = Plot::Style::steps;
-  const std::vector<Profile> profiles = performance_profiles(rows);
+  const std::vector<PerformanceProfile> profiles = performance_profiles(rows);
   std::vector<std::string> unsolved;
   double furthest = 1;
-  for (const Profile& p : profiles)
+  for (const PerformanceProfile& p : profiles)
     for (const double r : p.ratios)
       if (std::isfinite(r)) furthest = std::max(furthest, r);
-  for (const Profile& p : profiles) {
+  for (const PerformanceProfile& p : profiles) {
     Curve& curve = curve_of(plot, p.solver);
     double done = 0;
     const double all = static_cast<double>(p.ratios.size());
