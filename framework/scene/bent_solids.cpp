@@ -163,7 +163,7 @@ std::vector<std::string> BentSolids::expected() const {
   CopiedLines lines;
   for (const SlenderSolid& solid : solids_)
     lines.tell(scene_.objects[solid.body], "bends",
-               fmt::format("{}: where it bends, it will be too stiff; {}", few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body])));
+               fmt::format("{}: where it bends, it will be too stiff, unless its `elements` are composite; {}", few_cells(solid, world_.bodies[solid.body].name), by_cells(world_.bodies[solid.body])));
   return lines.texts();
 }
 

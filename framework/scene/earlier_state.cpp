@@ -71,7 +71,7 @@ void take_history(const ObjectConfig& object, const EarlierState& earlier, State
     any = true;
   }
   if (any && earlier.energies.at(object.name) != energies_text(object))
-    throw InputError(fmt::format("object '{}' remembers what happened to it in {} (plastic strain, turns, frames), and its energies are others now; "
+    throw InputError(fmt::format("object '{}' remembers what happened to it in {} (plastic strain, turns, frames), and its energies or elements are others now; "
                                  "give it the same, or leave it out of start.objects", object.name, earlier.file));
 }
 
@@ -129,6 +129,7 @@ std::map<std::string, StateObject> state_objects(const World& world) {
 
 std::string energies_text(const ObjectConfig& object) {
   std::string text;
+  if (object.elements != Elements::linear) text += fmt::format("elements {}\n", static_cast<int>(object.elements));  // whose memory is in another order
   for (const auto& energy : object.energies) text += fmt::format("{}\n{}", energy->type(), to_yaml(fields_of(*energy)));
   return text;
 }

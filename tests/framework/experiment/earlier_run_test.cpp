@@ -79,6 +79,27 @@ TEST_CASE("a scene goes on where an earlier run of it ended", "[start]") {
   CHECK((more.state().x - state_at(settled.folder.path() / "whole", 30).x).lpNorm<Eigen::Infinity>() < 2e-6);
 }
 
+TEST_CASE("what was divided, or remembers in patches, starts as it was if it is so again", "[start]") {
+  const auto with = [](const std::string& elements) {
+    std::string objects = all;
+    objects.insert(objects.find("cells: [2, 2, 2]},") + 18, " elements: " + elements + ",");
+    return objects;
+  };
+  for (const std::string elements : {"composite", "patches"}) {
+    INFO(elements);
+    const TemporaryFolder folder;
+    const fs::path run = folder.path() / "run";
+    record(scene_of(with(elements), 0.1), run);
+    const State end = state_at(run, 10);
+    TestRun more(scene_of(with(elements), 0.1, from(run)));
+    CHECK((more.state().x - end.x).lpNorm<Eigen::Infinity>() < 1e-15);
+    CHECK(more.state().history.at("lump/energies/0/plastic_strain") == end.history.at("lump/energies/0/plastic_strain"));
+    CHECK(more.step().step == 1);
+    CHECK_THROWS_WITH(TestScene(scene_of(all, 0.1, from(run))),
+                      Contains("object 'lump'") && Contains(elements == "composite" ? "had another mesh" : "energies or elements are others now"));
+  }
+}
+
 TEST_CASE("some of the objects start as they were, at rest, among others", "[start]") {
   const Settled settled;
   const State end = settled.state();
