@@ -45,14 +45,16 @@ class CompositeSolid : public CompositeTerm<Material>, public ResidualView {
   }
 
   bool residuals_of(int t, const VecX& x, double* r, double* jacobian) const {
+    const CompositeTets& tets = this->tets_;
+    const CompositeTable& table = composite_table();
     Eigen::Map<OfNodes> all(jacobian, jacobian ? residual_count : 0, columns);
     if (jacobian) all.setZero();
     double mean = 0;
     Eigen::Matrix<double, 1, columns> growth = Eigen::Matrix<double, 1, columns>::Zero();
     OfEdges of_edges;
     for (int k = 0; k < composite_samples; ++k) {
-      const TetRest<double> rest{get_lane<3, 3>(this->shape(t / pack_width, k), t % pack_width), this->weight(k) * this->volume(t)};
-      const Mat3 f = this->deformation(t, k, x);
+      const TetRest<double> rest{tets.shape_of(t, k), tets.weight(k) * tets.volume_of(t)};
+      const Mat3 f = tets.deformation(t, k, x);
       double* const into = r + tet_residual_count * k;
       double* const slopes = jacobian ? of_edges.data() : nullptr;
       if (!(k < composite_points ? tet_residuals(this->split_.shape, rest, f, into, slopes) : tet_residuals(this->split_.part, rest, f, into, slopes)))
@@ -61,10 +63,10 @@ class CompositeSolid : public CompositeTerm<Material>, public ResidualView {
       if (k >= composite_points) {
         const auto& nodes = composite_tets[k - composite_points];
         if (jacobian)
-          for (int i = 0; i < 4; ++i) add_node(rows, of_edges, nodes[i], this->table_.part[k - composite_points][i]);
+          for (int i = 0; i < 4; ++i) add_node(rows, of_edges, nodes[i], table.part[k - composite_points][i]);
         continue;
       }
-      const auto& c = this->table_.point[k];
+      const auto& c = table.point[k];
       const double j = f.determinant();
       mean += j / composite_points;
       if (!jacobian) continue;
@@ -74,7 +76,7 @@ class CompositeSolid : public CompositeTerm<Material>, public ResidualView {
         growth.template segment<3>(3 * a) += (of_growth * Eigen::Map<const Vec3>(c[a].data())).transpose();
       }
     }
-    const double root_volume = std::sqrt(this->volume(t));
+    const double root_volume = std::sqrt(tets.volume_of(t));
     r[residual_count - 1] = root_volume * this->split_.volume.root(mean);
     if (jacobian) all.row(residual_count - 1) = root_volume * this->split_.volume.root_slope(mean) * growth;
     return std::isfinite(r[residual_count - 1]);

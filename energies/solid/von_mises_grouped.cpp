@@ -1,4 +1,4 @@
-#include "energies/solid/composite_von_mises.hpp"
+#include "energies/solid/von_mises_composite.hpp"
 #include "energies/solid/patch_term.hpp"
 #include "energies/solid/von_mises_term.hpp"
 

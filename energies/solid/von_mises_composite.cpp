@@ -1,0 +1,50 @@
+#include "energies/solid/von_mises_composite.hpp"
+
+#include "energies/plasticity/plastic_records.hpp"
+
+namespace tack {
+
+CompositeVonMises::CompositeVonMises(std::string name, const VonMises& material, const Body& body, const VecX& rest)
+    : CompositeTerm(std::move(name), material, body, rest), material_(material), memory_(body) {
+  remember({});
+}
+
+void CompositeVonMises::remember(const History& history) {
+  memory_.remember(history, composite_samples * count());
+  tets_.turn([&](int i) { return memory_.inverse(i); });
+  const size_t all = static_cast<size_t>(composite_samples) * static_cast<size_t>(tets_.packs());
+  split_.shape.limits.resize(all);
+  split_.part.limits.resize(all);
+  for (int at = 0; at < static_cast<int>(all); ++at)
+    for (int l = 0; l < pack_width; ++l) {
+      const int k = at % composite_samples, tet = std::min(at / composite_samples * pack_width + l, count() - 1);
+      (k < composite_points ? split_.shape : split_.part).limits[at].set(l, material_.limit(memory_.strain()[composite_samples * tet + k]));
+    }
+}
+
+void CompositeVonMises::commit(const VecX& x, History& history) const {
+  memory_.commit(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); }, history);
+}
+
+double CompositeVonMises::dissipated(const VecX& x) const {
+  return memory_.dissipated(
+      material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
+      [&](int i) { return tets_.weight(i % composite_samples) * tets_.volume_of(i / composite_samples); });
+}
+
+void CompositeVonMises::publish(Records& records) const {
+  CompositeTerm::publish(records);
+  publish_plasticity(records, name(), [this](const VecX& x) { return dissipated(x); }, [this] { return plastic_strain(); }, &tets_.parts());
+}
+
+VecX CompositeVonMises::plastic_strain() const {
+  VecX strain(static_cast<Eigen::Index>(tets_.parts().size()));
+  for (int t = 0; t < count(); ++t) {
+    const double* const points = &memory_.strain()[static_cast<size_t>(composite_samples) * t];
+    for (int s = 0; s < composite_parts; ++s)
+      strain(composite_parts * t + s) = s < composite_points ? points[s] : (points[0] + points[1] + points[2] + points[3]) / 4;
+  }
+  return strain;
+}
+
+}  // namespace tack
