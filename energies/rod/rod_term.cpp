@@ -156,7 +156,7 @@ void RodTerm::derivatives(const VecX& x, Projection projection, double* gradient
       for (const Vec3& row : {Vec3(-by_first), Vec3(by_first - by_second), by_second}) put(Vec3::UnitX() * row.transpose());
       for (int j = 0; j <= i; ++j) put(arcs[i] * arcs[j] * local(6 + i, 6 + j) * Vec3::UnitX() * Vec3::UnitX().transpose());
     }
-    if (projection != Projection::none) project_twisted_slots(slot - 135, projection);
+    project_slots({.arity = 5, .twists = 2}, slot - 135, projection);
   }, 32);
 }
 

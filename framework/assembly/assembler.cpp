@@ -206,7 +206,7 @@ void Assembler::number_parts() {
   part_.resize(dofs_.block_count());
   int parts = 0;
   for (int b = 0; b < dofs_.block_count(); ++b) part_[b] = sets.find(b) == b ? parts++ : part_[sets.find(b)];
-  // A twist does not move along with its part.
+  // A number does not move along with its part.
   for (const DofMap::HeldBlock& h : dofs_.held_blocks())
     if (h.twist) part_[h.block] = parts++;
 }

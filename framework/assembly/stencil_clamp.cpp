@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "framework/assembly/mixed_projection.hpp"
 #include "framework/assembly/psd_projection.hpp"
 #include "framework/assembly/stencil_blocks.hpp"
 
@@ -10,51 +11,55 @@ namespace tack {
 namespace {
 
 template <int K>
-void clamp_slots(double* slots) {
+void project(double* slots, Projection projection) {
   Eigen::Matrix<double, 3 * K, 3 * K> hessian;
   load_blocks<K>(slots, hessian);
-  project_stencil_psd<K>(hessian, Projection::clamp);
+  project_stencil_psd<K>(hessian, projection);
   store_blocks<K>(hessian, slots);
 }
 
 static_assert(largest_arity == 10);
 
-void clamp_slots(int arity, double* slots) {
+void project_relative(int arity, double* slots, Projection projection) {
   switch (arity) {
     case 1: return;  // masses
-    case 2: return clamp_slots<2>(slots);
-    case 3: return clamp_slots<3>(slots);
-    case 4: return clamp_slots<4>(slots);
-    case 5: return clamp_slots<5>(slots);
-    case 6: return clamp_slots<6>(slots);
-    case 7: return clamp_slots<7>(slots);
-    case 8: return clamp_slots<8>(slots);
-    case 9: return clamp_slots<9>(slots);
-    case 10: return clamp_slots<10>(slots);
+    case 2: return project<2>(slots, projection);
+    case 3: return project<3>(slots, projection);
+    case 4: return project<4>(slots, projection);
+    case 5: return project<5>(slots, projection);
+    case 6: return project<6>(slots, projection);
+    case 7: return project<7>(slots, projection);
+    case 8: return project<8>(slots, projection);
+    case 9: return project<9>(slots, projection);
+    case 10: return project<10>(slots, projection);
   }
   throw std::logic_error("no projection of stencils of this arity");
 }
 
 // c v v^T is negative if its trace is.
-void clamp_rank_one(int arity, double* slots) {
+void project_rank_one(int arity, double* slots, Projection projection) {
   double trace = 0;
   for (int i = 0; i < arity; ++i) trace += Eigen::Map<const Mat3>(slots + 9 * (hessian_blocks(i + 1) - 1)).trace();
-  if (trace < 0) std::fill_n(slots, 9 * hessian_blocks(arity), 0.0);
+  if (trace >= 0) return;
+  const double factor = projection == Projection::absolute ? -1.0 : 0.0;
+  for (int i = 0; i < 9 * hessian_blocks(arity); ++i) slots[i] *= factor;
 }
 
-void clamp_stencil(const StencilBatch& batch, double* slots) {
-  if (batch.rank_one) clamp_rank_one(batch.arity, slots);
-  else if (batch.twists > 0) project_twisted_slots(slots, Projection::clamp);
-  else clamp_slots(batch.arity, slots);
-}
-
-}  // namespace
-
-void project_twisted_slots(double* slots, Projection projection) {
+void project_twisted(double* slots, Projection projection) {
   Eigen::Matrix<double, 15, 15> hessian;
   load_blocks<5>(slots, hessian);
   project_twisted_psd(hessian, projection);
   store_blocks<5>(hessian, slots);
+}
+
+}  // namespace
+
+void project_slots(const StencilBatch& kind, double* slots, Projection projection) {
+  if (projection == Projection::none) return;
+  if (kind.rank_one) project_rank_one(kind.arity, slots, projection);
+  else if (kind.twists == 2 && kind.arity == 5) project_twisted(slots, projection);
+  else if (kind.twists > 0) project_mixed_psd(kind.arity, kind.twists, slots, projection);
+  else project_relative(kind.arity, slots, projection);
 }
 
 void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
@@ -67,7 +72,7 @@ void clamp_stencils(const StencilBatch& batch, int first, int last, const std::v
   };
   for (int s = first; s < last; ++s, slots += 9 * hessian_blocks(batch.arity)) {
     const int* v = batch.vertices + static_cast<size_t>(batch.arity) * s;
-    if (std::any_of(v, v + batch.arity, flagged)) clamp_stencil(batch, slots);
+    if (std::any_of(v, v + batch.arity, flagged)) project_slots(batch, slots, Projection::clamp);
   }
 }
 

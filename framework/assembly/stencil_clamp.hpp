@@ -1,5 +1,5 @@
-// Clamps Hessians of stencils in their slots (see Term): negative eigenvalues become zero. Every stencil feels only
-// relative motion.
+// Projects Hessians of stencils in their slots (see Term) onto the positive semi-definite cone, in what every stencil feels: relative motion,
+// and numbers.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace tack {
 void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
                     double* slots);
 
-// A Hessian of three vertices and two twists, the one kind of stencil that has some (StencilBatch).
-void project_twisted_slots(double* slots, Projection projection);
+// One Hessian, of a stencil of such a batch (whose vertices are not looked at).
+void project_slots(const StencilBatch& kind, double* slots, Projection projection);
 
 }  // namespace tack

@@ -1,0 +1,128 @@
+// A term whose stencils have one formula of their vertices, from which gradient, Hessian and projection follow:
+//
+//   struct Rope : FormulaOf<2> {
+//     struct Data { double stiffness, length; };  // of a stencil: N/m, m
+//     template <class T>
+//     T energy(const Places<T>& x, const Data& rope) const {  // J
+//       const T stretch = (x[1] - x[0]).norm() - rope.length;
+//       return stretch > 0 ? 0.5 * rope.stiffness * stretch * stretch : T(0);
+//     }
+//   };
+//   auto term = std::make_unique<FormulaTerm<Rope>>("ropes");
+//   term->add({v, w}, {100, 0.2});
+//
+// The energy may not change as all its places are moved together: what is held to space has a vertex that is held (InteractionBuilder::fixed).
+// Forward differentiation costs about as many times the formula as it has variables squared: right for hundreds of stencils of any arity, and for
+// thousands of few vertices; what a whole mesh is made of has its derivatives by hand.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/assembly/dual_many.hpp"
+#include "framework/assembly/stencil_clamp.hpp"
+#include "framework/core/term.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+
+// Arity: the vertices of a stencil, of which the last `Numbers` are numbers (scene/unknowns.hpp): x[k].x() is their way [m].
+template <int Arity, int Numbers = 0>
+struct FormulaOf {
+  static_assert(Arity >= 1 && Arity <= largest_arity, "core/term.hpp says how many vertices a stencil may have");
+  static_assert(Numbers >= 0 && Numbers <= Arity);
+  static constexpr int arity = Arity, numbers = Numbers;
+  static constexpr bool stored = true;     // redefined where it stands for what a step dissipates
+  template <class T>
+  using Places = std::array<Eigen::Matrix<T, 3, 1>, Arity>;
+};
+
+template <class Formula>
+class FormulaTerm : public Term {
+ public:
+  static constexpr int arity = Formula::arity, numbers = Formula::numbers;
+  using Data = typename Formula::Data;
+
+  // name: of its energy, as results have it.
+  explicit FormulaTerm(std::string name, Formula formula = {}) : Term(std::move(name)), formula_(std::move(formula)) {}
+
+  void add(const std::array<int, arity>& vertices, Data data) {
+    vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+    data_.push_back(std::move(data));
+  }
+  int count() const { return static_cast<int>(data_.size()); }
+  std::array<int, arity> stencil(int s) const {
+    std::array<int, arity> all;
+    std::copy_n(vertices_.begin() + s * arity, arity, all.begin());
+    return all;
+  }
+  const std::vector<Data>& data() const { return data_; }
+  // To be changed where a step begins, is lagged, or what was is remembered (step_participant.hpp).
+  std::vector<Data>& data() { return data_; }
+  const Formula& formula() const { return formula_; }
+  double energy(int s, const VecX& x) const { return formula_.energy(places<double>(s, x, [](double value, int) { return value; }), data_[s]); }  // J
+
+  bool stores() const override { return Formula::stored; }
+  double value(const VecX& x) const override {
+    return sum_chunks(count(), [&](int first, int last) {
+      double sum = 0;
+      for (int s = first; s < last; ++s) sum += energy(s, x);
+      return sum;
+    });
+  }
+  std::vector<StencilBatch> batches() const override { return {batch()}; }
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+    for_each(count(), [&](int s) {
+      double* const slopes = gradient + 3 * arity * static_cast<size_t>(s);
+      if (!hessian) return write<Dual<false>>(s, x, slopes, nullptr);
+      double* const curvatures = hessian + 9 * hessian_blocks(arity) * static_cast<size_t>(s);
+      write<Dual<true>>(s, x, slopes, curvatures);
+      project_slots(batch(), curvatures, projection);
+    }, 16);
+  }
+
+ private:
+  static constexpr int places_count = arity - numbers, variables = 3 * places_count + numbers;
+  template <bool Curvature>
+  using Dual = DualMany<variables, Curvature>;
+
+  StencilBatch batch() const { return {arity, count(), vertices_.data(), numbers}; }
+
+  // Which variable a coordinate of a vertex is; -1: none.
+  static constexpr int variable(int k, int i) { return k < places_count ? 3 * k + i : i == 0 ? 3 * places_count + k - places_count : -1; }
+
+  template <class T, class Make>
+  typename Formula::template Places<T> places(int s, const VecX& x, const Make& make) const {
+    typename Formula::template Places<T> all;
+    for (int k = 0; k < arity; ++k)
+      for (int i = 0; i < 3; ++i) {
+        const double value = x(3 * vertices_[static_cast<size_t>(s) * arity + k] + i);
+        all[k](i) = variable(k, i) < 0 ? T(value) : make(value, variable(k, i));
+      }
+    return all;
+  }
+
+  template <class T>
+  void write(int s, const VecX& x, double* gradient, double* hessian) const {
+    const T energy = formula_.energy(places<T>(s, x, [](double value, int i) { return T::variable(value, i); }), data_[s]);
+    for (int k = 0; k < arity; ++k)
+      for (int i = 0; i < 3; ++i) *gradient++ = variable(k, i) < 0 ? 0 : energy.d[variable(k, i)];
+    if (!hessian) return;
+    for (int k = 0; k < arity; ++k)
+      for (int l = 0; l <= k; ++l)
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i) {
+            const int a = std::max(variable(k, i), variable(l, j)), b = std::min(variable(k, i), variable(l, j));
+            *hessian++ = b < 0 ? 0 : energy.h[a * (a + 1) / 2 + b];
+          }
+  }
+
+  Formula formula_;
+  std::vector<int> vertices_;
+  std::vector<Data> data_;
+};
+
+}  // namespace tack
