@@ -6,6 +6,7 @@
 
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/output/checkpoints.hpp"
+#include "framework/scene/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -25,6 +26,7 @@ fs::path checkpoint_of(const fs::path& from) {
 EarlierState earlier_state(const StateFile& file, const Experiment& experiment, const std::string& name) {
   EarlierState state{name, file.state.time, file.state.x, file.state.v, file.state.a, file.state.history, file.objects, {}, {}};
   for (const ObjectConfig& object : experiment.objects) state.order.push_back(object.name), state.energies[object.name] = energies_text(object);
+  for (size_t i = 0; i < experiment.interactions.size(); ++i) state.energies[interaction_name(experiment, i)] = "";
   const Eigen::Index vertices = file.state.x.size() / 3;
   check_size(file, vertices, name);
   for (const auto& [object, there] : file.objects) {

@@ -4,11 +4,22 @@
 #include "framework/config/parse.hpp"
 #include "framework/experiment/file_kind.hpp"
 #include "framework/plugin/plugins.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 
+namespace {
+
+void refuse_former_keys(const Value& root) {
+  if (const Value* springs = root.find("springs"))
+    throw InputError(springs->mark.text() + ": springs are interactions: write `interactions: [{type: spring, ...}]`, with the same keys");
+}
+
+}  // namespace
+
 LoadedExperiment bound_experiment(Value root) {
   refuse_other_kind(root, FileKind::scene);
+  refuse_former_keys(root);
   load_plugins(root);
   LoadedExperiment loaded{std::move(root), {}, {}};
   bind(loaded.root, loaded.experiment, "the scene");

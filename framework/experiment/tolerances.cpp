@@ -7,7 +7,6 @@
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/config/bind.hpp"
-#include "framework/rod/rod_frames.hpp"
 #include "framework/scene/extent.hpp"
 
 namespace tack {
@@ -16,7 +15,7 @@ namespace {
 constexpr double usual = 0.01;           // m/s: 1 cm/s
 constexpr double of_distance = 0.1;      // of the contact distance, that a step may be off
 constexpr double of_size = 1e-3;         // of the smallest moving object
-constexpr double of_section = 1e-2;      // of the smallest radius of gyration: so much of a radian
+constexpr double of_number = 1e-2;       // of an unknown that is a number, in its unit: so much of a radian
 constexpr double finest_sticking = 1e-4;  // m/s: what sticks below is not resolved unless a tolerance says so
 constexpr double roundings = 64;         // of a position, in the force of the elements around a vertex
 
@@ -32,11 +31,11 @@ double smallest_size(const World& world) {
   return smallest;
 }
 
-// Of the sections of rods, the smallest radius of gyration: a twist by a radian moves so far [m].
-double smallest_section(const World& world) {
+// Of unknowns that are numbers, the smallest way that one of their unit is: a radian of a rod's twist moves by the radius of gyration [m].
+double smallest_number(const World& world) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Body& body : world.bodies)
-    if (body.movable && body.rod) smallest = std::min(smallest, body.rod->radius());
+  for (const UnknownGroup& group : world.unknowns)
+    if (group.length > 0 && (group.body < 0 || world.bodies[group.body].movable)) smallest = std::min(smallest, group.length);
   return smallest;
 }
 
@@ -55,7 +54,7 @@ std::vector<std::pair<std::string, double>> sticking_speeds(const ContactConfig&
 }
 
 double velocity_tolerance(const Experiment& experiment, const World& world) {
-  double way = std::min(of_size * smallest_size(world), of_section * smallest_section(world));
+  double way = std::min(of_size * smallest_size(world), of_number * smallest_number(world));
   if (experiment.contact) way = std::min(way, of_distance * experiment.contact->contact_distance);
   double speed = way > 0 ? std::min(usual, way / experiment.time.step) : usual;
   if (!experiment.contact) return speed;
@@ -69,7 +68,8 @@ double stiffness_at_rest(const World& world, PhaseClock& clock) {
   for (size_t v = 0; v < free.size(); ++v) free[v] = world.script.ever_free(static_cast<int>(v));
   const DofMap dofs(free);
   std::vector<const Term*> elements;
-  for (const auto& term : world.elastic_terms) elements.push_back(term.get());
+  for (const auto& term : world.elastic_terms)
+    if (term->stores()) elements.push_back(term.get());
   IncrementalPotential potential(elements, dofs, world.mass, clock);
   VecX q;
   dofs.gather(world.rest, q);

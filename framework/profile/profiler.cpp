@@ -21,7 +21,7 @@ double seconds_in(const PhaseClock::Seconds& phases, Phase phase) { return phase
 std::string label(const World& world, const Term& term) {
   for (const StencilBatch& batch : term.batches())
     if (batch.count > 0 && !term.dynamic())
-      return fmt::format("{} of '{}'", term.name(), world.bodies[world.body_of(batch.vertices[0])].name);
+      if (const int body = world.body_of(batch.vertices[0]); body >= 0) return fmt::format("{} of '{}'", term.name(), world.bodies[body].name);
   return term.name();
 }
 

@@ -48,7 +48,7 @@ void add_frame(const ObjectConfig& object, int index, World& world) {
     const MassProperties properties = mass_properties(local_mesh(body, world.rest));
     const BodyFrame frame = body_frame(properties);
     body.volume = properties.volume;
-    body.frame = world.append_vertices(frame.vertices, index);
+    body.frame = Unknowns(world, body.name, index).places("frame", frame.vertices);
     AffineFrame binding{{body.frame[0], body.frame[1], body.frame[2], body.frame[3]}, {}};
     for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
       binding.carried.push_back({v, frame.weights(vertex(world.rest, v))});

@@ -61,6 +61,11 @@ Dependences frame_follows(const AffineFrame& body, const std::set<int>& led, std
 
 }  // namespace
 
+void Bindings::carry(int first_of_frame, const AffineFrame::Carried& carried) {
+  const auto at = std::find_if(frames_.begin(), frames_.end(), [&](const AffineFrame& f) { return f.frame[0] == first_of_frame; });
+  at->carried.push_back(carried);
+}
+
 std::vector<char> Bindings::active(double t) const {
   std::vector<char> active;
   for (const Tie& tie : ties_) active.push_back(tie.from <= t && t < tie.until);

@@ -29,6 +29,8 @@ struct Tie {
 class Bindings {
  public:
   void add(AffineFrame frame) { frames_.push_back(std::move(frame)); }
+  // Another vertex that follows the frame of which that is the first one.
+  void carry(int first_of_frame, const AffineFrame::Carried& carried);
   void add(Tie tie) { ties_.push_back(std::move(tie)); }
   void add_lasting(Dependence dependence) { lasting_.push_back(std::move(dependence)); }
 

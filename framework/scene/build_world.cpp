@@ -17,7 +17,9 @@
 #include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/earlier_state.hpp"
 #include "framework/scene/energy_records.hpp"
+#include "framework/scene/energy_with_unknowns.hpp"
 #include "framework/scene/named_selections.hpp"
+#include "framework/scene/interaction_builder.hpp"
 #include "framework/scene/push_out.hpp"
 #include "framework/scene/refined_surface.hpp"
 #include "framework/scene/rod_twists.hpp"
@@ -120,12 +122,13 @@ void hold_vertices(const ObjectConfig& object, int index, World& world) {
   Body& body = world.bodies[index];
   body.movable = false;
   if (body.rod)
-    for (const int v : body.rod->twists()) {
-      world.script.hold_always({v, Vec3(0, 1, 1).asDiagonal(), true});
-      body.movable = body.movable || world.script.ever_free(v);
-    }
+    for (const int v : body.rod->twists()) body.movable = body.movable || world.script.ever_free(v);
   for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
     body.movable = body.movable || world.script.ever_free(v);
+}
+
+Unknowns unknowns_of(int index, World& world) {
+  return Unknowns(world, fmt::format("{}/{}", world.bodies[index].name, world.bodies[index].energy), index);
 }
 
 void add_energies(const ObjectConfig& object, int index, World& world) {
@@ -148,7 +151,8 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
     std::optional<Body> cut;
     if (energy->selection()) cut = selected_elements(*energy->selection(), {body, world.rest});
     const Body& acted_on = cut ? *cut : body;
-    std::unique_ptr<Term> term = energy->make_term(acted_on, world.rest);
+    const auto* asking = dynamic_cast<const EnergyWithUnknowns*>(energy.get());
+    std::unique_ptr<Term> term = asking ? asking->make_with_unknowns(acted_on, world.rest, unknowns_of(index, world)) : energy->make_term(acted_on, world.rest);
     energy->add_mass(acted_on, world.rest, world.mass);
     ++body.energy;
     if (!term) continue;
@@ -158,8 +162,9 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
   }
   if (mass_damping) {
     world.damping_terms.push_back(std::make_unique<MassDamping>(body.first_vertex, body.vertex_count, world.mass, object.damping->mass));
-    if (body.rod)
-      world.damping_terms.push_back(std::make_unique<MassDamping>(body.rod->twists()[0], body.rod->count(), world.mass, object.damping->mass));
+    for (const UnknownGroup& group : world.unknowns)
+      if (group.body == index && world.mass(group.vertices.front()) > 0)
+        world.damping_terms.push_back(std::make_unique<MassDamping>(group.vertices.front(), static_cast<int>(group.vertices.size()), world.mass, object.damping->mass));
   }
   world.tets.insert(world.tets.end(), body.tets.begin(), body.tets.end());
 }
@@ -189,7 +194,7 @@ void start_state(const SceneConfig& scene, World& world) {
       for (int e = 0; e < body.rod->count(); ++e)
         if (const int v = body.rod->twists()[e]; world.dofs.moves(v)) s.v(3 * v) = body.rod->radius() * object.spin.dot(body.rod->tangent(e, s.x));
     for (const int v : world.vertices_of(static_cast<int>(i))) {
-      if (body.rod && body.rod->is_twist(v)) continue;
+      if (world.is_number(v)) continue;
       if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
     }
   }
@@ -336,6 +341,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->bodies.back().notes = std::move(notes[i]);
   });
   meshes.clear();
+  world->mass = world->weighing_mass = VecX::Zero(world->rest.size() / 3);
+  world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
     if (scene.objects[i].surface && !scene.contact)
@@ -345,8 +352,6 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   });
   add_named_selections(scene, root, *world);
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
-  world->mass = VecX::Zero(world->rest.size() / 3);
-  world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });
   for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
@@ -355,15 +360,15 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
                        "select, from and until)");
     });
   for_each_object(scene, root, [&](size_t i) { add_attachments(scene, static_cast<int>(i), *world); });
-  const std::vector<char> active = world->script.active(first_step / 2), free = world->script.free(active);
-  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)), world->script.held_directions(active));
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], static_cast<int>(i), *world); });
   world->weighing_mass = world->mass;
-  for (const Body& body : world->bodies)
-    if (body.rod)
-      for (const int v : body.rod->twists()) world->weighing_mass(v) = 0;
+  for (const UnknownGroup& group : world->unknowns)
+    if (group.length > 0)
+      for (const int v : group.vertices) world->weighing_mass(v) = 0;
   add_affine_terms(scene, root, first_step, *world);
-  add_springs(scene, root, *world);
+  add_interactions(scene, root, *world);
+  const std::vector<char> active = world->script.active(first_step / 2), free = world->script.free(active);
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)), world->script.held_directions(active));
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;

@@ -7,7 +7,6 @@
 
 #include "framework/config/describe.hpp"
 #include "framework/config/nearest.hpp"
-#include "framework/scene/spring_term.hpp"
 #include "framework/scene/world.hpp"
 #include "geometry/errors.hpp"
 
@@ -22,8 +21,8 @@ const StateObject& checked(const std::string& name, const EarlierState& earlier,
     throw InputError(fmt::format("object '{}' had another mesh in {} ({}); give it the same shape, or leave it out of start.objects", name,
                                  earlier.file, other));
   if (there.vertices.size() != here.vertices.size())
-    throw InputError(fmt::format("object '{}' had {} vertices in {} beside those of its mesh (of affine bodies, finer surfaces, twists), and has {} "
-                                 "here; give it the same `body`, `surface` and energies that twist, or leave it out of start.objects", name,
+    throw InputError(fmt::format("object '{}' had {} vertices in {} beside those of its mesh (of affine bodies, finer surfaces, unknowns of energies), and has {} "
+                                 "here; give it the same `body`, `surface` and energies, or leave it out of start.objects", name,
                                  there.vertices.size() - there.mesh.vertex_count, earlier.file, here.vertices.size() - here.mesh.vertex_count));
   return there;
 }
@@ -66,7 +65,7 @@ void take_history(const ObjectConfig& object, const EarlierState& earlier, State
   const std::string prefix = object.name + "/";
   bool any = false;
   for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
-    if (it->first == prefix + "broken" || !it->second.keys.empty()) continue;  // of a spring of that name; of this object and others
+    if (!it->second.keys.empty()) continue;  // of this object and others
     state.history.insert(*it);
     any = true;
   }
@@ -103,19 +102,36 @@ void take_keyed(const EarlierState& earlier, const Places& places, State& state)
   }
 }
 
-// Which springs broke between objects that are both taken.
-void take_springs(const std::vector<const ObjectConfig*>& objects, const EarlierState& earlier, const SceneConfig& scene, World& world) {
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(objects.begin(), objects.end(), [&](const ObjectConfig* object) { return object->name == name; });
+// Unknowns and memories of interactions of which all objects are taken.
+void take_interactions(const std::map<std::string, StateObject>& here, const std::vector<const ObjectConfig*>& objects, const StartConfig& start,
+                       const EarlierState& earlier, World& world) {
+  const auto taken = [&](int body) {
+    return std::any_of(objects.begin(), objects.end(), [&](const ObjectConfig* object) { return object->name == world.bodies[body].name; });
   };
-  for (size_t i = 0; i < scene.springs.size(); ++i) {
-    const SpringTerm& springs = *world.springs[i];
-    const auto there = earlier.history.find(springs.history_name());
-    if (there == earlier.history.end() || !taken(scene.springs[i].from.object) || !taken(scene.springs[i].to.object)) continue;
-    if (there->second.entries() != springs.count())
-      throw InputError(fmt::format("springs '{}' were {} in {}, and are {} here; name them otherwise, or give them the same ends",
-                                   scene.springs[i].name, there->second.entries(), earlier.file, springs.count()));
-    world.start.history.insert(*there);
+  const auto refuse = [&](const ActingInteraction& interaction, const std::string& what, int there, int now) {
+    throw InputError(fmt::format("interaction '{}' had {} {} in {}, and has {} here; name it otherwise, or give it the same ends", interaction.name, there,
+                                 what, earlier.file, now));
+  };
+  State& s = world.start;
+  for (const ActingInteraction& interaction : world.interactions) {
+    if (!std::all_of(interaction.bodies.begin(), interaction.bodies.end(), taken)) continue;
+    for (const ActingInteraction::Memory& memory : interaction.memory) {
+      const auto there = earlier.history.find(memory.name);
+      if (there == earlier.history.end()) continue;
+      if (there->second.width != memory.width || there->second.entries() != memory.entries)
+        refuse(interaction, fmt::format("entries of '{}'", memory.name), there->second.entries(), memory.entries);
+      s.history.insert(*there);
+    }
+    const auto then = earlier.objects.find(interaction.name), now = here.find(interaction.name);
+    if (then == earlier.objects.end() || now == here.end()) continue;
+    const std::vector<int>&from = then->second.vertices, &to = now->second.vertices;
+    if (from.size() != to.size()) refuse(interaction, "unknowns", static_cast<int>(from.size()), static_cast<int>(to.size()));
+    for (size_t k = 0; k < to.size(); ++k) {
+      vertex(s.x, to[k]) = vertex(earlier.x, from[k]);
+      const bool moves = start.velocities && world.dofs.moves(to[k]);
+      vertex(s.v, to[k]) = moves ? Vec3(vertex(earlier.v, from[k])) : Vec3::Zero();
+      vertex(s.a, to[k]) = moves ? Vec3(vertex(earlier.a, from[k])) : Vec3::Zero();
+    }
   }
 }
 
@@ -124,6 +140,12 @@ void take_springs(const std::vector<const ObjectConfig*>& objects, const Earlier
 std::map<std::string, StateObject> state_objects(const World& world) {
   std::map<std::string, StateObject> objects;
   for (size_t i = 0; i < world.bodies.size(); ++i) objects[world.bodies[i].name] = {world.vertices_of(static_cast<int>(i)), world.bodies[i].digest};
+  for (const ActingInteraction& interaction : world.interactions) {
+    std::vector<int> vertices;
+    for (const UnknownGroup& group : world.unknowns)
+      if (group.body < 0 && group.name.starts_with(interaction.name + "/")) vertices.insert(vertices.end(), group.vertices.begin(), group.vertices.end());
+    if (!vertices.empty()) objects[interaction.name] = {std::move(vertices), {}};
+  }
   return objects;
 }
 
@@ -155,7 +177,7 @@ std::string start_as_before(const StartConfig& start, const EarlierState& earlie
     take_history(*object, earlier, s);
   }
   take_keyed(earlier, places, s);
-  take_springs(objects, earlier, scene, world);
+  take_interactions(here, objects, start, earlier, world);
   for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.follow(*field);
   return fmt::format("{} of {} objects start as they were in {} (t = {:.6g} s)", objects.size(), scene.objects.size(), earlier.file, earlier.time);
 }

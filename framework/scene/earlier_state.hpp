@@ -20,7 +20,7 @@ struct StateObject {
   MeshDigest mesh;            // before it was placed
 };
 
-// Of every object of a world, by name.
+// Of every object of a world, by name; and of interactions that have unknowns, which have no mesh.
 std::map<std::string, StateObject> state_objects(const World& world);
 
 struct EarlierState {
@@ -37,7 +37,7 @@ struct EarlierState {
 std::string energies_text(const ObjectConfig& object);
 
 // Puts the objects of the world's start that `start` names, or all that both have, where they were, with what they remember, each
-// by itself (arrays that begin with its name), and of each other (arrays with keys, core/history.hpp, of any name; springs);
+// by itself (arrays that begin with its name), and of each other (arrays with keys, core/history.hpp, of any name; interactions);
 // returns a line on it. Throws InputError for objects that neither has, had another mesh or other vertices beyond it, or remember
 // and have other energies now.
 std::string start_as_before(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene, World& world);

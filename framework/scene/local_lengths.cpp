@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/rod/rod_frames.hpp"
 #include "geometry/distance/edge_edge.hpp"
 #include "geometry/distance/point_edge.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -18,6 +17,8 @@ class Lengths {
       : world_(world), x_(x),
         lengths_(VecX::Constant(world.mass.size(), std::numeric_limits<double>::infinity())) {
     for (const Body& body : world.bodies) add_elements(body);
+    for (const UnknownGroup& group : world.unknowns)
+      if (group.length > 0) lower(group.vertices, group.length);
     if (world.contact) add_gaps(world.contact->surface().mesh, world.contact->candidates());
     // What others follow may move as far as those may.
     const std::vector<int>& dependents = world.dofs.dependents();
@@ -51,7 +52,6 @@ class Lengths {
     for (const Triangle& t : body.triangles) add_triangle(t);
     for (const Edge& e : body.edges) lower(e, (rest(e[1]) - rest(e[0])).norm());
     if (body.radius > 0) lower(body.points, body.radius);
-    if (body.rod) lower(body.rod->twists(), body.rod->radius());
   }
 
   void add_gaps(const CollisionMesh& mesh, const Candidates& candidates) {

@@ -47,7 +47,12 @@ class Pusher {
       if (!object.attach.empty()) tied.insert(object.name);
       for (const AttachConfig& attach : object.attach) tied.insert(attach.to);
     }
-    for (const SpringConfig& spring : scene.springs) tied.insert({spring.from.object, spring.to.object});
+    for (const auto& interaction : scene.interactions) {
+      if (!interaction->places()) continue;
+      for (const std::string& name : interaction->objects())
+        for (const ObjectConfig& object : scene.objects)
+          if (named_as(object, name) != NamedAs::not_at_all) tied.insert(object.name);
+    }
     for (const ObjectConfig& object : scene.objects) free_.push_back(object.motion.empty() && !tied.contains(object.name));
     for (const Mesh& mesh : meshes) surfaces_.emplace_back(mesh);
   }

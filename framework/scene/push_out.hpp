@@ -2,8 +2,8 @@
 //
 // Whoever is free to go is translated along the signed distance of what it overlaps until a gap of half the contact distance
 // (and the offsets) is there: where both may go, each by the share of the other's volume; pair by pair, in sweeps, so that a
-// heap finds room; no object farther than the given length. Held by motions, attached, with something attached to it, or at a
-// spring: an object stays. All that follows (rest shapes, selections by place) sees objects where they then are.
+// heap finds room; no object farther than the given length. Held by motions, attached, with something attached to it, or joined by
+// an interaction: an object stays. All that follows (rest shapes, selections by place) sees objects where they then are.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ void add_refined_surface(const ObjectConfig& object, int index, World& world) {
       v += body.first_vertex;
     }
   }
-  body.surface_vertices = world.append_vertices(places, index);
+  body.surface_vertices = Unknowns(world, body.name, index).places("surface", places);
   for (size_t i = 0; i < places.size(); ++i)
     world.bindings.add_lasting({body.surface_vertices[i], std::move(surface.added[i])});
   body.surface_triangles = std::move(surface.triangles);

@@ -141,10 +141,10 @@ void add_twists(const ObjectConfig& object, int index, World& world) {
   if (!body.section) return;
   const std::vector<Edge> edges = twisted_edges(object, body, world.rest);
   if (edges.empty()) return;
-  const std::vector<Vec3> directors = directors_of(body, edges, world.rest), places(edges.size(), Vec3::Zero());
-  std::vector<int> twists = world.append_vertices(places, index);
-  body.rod = std::make_shared<RodFrames>(body.name + "/rod/frames", edges, std::move(twists), directors,
-                                         body.section->radius_of_gyration(), world.rest);
+  const std::vector<Vec3> directors = directors_of(body, edges, world.rest);
+  const double radius = body.section->radius_of_gyration();
+  Numbers twists = Unknowns(world, body.name, index).numbers("twist", static_cast<int>(edges.size()), radius);
+  body.rod = std::make_shared<RodFrames>(body.name + "/rod/frames", edges, std::move(twists.vertices), directors, radius, world.rest);
 }
 
 void hold_twists(const Motion& motion, const std::vector<int>& vertices, const std::string& name, int index, World& world) {
@@ -155,8 +155,8 @@ void hold_twists(const Motion& motion, const std::vector<int>& vertices, const s
   for (int e = 0; e < rod->count(); ++e)
     if (held(rod->edge(e)[0]) && held(rod->edge(e)[1])) twists.push_back(rod->twists()[e]);
   if (twists.empty()) return;
-  world.twist_motions.push_back(std::make_unique<DrivenTwist>(motion, *rod));
-  world.script.add({world.twist_motions.back().get(), std::move(twists), name + ", the twist of its edges"});
+  world.own_motions.push_back(std::make_unique<DrivenTwist>(motion, *rod));
+  world.script.add({world.own_motions.back().get(), std::move(twists), name + ", the twist of its edges"});
 }
 
 }  // namespace tack

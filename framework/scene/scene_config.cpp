@@ -109,7 +109,7 @@ void ContactConfig::fields(Fields& f) {
          "whether objects that motions hold throughout are kept from meeting one another; false: they may overlap");
   f.optional_number("push_out", push_out, units::length,
                     "objects that overlap at the start, or are closer than their offsets, are moved apart, none farther than this, to a gap "
-                    "of half the contact distance; those stay that motions hold, that are attached or at springs. Unless given, "
+                    "of half the contact distance; those stay that motions hold, that are attached, or that an interaction joins. Unless given, "
                     "such a start is refused").positive();
   f.optional_object("friction", friction, "friction of every pair");
   f.object("lagging", lagging, "how friction follows the normal forces within a step");
@@ -127,7 +127,7 @@ void SceneConfig::fields(Fields& f) {
   f.vector("gravity", gravity, units::acceleration, "acceleration of every mass");
   f.list("objects", objects, "what is simulated").required().nonempty();
   f.list("selections", selections, "as those of an object, of all objects of which they choose a vertex");
-  f.list("springs", springs, "springs between objects");
+  f.component_list("interactions", interactions, "what acts between objects, on vertices of them, or on one");
   f.optional_object("contact", contact, "contact between all objects; without it there is none");
   f.optional_object("start", start, "objects that an earlier run has moved start as they were at one of its checkpoints, at time 0");
   f.check("start", [this]() -> std::string {

@@ -15,12 +15,12 @@
 #include "framework/scene/energy.hpp"
 #include "framework/scene/fill.hpp"
 #include "framework/scene/friction_config.hpp"
+#include "framework/scene/interaction.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/motion.hpp"
 #include "framework/shapes/place.hpp"
 #include "framework/scene/rod_section.hpp"
 #include "framework/shapes/shape_source.hpp"
-#include "framework/scene/springs.hpp"
 #include "framework/scene/start_config.hpp"
 
 namespace tack {
@@ -103,7 +103,7 @@ struct SceneConfig {
   Vec3 gravity = Vec3::Zero();  // m/s^2
   std::vector<ObjectConfig> objects;
   std::vector<NamedSelection> selections;
-  std::vector<SpringConfig> springs;
+  std::vector<std::unique_ptr<Interaction>> interactions;
   std::optional<ContactConfig> contact;
   std::optional<StartConfig> start;
   void fields(Fields& f);

@@ -47,6 +47,14 @@ std::string end_of(double until) {
 
 }  // namespace
 
+void Script::grow(int more) {
+  const size_t count = ever_free_.size() + static_cast<size_t>(more);
+  ever_held_.resize(count, 0);
+  ever_free_.resize(count, 1);
+  moves_.resize(count, 0);
+  rigid_group_.resize(count, -1);
+}
+
 void Script::add(Hold hold) {
   const Motion& motion = *hold.motion;
   for (const Hold& other : holds_) {

@@ -24,12 +24,14 @@ class Script {
       : ever_held_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
         rigid_group_(vertex_count, -1) {}
 
+  void grow(int more);  // vertices, behind the others
+
   // Throws InputError if another motion holds one of the vertices at the same time: both whole, or both in directions
   // that are not at right angles.
   void add(Hold hold);
   // Once all motions are there: the vertex follows others, and is free, or moved, where one of them is.
   void follow(const Dependence& dependence);
-  // Of a vertex, some directions that no motion ever frees: a twist has one number (rod/rod_frames.hpp).
+  // Of a vertex, some directions that no motion ever frees: a number has one (unknowns.hpp).
   void hold_always(const HeldDirections& held) { always_held_.push_back(held); }
   const std::vector<HeldDirections>& always_held() const { return always_held_; }
   const std::vector<Hold>& holds() const { return holds_; }

@@ -50,14 +50,9 @@ int World::number_in_body(int vertex) const {
   return body.vertex_count + static_cast<int>(at - body.extra_vertices.begin());
 }
 
-std::vector<int> World::append_vertices(std::span<const Vec3> x, int body) {
-  std::vector<int> added(x.size());
-  std::iota(added.begin(), added.end(), static_cast<int>(rest.size()) / 3);
-  rest.conservativeResize(rest.size() + 3 * static_cast<Eigen::Index>(x.size()));
-  for (size_t i = 0; i < x.size(); ++i) vertex(rest, added[i]) = x[i];
-  extra_object.insert(extra_object.end(), x.size(), body);
-  bodies[body].extra_vertices.insert(bodies[body].extra_vertices.end(), added.begin(), added.end());
-  return added;
+bool World::is_number(int vertex) const {
+  const auto after = std::upper_bound(unknowns.begin(), unknowns.end(), vertex, [](int v, const UnknownGroup& group) { return v < group.vertices.front(); });
+  return vertex >= mesh_vertex_count() && after != unknowns.begin() && std::prev(after)->length > 0;
 }
 
 void World::collect_on_meshes(VecX& forces) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -11,11 +10,13 @@
 #include "framework/core/records.hpp"
 #include "framework/core/state.hpp"
 #include "framework/core/step_figure.hpp"
+#include "framework/scene/acting_interaction.hpp"
 #include "framework/scene/bindings.hpp"
 #include "framework/scene/body.hpp"
 #include "framework/scene/load_terms.hpp"
 #include "framework/scene/motion.hpp"
 #include "framework/scene/script.hpp"
+#include "framework/scene/unknowns.hpp"
 
 namespace tack {
 
@@ -26,7 +27,6 @@ class DampingTerm;
 class FrictionTerm;
 class OrthogonalityTerm;
 class RimTerm;
-class SpringTerm;
 
 struct World {
   World();
@@ -34,19 +34,20 @@ struct World {
 
   std::vector<Body> bodies;
   VecX rest;              // 3n [m]: the vertices of the bodies' meshes, then those that are in none
-  std::vector<int> extra_object;  // of the latter: the body that each belongs to
+  std::vector<int> extra_object;  // of the latter: the body that each belongs to; -1: none
+  std::vector<UnknownGroup> unknowns;  // the latter, as they were asked for, ascending
   VecX mass;              // n [kg]
-  VecX weighing_mass;     // n [kg]: what gravity pulls at; none of twists
-  std::vector<std::unique_ptr<Motion>> twist_motions;  // of what motions hold of rods
+  VecX weighing_mass;     // n [kg]: what gravity pulls at; none of numbers
+  std::vector<std::unique_ptr<Motion>> own_motions;  // of what is held of unknowns
   Script script;          // who is held when
   Bindings bindings;      // which vertices follow others
-  std::vector<std::pair<int, int>> attached;  // bodies that touch where one is attached to the other, ascending
+  std::vector<std::pair<int, int>> attached;  // bodies that are in no contact, as one is attached or joined to the other, ascending
   DofMap dofs;            // of the present step; the first before it
   std::vector<Tet> tets;  // of all bodies that may move
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
-  std::vector<const SpringTerm*> springs;     // of them, those of springs
+  std::vector<ActingInteraction> interactions;  // in the order of the scene
   const OrthogonalityTerm* affine = nullptr;  // of them, that of affine bodies; null without any
   std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;
@@ -67,13 +68,13 @@ struct World {
   int body_index(const std::string& name) const;  // -1 if there is none
   // The same; throws InputError with the nearest name, after `who` ("probe 'gap': "), if there is none.
   int index_of(const std::string& name, const std::string& who = "") const;
-  int body_of(int vertex) const;                  // whose vertex (global) that is
+  int body_of(int vertex) const;                  // whose vertex (global) that is; -1: an interaction's
   // Of the configuration x (3n); of a body without mass, the mean of its vertices.
   Vec3 centre_of_mass(int body, const VecX& x) const;
   std::vector<int> vertices_of(int body) const;  // of its mesh, and those of its that are in none
   // The place of a vertex (global) in vertices_of its body: its number in the mesh, or beyond those.
   int number_in_body(int vertex) const;
-  std::vector<int> append_vertices(std::span<const Vec3> x, int body);
+  bool is_number(int vertex) const;  // and no place (unknowns.hpp)
   // Moves what acts on vertices of finer contact surfaces (3n) to those of the meshes that they follow.
   void collect_on_meshes(VecX& forces) const;
   int mesh_vertex_count() const { return static_cast<int>(rest.size()) / 3 - static_cast<int>(extra_object.size()); }

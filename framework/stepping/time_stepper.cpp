@@ -81,14 +81,18 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
     term->begin_step({state_.x, t});
   const EndVelocity now{1, state_.x - state_.v};
   for (const auto& term : world_.damping_terms) term->begin_step({state_.x, t, 0, &now});
+  for (const auto& term : world_.elastic_terms)
+    if (!term->stores()) term->begin_step({state_.x, t, 0, &now});
   VecX q;
   world_.dofs.gather(state_.x, q);
   potential_->begin_step(state_.x, state_.x, {}, false);
   potential_->move_to(q);
   const VecX& gradient = potential_->gradient();
   const VecX mass = world_.dofs.block_masses(world_.mass);
-  for (const int v : vertices)
-    vertex(state_.a, v) = -gradient.segment<3>(3 * world_.dofs.block(v)) / mass(world_.dofs.block(v));
+  for (const int v : vertices) {
+    const int b = world_.dofs.block(v);
+    vertex(state_.a, v) = mass(b) > 0 ? Vec3(-gradient.segment<3>(3 * b) / mass(b)) : Vec3::Zero();
+  }
   world_.dofs.follow(state_.a);
   if (!time_.integrator->follows_contact() || !world_.contact) return;
   const VecX contact = contact_accelerations(state_.x);
@@ -107,7 +111,7 @@ VecX TimeStepper::contact_accelerations(const VecX& x) const {
   VecX a = VecX::Zero(force.size());
   for (int b = 0; b < dofs.block_count(); ++b) {
     const int v = dofs.vertex_of_block(b);
-    vertex(a, v) = vertex(force, v) / mass(b);
+    if (mass(b) > 0) vertex(a, v) = vertex(force, v) / mass(b);
   }
   dofs.follow(a);
   return a;

@@ -5,7 +5,6 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/core/damping_terms.hpp"
-#include "framework/scene/spring_term.hpp"
 #include "framework/scene/step_potential.hpp"
 
 namespace tack {

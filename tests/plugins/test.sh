@@ -55,7 +55,9 @@ grep -q '"adhesion.parabolic"' schema.json || fail "the schema does not know the
 # What must be refused, with its place: refused LIBRARY PATTERN
 cd "$scratch/elsewhere"
 block '## A law that remembers' "$source/docs/extending.md" >fading.cpp
-cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
+block '## Add an interaction' "$source/docs/extending.md" >tether.cpp
+block '## Ask for unknowns' "$source/docs/extending.md" >moisture.cpp
+cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
 cmake --build build >/dev/null
 scene=$scratch/elsewhere/scene.yaml
 refused() {
@@ -89,6 +91,24 @@ refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.
 # A law of bonds.
 sed "s|\[build/libmine.so\]|[$scratch/guide/mine/build/libmine.so, build/libfading.so]|; s|{type: parabolic[^}]*}|{type: fading}|" "$scratch/guide/mine/pull.yaml" >"$scene"
 tack run "$scene" -q -o fading --steps 3 && grep -q '"type": "fading"\|type: fading' fading/scene.yaml || fail "a law of bonds from outside"
+
+# Interactions: a crate on a rope that a held bar reels in, soaked from above.
+cat >hoist.yaml <<'END'
+name: hoist
+plugins: [build/libtether.so, build/libmoisture.so]
+time: {step: 20 ms, duration: 0.4 s}
+objects:
+  - {name: bar, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 1, 0]}, motion: [fixed]}
+  - {name: crate, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5, poisson: 0.3, density: 1000}]}
+interactions:
+  - {type: tether, from: bar, start: [0, 0.95, 0], to: crate, end: [0, 0.05, 0], stiffness: 100 N/m, reel: [[0 s, 1], [0.2 s, 0.8]]}
+  - {type: moisture, object: crate, modulus: 1e4, swelling: 0.1, diffusivity: 1e-3, capacity: 1e3, wet: {type: face, direction: [0, 1, 0]}, level: 1}
+probes: [{name: height, type: centre_of_mass, object: crate, direction: [0, 1, 0]}]
+expect: [{name: it is lifted, probe: height, statistic: max, at_least: 5 mm}]
+END
+tack check hoist.yaml >check.txt || { cat check.txt; fail "interactions from outside"; }
+grep -q ropes check.txt && grep -q swelling check.txt || { cat check.txt; fail "the terms of interactions from outside"; }
+tack run hoist.yaml -q -o hoist || fail "a run with interactions from outside"
 
 # Without optimisation, with assertions; and named twice.
 sed "s|\[build/libmine.so\]|[build/libunoptimised.so, $scratch/elsewhere/build/../build/libunoptimised.so]|" "$scratch/guide/mine/pull.yaml" >"$scene"

@@ -71,11 +71,11 @@ time: {step: 0.01 s, duration: 0.4 s}
 objects:
   - {name: ceiling, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 1, 0]}, motion: [fixed]}
   - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: {type: affine, density: 1000}, velocity: [0, -0.5, 0]}
-springs:
-  - {name: link, from: {object: block, select: {type: face, direction: [0, 1, 0]}}, to: {object: ceiling}, stiffness: 100, breaking_force: 2}
+interactions:
+  - {type: spring, name: link, from: {object: block, select: {type: face, direction: [0, 1, 0]}}, to: {object: ceiling}, stiffness: 100, breaking_force: 2}
 probes:
-  - {name: force, type: spring_force, springs: link, direction: [0, 1, 0]}
-  - {name: intact, type: intact_springs, springs: link}
+  - {name: force, type: spring_force, interaction: link, direction: [0, 1, 0]}
+  - {name: intact, type: intact_springs, interaction: link}
   - {name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}
 output: {checkpoint_interval: 0.1 s}
 )");

@@ -101,5 +101,5 @@ TEST_CASE("what motions hold stays where it is, and so do those at springs", "[p
   const std::string held = box("floor", Vec3::Zero(), fixed) + box("shelf", Vec3(0, 0.099, 0), fixed) + box("block", Vec3(1, 0, 0), loose);
   CHECK(TestScene(scene_of(held)).world->start_notes.empty());
   const std::string block = box("floor", Vec3::Zero(), fixed) + box("block", Vec3(0, 0.099, 0), loose);
-  CHECK_THROWS_WITH(TestScene(scene_of(block) + "springs: [{name: cord, stiffness: 10 N/m, from: {object: block}, to: {object: floor}}]\n"), Contains("the start intersects"));
+  CHECK_THROWS_WITH(TestScene(scene_of(block) + "interactions: [{type: spring, name: cord, stiffness: 10 N/m, from: {object: block}, to: {object: floor}}]\n"), Contains("the start intersects"));
 }

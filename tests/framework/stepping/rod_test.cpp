@@ -336,7 +336,7 @@ TEST_CASE("a spring, a tie and damping act on rods and particles", "[rod][partic
               "     energies: [{type: particle, mass: 20 g}]}\n"
               "  - {name: box, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 0.06, 0]}, body: affine,\n"
               "     motion: [fixed]}\n"
-              "springs: [{name: thread, from: {object: bob}, to: {object: rod, " + vertices("10") + "}, stiffness: 10 N/m}]\n"
+              "interactions: [{type: spring, name: thread, from: {object: bob}, to: {object: rod, " + vertices("10") + "}, stiffness: 10 N/m}]\n"
               "probes: [{name: lost, type: energy, term: dissipated_damping}]\n");
   for (int i = 0; i < 200; ++i) run.step();
   CHECK(run.sample(0)[0] > 0);

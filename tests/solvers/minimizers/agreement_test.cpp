@@ -52,7 +52,7 @@ std::string rod(const std::string& solver) {
          "     energies: [{type: elastic_rod, young: 1e5, poisson: 0.3, density: 1000}],\n"
          "     motion: [{type: rotate, axis: [0, 0, 1], angular_velocity: 8 rad/s, select: {type: indices, vertices: [0, 1]}}]}\n"
          "  - {name: ball, shape: {type: points}, place: {translate: [-0.3, -0.1, 0]}, particle: {radius: 0.05}, energies: [{type: particle, mass: 2}]}\n"
-         "springs: [{name: cord, from: {object: ball}, to: {object: rod, select: {type: indices, vertices: [6]}}, stiffness: 500}]\n"
+         "interactions: [{type: spring, name: cord, from: {object: ball}, to: {object: rod, select: {type: indices, vertices: [6]}}, stiffness: 500}]\n"
          "solver: " + solver + "\n";
 }
 

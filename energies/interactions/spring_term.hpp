@@ -12,8 +12,8 @@ namespace tack {
 
 class SpringTerm : public Term, public ResidualView {
  public:
-  // name: in messages and of the history.
-  explicit SpringTerm(std::string name) : Term("springs"), history_(name + "/broken"), label_(std::move(name)) {}
+  // history: the name of the array that has which are broken.
+  explicit SpringTerm(std::string history) : Term("springs"), history_(std::move(history)) {}
 
   struct Spring {
     double stiffness = 0;  // N/m
@@ -21,8 +21,6 @@ class SpringTerm : public Term, public ResidualView {
     double strength = std::numeric_limits<double>::infinity();  // N
   };
   void add(Edge vertices, const Spring& spring);
-  const std::string& label() const { return label_; }
-  const std::string& history_name() const { return history_; }
   int count() const { return static_cast<int>(springs_.size()); }
   int intact() const;
   // What the springs exert on their first vertices in sum [N].
@@ -47,7 +45,7 @@ class SpringTerm : public Term, public ResidualView {
   bool breaks(int s, const VecX& x) const;
   double energy(int s, const VecX& x) const;
 
-  std::string history_, label_;
+  std::string history_;
   std::vector<Edge> vertices_;
   std::vector<Spring> springs_;
   std::vector<char> broken_;

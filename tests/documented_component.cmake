@@ -1,6 +1,6 @@
-# Writes an adhesion law of docs/extending.md into a file of its own, under other names, so that it is compiled and
-# tested, and that a reader who copies it into energies/adhesion/ does not meet it again in the test program:
-#   cmake -D PAGE=... -D SECTION=... -D CLASS=SmoothAdhesion -D NAME=smooth -D AS=documented -D OUTPUT=... -P documented_law.cmake
+# Writes a component of docs/extending.md into a file of its own, under other names, so that it is compiled and
+# tested, and that a reader who copies it into energies/ does not meet it again in the test program:
+#   cmake -D PAGE=... -D SECTION=... -D CLASS=SmoothAdhesion -D NAME=smooth -D AS=documented -D OUTPUT=... -P documented_component.cmake
 file(READ ${PAGE} TEXT)
 string(FIND "${TEXT}" "\n## ${SECTION}\n" AT)
 if(AT LESS 0)
@@ -18,7 +18,7 @@ string(SUBSTRING "${TEXT}" 0 ${END} CODE)
 foreach(WORD "${CLASS}" "\"${NAME}\"")
   string(FIND "${CODE}" "${WORD}" FOUND)
   if(FOUND LESS 0)
-    message(FATAL_ERROR "${PAGE}: the law no longer has the name ${WORD} that is replaced for the tests")
+    message(FATAL_ERROR "${PAGE}: the component no longer has the name ${WORD} that is replaced for the tests")
   endif()
 endforeach()
 string(REPLACE "${CLASS}" "Documented${CLASS}" CODE "${CODE}")

@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 
-#include "framework/scene/derivative_check.hpp"
-#include "framework/scene/spring_term.hpp"
+#include "energies/interactions/spring_term.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
@@ -17,10 +16,10 @@ std::string pulled(const std::string& spring, const std::string& time = "time: {
          "  - {name: ceiling, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 1, 0]}, motion: [fixed]}\n"
          "  - {name: hook, shape: {type: box, size: [0.1, 0.1, 0.1]}, motion: [{type: translate, velocity: [0, -0.1, 0]}]}\n"
          "  - {name: far, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [9, 0, 0]}, body: affine}\n"
-         "springs: [" + spring + "]\n";
+         "interactions: [" + spring + "]\n";
 }
 const std::string chain =
-    "{name: link, from: {object: hook, select: {type: box, min: [-1, 0, -1], max: [0, 1, 0]}}, to: {object: ceiling}, stiffness: 1000, breaking_force: 25}";
+    "{type: spring, name: link, from: {object: hook, select: {type: box, min: [-1, 0, -1], max: [0, 1, 0]}}, to: {object: ceiling}, stiffness: 1000, breaking_force: 25}";
 
 }  // namespace
 
@@ -43,8 +42,8 @@ TEST_CASE("springs: derivatives are those of the value, also of those that are c
 
 TEST_CASE("a spring breaks at its force, and stays broken", "[springs]") {
   TestRun run(pulled(chain));
-  REQUIRE(run.world->springs.size() == 1);
-  const SpringTerm& springs = *run.world->springs[0];
+  REQUIRE(run.world->interactions.size() == 1);
+  const auto& springs = dynamic_cast<const SpringTerm&>(*run.world->interactions[0].terms.at(0));
   CHECK(springs.count() == 1);
   double largest = 0, dissipated = 0;
   while (springs.intact() > 0 && run.state().time < 0.9) {
@@ -63,8 +62,9 @@ TEST_CASE("a spring breaks at its force, and stays broken", "[springs]") {
 
 TEST_CASE("springs that cannot be are told") {
   const auto error = [](const std::string& spring) { TestScene{pulled(spring)}; };
-  CHECK_THROWS_WITH(error("{name: a, from: {object: hock}, to: {object: ceiling}, stiffness: 1}"), Contains("'hock'") && Contains("hook"));
-  CHECK_THROWS_WITH(error("{name: a, from: {object: hook}, to: {object: hook}, stiffness: 1}"), Contains("to itself"));
-  CHECK_THROWS_WITH(error("{name: a, from: {object: hook}, to: {object: ceiling}, stiffness: 1}, {name: a, from: {object: hook}, to: {object: ceiling}, stiffness: 1}"),
-                    Contains("two springs are named"));
+  CHECK_THROWS_WITH(TestScene("springs: []\n"), "test.yaml:2:10: springs are interactions: write `interactions: [{type: spring, ...}]`, with the same keys");
+  CHECK_THROWS_WITH(error("{type: spring, name: a, from: {object: hock}, to: {object: ceiling}, stiffness: 1}"), Contains("'hock'") && Contains("hook"));
+  CHECK_THROWS_WITH(error("{type: spring, name: a, from: {object: hook}, to: {object: hook}, stiffness: 1}"), Contains("to itself"));
+  CHECK_THROWS_WITH(error("{type: spring, name: a, from: {object: hook}, to: {object: ceiling}, stiffness: 1}, {type: spring, name: a, from: {object: hook}, to: {object: ceiling}, stiffness: 1}"),
+                    Contains("two interactions are named"));
 }

@@ -1,4 +1,4 @@
-#include "framework/scene/spring_term.hpp"
+#include "energies/interactions/spring_term.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,71 @@
+// Springs between vertices of two objects, and their probes.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "energies/interactions/spring_term.hpp"
+#include "framework/probes/of_interaction.hpp"
+#include "framework/scene/interaction_builder.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class Spring : public Interaction {
+ public:
+  void fields(Fields& f) override {
+    Interaction::fields(f);
+    f.object("from", from_, "vertices that have one spring each");
+    f.object("to", to_, "vertices of which each is tied to the one that is nearest at the start");
+    f.number("stiffness", stiffness_, units::stiffness, "of each spring").required().positive();
+    f.optional_number("length", length_, units::length, "at which it exerts no force; unless given, its length at the start")
+        .nonnegative();
+    f.optional_number("breaking_force", breaking_force_, units::force,
+                      "of each: one that is strained by more at the end of a step is broken from then on; unless given, none breaks")
+        .positive();
+  }
+  std::vector<std::string> objects() const override { return {from_.object, to_.object}; }
+
+  void build(InteractionBuilder& builder) const override {
+    const std::vector<int> from = builder.vertices(from_), to = builder.vertices(to_);
+    const VecX& rest = builder.rest();
+    auto term = std::make_unique<SpringTerm>(builder.remembers("broken", 1, static_cast<int>(from.size())));
+    for (const int v : from) {
+      const auto distance = [&](int w) { return (vertex(rest, v) - vertex(rest, w)).norm(); };
+      const int nearest = *std::min_element(to.begin(), to.end(), [&](int a, int b) { return distance(a) < distance(b); });
+      if (nearest == v) throw InputError(fmt::format("spring '{}' would tie a vertex to itself; choose other ends", builder.name()));
+      SpringTerm::Spring spring{stiffness_, length_.value_or(distance(nearest))};
+      if (breaking_force_) spring.strength = *breaking_force_;
+      term->add({v, nearest}, spring);
+    }
+    builder.add(std::move(term));
+  }
+
+ private:
+  ObjectVertices from_, to_;
+  double stiffness_ = 1;                  // N/m
+  std::optional<double> length_;          // m
+  std::optional<double> breaking_force_;  // N
+};
+
+class SpringForce : public OfInteraction<SpringTerm, VectorProbe> {
+ public:
+  Unit unit() const override { return units::force; }
+
+ protected:
+  Vec3 value(const World&, const State& state) override { return term().force(state.x); }
+};
+
+class IntactSprings : public OfInteraction<SpringTerm, Probe> {
+ public:
+  Unit unit() const override { return units::none; }
+  std::vector<double> sample(const World&, const State&) override { return {static_cast<double>(term().intact())}; }
+};
+
+TACK_REGISTER(Interaction, Spring, "spring", "Springs from each vertex of a selection to the nearest one of another, which may break.", "");
+TACK_REGISTER(Probe, SpringForce, "spring_force", "What springs exert on the vertices that they start from, in sum [N].", "");
+TACK_REGISTER(Probe, IntactSprings, "intact_springs", "How many springs are not broken.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,40 @@
+// Probes of what an interaction has made: of a term of a class of its own.
+#pragma once
+
+#include <string>
+
+#include "framework/output/probe.hpp"
+#include "framework/scene/acting_interaction.hpp"
+#include "framework/scene/world.hpp"
+
+namespace tack {
+
+// Throws InputError with the nearest name if there is none.
+const ActingInteraction& interaction_named(const World& world, const std::string& name, const std::string& probe);
+[[noreturn]] void refuse_interaction(const ActingInteraction& interaction, const std::string& probe, std::string_view type);
+
+// Base: Probe or VectorProbe.
+template <class TermOf, class Base>
+class OfInteraction : public Base {
+ public:
+  void fields(Fields& f) override {
+    Base::fields(f);
+    f.text("interaction", interaction_, "its name").required();
+  }
+  void prepare(const World& world) override {
+    const ActingInteraction& interaction = interaction_named(world, interaction_, this->name_);
+    term_ = nullptr;
+    for (const Term* term : interaction.terms)
+      if (const auto* found = dynamic_cast<const TermOf*>(term)) term_ = found;
+    if (!term_) refuse_interaction(interaction, this->name_, this->type());
+  }
+
+ protected:
+  const TermOf& term() const { return *term_; }
+
+ private:
+  const TermOf* term_ = nullptr;
+  std::string interaction_;
+};
+
+}  // namespace tack

@@ -1,0 +1,24 @@
+// What an interaction of the scene has become in its world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tack {
+
+class Term;
+
+struct ActingInteraction {
+  // A history array, as InteractionBuilder::remembers has stated it.
+  struct Memory {
+    std::string name;
+    int width, entries;
+  };
+
+  std::string name, type;
+  std::vector<int> bodies;  // ascending
+  std::vector<const Term*> terms;
+  std::vector<Memory> memory;
+};
+
+}  // namespace tack
