@@ -50,7 +50,7 @@ class FormulaTerm : public Term {
   explicit FormulaTerm(std::string name, Formula formula = {}) : Term(std::move(name)), formula_(std::move(formula)) {}
 
   void add(const std::array<int, arity>& vertices, Data data) {
-    vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+    for (const int v : vertices) vertices_.push_back(v);
     data_.push_back(std::move(data));
   }
   int count() const { return static_cast<int>(data_.size()); }
@@ -63,7 +63,10 @@ class FormulaTerm : public Term {
   // To be changed where a step begins, is lagged, or what was is remembered (step_participant.hpp).
   std::vector<Data>& data() { return data_; }
   const Formula& formula() const { return formula_; }
-  double energy(int s, const VecX& x) const { return formula_.energy(places<double>(s, x, [](double value, int) { return value; }), data_[s]); }  // J
+  double energy(int s, const VecX& x) const { return energy(s, x, data_[s]); }  // J
+  double energy(int s, const VecX& x, const Data& data) const {
+    return formula_.energy(places<double>(s, x, [](double value, int) { return value; }), data);
+  }
 
   bool stores() const override { return Formula::stored; }
   double value(const VecX& x) const override {

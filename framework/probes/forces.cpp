@@ -33,7 +33,8 @@ class PairForce : public VectorProbe {
     VecX forces = VecX::Zero(x.size());
     record.add(x, part, forces);
     Vec3 sum = Vec3::Zero();
-    for (const int v : world.vertices_of(a_)) sum += vertex(forces, v);
+    for (const int v : world.vertices_of(a_))
+      if (!world.is_number(v)) sum += vertex(forces, v);
     return sum;
   }
   // Of all that act so.

@@ -53,6 +53,20 @@ TEST_CASE("the documented rope stretches by weight over stiffness, is reeled in,
   CHECK(std::abs(height(run, 0.1)) < 1e-15);
 }
 
+TEST_CASE("what reels the documented rope in is work, and none of it comes from nowhere", "[documented][interactions]") {
+  std::string scene = hung("[[0 s, 1], [0.3 s, 0.7]]", "[0, -9.81, 0]");
+  scene.replace(scene.find("quasi_static"), 12, "newmark");
+  scene.replace(scene.find("20 ms"), 5, "2 ms");
+  TestRun run(scene);
+  double work = 0;
+  while (run.state().time < 0.5) work += run.step().flows.of("work_ropes");
+  const double rise = run.world->centre_of_mass(1, run.state().x).y();
+  CHECK(rise > 0.2);
+  const double motion = 0.5 * std::pow(run.state().v(3 * run.world->bodies[1].frame[0] + 1), 2), stretch = run.world->interactions[0].terms[0]->value(run.state().x);
+  CHECK(work == Approx(9.81 * rise + motion + stretch).epsilon(0.01));  // of 1 kg
+  for (const std::string& warning : run.warnings) CHECK(warning.find("nothing put it in") == std::string::npos);
+}
+
 TEST_CASE("the documented moisture swells what it soaks by its part of the volume", "[documented][interactions]") {
   TestRun run(bar("modulus: 1e6, swelling: 0.331, diffusivity: 1e-6, capacity: 1e3, wet: {type: all}, level: [[0 s, 0], [1 s, 1]]",
                   "time: {step: 50 ms, duration: 2 s, integrator: quasi_static}", 10));

@@ -328,6 +328,16 @@ TEST_CASE("a rod that goes on as a string has twists where it is a rod", "[rod]"
   CHECK(run.at(10).y() < -0.3);
 }
 
+TEST_CASE("the twist of a rod is no part of the force on it", "[rod]") {
+  TestRun run("time: {step: 1 ms, duration: 1}\nobjects:\n"
+              "  - {name: rod, shape: {type: segment, length: 0.1, edges: 4}, rod: {radius: 5 mm}, energies: [{type: elastic_rod, young: 1e6, density: 1000}], "
+              "damping: {mass: 10}, spin: [20, 0, 0]}\n"
+              "probes: [{name: resistance, type: force, of: damping, on: rod}]\n");
+  run.step();
+  CHECK(run.state().v(3 * run.world->bodies[0].rod->twists()[0]) > 0.01);
+  for (const double f : run.sample(0)) CHECK(std::abs(f) < 1e-9);
+}
+
 TEST_CASE("a spring, a tie and damping act on rods and particles", "[rod][particle]") {
   TestRun run("time: {step: 5 ms, duration: 1}\ngravity: [0, -10, 0]\nobjects:\n"
               "  - {name: rod, shape: {type: segment, length: 1, edges: 10}, rod: {radius: 10 mm}, damping: {stiffness: 10 ms, mass: 1},\n"
