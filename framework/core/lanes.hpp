@@ -7,6 +7,7 @@
 namespace tack {
 
 using Lanes = double __attribute__((vector_size(32)));
+using LaneOrder = long long __attribute__((vector_size(32)));
 
 inline Lanes load4(const double* p) {
   Lanes lanes;
@@ -28,11 +29,22 @@ inline void store3(const Lanes& lanes, double* p) {
 }
 inline void store4(const Lanes& lanes, double* p) { std::memcpy(p, &lanes, sizeof lanes); }
 inline double sum3(const Lanes& lanes) { return lanes[0] + lanes[1] + lanes[2]; }
+template <int d>
+Lanes spread(const Lanes& lanes) {
+  return __builtin_shuffle(lanes, LaneOrder{d, d, d, d});
+}
+
+inline Lanes cross(const Lanes& a, const Lanes& b) {
+  constexpr LaneOrder next{1, 2, 0, 3}, last{2, 0, 1, 3};
+  return __builtin_shuffle(a, next) * __builtin_shuffle(b, last) - __builtin_shuffle(a, last) * __builtin_shuffle(b, next);
+}
 
 // The columns of a block. The fourth lane is that of another column.
 struct BlockLanes {
+  BlockLanes() : a{}, b{}, c{} {}
   template <class T>
-  explicit BlockLanes(const T* block) : a(load4(block)), b(load4(block + 3)), c(load3(block + 6)) {}
+  explicit BlockLanes(const T* block)
+      : a(load4(block)), b(load4(block + 3)), c(__builtin_shuffle(load4(block + 5), LaneOrder{1, 2, 3, 0})) {}
   BlockLanes(const Lanes& x, const Lanes& y, const Lanes& z) : a(x), b(y), c(z) {}
   // Reads the number after the block as well.
   template <class T>
@@ -40,10 +52,25 @@ struct BlockLanes {
     return {load4(block), load4(block + 3), load4(block + 6)};
   }
   Lanes times(const double* v) const { return a * v[0] + b * v[1] + c * v[2]; }
+  Lanes times(const Lanes& v) const { return a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v); }
+  Lanes times(const Lanes& v, const Lanes& start) const { return start + a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v); }
+  inline Lanes transposed_times(const Lanes& v) const;
   // This times the transpose of another block.
   BlockLanes times_transposed(const double* other) const {
     const auto column = [&](int j) { return a * other[j] + b * other[j + 3] + c * other[j + 6]; };
     return {column(0), column(1), column(2)};
+  }
+  // The matrix of the cross product with v, times this; and this times that matrix.
+  BlockLanes crossed_by(const Lanes& v) const { return {cross(v, a), cross(v, b), cross(v, c)}; }
+  BlockLanes times_cross(const Lanes& v) const {
+    return {b * spread<2>(v) - c * spread<1>(v), c * spread<0>(v) - a * spread<2>(v), a * spread<1>(v) - b * spread<0>(v)};
+  }
+  BlockLanes transposed() const { return {Lanes{a[0], b[0], c[0], 0}, Lanes{a[1], b[1], c[1], 0}, Lanes{a[2], b[2], c[2], 0}}; }
+  void operator*=(double factor) { a *= factor, b *= factor, c *= factor; }
+  void operator+=(const BlockLanes& other) {
+    a += other.a;
+    b += other.b;
+    c += other.c;
   }
   void operator-=(const BlockLanes& other) {
     a -= other.a;
@@ -65,8 +92,18 @@ struct TransposedSum {
     b += block.b * v;
     c += block.c * v;
   }
-  Lanes sum() const { return Lanes{sum3(a), sum3(b), sum3(c), 0}; }
+  Lanes sum() const {
+    const Lanes ab = __builtin_shuffle(a, b, LaneOrder{0, 4, 2, 6}), ab1 = __builtin_shuffle(a, b, LaneOrder{1, 5, 3, 7});
+    const Lanes first = __builtin_shuffle(ab, c, LaneOrder{0, 1, 4, 5}), third = __builtin_shuffle(ab, c, LaneOrder{2, 3, 6, 7});
+    return first + __builtin_shuffle(ab1, c, LaneOrder{0, 1, 5, 6}) + third;
+  }
   Lanes a{}, b{}, c{};
 };
+
+inline Lanes BlockLanes::transposed_times(const Lanes& v) const {
+  TransposedSum sum;
+  sum.add(*this, v);
+  return sum.sum();
+}
 
 }  // namespace tack

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "framework/core/lanes.hpp"
 #include "geometry/parallel.hpp"
 #include "solvers/linear/part_sizes.hpp"
 
@@ -62,16 +63,33 @@ void PartTranslations::update(const BlockMatrix& matrix) {
   if (changed) index(matrix);
   if (parts_ == 0) return;
   for (Coarse& block : coarse_) block.sum.setZero();
+  // Neighbours in the list mostly go into the same sum, which stays in registers.
+  BlockLanes run;
+  int at = -1;
+  const auto end_run = [&] {
+    if (at < 0) return;
+    Mat3 sum;
+    run.store(sum.data());
+    coarse_[at].sum += sum;
+  };
   for (int c = 0; c < columns_; ++c) {
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
       if (coarse_of_[k] < 0) continue;
-      Coarse& block = coarse_[coarse_of_[k]];
-      // Blocks of the matrix stand below its diagonal: where both ends are of one part, their transposes count too.
-      const bool below = part_of_[matrix.row[k]] >= part_of_[c];
-      if (below) block.sum += matrix.block(k);
-      if (!below || (block.row == block.column && matrix.row[k] != c)) block.sum += matrix.block(k).transpose();
+      if (coarse_of_[k] != at) {
+        end_run();
+        at = coarse_of_[k];
+        run = BlockLanes();
+      }
+      // Blocks of the matrix stand below its diagonal.
+      BlockLanes block(matrix.values.data() + 9 * static_cast<std::ptrdiff_t>(k));
+      if (matrix.row[k] == c) block *= 0.5;
+      if (part_of_[matrix.row[k]] < part_of_[c]) block = block.transposed();
+      run += block;
     }
   }
+  end_run();
+  for (Coarse& block : coarse_)  // where both ends are of one part, their transposes count too
+    if (block.row == block.column) block.sum += block.sum.transpose().eval();
   std::vector<Eigen::Triplet<double>> entries;
   for (const Coarse& block : coarse_)
     for (int i = 0; i < 3; ++i)
@@ -85,18 +103,19 @@ void PartTranslations::update(const BlockMatrix& matrix) {
   usable_ = factor_.info() == Eigen::Success;
 }
 
-void PartTranslations::add(const VecX& r, VecX& z) {
-  if (parts_ == 0 || !usable_) return;
+double PartTranslations::add(const VecX& r, VecX& z) {
+  if (parts_ == 0 || !usable_) return 0;
   const int runs = static_cast<int>(runs_.size());
   for_each(runs, [&](int i) {
     runs_[i].sum = of_run<const Eigen::Matrix3Xd>(r.data(), runs_[i].first, runs_[i].last).rowwise().sum();
   }, 8);
   sums_.setZero(3 * parts_);
   for (const Run& run : runs_) sums_.segment<3>(3 * run.part) += run.sum;
-  sums_ = factor_.solve(sums_).eval();
+  const VecX shifts = factor_.solve(sums_);
   for_each(runs, [&](int i) {
-    of_run<Eigen::Matrix3Xd>(z.data(), runs_[i].first, runs_[i].last).colwise() += sums_.segment<3>(3 * runs_[i].part);
+    of_run<Eigen::Matrix3Xd>(z.data(), runs_[i].first, runs_[i].last).colwise() += shifts.segment<3>(3 * runs_[i].part);
   }, 8);
+  return sums_.dot(shifts);
 }
 
 }  // namespace tack

@@ -15,8 +15,8 @@ namespace tack {
 class PartTranslations {
  public:
   void update(const BlockMatrix& matrix);
-  // z += Z (Z^T A Z)^-1 Z^T r.
-  void add(const VecX& r, VecX& z);
+  // z += Z (Z^T A Z)^-1 Z^T r. Returns r times what is added.
+  double add(const VecX& r, VecX& z);
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;

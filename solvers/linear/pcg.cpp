@@ -9,6 +9,7 @@
 #include "solvers/linear/part_translations.hpp"
 #include "solvers/linear/preconditioner.hpp"
 #include "solvers/linear/rigid_motions.hpp"
+#include "solvers/linear/swept_gradients.hpp"
 
 namespace tack {
 
@@ -34,6 +35,7 @@ class Pcg : public LinearSolver {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     matrix_ = &matrix;
+    swept_.forget();
     if (!preconditioner_->update(matrix, clock.deadline())) return false;
     if (matrix.columns() != columns_) easy_ = 0;
     columns_ = matrix.columns();
@@ -43,32 +45,39 @@ class Pcg : public LinearSolver {
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
-    correct(b, x, tolerance_, clock);
-    if (moved_rigidly_) easy_ = cg_.iterations() <= few ? easy_ + 1 : 0;
-    else if (cg_.iterations() > too_many) easy_ = 0;
+    iterate(b, x, tolerance_, false, clock);
+    if (moved_rigidly_) easy_ = iterations_ <= few ? easy_ + 1 : 0;
+    else if (iterations_ > too_many) easy_ = 0;
   }
-  void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
-    using Outcome = ConjugateGradients::Outcome;
-    const Outcome outcome = cg_.solve(*matrix_, b, x, {relative, max_iterations_}, clock, Apply{*this});
-    const bool reached = truncate_ && cg_.iterations() > 0;
-    if (outcome != Outcome::solved && !reached) x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
-  }
+  void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override { iterate(b, x, relative, true, clock); }
 
   void set_tolerance(double relative) override { tolerance_ = relative; }
-  int iterations() const override { return cg_.iterations(); }
+  int iterations() const override { return iterations_; }
   int analyses() const override { return 0; }
 
  private:
-  struct Apply {
-    void operator()(const VecX& r, VecX& z) const {
-      pcg.preconditioner_->apply(r, z);
-      if (pcg.moved_rigidly_) pcg.rigid_motions_.add(r, z);
-      else if (pcg.with_translations_) pcg.translations_.add(r, z);
+  // going_on: b is what the last solve left over.
+  void iterate(const VecX& b, VecX& x, double relative, bool going_on, PhaseClock& clock) {
+    const auto add = [&](const VecX& r, VecX& z) {
+      return moved_rigidly_ ? rigid_motions_.add(r, z) : with_translations_ ? translations_.add(r, z) : 0.0;
+    };
+    const ConjugateGradients::Goal goal{relative, max_iterations_};
+    ConjugateGradients::Outcome outcome;
+    if (MatrixSweeps* const sweeps = preconditioner_->sweeps()) {
+      outcome = going_on && swept_.left(b) ? swept_.go_on(*sweeps, b, x, goal, clock, add) : swept_.solve(*sweeps, b, x, goal, clock, add);
+      iterations_ = swept_.iterations();
+    } else {
+      outcome = cg_.solve(*matrix_, b, x, goal, clock, [&](const VecX& r, VecX& z) {
+        preconditioner_->apply(r, z);
+        add(r, z);
+      });
+      iterations_ = cg_.iterations();
     }
-    Pcg& pcg;
-  };
+    const bool reached = truncate_ && iterations_ > 0;
+    if (outcome != ConjugateGradients::Outcome::solved && !reached) x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
+  }
 
-  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
+  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("diagonal_cholesky");
   double tolerance_ = 1e-2;
   int max_iterations_ = 1000;
   bool truncate_ = false;
@@ -83,6 +92,8 @@ class Pcg : public LinearSolver {
 
   const BlockMatrix* matrix_ = nullptr;
   ConjugateGradients cg_;
+  SweptGradients swept_;
+  int iterations_ = 0;  // of the last solve
 };
 
 TACK_REGISTER(LinearSolver, Pcg, "pcg",

@@ -8,6 +8,8 @@
 
 namespace tack {
 
+class MatrixSweeps;
+
 class Preconditioner : public Component {
  public:
   static constexpr const char* kind_name = "preconditioner";
@@ -17,6 +19,8 @@ class Preconditioner : public Component {
   // OutOfTime.
   virtual bool update(const BlockMatrix& matrix, const Deadline& deadline) = 0;
   virtual void apply(const VecX& r, VecX& z) = 0;  // z <- M^-1 r
+  // What applies it and multiplies by the matrix in the same passes, if that is what it is made of.
+  virtual MatrixSweeps* sweeps() { return nullptr; }
 };
 
 }  // namespace tack

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "framework/core/lanes.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -13,19 +14,10 @@ namespace {
 constexpr double slender = 1e-4;  // of the largest moment of inertia of a piece: rotations about axes of less are left out
 constexpr double shift = 1e-12;   // of the diagonal: keeps the factor of what is free to move from breaking down by rounding
 
-// v x, as a matrix.
-Mat3 cross_matrix(const Vec3& v) {
+Mat3 matrix3(const BlockLanes& lanes) {
   Mat3 m;
-  m << 0, -v(2), v(1), v(2), 0, -v(0), -v(1), v(0), 0;
+  lanes.store(m.data());
   return m;
-}
-
-// Six columns, from one that holds translations and one that holds rotations.
-template <class Left, class Right>
-Eigen::Matrix<double, Left::RowsAtCompileTime, 6> beside(const Left& left, const Right& right) {
-  Eigen::Matrix<double, Left::RowsAtCompileTime, 6> both;
-  both << left, right;
-  return both;
 }
 
 }  // namespace
@@ -110,11 +102,11 @@ void RigidMotions::find_frames(const BlockMatrix& matrix) {
 // Blocks on one side of the diagonal alone, half of those on it: coarse_ adds the mirror image.
 void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
   const int begin = sum_start_[piece], end = sum_start_[piece + 1];
-  for (int s = begin; s < end; ++s) sums_[s].value.setZero();
-  struct Product {  // of transposed motions of rows with blocks of one column
-    Mat3 force, moment;
+  struct Product {
+    BlockLanes force, moment;                           // transposed motions of rows, with blocks of one column
+    BlockLanes moved_force, moved_moment, turned_force, turned_moment;  // with the motions of all columns as well
   };
-  std::vector<Product> products(end - begin, {Mat3::Zero(), Mat3::Zero()});
+  std::vector<Product> products(end - begin);
   std::vector<int> touched;
   for (int i = pieces_.start[piece]; i < pieces_.start[piece + 1]; ++i) {
     const int c = pieces_.column[i];
@@ -124,18 +116,26 @@ void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
       const int s = sum_of_[k] - begin, r = matrix.row[k];
       if (std::find(touched.begin(), touched.end(), s) == touched.end()) {
         touched.push_back(s);
-        products[s] = {Mat3::Zero(), Mat3::Zero()};
+        products[s].force = products[s].moment = BlockLanes();
       }
-      const Mat3 block = (r == c ? 0.5 : 1.0) * matrix.block(k);
+      BlockLanes block(matrix.values.data() + 9 * static_cast<std::ptrdiff_t>(k));
+      if (r == c) block *= 0.5;
       products[s].force += block;
-      for (int j = 0; j < 3; ++j) products[s].moment.col(j) += arms_.col(r).cross(block.col(j));
+      products[s].moment += block.crossed_by(load3(arms_.col(r).data()));
     }
-    const Mat3 turned = -cross_matrix(arms_.col(c));
+    const Lanes arm = load3(arms_.col(c).data());
     for (const int s : touched) {
-      Mat6& value = sums_[begin + s].value;
-      value.topRows<3>() += beside(products[s].force, products[s].force * turned);
-      value.bottomRows<3>() += beside(products[s].moment, products[s].moment * turned);
+      Product& product = products[s];
+      product.moved_force += product.force;
+      product.moved_moment += product.moment;
+      product.turned_force += product.force.times_cross(arm);
+      product.turned_moment += product.moment.times_cross(arm);
     }
+  }
+  for (int s = begin; s < end; ++s) {
+    const Product& product = products[s - begin];
+    Mat6& value = sums_[s].value;
+    value << matrix3(product.moved_force), -matrix3(product.turned_force), matrix3(product.moved_moment), -matrix3(product.turned_moment);
   }
   for (int s = begin; s < end; ++s) {
     Mat6& value = sums_[s].value;
@@ -163,7 +163,7 @@ bool RigidMotions::factorize() {
   return factor_.info() == Eigen::Success;
 }
 
-void RigidMotions::add(const VecX& r, VecX& z) {
+double RigidMotions::add(const VecX& r, VecX& z) {
   moments_.resize(6 * static_cast<Eigen::Index>(pieces_.count()));
   for_each(pieces_.count(), [&](int a) {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
@@ -175,14 +175,15 @@ void RigidMotions::add(const VecX& r, VecX& z) {
     }
     moments_.segment<6>(6 * a) << force, rotations_[a].transpose() * moment;
   }, 8);
-  moments_ = factor_.solve(moments_).eval();
+  const VecX motions = factor_.solve(moments_);
   for_each(pieces_.count(), [&](int a) {
-    const Vec3 shift = moments_.segment<3>(6 * a), turn = rotations_[a] * moments_.segment<3>(6 * a + 3);
+    const Vec3 shift = motions.segment<3>(6 * a), turn = rotations_[a] * motions.segment<3>(6 * a + 3);
     for (int i = pieces_.start[a]; i < pieces_.start[a + 1]; ++i) {
       const int c = pieces_.column[i];
       z.segment<3>(3 * c) += shift + turn.cross(Vec3(arms_.col(c)));
     }
   }, 8);
+  return moments_.dot(motions);
 }
 
 }  // namespace tack

@@ -18,8 +18,8 @@ class RigidMotions {
  public:
   // False, and nothing to add, without places, or where Z^T A Z is not positive definite.
   bool update(const BlockMatrix& matrix);
-  // z += Z (Z^T A Z)^-1 Z^T r.
-  void add(const VecX& r, VecX& z);
+  // z += Z (Z^T A Z)^-1 Z^T r. Returns r times what is added.
+  double add(const VecX& r, VecX& z);
 
  private:
   using Mat6 = Eigen::Matrix<double, 6, 6>;

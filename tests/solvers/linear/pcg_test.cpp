@@ -70,7 +70,7 @@ TEST_CASE("conjugate gradients have the same bits for 1 and 2 threads", "[linear
   RandomMotions random(2);
   const BlockMatrix matrix = grid(14, random, 100);
   const VecX b = random.vectors(matrix.size());
-  for (const char* preconditioner : {"block_jacobi", "{type: incomplete_cholesky, domain: 300}"}) {
+  for (const char* preconditioner : {"block_jacobi", "{type: incomplete_cholesky, domain: 300}", "{type: diagonal_cholesky, domain: 300}"}) {
     const auto with_threads = [&](size_t threads) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       return solve(pcg(preconditioner, "tolerance: 1e-6"), matrix, b).x;
