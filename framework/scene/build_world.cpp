@@ -12,6 +12,7 @@
 #include "framework/core/damping_terms.hpp"
 #include "framework/rod/rod_frames.hpp"
 #include "framework/scene/affine_bodies.hpp"
+#include "framework/scene/carried_motion.hpp"
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
 #include "framework/scene/describe_primitive.hpp"
@@ -105,11 +106,13 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   world.bodies.push_back(std::move(body));
 }
 
-void hold_vertices(const ObjectConfig& object, int index, World& world) {
+void hold_vertices(const SceneConfig& scene, int index, World& world) {
+  const ObjectConfig& object = scene.objects[index];
   for (size_t i = 0; i < object.motion.size(); ++i) {
-    const Motion& motion = *object.motion[i];
-    const std::string name = fmt::format("motion {} ({}) of '{}'", i, motion.type(), object.name);
-    std::vector<int> vertices = select(motion.selection(), world.selection_context(index));
+    const std::string name = fmt::format("motion {} ({}) of '{}'", i, object.motion[i]->type(), object.name);
+    auto carried = carried_motion(*object.motion[i], name, object.name, scene);
+    const Motion& motion = carried ? *carried : *object.motion[i];
+    std::vector<int> vertices = select(object.motion[i]->selection(), world.selection_context(index));
     if (motion.partial() && object.body) {
       if (static_cast<int>(vertices.size()) != world.bodies[index].vertex_count)
         throw InputError(fmt::format("{}: holds some directions of a part of an affine body; select all of it, or hold "
@@ -118,6 +121,7 @@ void hold_vertices(const ObjectConfig& object, int index, World& world) {
     }
     world.script.add({&motion, vertices, name});
     hold_twists(motion, vertices, name, index, world);
+    if (carried) world.own_motions.push_back(std::move(carried));
   }
   Body& body = world.bodies[index];
   body.movable = false;
@@ -352,7 +356,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   });
   add_named_selections(scene, root, *world);
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
-  for_each_object(scene, root, [&](size_t i) { hold_vertices(scene.objects[i], static_cast<int>(i), *world); });
+  for_each_object(scene, root, [&](size_t i) { hold_vertices(scene, static_cast<int>(i), *world); });
   for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
     at_place(root.find("objects"), [] {

@@ -4,6 +4,8 @@ namespace tack {
 
 void Motion::fields(Fields& f) {
   f.component("select", select_, "the vertices it holds");
+  f.text("carrier", carrier_, "object that a motion holds rigidly as a whole: these vertices go along with it, and their motion is told as "
+                              "if it stood still");
   f.number("from", from_, units::time, "when it seizes them; they are free before").nonnegative();
   f.optional_number("until", until_, units::time,
                     "when it lets go of them, with the velocity they have; never unless given");
@@ -12,6 +14,7 @@ void Motion::fields(Fields& f) {
                     "symmetry). What another motion holds whole is not asked");
   f.optional_vector("across", across_, units::none,
                     "holds only the components across this direction; the vertices are free along it (a slider)");
+  f.check("carrier", [this]() -> std::string { return carrier_.empty() || !partial() ? "" : "takes along what is held whole; take `along` or `across` away"; });
   for (const char* key : {"along", "across"})
     f.check(key, [this]() -> std::string {
       if (along_ && across_) return "give either along or across";
@@ -37,6 +40,7 @@ class Fixed : public Motion {
     for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
   }
   bool moves() const override { return false; }
+  std::optional<RigidMap> pose(double) const override { return RigidMap{}; }
 };
 
 TACK_REGISTER(Motion, Fixed, "fixed", "Vertices that do not move and own no unknowns.", "");

@@ -3,14 +3,18 @@
 // Motions are counted from the anchor: where a vertex is when it is seized, its rest position if it
 // is held from the start. A step that begins or ends a span in its middle belongs to the side on
 // which more of it lies.
+// One with a carrier, another object, is told in the frame of that: what it does, then what the motion of that object does to
+// space (carried_motion.hpp).
 #pragma once
 
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "framework/config/field.hpp"
+#include "framework/scene/rigid_map.hpp"
 #include "framework/scene/selection.hpp"
 
 namespace tack {
@@ -24,6 +28,7 @@ class Motion : public Component {
   Motion(double from, double until) : from_(from), until_(until) {}
   void fields(Fields& f) override;
   const Selection& selection() const { return *select_; }
+  const std::string& carrier() const { return carrier_; }  // the object that it goes along with; empty: none
   double from() const { return from_; }                                                     // s
   double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
 
@@ -36,9 +41,12 @@ class Motion : public Component {
                      VecX& x) const = 0;
   virtual bool moves() const { return true; }  // false: they stay at their anchor
   virtual bool rigid() const { return true; }  // distances between them do not change
+  // What it makes of space until time t [s], where it moves rigidly; else none, and it carries nothing.
+  virtual std::optional<RigidMap> pose(double) const { return {}; }
 
  private:
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+  std::string carrier_;
   double from_ = 0;
   std::optional<double> until_;
   std::optional<Vec3> along_, across_;

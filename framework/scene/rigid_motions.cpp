@@ -1,4 +1,4 @@
-// Motions that keep the shape of what they hold: translate, rotate, keyframes.
+// Motions that keep the shape of what they hold: translate, rotate, hinge, keyframes.
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -6,6 +6,19 @@
 
 namespace tack {
 namespace {
+
+Mat3 turned(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+
+// How fast a way from one frame to the next begins and ends.
+enum class Easing { linear, smooth };
+
+void easing_field(Fields& f, Easing& easing) {
+  f.choice("easing", easing, {{"linear", Easing::linear, "at constant speed"},
+                              {"smooth", Easing::smooth, "from rest to rest, by 3 u^2 - 2 u^3"}},
+           "the way from one frame to the next");
+}
+
+double eased(Easing easing, double u) { return easing == Easing::smooth ? u * u * (3 - 2 * u) : u; }
 
 // Motion at constant speed for a while.
 class SteadyMotion : public Motion {
@@ -48,6 +61,7 @@ class Translate : public SteadyMotion {
     const Vec3 d = way(velocity_, displacement_, t);
     for (const int v : vertices) vertex(x, v) = vertex(anchor, v) + d;
   }
+  std::optional<RigidMap> pose(double t) const override { return RigidMap{Mat3::Identity(), way(velocity_, displacement_, t)}; }
 
  private:
   std::optional<Vec3> velocity_, displacement_;  // m/s, m
@@ -75,13 +89,48 @@ class Rotate : public SteadyMotion {
   }
   void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
              VecX& x) const override {
-    const Mat3 r = Eigen::AngleAxisd(way(speed_, angle_, t), axis_.normalized()).toRotationMatrix();
+    const Mat3 r = turned(way(speed_, angle_, t), axis_.normalized());
     for (const int v : vertices) vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_);
+  }
+  std::optional<RigidMap> pose(double t) const override {
+    return RigidMap::about(centre_, turned(way(speed_, angle_, t), axis_.normalized()));
   }
 
  private:
   Vec3 axis_ = Vec3::UnitY(), centre_ = Vec3::Zero();  // -, m
   std::optional<double> speed_, angle_;                // rad/s, rad
+};
+
+// x = c + R(axis, angle(t)) (anchor - c).
+class Hinge : public Motion {
+ public:
+  void fields(Fields& f) override {
+    f.vector("axis", axis_, units::none, "direction of the axis; turns are right-handed about it").required();
+    f.vector("centre", centre_, units::length, "a point of the axis");
+    f.schedule("angle", angle_, units::angle, "how far it is open: [[time, angle], ...], constant before and after").required();
+    easing_field(f, easing_);
+    f.check("axis", [this]() -> std::string { return axis_.norm() > 0 ? "" : "must not be zero"; });
+    Motion::fields(f);
+  }
+  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t, VecX& x) const override {
+    const RigidMap map = *pose(t);
+    for (const int v : vertices) vertex(x, v) = map(vertex(anchor, v));
+  }
+  bool moves() const override { return !angle_.constant(); }
+  std::optional<RigidMap> pose(double t) const override { return RigidMap::about(centre_, turned(angle(t), axis_.normalized())); }
+
+ private:
+  double angle(double t) const {
+    const auto& points = angle_.points();
+    const auto later = std::find_if(points.begin(), points.end(), [t](const Schedule::Point& p) { return p.time > t; });
+    if (later == points.begin() || later == points.end()) return angle_.at(t);
+    const Schedule::Point &a = *(later - 1), &b = *later;
+    return a.value + eased(easing_, (t - a.time) / (b.time - a.time)) * (b.value - a.value);
+  }
+
+  Vec3 axis_ = Vec3::UnitZ(), centre_ = Vec3::Zero();  // -, m
+  Schedule angle_;                                     // rad
+  Easing easing_ = Easing::linear;
 };
 
 struct Keyframe {
@@ -95,14 +144,15 @@ struct Keyframe {
   }
 };
 
-// x = c + R(w) (anchor - c) + d, with d and the rotation vector w linear between the frames and
+// x = c + R(w) (anchor - c) + d, with d and the rotation vector w straight between the frames and
 // constant outside them.
 class Keyframes : public Motion {
  public:
   void fields(Fields& f) override {
     f.vector("centre", centre_, units::length, "the point that rotations leave in place");
-    f.list("frames", frames_, "what is reached when; linear in between, constant before and after")
+    f.list("frames", frames_, "what is reached when; straight in between, constant before and after")
         .required().nonempty();
+    easing_field(f, easing_);
     f.check("frames", [this]() -> std::string {
       const auto not_later = [](const Keyframe& a, const Keyframe& b) { return b.time <= a.time; };
       return std::adjacent_find(frames_.begin(), frames_.end(), not_later) == frames_.end()
@@ -113,33 +163,41 @@ class Keyframes : public Motion {
   void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double t,
              VecX& x) const override {
     const Keyframe k = at(t);
-    const double angle = k.rotation.norm();
-    const Vec3 axis = angle > 0 ? Vec3(k.rotation / angle) : Vec3::UnitX();
-    const Mat3 r = Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    const Mat3 r = turn(k);
     for (const int v : vertices)
       vertex(x, v) = centre_ + r * (vertex(anchor, v) - centre_) + k.translation;
   }
+  std::optional<RigidMap> pose(double t) const override {
+    const Keyframe k = at(t);
+    return RigidMap::about(centre_, turn(k), k.translation);
+  }
 
  private:
+  static Mat3 turn(const Keyframe& k) {
+    const double angle = k.rotation.norm();
+    return turned(angle, angle > 0 ? Vec3(k.rotation / angle) : Vec3::UnitX());
+  }
   Keyframe at(double t) const {
     const auto later =
         std::find_if(frames_.begin(), frames_.end(), [t](const Keyframe& k) { return k.time > t; });
     if (later == frames_.begin()) return frames_.front();
     if (later == frames_.end()) return frames_.back();
     const Keyframe &a = *(later - 1), &b = *later;
-    const double u = (t - a.time) / (b.time - a.time);
+    const double u = eased(easing_, (t - a.time) / (b.time - a.time));
     return {t, a.translation + u * (b.translation - a.translation),
             a.rotation + u * (b.rotation - a.rotation)};
   }
 
   Vec3 centre_ = Vec3::Zero();  // m
   std::vector<Keyframe> frames_ = {Keyframe{}};
+  Easing easing_ = Easing::linear;
 };
 
 TACK_REGISTER(Motion, Translate, "translate", "Moves vertices along a line at constant velocity.", "");
 TACK_REGISTER(Motion, Rotate, "rotate", "Turns vertices about an axis at constant angular velocity.", "");
+TACK_REGISTER(Motion, Hinge, "hinge", "Turns vertices about an axis by angles over time: the lid of a box, an arm of a chain.", "");
 TACK_REGISTER(Motion, Keyframes, "keyframes",
-              "Moves vertices rigidly from frame to frame, linearly in between.", "");
+              "Moves vertices rigidly from frame to frame, straight in between.", "");
 
 }  // namespace
 }  // namespace tack

@@ -38,7 +38,7 @@ struct World {
   std::vector<UnknownGroup> unknowns;  // the latter, as they were asked for, ascending
   VecX mass;              // n [kg]
   VecX weighing_mass;     // n [kg]: what gravity pulls at; none of numbers
-  std::vector<std::unique_ptr<Motion>> own_motions;  // of what is held of unknowns
+  std::vector<std::unique_ptr<Motion>> own_motions;  // beside those of the scene: of what is carried, and of what is held of unknowns
   Script script;          // who is held when
   Bindings bindings;      // which vertices follow others
   std::vector<std::pair<int, int>> attached;  // bodies that are in no contact, as one is attached or joined to the other, ascending

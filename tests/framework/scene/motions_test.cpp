@@ -51,6 +51,16 @@ const std::vector<Case> cases = {
        const double u = std::clamp((t - 0.04) / 0.06, 0.0, 1.0);
        return Vec3(turn({1, 0, 0}, u * std::numbers::pi / 6) * x + u * Vec3(0.06, 0, 0));
      }},
+    {"type: keyframes, easing: smooth, frames: [{time: 0.04}, {time: 0.1, translation: [0.06, 0, 0], rotation: [30 deg, 0, 0]}]",
+     [](const Vec3& x, double t) {
+       const double w = std::clamp((t - 0.04) / 0.06, 0.0, 1.0), u = w * w * (3 - 2 * w);
+       return Vec3(turn({1, 0, 0}, u * std::numbers::pi / 6) * x + u * Vec3(0.06, 0, 0));
+     }},
+    {"type: hinge, axis: [0, 2, 0], centre: [0.1, 0, 0.02], angle: [[0.04 s, 0 deg], [0.1 s, 30 deg]]",
+     [](const Vec3& x, double t) {
+       const Vec3 c(0.1, 0, 0.02);
+       return Vec3(c + turn({0, 1, 0}, std::clamp((t - 0.04) / 0.06, 0.0, 1.0) * std::numbers::pi / 6) * (x - c));
+     }},
     {"type: formula, x: 0.01 * sin(2 * pi * t), z: Y * t^2",
      [](const Vec3& x, double t) {
        return Vec3(x.x() + 0.01 * std::sin(2 * std::numbers::pi * t), x.y(), x.z() + x.y() * t * t);
@@ -117,6 +127,71 @@ TEST_CASE("a motion counts from where and when it seizes vertices") {
     for (int v = 0; v < 8; ++v)
       CHECK((run.at(v) - run.rest(v) - Vec3(flown, lifted, 0)).norm() <= 1e-12);
   }
+}
+
+namespace {
+
+// Two arms in line with a block at the end of the second: by hinges at x = 0 and x = 0.1, and straight on.
+std::string chain(const std::string& upper, const std::string& lower, const std::string& hand) {
+  return "time: {step: 0.02, duration: 1}\ncontact: {between_held: false, distance: 1e-4}\n"
+         "objects:\n"
+         "  - {name: lower, shape: {type: box, size: [0.08, 0.01, 0.01]}, place: {translate: [0.15, 0, 0]}, motion: [{" + lower + "}]}\n"
+         "  - {name: upper, shape: {type: box, size: [0.08, 0.01, 0.01]}, place: {translate: [0.05, 0, 0]}, motion: [{" + upper + "}]}\n"
+         "  - {name: hand, shape: {type: box, size: [0.02, 0.01, 0.01]}, place: {translate: [0.23, 0, 0]}, energies: [{type: neo_hookean, young: 1e5}],\n"
+         "     motion: [{" + hand + ", select: {type: face, direction: [-1, 0, 0]}}]}\n";
+}
+const std::string shoulder = "type: hinge, axis: [0, 0, 1], angle: [[0 s, 0 deg], [0.1 s, 40 deg]]";
+const std::string elbow = "type: hinge, carrier: upper, axis: [0, 0, 1], centre: [0.1, 0, 0], angle: [[0 s, 0 deg], [0.1 s, -70 deg]]";
+
+}  // namespace
+
+TEST_CASE("what is carried goes along with its carrier, and that with its own") {
+  TestRun run(chain(shoulder, elbow, "type: translate, carrier: lower, velocity: [0.1, 0, 0]"));
+  CHECK(run.world->script.holds()[2].motion->rigid());
+  for (int i = 1; i <= 7; ++i) {
+    run.step();
+    const double u = std::min(0.2 * i, 1.0), t = 0.02 * i;
+    const Mat3 upper = turn({0, 0, 1}, 40 * u * std::numbers::pi / 180), lower = upper * turn({0, 0, 1}, -70 * u * std::numbers::pi / 180);
+    const Vec3 at(0.1, 0, 0);
+    for (int v = 0; v < 8; ++v) CHECK((run.at(v) - upper * at - lower * (run.rest(v) - at)).norm() <= 1e-15);
+    for (int v = 8; v < 16; ++v) CHECK((run.at(v) - upper * run.rest(v)).norm() <= 1e-15);
+    int held = 0;
+    for (int v = 16; v < 24; ++v) {
+      if (run.world->dofs.block(v) >= 0) continue;
+      ++held;
+      CHECK((run.at(v) - upper * at - lower * (run.rest(v) + Vec3(0.1 * t, 0, 0) - at)).norm() <= 1e-15);
+    }
+    CHECK(held == 4);
+  }
+}
+
+TEST_CASE("what is seized on the way goes along from where it is") {
+  TestRun run(chain(shoulder, elbow, "type: fixed, carrier: upper, from: 0.06"));
+  for (int i = 1; i <= 3; ++i) run.step();
+  std::vector<Vec3> seized;
+  for (int v = 16; v < 24; ++v) seized.push_back(run.at(v));
+  const Mat3 before = turn({0, 0, 1}, 24 * std::numbers::pi / 180), after = turn({0, 0, 1}, 40 * std::numbers::pi / 180);
+  for (int i = 4; i <= 6; ++i) run.step();
+  int held = 0;
+  for (int v = 16; v < 24; ++v) {
+    if (run.world->dofs.block(v) >= 0) continue;
+    ++held;
+    CHECK((run.at(v) - after * before.transpose() * seized[v - 16]).norm() <= 1e-14);
+  }
+  CHECK(held == 4);
+}
+
+TEST_CASE("carriers that cannot carry are told") {
+  const std::string fixed = "type: fixed";
+  const auto told = [](const std::string& text, const std::string& what) {
+    INFO(text);
+    CHECK_THAT(error_of(text), Catch::Contains(what));
+  };
+  told(chain(shoulder, "type: fixed, carrier: uper", fixed), "motion 0 (fixed) of 'lower': its carrier 'uper' is no object; did you mean 'upper'?");
+  told(chain("type: fixed, carrier: lower", elbow, fixed), "is carried by itself in the end");
+  told(chain("type: formula, x: t", elbow, fixed), "object 'upper' has no one motion that holds all of it, rigidly, from 0 s to the end");
+  told(chain(shoulder + ", until: 1", elbow, fixed), "object 'upper' has no one motion");
+  told(chain(shoulder, elbow + ", along: [1, 0, 0]", fixed), "take `along` or `across` away");
 }
 
 // Two motions hold one half of the plate in turn, three the other.
