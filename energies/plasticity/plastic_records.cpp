@@ -12,15 +12,16 @@ TACK_REGISTER(PublishedField, PlasticStrain, "plastic_strain", "Accumulated.", "
 
 }  // namespace
 
-void publish_plasticity(Records& records, const std::string& term, std::function<double(const VecX& x)> work,
-                        const std::vector<double>& strain) {
-  publish_plasticity(records, term, std::move(work), [&strain] { return VecX(Eigen::Map<const VecX>(strain.data(), static_cast<Eigen::Index>(strain.size()))); },
+void publish_plasticity(Records& records, const std::string& term, PlasticFlows flows, const std::vector<double>& strain) {
+  publish_plasticity(records, term, std::move(flows), [&strain] { return VecX(Eigen::Map<const VecX>(strain.data(), static_cast<Eigen::Index>(strain.size()))); },
                      nullptr);
 }
 
-void publish_plasticity(Records& records, const std::string& term, std::function<double(const VecX& x)> work,
-                        std::function<VecX()> strain, const std::vector<Tet>* tets) {
-  records.add(FlowRecord{term, {{"dissipated_plastic"}}, [work = std::move(work)](const VecX& x, double* amounts) { amounts[0] = work(x); }});
+void publish_plasticity(Records& records, const std::string& term, PlasticFlows flows, std::function<VecX()> strain,
+                        const std::vector<Tet>* tets) {
+  records.add(FlowRecord{term, {{"dissipated_plastic"}}, [work = std::move(flows.work)](const VecX& x, double* amounts) { amounts[0] = work(x); }});
+  if (flows.viscous)
+    records.add(FlowRecord{term, {{"dissipated_viscous"}}, [viscous = std::move(flows.viscous)](const VecX& x, double* amounts) { amounts[0] = viscous(x); }});
   FieldRecord field{"plastic_strain", [strain = std::move(strain)](const VecX&) { return strain(); }};
   field.of_elements = true;
   field.tets = tets;

@@ -18,6 +18,7 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
   // Within a step the yield surface and Fp stand still: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
   void remember(const History& history) override {
     const int n = count();
+    material_.h = 0;
     if (const auto* values = remembered(history, memory_ + inverse_name, 4, n)) inverse_ = *values;
     else inverse_ = identities(n);
     if (const auto* values = remembered(history, memory_ + strain_name, 1, n)) strain_ = *values;
@@ -31,6 +32,8 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
         material_.yields[p].set(l, material_.yield(strain_[t]));
       }
   }
+
+  void begin_step(const StepStart& start) override { material_.h = start.h; }
 
   // The return mapping.
   void commit(const VecX& x, History& history) const override {
@@ -47,18 +50,17 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
 
   // Plastic work: what a commit takes off the value.
   double dissipated(const VecX& x) const {
-    return sum_chunks(static_cast<int>(rest_.size()), [&](int first, int last) {
-      double sum = 0;
-      for_each_flow(x, first, last, [&](int t, int l, const PlaneStretch&, const PlaneFlow& flow) {
-        sum += rest_[t / pack_width].volume[l] * material_.work(strain_[t], flow.amount[l]);
-      });
-      return sum;
-    });
+    return over_flows(x, [&](int t, double added) { return material_.work(strain_[t], added); });
+  }
+  double viscous(const VecX& x) const {
+    return over_flows(x, [&](int, double added) { return material_.viscous_work(added); });
   }
 
   void publish(Records& records) const override {
     MembraneTerm::publish(records);
-    publish_plasticity(records, name(), [this](const VecX& x) { return dissipated(x); }, strain_);
+    PlasticFlows flows{[this](const VecX& x) { return dissipated(x); }};
+    if (material_.viscosity > 0) flows.viscous = [this](const VecX& x) { return viscous(x); };
+    publish_plasticity(records, name(), std::move(flows), strain_);
   }
 
  private:
@@ -75,6 +77,18 @@ class VonMisesMembraneTerm : public MembraneTerm<VonMisesMembrane> {
       for (int l = 0; l < n; ++l)
         if (flow.amount[l] > 0) act(t + l, l, trial, flow);
     }
+  }
+
+  // The sum of volume times density(triangle, plastic strain that is added) over all that flow.
+  template <class Density>
+  double over_flows(const VecX& x, const Density& density) const {
+    return sum_chunks(static_cast<int>(rest_.size()), [&](int first, int last) {
+      double sum = 0;
+      for_each_flow(x, first, last, [&](int t, int l, const PlaneStretch&, const PlaneFlow& flow) {
+        sum += rest_[t / pack_width].volume[l] * density(t, flow.amount[l]);
+      });
+      return sum;
+    });
   }
 
   static std::vector<double> identities(int n) {
@@ -97,17 +111,21 @@ class VonMisesMembraneEnergy : public MembraneEnergy {
     f.number("hardening", hardening_, units::pressure,
              "H: what the yield stress grows by per accumulated plastic strain (equivalent, that of a strip); a strip in tension "
              "then has the tangent modulus E H / (E + H). 0: perfect plasticity").nonnegative();
+    f.number("viscosity", viscosity_, units::viscosity,
+             "eta: by what the stress exceeds the yield stress per rate of plastic strain (equivalent, that of a strip): sigma = yield_stress + "
+             "hardening a + viscosity da/dt, of Perzyna. 0: flow as fast as it is led").nonnegative();
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     Fibres along = fibres(body, rest);
     return std::make_unique<VonMisesMembraneTerm>(std::string(type()),
-                                                  VonMisesMembrane(plane_stress(young_, poisson_), yield_stress_, hardening_), body,
+                                                  VonMisesMembrane(plane_stress(young_, poisson_), yield_stress_, hardening_, viscosity_), body,
                                                   rest, std::move(along));
   }
 
  private:
   double yield_stress_ = 1e3;  // Pa
   double hardening_ = 0;       // Pa
+  double viscosity_ = 0;       // Pa s
 };
 
 TACK_REGISTER(Energy, VonMisesMembraneEnergy, "von_mises_membrane",

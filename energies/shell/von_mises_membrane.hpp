@@ -9,6 +9,7 @@
 //     (A p)^2 / ((A + H) g + Y)^2 + (B q)^2 / ((B + H) g + Y)^2 = 1,
 // which is convex and falls in g: Newton's method from 0 does not overshoot. The stress is the return-mapped one,
 // Kirchhoff's in the sheet of the thickness at rest.
+// With a viscosity eta, |t| = Y + H g + eta g/h over a step h: H + eta/h takes the place of H. Between steps, h = 0, nothing flows (solid/von_mises.hpp).
 // Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo and Taylor 1986 for the return in plane stress.
 #pragma once
 
@@ -107,18 +108,25 @@ struct VonMisesMembraneLanes {
 
 // Of a sheet, each of whose triangles has its own yield surface.
 struct VonMisesMembrane {
-  VonMisesMembrane(const PlaneStress& lame, double yield_stress_, double hardening_)
-      : elastic(lame), yield_stress(yield_stress_), hardening(hardening_) {}
+  VonMisesMembrane(const PlaneStress& lame, double yield_stress_, double hardening_, double viscosity_ = 0)
+      : elastic(lame), yield_stress(yield_stress_), hardening(hardening_), viscosity(viscosity_) {}
 
   PlaneStress elastic;
   double yield_stress;  // sigma_y [Pa]
   double hardening;     // H: yield stress per accumulated plastic strain [Pa]
+  double viscosity;     // eta [Pa s]
   std::vector<Pack> yields = {};  // of pack_width triangles each
+  double h = 0;         // the size of the step [s], where there is a viscosity
 
-  VonMisesMembraneLanes at(int pack) const { return {elastic.mu + elastic.lambda, 3 * elastic.mu, hardening, yields[pack]}; }
+  VonMisesMembraneLanes at(int pack) const {
+    constexpr double out_of_reach = 1e100;  // Pa
+    if (viscosity > 0 && h == 0) return {elastic.mu + elastic.lambda, 3 * elastic.mu, hardening, out_of_reach};
+    return {elastic.mu + elastic.lambda, 3 * elastic.mu, viscosity > 0 ? hardening + viscosity / h : hardening, yields[pack]};
+  }
   double yield(double strain) const { return yield_stress + hardening * strain; }
   // Work per volume of plastic flow that adds to an accumulated strain [J/m^3].
   double work(double strain, double added) const { return added * (yield_stress + hardening * (strain + added / 2)); }
+  double viscous_work(double added) const { return viscosity > 0 ? viscosity * added * added / h : 0; }
 };
 
 }  // namespace tack

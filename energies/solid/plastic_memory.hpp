@@ -40,17 +40,28 @@ class PlasticMemory {
   // Plastic work: what a commit takes off the value [J]. volume(i): what sample i counts for [m^3].
   template <class Deformation, class Volume>
   double dissipated(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
+    return over_flows(material, deformation, volume, [&](int i, double added) { return material.work(strain_[i], added); });
+  }
+  // What viscosity takes beside it.
+  template <class Deformation, class Volume>
+  double viscous(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
+    return over_flows(material, deformation, volume, [&](int, double added) { return material.viscous_work(added); });
+  }
+
+ private:
+  // The sum of volume(i) density(i, plastic strain that is added) over all that flow.
+  template <class Deformation, class Volume, class Density>
+  double over_flows(const VonMises& material, const Deformation& deformation, const Volume& volume, const Density& density) const {
     return sum_chunks(samples(), [&](int first, int last) {
       double sum = 0;
       for (int i = first; i < last; ++i) {
         const double added = material.flow(Trial(deformation(i)).norm - material.limit(strain_[i]));
-        if (added > 0) sum += volume(i) * material.work(strain_[i], added);
+        if (added > 0) sum += volume(i) * density(i, added);
       }
       return sum;
     });
   }
 
- private:
   static constexpr const char* inverse_name = "plastic_inverse";
   static constexpr const char* strain_name = "plastic_strain";
   // The return mapping leaves |dev e| so far within the yield surface that rounding does not cross it: what does not

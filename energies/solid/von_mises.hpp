@@ -7,7 +7,10 @@
 // That is the least of elastic energy and plastic work over all plastic flows, mu (n - g)^2 + K/2 (tr e)^2 +
 // w (sigma_y + H (a + w/2)) with w = sqrt(2/3) g, so that its stress is the return-mapped one. The stress of the
 // yield surface is Kirchhoff's.
-// Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo 1992 for the return mapping.
+// With a viscosity eta (Perzyna 1966) the stress beyond the yield surface is the rate of flow, sigma = sigma_y + H a + eta da/dt, which has
+// the dissipation potential eta (da/dt)^2 / 2. Over a step h that adds eta w^2 / (2 h) to what is minimised: H + eta/h takes the place
+// of H in mu', not in the yield surface. Between steps, h = 0, nothing flows and psi is the stored energy.
+// Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo 1992 for the return mapping; Ortiz and Stainier 1999 for rates.
 #pragma once
 
 #include <Eigen/LU>
@@ -71,23 +74,31 @@ struct VonMises {
   Lame lame;
   double yield_stress;  // sigma_y [Pa]
   double hardening;     // H: yield stress per accumulated plastic strain [Pa]
+  double viscosity = 0;  // eta [Pa s]
   std::vector<Pack> limits = {};  // of pack_width tets each
+  double h = 0;          // the size of the step [s], where there is a viscosity
 
-  VonMisesLanes at(int pack) const { return {lame, lame.mu * hardening / (3 * lame.mu + hardening), limits[pack]}; }
+  VonMisesLanes at(int pack) const { return {lame, viscosity > 0 && h == 0 ? lame.mu : lame.mu * slope() / (3 * lame.mu + slope()), limits[pack]}; }
   // Elements whose mean volume counts keep hardly any of the bulk modulus at points: in plastic flow, which has no other stiffness, the rest would lock.
   auto split() const {
     const double kept = share_of_parts * std::min(bulk(), 2 * lame.mu / 3);
-    const VonMises shape{{lame.mu, kept - 2 * lame.mu / 3}, yield_stress, hardening};
+    const VonMises shape{{lame.mu, kept - 2 * lame.mu / 3}, yield_stress, hardening, viscosity};
     return MaterialSplit<VonMises, VonMises, LogVolume>{shape, shape, {bulk() - kept}};
   }
   // The largest elastic |dev e| at an accumulated plastic strain.
   double limit(double strain) const { return std::sqrt(2.0 / 3) * (yield_stress + hardening * strain) / (2 * lame.mu); }
   // The plastic strain that the return mapping adds where |dev e| of the trial deformation is beyond a limit by r.
-  double flow(double r) const { return r > 0 ? std::sqrt(2.0 / 3) * r * 3 * lame.mu / (3 * lame.mu + hardening) : 0; }
+  double flow(double r) const {
+    if (viscosity > 0 && h == 0) return 0;
+    return r > 0 ? std::sqrt(2.0 / 3) * r * 3 * lame.mu / (3 * lame.mu + slope()) : 0;
+  }
   // Work per volume of plastic flow that adds to an accumulated strain [J/m^3].
   double work(double strain, double added) const { return added * (yield_stress + hardening * (strain + added / 2)); }
+  // What viscosity dissipates of it: the stress beyond the yield surface, that of the end of the step, times the flow [J/m^3].
+  double viscous_work(double added) const { return added > 0 && viscosity > 0 ? viscosity * added * added / h : 0; }
 
  private:
+  double slope() const { return viscosity > 0 ? hardening + viscosity / h : hardening; }  // of the stress, per plastic strain of the step [Pa]
   double bulk() const { return lame.lambda + 2 * lame.mu / 3; }
 };
 

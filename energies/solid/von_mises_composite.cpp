@@ -10,6 +10,7 @@ CompositeVonMises::CompositeVonMises(std::string name, const VonMises& material,
 }
 
 void CompositeVonMises::remember(const History& history) {
+  set_step(0);
   memory_.remember(history, composite_samples * count());
   tets_.turn([&](int i) { return memory_.inverse(i); });
   const size_t all = static_cast<size_t>(composite_samples) * static_cast<size_t>(tets_.packs());
@@ -26,15 +27,23 @@ void CompositeVonMises::commit(const VecX& x, History& history) const {
   memory_.commit(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); }, history);
 }
 
+double CompositeVonMises::volume_of(int i) const { return tets_.weight(i % composite_samples) * tets_.volume_of(i / composite_samples); }
+
 double CompositeVonMises::dissipated(const VecX& x) const {
-  return memory_.dissipated(
-      material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
-      [&](int i) { return tets_.weight(i % composite_samples) * tets_.volume_of(i / composite_samples); });
+  return memory_.dissipated(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
+                            [&](int i) { return volume_of(i); });
+}
+
+double CompositeVonMises::viscous(const VecX& x) const {
+  return memory_.viscous(material_, [&](int i) { return tets_.deformation(i / composite_samples, i % composite_samples, x); },
+                         [&](int i) { return volume_of(i); });
 }
 
 void CompositeVonMises::publish(Records& records) const {
   CompositeTerm::publish(records);
-  publish_plasticity(records, name(), [this](const VecX& x) { return dissipated(x); }, [this] { return plastic_strain(); }, &tets_.parts());
+  PlasticFlows flows{[this](const VecX& x) { return dissipated(x); }};
+  if (material_.viscosity > 0) flows.viscous = [this](const VecX& x) { return viscous(x); };
+  publish_plasticity(records, name(), std::move(flows), [this] { return plastic_strain(); }, &tets_.parts());
 }
 
 VecX CompositeVonMises::plastic_strain() const {

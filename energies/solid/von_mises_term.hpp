@@ -19,6 +19,7 @@ class VonMisesTerm : public Base {
   // Within a step the yield surface and Fp stand still: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
   void remember(const History& history) override {
     const int n = count();
+    material_.h = 0;
     memory_.remember(history, n);
     rest_ = rest_shapes_;
     material_.limits.resize(rest_.size());
@@ -30,6 +31,8 @@ class VonMisesTerm : public Base {
       }
   }
 
+  void begin_step(const StepStart& start) override { material_.h = start.h; }
+
   void commit(const VecX& x, History& history) const override {
     memory_.commit(material_, [&](int t) { return deformation(t, x); }, history);
   }
@@ -38,10 +41,16 @@ class VonMisesTerm : public Base {
     return memory_.dissipated(material_, [&](int t) { return deformation(t, x); }, [&](int t) { return rest_of(t).volume; });
   }
 
+  double viscous(const VecX& x) const {
+    return memory_.viscous(material_, [&](int t) { return deformation(t, x); }, [&](int t) { return rest_of(t).volume; });
+  }
+
   void publish(Records& records) const override {
     Base::publish(records);
+    PlasticFlows flows{[this](const VecX& x) { return dissipated(x); }};
+    if (material_.viscosity > 0) flows.viscous = [this](const VecX& x) { return viscous(x); };
     const auto strain = [this] { return VecX(Eigen::Map<const VecX>(memory_.strain().data(), count())); };
-    publish_plasticity(records, this->name(), [this](const VecX& x) { return dissipated(x); }, strain, &tets_);
+    publish_plasticity(records, this->name(), std::move(flows), strain, &tets_);
   }
 
  private:
