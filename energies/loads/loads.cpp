@@ -38,6 +38,8 @@ class Traction : public Load {
                        "triangle; widen it");
   }
 
+  std::vector<double> corners() const override { return profile_.corners(); }
+
  private:
   Vec3 value_ = Vec3::Zero();  // Pa
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
@@ -55,6 +57,8 @@ class Force : public Load {
     const std::vector<int> chosen = select(*select_, {body, rest});
     for (const int v : chosen) vertex(force, v) += profile_.at(vertex(rest, v), t) * value_ / static_cast<double>(chosen.size());
   }
+
+  std::vector<double> corners() const override { return profile_.corners(); }
 
  private:
   Vec3 value_ = Vec3::Zero();  // N
@@ -78,6 +82,8 @@ class BodyForce : public Load {
     for (const int v : body.frame.empty() ? chosen : body.frame)
       vertex(force, v) += mass(v) * profile_.at(vertex(rest, v), t) * value_;
   }
+
+  std::vector<double> corners() const override { return profile_.corners(); }
 
  private:
   Vec3 value_ = Vec3::Zero();  // m/s^2

@@ -8,6 +8,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/experiment/file_kind.hpp"
 #include "framework/plugin/plugins.hpp"
+#include "framework/stepping/time_config.hpp"
 
 namespace tack {
 
@@ -15,9 +16,22 @@ void SolverEntry::fields(Fields& f) {
   f.text("name", name, "what tables and plots call it").required().line();
   f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it");
   f.raw("stepper", stepper, "laid over the scene's time.stepper; another `type` replaces it");
+  f.raw("time", time, "laid over the scene's time: another integrator, or steps that adapt. With a `step` it is solved with that instead of time_steps");
   f.check("solver", [this]() -> std::string {
-    return solver.is_null() && stepper.is_null() ? "give what is compared: a solver, a stepper, or both" : "";
+    return solver.is_null() && stepper.is_null() && time.is_null() ? "give what is compared: a solver, a stepper, a time, or several of them" : "";
   });
+  f.check("time", [this]() -> std::string {
+    for (const char* key : {"duration", "wall_limit", "stepper"})
+      if (time.find(key)) return fmt::format("takes no {}: {}", key, key == std::string("stepper") ? "that stands beside it" : "the comparison says how far it goes");
+    return "";
+  });
+}
+
+std::optional<double> SolverEntry::own_step() const {
+  if (!time.find("step")) return std::nullopt;
+  TimeConfig own;
+  bind(time, own, "time");
+  return own.step;
 }
 
 void BaseEntry::fields(Fields& f) {

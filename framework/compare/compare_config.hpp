@@ -13,6 +13,8 @@ struct SolverEntry {
   std::string name;
   Value solver;   // as written: laid over the scene's own solver block
   Value stepper;  // likewise, over its time.stepper
+  Value time;     // likewise, over the rest of its time
+  std::optional<double> own_step() const;  // s: that time says
   void fields(Fields& f);
 };
 

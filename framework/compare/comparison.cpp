@@ -30,7 +30,7 @@ struct Entry {
   CompareRow row;
   std::vector<double> wall, cpu;
 
-  TrialSettings settings() const { return {solver->solver, row.tolerance, row.time_step, solver->stepper}; }
+  TrialSettings settings() const { return {solver->solver, row.tolerance, row.time_step, solver->stepper, solver->time}; }
 };
 
 std::vector<double> time_steps(const CompareConfig& config, const CompareCase& what) {
@@ -151,7 +151,8 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
     if (config.reference_time_step && !c.single()) c.steps_of(*config.reference_time_step);
     for (const double h : time_steps(config, c)) {
       c.steps_of(h);
-      for (const SolverEntry& solver : config.solvers) Trial(c, {solver.solver, config.tolerances.front(), h, solver.stepper});
+      for (const SolverEntry& solver : config.solvers)
+        Trial(c, {solver.solver, config.tolerances.front(), solver.own_step().value_or(h), solver.stepper, solver.time});
     }
   }
   return cases;
@@ -177,13 +178,15 @@ Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& 
       }
       for (const double tolerance : config.tolerances)
         for (const SolverEntry& solver : config.solvers) {
+          const std::optional<double> own = solver.own_step();
+          if (own && h != time_steps(config, what).front()) continue;
           Entry e{&what, &solver, common, h_reference, {}, {}, {}};
           e.row.problem = what.name;
           e.row.single_step = what.single();
           e.row.size = what.size;
           e.row.solver = solver.name;
           e.row.tolerance = tolerance;
-          e.row.time_step = h;
+          e.row.time_step = own.value_or(h);
           entries.push_back(std::move(e));
         }
     }

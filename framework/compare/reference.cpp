@@ -23,6 +23,9 @@ Value settings(const char* projection, const char* linear, double tolerance) {
   return solver;
 }
 
+// Steps of one size, whatever the scene's are.
+Value one_size() { return parse_string("adaptive: null\n", "(reference)"); }
+
 template <class Act>
 void for_each_movable(const World& world, const Act& act) {
   for (int v = 0; v < static_cast<int>(world.rest.size()) / 3; ++v)
@@ -57,7 +60,7 @@ double rms_distance(const World& world, const VecX& a, const VecX& b) {
 Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest) {
   Reference reference;
   const auto solve = [&](const char* projection, const char* linear, double to) {
-    auto trial = std::make_unique<Trial>(what, TrialSettings{settings(projection, linear, to), to, step_size});
+    auto trial = std::make_unique<Trial>(what, TrialSettings{settings(projection, linear, to), to, step_size, {}, one_size()});
     reference.status = trial->run().status;
     return trial;
   };

@@ -63,13 +63,16 @@ Value laid_over(const Kind* component, const Value& written) {
   return value;
 }
 
-LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings) {
+// A run up to a time [s].
+LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, double until) {
   Experiment& experiment = loaded.experiment;
   Value solver = laid_over(experiment.solver.get(), settings.solver);
   solver.set("tolerance", Value::number(settings.tolerance));
   experiment.solver = bind_component<Minimizer>(solver);
   if (!settings.stepper.is_null()) experiment.time.stepper = bind_component<Stepper>(laid_over(experiment.time.stepper.get(), settings.stepper));
   experiment.time.step = settings.step_size;
+  if (!settings.time.is_null()) bind(settings.time, experiment.time, "time");
+  if (experiment.time.adaptive) experiment.time.duration = until;
   experiment.time.max_halvings = 0;  // a solve that fails is to be seen, not mended
   return loaded;
 }
@@ -123,7 +126,7 @@ CompareCase problem_case(const std::string& path) {
 }
 
 Trial::Trial(const CompareCase& what, const TrialSettings& settings)
-    : case_(what), h_(settings.step_size), simulation_(with(what.load(), settings)),
+    : case_(what), h_(settings.step_size), simulation_(with(what.load(), settings, what.steps * what.step_size)),
       probes_(probes_of(simulation_.built())) {
 }
 
@@ -159,22 +162,24 @@ void Trial::solve_step(const VecX* guess) {
 }
 
 void Trial::solve_run() {
-  const int steps = case_.steps_of(h_);
+  const bool adapts = simulation_.experiment().time.adaptive.has_value();
+  const int steps = adapts ? 0 : case_.steps_of(h_);
   StepReport report;
   result_.status = "converged";
   try {
     const Stopwatch watch(result_);
     int unconverged = 0;  // that were kept all the same
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; adapts ? !simulation_.finished() : i < steps; ++i) {
       report = simulation_.step();
       if (simulation_.interrupted()) throw SimulationError("interrupted");
       result_.iterations += report.solve.iterations;
       result_.evaluations += report.solve.line_search_evaluations;
       result_.linear_solves += report.solve.linear_solves;
+      ++result_.steps;
       unconverged += report.converged ? 0 : 1;
       look_at(report.figures);
     }
-    if (unconverged > 0) result_.status = fmt::format("{} of {} steps kept without having converged", unconverged, steps);
+    if (unconverged > 0) result_.status = fmt::format("{} of {} steps kept without having converged", unconverged, result_.steps);
     result_.converged = result_.complete = true;
   } catch (const SimulationError& error) {
     result_.status = error.what();

@@ -39,6 +39,7 @@ struct TrialSettings {
   double tolerance = 0;   // m/s
   double step_size = 0;   // s
   Value stepper = {};     // laid over the scene's
+  Value time = {};        // likewise
 };
 
 struct TrialResult {
@@ -46,6 +47,7 @@ struct TrialResult {
   bool converged = false;
   bool complete = false;  // the end was reached, so that x is that of the end
   double wall_seconds = 0, cpu_seconds = 0;
+  int steps = 0;
   long iterations = 0, evaluations = 0, linear_solves = 0;
   int intersections = 0;  // and inverted tets, in the last state
   double penetration = 0, crossing_pairs = 0;  // the most of any step, of steppers that let surfaces pass through each other [m]

@@ -18,7 +18,7 @@ struct State {
   VecX anchor;          // 3n: where vertices were when they were last seized [m]; empty before the first step
   std::vector<char> held;  // per hold of the script: whether it acted in the step before
 
-  // The step before, for two-step integrators; valid while the step size stays the same.
+  // The step before, for two-step integrators; valid while the step size stays the same, or adapts.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
   double acted_before = 0;  // for how long contact and friction acted on velocities in it [s]; 0: not known
@@ -34,6 +34,12 @@ struct State {
   double h_next = 0;    // size tried next [s]; 0: the scene's
   int parts = 1;        // in which whole steps are begun, because larger ones made or lost energy; a power of two
   int calm_steps = 0;   // whole steps behind us since that number last changed
+
+  // Of steps whose sizes follow an error (stepping/step_control.hpp).
+  bool adapts = false;      // they are such steps: two-step integrators take other sizes behind them into account
+  double error_before = 0;  // that of the last step, over what is allowed; 0: there is none
+  double wary_until = 0;    // s: steps do not grow before
+  double h_cap = 0;         // what larger steps made or lost energy beyond [s]; 0: nothing
 };
 
 }  // namespace tack

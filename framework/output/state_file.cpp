@@ -80,6 +80,10 @@ void for_each_field(S& s, const Act& act) {
   act("h_next", s.h_next, Since::first);
   act("parts", s.parts, Since::later);
   act("calm_steps", s.calm_steps, Since::later);
+  act("adapts", s.adapts, Since::later);
+  act("error_before", s.error_before, Since::later);
+  act("wary_until", s.wary_until, Since::later);
+  act("h_cap", s.h_cap, Since::later);
   act("held", s.held, Since::first);
   act("x", s.x, Since::first);
   act("v", s.v, Since::first);

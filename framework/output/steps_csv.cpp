@@ -36,6 +36,7 @@ std::vector<std::string> columns_of(const std::vector<std::string>& terms, const
   for (const std::string_view phase : phase_names) {
     columns.push_back(fmt::format("seconds_{}", phase));
   }
+  if (first.error) columns.insert(columns.end(), {"step_error", "repeats"});
   for (const StepFigure& figure : first.figures) columns.push_back(figure.name);
   return columns;
 }
@@ -58,6 +59,7 @@ std::vector<double> row_of(const StepReport& r) {
   row.insert(row.end(), {r.solve.residual, r.unbalanced_force, r.tolerated_force, r.converged ? 1.0 : 0.0, double(r.lag_iterations),
                          r.friction_residual, r.wall_seconds});
   row.insert(row.end(), r.phases.begin(), r.phases.end());
+  if (r.error) row.insert(row.end(), {*r.error, double(r.repeats)});
   for (const StepFigure& figure : r.figures) row.push_back(figure.value);
   return row;
 }

@@ -86,8 +86,10 @@ OrderedJson to_json(const RunSummary& s) {
           {"dofs", s.dofs},
           {"linear_solver", s.linear_solver},
           {"steps", s.steps},
+          {"step_size", {{"smallest", finite(s.smallest_step)}, {"largest", finite(s.largest_step)}, {"mean", finite(s.stepped_time / s.steps)}}},
           {"converged_steps", s.converged_steps},
           {"failed_solves", s.failed_solves},
+          {"repeated_steps", s.repeated_steps},
           {"unconverged_lags", s.unconverged_lags},
           {"wall_seconds", finite(s.wall_seconds)},
           {"phases", phases_json(s.phases)},
@@ -140,6 +142,10 @@ void RunSummary::add(const StepReport& report) {
   ++steps;
   converged_steps += report.converged ? 1 : 0;
   failed_solves += report.halvings;
+  repeated_steps += report.repeats;
+  smallest_step = std::min(smallest_step, report.step_size);
+  largest_step = std::max(largest_step, report.step_size);
+  stepped_time += report.step_size;
   unconverged_lags += report.lag_converged ? 0 : 1;
   newton_iterations += report.solve.iterations;
   linear_solves += report.solve.linear_solves;

@@ -1,6 +1,6 @@
 // What remains of a run in one place: summary.json, and the tables at the end on the terminal.
 //
-// Keys: name, version, commit ("-dirty" behind it if the sources are others), provenance {...} (output/provenance_json.hpp), status, error, threads, dofs, linear_solver, steps, converged_steps, failed_solves,
+// Keys: name, version, commit ("-dirty" behind it if the sources are others), provenance {...} (output/provenance_json.hpp), status, error, threads, dofs, linear_solver, steps, step_size {smallest, largest, mean [s]} (null before the first), converged_steps, failed_solves, repeated_steps,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], unbalanced_steps, max_affine_strain, intersections,
 // inverted_tets, stepper {what it tells of its steps beside all that: the sum or the most}, energy {work_loads, work_script, work_rim, work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
@@ -38,6 +38,8 @@ struct RunSummary {
   std::string linear_solver;  // what it is and why; empty for minimisers without one
   int steps = 0;
   int converged_steps = 0;
+  double smallest_step = std::numeric_limits<double>::infinity(), largest_step = 0, stepped_time = 0;  // s
+  int repeated_steps = 0;  // solves that were repeated with smaller steps because of their error
   int failed_solves = 0;  // solves that were rolled back and repeated with half the step
   int unconverged_lags = 0;  // steps in which friction did not reach contact.lagging.until
   double wall_seconds = 0;

@@ -14,6 +14,10 @@ void for_each_total(Summary& s, const Act& act) {
   act("steps", s.steps);
   act("converged_steps", s.converged_steps);
   act("failed_solves", s.failed_solves);
+  act("smallest_step", s.smallest_step);
+  act("largest_step", s.largest_step);
+  act("stepped_time", s.stepped_time);
+  act("repeated_steps", s.repeated_steps);
   act("unconverged_lags", s.unconverged_lags);
   act("newton_iterations", s.newton_iterations);
   act("linear_solves", s.linear_solves);

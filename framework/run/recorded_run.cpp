@@ -330,7 +330,11 @@ void RecordedRun::finish(const Recorder& recorder) {
   if (complete) progress_.message(expect_table(summary_.expect));
   const std::string warned = summary_.warnings.empty() ? "" : fmt::format(", {}", counted(summary_.warnings.size(), "warning"));
   const char* iterations = summary_.stepper.contains("sweeps") ? "sweeps" : "Newton iterations";
-  progress_.message(fmt::format("{}: {} steps, {} {}, {}{}; results in {}", to_string(summary_.status), summary_.steps, summary_.newton_iterations, iterations,
+  const std::string sizes = experiment_.time.adaptive && summary_.steps > 0
+                                ? fmt::format(" of {:.3g} to {:.3g} s (mean {:.3g} s, {} repeated for their error)", summary_.smallest_step,
+                                              summary_.largest_step, summary_.stepped_time / summary_.steps, summary_.repeated_steps)
+                                : "";
+  progress_.message(fmt::format("{}: {} steps{}, {} {}, {}{}; results in {}", to_string(summary_.status), summary_.steps, sizes, summary_.newton_iterations, iterations,
                                 smallest_gap_of(summary_), warned, folder_.root().string()));
 }
 

@@ -1,6 +1,7 @@
 #include "framework/run/simulation.hpp"
 
 #include "framework/config/bind.hpp"
+#include "framework/output/next_due.hpp"
 
 namespace tack {
 
@@ -13,6 +14,9 @@ void Simulation::start_from(State state) {
   stepper_.reset();
   solver_ = instance_of(*experiment().solver);
   stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);
+  const OutputConfig& output = experiment().output;
+  if (output.frames && output.frame_interval > 0)
+    stepper_->stop_at([interval = output.frame_interval, step = experiment().time.step](double t) { return next_due(interval, t, step); });
   stepper_->observe(observers_);
   stepper_->observe_solved(solved_);
 }

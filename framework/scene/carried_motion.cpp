@@ -24,6 +24,14 @@ class CarriedMotion : public Motion {
     const RigidMap map = carried(t) * seized_;
     for (const int v : vertices) vertex(x, v) = map(vertex(x, v));
   }
+  std::vector<double> corners() const override {
+    std::vector<double> times = own_.corners();
+    for (const Motion* carrier : carriers_) {
+      const std::vector<double> more = carrier->corners();
+      times.insert(times.end(), more.begin(), more.end());
+    }
+    return times;
+  }
   bool moves() const override {
     return own_.moves() || std::any_of(carriers_.begin(), carriers_.end(), [](const Motion* m) { return m->moves(); });
   }

@@ -16,6 +16,15 @@ VecX LoadTerm::forces_at(double t, Eigen::Index size) const {
   return force;
 }
 
+std::vector<double> LoadTerm::corners() const {
+  std::vector<double> all;
+  for (const Acting& a : loads_) {
+    const std::vector<double> own = a.load->corners();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 void LoadTerm::begin_step(const StepStart& start) {
   if (!loads_.empty()) set_force(forces_at(start.time + start.h, start.x.size()));
   set_reference(start.x);

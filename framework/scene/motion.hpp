@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "framework/config/field.hpp"
 #include "framework/scene/rigid_map.hpp"
@@ -39,6 +40,8 @@ class Motion : public Component {
   // Writes where the vertices are at time t [s] into their rows of x; rest, anchor: 3n [m].
   virtual void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,
                      VecX& x) const = 0;
+  // Beside from and until, the times at which it changes abruptly [s]: steps that adapt end there.
+  virtual std::vector<double> corners() const { return {}; }
   virtual bool moves() const { return true; }  // false: they stay at their anchor
   virtual bool rigid() const { return true; }  // distances between them do not change
   // What it makes of space until time t [s], where it moves rigidly; else none, and it carries nothing.

@@ -22,6 +22,9 @@ double eased(Easing easing, double u) { return easing == Easing::smooth ? u * u 
 
 // Motion at constant speed for a while.
 class SteadyMotion : public Motion {
+ public:
+  std::vector<double> corners() const override { return duration_ ? std::vector{from() + *duration_} : std::vector<double>(); }
+
  protected:
   void duration_field(Fields& f, const char* doc) {
     f.optional_number("duration", duration_, units::time, doc).positive();
@@ -116,6 +119,11 @@ class Hinge : public Motion {
     const RigidMap map = *pose(t);
     for (const int v : vertices) vertex(x, v) = map(vertex(anchor, v));
   }
+  std::vector<double> corners() const override {
+    std::vector<double> times;
+    for (const Schedule::Point& p : angle_.points()) times.push_back(p.time);
+    return times;
+  }
   bool moves() const override { return !angle_.constant(); }
   std::optional<RigidMap> pose(double t) const override { return RigidMap::about(centre_, turned(angle(t), axis_.normalized())); }
 
@@ -170,6 +178,12 @@ class Keyframes : public Motion {
   std::optional<RigidMap> pose(double t) const override {
     const Keyframe k = at(t);
     return RigidMap::about(centre_, turn(k), k.translation);
+  }
+
+  std::vector<double> corners() const override {
+    std::vector<double> times;
+    for (const Keyframe& k : frames_) times.push_back(k.time);
+    return times;
   }
 
  private:

@@ -10,6 +10,9 @@ namespace {
 const std::string asked_by = "output.gradients: ";
 
 void require_minimised_steps(const Experiment& e) {
+  if (e.time.adaptive)
+    throw InputError("output.gradients: sizes of steps that adapt (time.adaptive) jump with the numbers, and what is shown with them; take steps of one "
+                     "size, or the gradients out");
   if (e.time.stepper->type() == "incremental_potential") return;
   throw InputError(fmt::format("output.gradients: steps of time.stepper: {} end at no least of a potential, which derivatives are found from; "
                                "take incremental_potential, or the gradients out", e.time.stepper->type()));

@@ -9,13 +9,15 @@ namespace {
 // on Newmark's correction is gone, and BDF2 forgets its history.
 constexpr double newmark_change = 0.25, bdf2_change = 0.25;
 
-// Of the last step: 0, nothing has changed, to 1, contact was made, lost or changed by `whole` of it.
-double contact_change(const State& s, double whole) {
-  if (s.contact.size() == 0 || s.contact_before.size() == 0) return 0;
-  const double now = whole * s.contact.lpNorm<Eigen::Infinity>();
-  const double change = (s.contact - s.contact_before).lpNorm<Eigen::Infinity>();
+// From one end of a step to the other: 0, nothing has changed, to 1, contact was made, lost or changed by `whole` of it.
+double contact_change(const VecX& before, const VecX& contact, double whole) {
+  if (contact.size() == 0 || before.size() == 0) return 0;
+  const double now = whole * contact.lpNorm<Eigen::Infinity>();
+  const double change = (contact - before).lpNorm<Eigen::Infinity>();
   return change < now ? change / now : (change > 0 ? 1 : 0);
 }
+// Of the last step.
+double contact_change(const State& s, double whole) { return contact_change(s.contact_before, s.contact, whole); }
 
 std::string makes_energy(bool contact) {
   return contact ? "surfaces moved by much of the range of contact or adhesion in a step: refine time.step"
@@ -23,6 +25,12 @@ std::string makes_energy(bool contact) {
 }
 
 bool same_step(const State& s, double h) { return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h; }
+
+// h over the size of the step before, where a formula looks back over both: 1, or what steps that adapt have. 0: it may not.
+double step_ratio(const State& s, double h) {
+  if (same_step(s, h)) return 1;
+  return s.adapts && s.h_before > 0 ? h / s.h_before : 0;
+}
 
 class ImplicitEuler : public TimeIntegrator {
  public:
@@ -41,21 +49,44 @@ class ImplicitEuler : public TimeIntegrator {
 // Second-order backward differences. Velocities before an impact say nothing about those after it, and
 // differences across it would give energy back that the impact has taken. So steps that follow one in
 // which contact was not smooth, the first step, and the first after a change of h are implicit Euler, which
-// leaves the global order at two.
+// leaves the global order at two. Where steps adapt, and their sizes change all the time, it is the formula of two sizes
+// instead, with w the ratio of this one to the last, stable up to w = 1 + sqrt 2:
+//     h v' = (1 + 2 w) / (1 + w) x' - (1 + w) x + w^2 / (1 + w) x_before,  and so a' of the velocities.
 class Bdf2 : public TimeIntegrator {
  public:
   Prediction predict(const State& s, double h) const override {
     if (!has_history(s, h)) return euler_.predict(s, h);
+    if (const double w = step_ratio(s, h); w != 1) {
+      const Weights k(w);
+      return {(k.now * s.x - k.before * s.x_before) / k.next + h * (k.now * s.v - k.before * s.v_before) / (k.next * k.next),
+              h * h / (k.next * k.next)};
+    }
     return {(4 * s.x - s.x_before) / 3 + h * (8 * s.v - 2 * s.v_before) / 9, 4 * h * h / 9};
   }
   void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v, VecX& a) const override {
     if (!has_history(old, h)) return euler_.update(old, x, contact, h, v, a);
+    if (const double w = step_ratio(old, h); w != 1) {
+      const Weights k(w);
+      v = (k.next * x - k.now * old.x + k.before * old.x_before) / h;
+      a = (k.next * v - k.now * old.v + k.before * old.v_before) / h;
+      return;
+    }
     v = (3 * x - 4 * old.x + old.x_before) / (2 * h);
     a = (3 * v - 4 * old.v + old.v_before) / (2 * h);
   }
   EndVelocity end_velocity(const State& s, double h) const override {
     if (!has_history(s, h)) return euler_.end_velocity(s, h);
+    if (const double w = step_ratio(s, h); w != 1) {
+      const Weights k(w);
+      return {k.next / h, (k.now * s.x - k.before * s.x_before) / k.next};
+    }
     return {3 / (2 * h), (4 * s.x - s.x_before) / 3};
+  }
+  // Of h^3/6 times the third derivative it misses k, and the parabola of the last velocity and acceleration all, on the other side.
+  LocalError local_error(const State& old, const VecX& x, const VecX& contact, double h) const override {
+    if (!has_history(old, h)) return euler_.local_error(old, x, contact, h);
+    const double w = step_ratio(old, h), k = (1 + w) * (1 + w) / (w * (1 + 2 * w));
+    return {k / (1 + k) * (x - old.x - h * old.v - h * h / 2 * old.a), 3};
   }
   bool follows_contact() const override { return true; }
   bool damps() const override { return true; }
@@ -66,7 +97,11 @@ class Bdf2 : public TimeIntegrator {
   }
 
  private:
-  static bool has_history(const State& s, double h) { return same_step(s, h) && contact_change(s, bdf2_change) < 1; }
+  struct Weights {
+    explicit Weights(double w) : next((1 + 2 * w) / (1 + w)), now(1 + w), before(w * w / (1 + w)) {}
+    double next, now, before;
+  };
+  static bool has_history(const State& s, double h) { return step_ratio(s, h) > 0 && contact_change(s, bdf2_change) < 1; }
   ImplicitEuler euler_;
 };
 
@@ -77,7 +112,8 @@ class Bdf2 : public TimeIntegrator {
 // so that x' - x = h/2 (v + v'), and contact's work is c' M (x' - x), never more than its potential gave if
 // that is convex: an impact gains no energy, whatever h. With the mean of c and c' it would.
 // s = - (c - c_before) / 2, where contact is smooth, moves the force back to the middle of the step: second
-// order. It fades out the less smooth contact is, because after an impact it would push the wrong way.
+// order. It fades out the less smooth contact is, because after an impact it would push the wrong way. Of steps that adapt, the last
+// change is taken over in proportion to their sizes.
 class Newmark : public TimeIntegrator {
  public:
   Prediction predict(const State& s, double h) const override {
@@ -92,6 +128,15 @@ class Newmark : public TimeIntegrator {
     v = 2 / h * (x - old.x) - old.v;
   }
   EndVelocity end_velocity(const State& s, double h) const override { return {2 / h, s.x + h / 2 * s.v}; }
+  // That of the trapezoidal rule; and of contact that was made or lost it is not known when in the step it acted.
+  LocalError local_error(const State& old, const VecX& x, const VecX& contact, double h) const override {
+    VecX v, a;
+    update(old, x, contact, h, v, a);
+    VecX error = h * h / 12 * (a - old.a);
+    const double sudden = contact_change(old.contact, contact, newmark_change);
+    if (sudden > 0) error += sudden * (h * h / 2 - h * h / 12) * (contact - old.contact);
+    return {std::move(error), sudden == 1 ? 1 : 3};
+  }
   bool follows_contact() const override { return true; }
   const TimeIntegrator* fallback() const override { return &euler_; }
   std::string energy_advice(bool made, bool contact) const override {
@@ -113,9 +158,9 @@ class Newmark : public TimeIntegrator {
 
  private:
   static VecX shift(const State& s, double h) {
-    const double smoothness = same_step(s, h) ? 1 - contact_change(s, newmark_change) : 0;
+    const double ratio = step_ratio(s, h), smoothness = ratio > 0 ? 1 - contact_change(s, newmark_change) : 0;
     if (smoothness == 0 || s.contact_before.size() == 0) return {};
-    return -0.5 * smoothness * (s.contact - s.contact_before);
+    return -0.5 * ratio * smoothness * (s.contact - s.contact_before);
   }
   Bdf2 path_;
   ImplicitEuler euler_;
@@ -126,6 +171,12 @@ class QuasiStatic : public TimeIntegrator {
   Prediction predict(const State& s, double) const override { return {s.x, 1.0, 1.0, false}; }
   void update(const State& old, const VecX&, const VecX&, double, VecX& v, VecX& a) const override {
     v = a = VecX::Zero(old.x.size());
+  }
+  // Where an equilibrium is, is no matter of h, but the way on which friction, flow and bonds come there is: it is straight in each step, and
+  // off by about half of what it turns aside.
+  LocalError local_error(const State& old, const VecX& x, const VecX&, double h) const override {
+    if (old.h_before == 0) return {VecX::Zero(x.size()), 2};
+    return {0.5 * (x - old.x - h / old.h_before * (old.x - old.x_before)), 2};
   }
   bool damps() const override { return true; }
   std::string energy_advice(bool, bool contact) const override { return makes_energy(contact); }

@@ -1,6 +1,7 @@
 // What is known of one accepted time step; a row of steps.csv.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,8 @@ struct StepReport {
   double time = 0;       // at the end of the step [s]
   double step_size = 0;  // h [s]; smaller than the scene's after a failed solve
   int halvings = 0;      // failed solves behind this step
+  int repeats = 0;       // solves whose error was too large
+  std::optional<double> error;  // m: of the step, if sizes follow it (step_control.hpp)
   MinimizerResult solve;
   bool converged = false;
   double affine_strain = 0;     // the largest of any affine body

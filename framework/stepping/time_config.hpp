@@ -9,13 +9,23 @@
 
 namespace tack {
 
+// Steps whose sizes follow an error (step_control.hpp).
+struct AdaptiveConfig {
+  double error = 1e-4;                      // m
+  std::optional<double> smallest, largest;  // s
+  void fields(Fields& f);
+};
+
 struct TimeConfig {
-  double step = 0.01;     // s
+  double step = 0.01;     // s; if steps adapt, the first
+  std::optional<AdaptiveConfig> adaptive;
   double duration = 1;    // s
   std::optional<double> wall_limit;  // s of wall time
   int max_halvings = 8;
   std::unique_ptr<TimeIntegrator> integrator = Registry<TimeIntegrator>::make("implicit_euler");
   std::unique_ptr<Stepper> stepper = Registry<Stepper>::make("incremental_potential");
+  double smallest_step() const;  // of those that adapt [s]
+  double largest_step() const;   // of all that are tried [s]
   void fields(Fields& f);
 };
 

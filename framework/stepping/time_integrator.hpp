@@ -28,6 +28,14 @@ class TimeIntegrator : public Component {
   // what State::contact will be.
   virtual void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v,
                       VecX& a) const = 0;
+  // By how far the end x of a step is off, an estimate from a formula of another order (3n) [m], and the power of h with which that falls.
+  struct LocalError {
+    VecX x;
+    int power;
+  };
+  virtual LocalError local_error(const State& old, const VecX& x, const VecX& /*contact*/, double h) const {
+    return {0.5 * (x - old.x - h * old.v), 2};
+  }
   // What update() makes of velocities; meaningless without inertia.
   virtual EndVelocity end_velocity(const State& state, double h) const { return {1 / h, state.x}; }
   // Whether it uses State::contact; it stays empty otherwise.

@@ -6,14 +6,12 @@
 #include <cmath>
 
 #include "framework/affine/orthogonality_term.hpp"
-#include "framework/bond/bond_term.hpp"
 #include "framework/config/bind.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "geometry/interrupt.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
-#include "framework/stepping/energy_advice.hpp"
 #include "framework/stepping/time_config.hpp"
 #include "geometry/errors.hpp"
 
@@ -21,7 +19,6 @@ namespace tack {
 namespace {
 
 constexpr int most_refinements = 3;  // halvings of a step that makes or loses energy
-constexpr int calm_enough = 64;      // whole steps, after which larger ones are tried again
 
 // While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
 class Unlimited {
@@ -53,7 +50,9 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
       held_(world.script, world.bindings, world.rest), balance_(world, solver), integrator_(time.integrator.get()),
       stepper_(instance_of(*time.stepper)) {
   if (state_.h_next == 0) state_.h_next = time.step;
-  refined_ = state_.parts > 1;
+  refined_ = state_.parts > 1 || state_.h_cap > 0;
+  state_.adapts = time.adaptive.has_value();
+  if (time.adaptive) control_.emplace(world, time);
   const Unlimited unlimited(clock_, time_);
   world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
@@ -118,6 +117,7 @@ VecX TimeStepper::contact_accelerations(const VecX& x) const {
 }
 
 double TimeStepper::next_step_size() const {
+  if (control_) return control_->size(state_);
   // The last part ends exactly where the whole step would.
   const double whole = time_.step, left = (state_.whole_steps + 1) * whole - state_.time;
   if (state_.h_next <= left * (1 - 1e-9)) return state_.h_next;
@@ -239,35 +239,6 @@ bool TimeStepper::finished() const {
   return state_.time >= time_.duration - 1e-9 * time_.step;
 }
 
-StepReport TimeStepper::report(const Attempt& attempt, double h) const {
-  StepReport r;
-  r.step = state_.step;
-  r.time = state_.time;
-  r.step_size = h;
-  r.halvings = halvings_;
-  r.solve = attempt.result;
-  r.converged = attempt.result.status == MinimizerStatus::converged;
-  r.unbalanced_force = attempt.unbalanced_force;
-  r.tolerated_force = attempt.tolerated_force;
-  r.lag_iterations = attempt.lag_iterations;
-  r.friction_residual = attempt.friction_residual;
-  r.lag_converged = attempt.lag_converged;
-  r.figures = attempt.figures;
-  r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
-  if (world_.contact) {
-    r.contacts = static_cast<int>(world_.contact->contacts().size());
-    r.candidates = static_cast<int>(world_.contact->candidates().size());
-    const SmallestGaps gaps = world_.contact->smallest_gaps(state_.x);
-    r.min_distance = gaps.of_all;
-    r.min_gap = gaps.between_objects;
-  }
-  r.intersections = found_.intersections;
-  r.inverted_tets = found_.inverted_tets;
-  r.energies = energies_by_term(world_, state_);
-  if (world_.affine) r.affine_strain = world_.affine->largest_strain(state_.x);
-  return r;
-}
-
 // Commits the attempt; false if it was undone because energy has grown or been lost, and smaller steps or another integrator do it again.
 bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   const Unlimited unlimited(clock_, time_);
@@ -276,7 +247,9 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   if (integrator_->fallback()) undo = state_;
   balance_.end(attempt.x);
   commit(attempt.x, h);
-  if (state_.time >= end - 1e-9 * time_.step) {
+  if (control_) {
+    control_->kept(state_, h);
+  } else if (state_.time >= end - 1e-9 * time_.step) {
     ++state_.whole_steps;
     if (state_.parts > 1 && ++state_.calm_steps >= calm_enough) {
       state_.parts /= 2;
@@ -299,7 +272,7 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   r.flows.refined = refined_;
   r.flows.damped = integrator_ != time_.integrator.get();
   integrator_ = time_.integrator.get();
-  if (state_.parts == 1 && state_.h_next == time_.step) refined_ = false;
+  if (control_ ? state_.h_cap == 0 : state_.parts == 1 && state_.h_next == time_.step) refined_ = false;
   return true;
 }
 
@@ -317,44 +290,18 @@ bool TimeStepper::resolves_impact(double h) const {
 void TimeStepper::refine(double h, bool lasting) {
   state_.h_next = h / 2;
   refined_ = true;
+  if (control_) return control_->refined(state_, h, lasting);
   if (!lasting) return;
   state_.parts = std::max(state_.parts, static_cast<int>(std::lround(time_.step / state_.h_next)));
   state_.calm_steps = 0;
 }
 
-void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
-  if (!balance_.warning().empty())
-    warn_({fmt::format("{}: {}", balance_.warning(),
-                       r.flows.made_by_areas() ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact)), "energy"});
-  if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
-    warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
-                       state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
-  if (world_.bonds) warn_of_unbonded();
-  if (impulses_ && impulses_->difference()) {
-    const LaggedImpulses::Difference& d = *impulses_->difference();
-    warn_({fmt::format("step {} at t = {:.6g} s: friction between '{}' and '{}'{} has acted as if they had pressed each other with {:.3g} N s so "
-                       "far, where it was {:.3g} N s: its normal forces lag by a step; refine time.step, or iterate them "
-                       "(contact.lagging: {{iterations: 20, until: 1e-3}})",
-                       state_.step, state_.time, world_.bodies[d.objects[0]].name, world_.bodies[d.objects[1]].name,
-                       d.others > 0 ? fmt::format(" (and between {} other two)", d.others) : "", d.given, d.normal),
-           "friction impulse"});
-  }
-  if (!attempt.lag_converged)
-    warn_({fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
-                       "{:.2g} of the largest (contact.lagging.until: {:.2g})",
-                       state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
-                       *scene_.contact->lagging.until), "lagged friction"});
-}
+// What halves are parts of [s].
+double TimeStepper::whole_step() const { return control_ ? begun_ : time_.step; }
 
-void TimeStepper::warn_of_unbonded() {
-  for (const int rule : world_.bonds->unbonded())
-    for (const AdhesionSummary& pair : world_.adhesion)
-      if (const auto& [a, b] = pair.kinds.front(); world_.bonds->table().between(a, b) == rule)
-        warn_({fmt::format("no bonds were made between {}: nothing of them lies opposite the other within {:.6g} m at the start; move them closer, raise "
-                           "bond_distance, or let them bond when they meet (bond: on_contact)", pair.names(), world_.bonds->table().rules()[rule].distance)});
+double TimeStepper::smallest_tried() const {
+  return (control_ ? std::max(begun_, time_.smallest_step()) : time_.step) * std::pow(0.5, time_.max_halvings);
 }
-
-double TimeStepper::smallest_tried() const { return time_.step * std::pow(0.5, time_.max_halvings); }
 
 // Whether what is wrong is kept and told of, because no smaller steps are tried.
 bool TimeStepper::tolerates(double h, const Verdict& verdict) const { return verdict.tolerable && h < smallest_tried() * (1 + 1e-9); }
@@ -367,8 +314,21 @@ void TimeStepper::halve(double h, const Verdict& verdict) {
   state_.h_next = h / 2;
   for (int parts = 4; parts <= verdict.parts && state_.h_next > smallest_tried() * (1 + 1e-9); parts *= 2) state_.h_next /= 2;
   ++halvings_;
+  if (control_) control_->refined(state_, h, false);
   warn_({fmt::format("step {} at t = {:.6g} s: {}; rolled back, h halved to {:.6g} s (1/{} of the step)", state_.step + 1,
-                     state_.time, verdict.wrong, state_.h_next, std::lround(time_.step / state_.h_next)), "halved step"});
+                     state_.time, verdict.wrong, state_.h_next, std::lround(whole_step() / state_.h_next)), "halved step"});
+}
+
+// Whether an attempt of size h is repeated with a smaller one, as its error is too large.
+bool TimeStepper::off_by_too_much(const Attempt& attempt, double h) {
+  if (!control_) return false;
+  VecX contact;
+  if (world_.contact && time_.integrator->follows_contact()) contact = contact_accelerations(attempt.x);
+  error_ = control_->measure(*integrator_, state_, attempt.x, contact, h);
+  if (!control_->repeats(state_, h)) return false;
+  ++repeats_;
+  begun_ = state_.h_next;
+  return true;
 }
 
 StepReport TimeStepper::advance() {
@@ -376,7 +336,8 @@ StepReport TimeStepper::advance() {
   const PhaseClock::Seconds before = clock_.seconds();
   const int builds_before = world_.contact ? world_.contact->broad_phase_builds() : 0;
   found_ = {};
-  halvings_ = 0;
+  halvings_ = repeats_ = 0;
+  begun_ = next_step_size();
   check_wall_limit("");
   StepReport r;
   for (;;) {
@@ -393,6 +354,7 @@ StepReport TimeStepper::advance() {
       halve(h, verdict);
       continue;
     }
+    if (off_by_too_much(attempt, h)) continue;
     if (solved_) {
       const Unlimited unlimited(clock_, time_);
       solved_({state_, h, *integrator_, integrator_ != time_.integrator.get(), attempt, *potential_, unknowns_});

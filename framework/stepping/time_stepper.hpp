@@ -3,6 +3,7 @@
 // is untouched, h is halved, and the halves run until the step's end is reached.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
+#include "framework/stepping/step_control.hpp"
 #include "framework/stepping/step_report.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/time_config.hpp"
@@ -40,6 +42,10 @@ class TimeStepper {
 
   // One accepted step. Throws SimulationError when no step small enough succeeds.
   StepReport advance();
+  // Steps that adapt end there, too: the first time after t [s].
+  void stop_at(std::function<double(double t)> next) {
+    if (control_) control_->stop_at(std::move(next));
+  }
   bool finished() const;
   bool interrupted() const { return interrupted_; }
   const State& state() const { return state_; }
@@ -77,6 +83,8 @@ class TimeStepper {
   double smallest_refined() const;
   bool resolves_impact(double h) const;
   void refine(double h, bool lasting);
+  bool off_by_too_much(const Attempt& attempt, double h);
+  double whole_step() const;
   bool keep(const Attempt& attempt, double h, StepReport& report);
   void warn_of(const Attempt& attempt, const StepReport& report);
   void warn_of_unbonded();
@@ -98,7 +106,10 @@ class TimeStepper {
   bool told_of_strain_ = false;
   std::optional<StepPotential> potential_;
   std::unique_ptr<Stepper> stepper_;
-  int halvings_ = 0;  // of the present step
+  std::optional<StepControl> control_;  // if steps adapt
+  int halvings_ = 0, repeats_ = 0;      // of the present step: after failed solves, and for its error
+  double begun_ = 0;                    // s: the size that was to be tried, before halves
+  double error_ = 0;                    // m: of the latest attempt, if steps adapt
   struct Found {
     int intersections = 0, inverted_tets = 0;
   } found_;  // by the stepper, in the solves of the present step

@@ -33,6 +33,48 @@ ProgramResult run(const fs::path& folder, Arguments options) {
 
 }  // namespace
 
+TEST_CASE("adaptive steps that are resumed have the bits of those that are not") {
+  for (const std::string integrator : {"implicit_euler", "bdf2", "newmark"}) {
+    INFO(integrator);
+    const TemporaryFolder folder;
+    write_file(folder.path() / "scene.yaml", scene_text());
+    const Arguments adapts = {"--set", "time.integrator=" + integrator, "--set", "time.adaptive={error: 0.05 mm}"};
+    const auto go = [&](Arguments options) {
+      options.insert(options.end(), adapts.begin(), adapts.end());
+      return run(folder.path(), options);
+    };
+    const ProgramResult first = go({"-o", "whole"});
+    INFO(first.out << first.err);
+    REQUIRE(first.exit_code == 0);
+    CHECK(contains(first.out, "repeated for their error"));
+    const fs::path whole = folder.path() / "whole", parts = folder.path() / "parts";
+    const CsvTable a = read_csv(whole / "steps.csv");
+    REQUIRE(go({"-o", "parts", "--steps", std::to_string(a.rows.size() - 2)}).exit_code == 0);
+    REQUIRE(go({"-o", "parts", "--resume"}).exit_code == 0);
+    CHECK(file_text(parts / "probes.csv") == file_text(whole / "probes.csv"));
+    CHECK(file_text(parts / "run.pvd") == file_text(whole / "run.pvd"));
+    const CsvTable b = read_csv(parts / "steps.csv");
+    REQUIRE(b.rows.size() == a.rows.size());
+    const size_t counted = *a.column("wall_seconds"), size = *a.column("step_size"), error = *a.column("step_error");
+    double smallest = 1, largest = 0;
+    for (size_t i = 0; i < a.rows.size(); ++i) {
+      for (size_t c = 0; c < counted; ++c) CHECK(a.rows[i][c] == b.rows[i][c]);
+      CHECK(a.rows[i][error] == b.rows[i][error]);
+      smallest = std::min(smallest, a.rows[i][size]), largest = std::max(largest, a.rows[i][size]);
+    }
+    CHECK(largest > 1.5 * smallest);
+    for (const fs::path& f : {whole, parts}) {
+      const auto sizes = read_json(f / "summary.json")["step_size"];
+      CHECK(sizes["smallest"] == smallest);
+      CHECK(sizes["largest"] == largest);
+      CHECK(sizes["mean"].get<double>() == Approx(0.1 / static_cast<double>(a.rows.size())));
+    }
+    // Frames are where the scene wants them.
+    const std::string frames = file_text(whole / "run.pvd");
+    for (const char* time : {"\"0.02\"", "\"0.04\"", "\"0.06\"", "\"0.08\"", "\"0.1\""}) CHECK(contains(frames, time));
+  }
+}
+
 TEST_CASE("a run that is interrupted and resumed has the bits of one that is not") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());

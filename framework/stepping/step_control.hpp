@@ -1,0 +1,65 @@
+// Sizes of steps that follow an error (time.adaptive). Each step is measured by a formula of another order (TimeIntegrator::local_error):
+//     e = max over bodies of  sqrt(sum m |e_i|^2 / sum m)  [m],  i the vertices of the body that move, r = e / time.adaptive.error;
+// masses make it a mean over the body whatever its mesh, and the largest of all bodies hides none behind others.
+//
+// - r > 1: the step leaves no trace and is repeated, smaller. Of an impact the error falls with h and not with h^p, so that from the second
+//   time on p is what the last two have shown.
+// - Otherwise the next step has h (0.7 / r)^(0.85/p) (r_before / 0.7)^(0.2/p), at most twice and at least half of h, and h itself if that is
+//   near: a PI controller (Gustafsson 1991; Hairer and Wanner 1996, IV.2).
+// - Until the time at which a repeated, or a failed, step would have ended nothing grows: what was met there is still ahead.
+// - Where larger steps made or lost energy for good, steps stay below that for a while (State::h_cap).
+// - What changes abruptly when (the script, loads), the end, and what is to be written when, are ends of steps: from two steps away on, the
+//   rest is divided evenly.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "framework/scene/world.hpp"
+#include "framework/stepping/time_config.hpp"
+
+namespace tack {
+
+inline constexpr int calm_enough = 64;  // steps (whole ones), after which larger ones are tried again
+
+class StepControl {
+ public:
+  StepControl(const World& world, const TimeConfig& time);
+
+  // Beside the world's own: the first time after t at which a step has to end [s].
+  void stop_at(std::function<double(double t)> next) { next_ = std::move(next); }
+  // Of the next step [s].
+  double size(const State& state) const;
+
+  // The error [m] of a step of size h from the state to x, about which the following is.
+  double measure(const TimeIntegrator& integrator, const State& state, const VecX& x, const VecX& contact, double h);
+  // Whether it is too large; then the state has the size of the next try.
+  bool repeats(State& state, double h);
+  bool too_large() const { return ratio_ > 1; }  // although it is kept, as no smaller step is allowed
+  // The step is kept, and the state at its end.
+  void kept(State& state, double h);
+  // It failed, or made or lost energy, and is repeated with h_next; lasting: larger steps will do so again.
+  void refined(State& state, double h, bool lasting);
+
+ private:
+  double slack() const;  // s: times that are closer are one
+  double stop_after(double t) const;
+
+  const TimeConfig& time_;
+  std::vector<double> corners_;  // s, ascending
+  std::function<double(double)> next_;
+  struct Part {
+    std::vector<int> vertices;
+    std::vector<double> weights;
+  };
+  std::vector<Part> parts_;  // of each body
+  const World& world_;
+  double ratio_ = 0;  // r
+  int power_ = 2;     // p
+  struct Tried {
+    int step = -1;
+    double h = 0, ratio = 0;
+  } refused_;  // the last
+};
+
+}  // namespace tack

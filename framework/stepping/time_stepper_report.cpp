@@ -1,0 +1,83 @@
+// What the time loop tells of the steps that it keeps: a row of numbers, and warnings.
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "framework/affine/orthogonality_term.hpp"
+#include "framework/bond/bond_term.hpp"
+#include "framework/scene/energy_records.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/stepping/energy_advice.hpp"
+#include "framework/stepping/time_stepper.hpp"
+
+namespace tack {
+
+StepReport TimeStepper::report(const Attempt& attempt, double h) const {
+  StepReport r;
+  r.step = state_.step;
+  r.time = state_.time;
+  r.step_size = h;
+  r.halvings = halvings_;
+  r.repeats = repeats_;
+  if (control_) r.error = error_;
+  r.solve = attempt.result;
+  r.converged = attempt.result.status == MinimizerStatus::converged;
+  r.unbalanced_force = attempt.unbalanced_force;
+  r.tolerated_force = attempt.tolerated_force;
+  r.lag_iterations = attempt.lag_iterations;
+  r.friction_residual = attempt.friction_residual;
+  r.lag_converged = attempt.lag_converged;
+  r.figures = attempt.figures;
+  r.min_distance = r.min_gap = std::numeric_limits<double>::infinity();
+  if (world_.contact) {
+    r.contacts = static_cast<int>(world_.contact->contacts().size());
+    r.candidates = static_cast<int>(world_.contact->candidates().size());
+    const SmallestGaps gaps = world_.contact->smallest_gaps(state_.x);
+    r.min_distance = gaps.of_all;
+    r.min_gap = gaps.between_objects;
+  }
+  r.intersections = found_.intersections;
+  r.inverted_tets = found_.inverted_tets;
+  r.energies = energies_by_term(world_, state_);
+  if (world_.affine) r.affine_strain = world_.affine->largest_strain(state_.x);
+  return r;
+}
+
+void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
+  if (!balance_.warning().empty())
+    warn_({fmt::format("{}: {}", balance_.warning(),
+                       r.flows.made_by_areas() ? areas_advice : time_.integrator->energy_advice(true, r.flows.in_contact)), "energy"});
+  if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
+    warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
+                       state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
+  if (control_ && control_->too_large())
+    warn_({fmt::format("step {} at t = {:.6g} s: its error is {:.3g} m, more than time.adaptive.error {:.3g} m, and it is the smallest that is allowed; "
+                       "lower time.adaptive.smallest ({:.3g} s), or allow a larger error",
+                       state_.step, state_.time, *r.error, time_.adaptive->error, time_.smallest_step()), "step error"});
+  if (world_.bonds) warn_of_unbonded();
+  if (impulses_ && impulses_->difference()) {
+    const LaggedImpulses::Difference& d = *impulses_->difference();
+    warn_({fmt::format("step {} at t = {:.6g} s: friction between '{}' and '{}'{} has acted as if they had pressed each other with {:.3g} N s so "
+                       "far, where it was {:.3g} N s: its normal forces lag by a step; refine time.step, or iterate them "
+                       "(contact.lagging: {{iterations: 20, until: 1e-3}})",
+                       state_.step, state_.time, world_.bodies[d.objects[0]].name, world_.bodies[d.objects[1]].name,
+                       d.others > 0 ? fmt::format(" (and between {} other two)", d.others) : "", d.given, d.normal),
+           "friction impulse"});
+  }
+  if (!attempt.lag_converged)
+    warn_({fmt::format("step {} at t = {:.6g} s: after {} lag iterations tangential forces still change by "
+                       "{:.2g} of the largest (contact.lagging.until: {:.2g})",
+                       state_.step, state_.time, attempt.lag_iterations, attempt.friction_residual,
+                       *scene_.contact->lagging.until), "lagged friction"});
+}
+
+void TimeStepper::warn_of_unbonded() {
+  for (const int rule : world_.bonds->unbonded())
+    for (const AdhesionSummary& pair : world_.adhesion)
+      if (const auto& [a, b] = pair.kinds.front(); world_.bonds->table().between(a, b) == rule)
+        warn_({fmt::format("no bonds were made between {}: nothing of them lies opposite the other within {:.6g} m at the start; move them closer, raise "
+                           "bond_distance, or let them bond when they meet (bond: on_contact)", pair.names(), world_.bonds->table().rules()[rule].distance)});
+}
+
+}  // namespace tack
