@@ -100,6 +100,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"max_unbalanced_force", finite(s.max_unbalanced_force)},
           {"unbalanced_steps", s.unbalanced_steps},
           {"max_affine_strain", finite(s.max_affine_strain)},
+          {"lowest_quality", finite(s.lowest_quality)},
           {"intersections", s.intersections},
           {"inverted_tets", s.inverted_tets},
           {"stepper", s.stepper},

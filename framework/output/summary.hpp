@@ -2,7 +2,7 @@
 //
 // Keys: name, version, commit ("-dirty" behind it if the sources are others), provenance {...} (output/provenance_json.hpp), status, error, threads, dofs, linear_solver, steps, step_size {smallest, largest, mean [s]} (null before the first), converged_steps, failed_solves, repeated_steps,
 // unconverged_lags, wall_seconds [s], phases {phase: seconds}, totals {newton_iterations, linear_solves, linear_iterations,
-// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], unbalanced_steps, max_affine_strain, intersections,
+// line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], unbalanced_steps, max_affine_strain, lowest_quality, intersections,
 // inverted_tets, stepper {what it tells of its steps beside all that: the sum or the most}, energy {work_loads, work_script, work_rim, work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
 // dissipated_numerics, and what else terms publish, at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator, repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
 // damped_steps, refined_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
@@ -55,6 +55,8 @@ struct RunSummary {
   double max_unbalanced_force = 0;  // at the end of a step [N]
   int unbalanced_steps = 0;         // that ended with more than is tolerated, because it crawled where nothing moved
   double max_affine_strain = 0;     // of any affine body
+  // The lowest mean ratio of an element that flowed, over what it had at rest (scene/flow_quality.hpp); infinity: none flowed.
+  double lowest_quality = std::numeric_limits<double>::infinity();
   int intersections = 0;
   int inverted_tets = 0;
   std::map<std::string, double> stepper;  // StepFigure

@@ -30,6 +30,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("max_unbalanced_force", s.max_unbalanced_force);
   act("unbalanced_steps", s.unbalanced_steps);
   act("max_affine_strain", s.max_affine_strain);
+  act("lowest_quality", s.lowest_quality);
   act("intersections", s.intersections);
   act("inverted_tets", s.inverted_tets);
   EnergyFlows::for_each(s.flows, act);

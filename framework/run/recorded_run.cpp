@@ -74,7 +74,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
       probes_(probes_of(simulation_.built())), gradients_(gradients_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress),
-      bent_(experiment_, world_) {
+      bent_(experiment_, world_), quality_(world_) {
   summary_.flows = EnergyFlows(world_.records);
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings;
   else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world_);
@@ -174,6 +174,7 @@ void RecordedRun::simulate(Recorder& recorder) {
     summary_.add(report);
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
       bent_.look(simulation_.state().x);
+      look_at_quality();
       if (adhesion_) adhesion_->look(simulation_.state().x, report.step_size);
       if (approach_) approach_->look(simulation_.state().x);
     }
@@ -208,8 +209,15 @@ void RecordedRun::tell_lost_probes() {
                      simulation_.state().time));
 }
 
+void RecordedRun::look_at_quality() {
+  quality_.look(simulation_.state().x, simulation_.state().time);
+  if (const auto lowest = quality_.lowest()) summary_.lowest_quality = std::min(summary_.lowest_quality, *lowest);
+}
+
 // What elements turned out to be too coarse for.
 void RecordedRun::tell_resolution() {
+  if (simulation_.started()) look_at_quality();
+  for (const std::string& line : quality_.poor()) warn(line);
   for (const std::string& line : bent_.bent()) warn(line);
   if (adhesion_)
     for (const std::string& line : adhesion_->coarse()) warn(line);

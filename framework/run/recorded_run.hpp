@@ -16,6 +16,7 @@
 #include "framework/run/simulation.hpp"
 #include "framework/scene/adhesion_resolution.hpp"
 #include "framework/scene/bent_solids.hpp"
+#include "framework/scene/flow_quality.hpp"
 #include "framework/scene/contact_approach.hpp"
 #include "framework/sensitivity/gradients.hpp"
 
@@ -49,6 +50,7 @@ class RecordedRun {
   void add_gradients(const Recorder& recorder);
   void tell_linear_solver();
   void tell_lost_probes();
+  void look_at_quality();
   void tell_resolution();
   void prepare_dump();
   void finish_dump();
@@ -79,6 +81,7 @@ class RecordedRun {
   PhaseClock::Seconds phases_before_{};  // of the run that is resumed
   std::optional<Profiler> profiler_;
   BentSolids bent_;
+  FlowQuality quality_;
   std::optional<AdhesionResolution> adhesion_;  // if anything adheres
   std::optional<ContactApproach> approach_;     // with contact, if forces are in balance
   double next_checkpoint_ = 0;  // s

@@ -88,7 +88,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "energy", "error",
                                          "expect", "failed_solves", "intersections",
-                                         "inverted_tets", "linear_solver", "max_affine_strain",
+                                         "inverted_tets", "linear_solver", "lowest_quality", "max_affine_strain",
                                          "max_contacts", "max_unbalanced_force", "min_distance", "min_gap", "name",
                                          "phases", "provenance", "repeated_steps", "status", "step_size", "stepper", "steps", "threads", "totals",
                                          "unbalanced_steps", "unconverged_lags", "version", "wall_seconds", "warnings"});
