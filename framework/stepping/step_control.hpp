@@ -1,6 +1,6 @@
 // Sizes of steps that follow an error (time.adaptive). Each step is measured by a formula of another order (TimeIntegrator::local_error):
 //     e = max over bodies of  sqrt(sum m |e_i|^2 / sum m)  [m],  i the vertices of the body that move, r = e / time.adaptive.error;
-// masses make it a mean over the body whatever its mesh, and the largest of all bodies hides none behind others.
+// masses (of a body without mass, its vertices) make it a mean over the body whatever its mesh, and the largest of all bodies hides none behind others.
 //
 // - r > 1: the step leaves no trace and is repeated, smaller. Of an impact the error falls with h and not with h^p, so that from the second
 //   time on p is what the last two have shown.

@@ -135,6 +135,7 @@ TEST_CASE("experiments hard: blocks of composite tets and of patches are pressed
 
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
+TEST_CASE("experiment plasticity/rates") { check_experiment("plasticity/rates.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
 TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
@@ -166,7 +167,7 @@ TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.
 TEST_CASE("experiments that take long, their beginnings") {
   const auto [file, steps] =
       GENERATE(table<std::string, int>({{"twist/mat", 40}, {"twist/cloth_as_tets", 28}, {"stack/pile", 8}, {"affine/pile", 7}, {"twist/cloth", 38}, {"twist/twisted_cloth", 32},
-                                            {"stack/cloth_on_sphere", 60}, {"tape_desk/left", 50}, {"tape_desk/right", 60}, {"soft/wringer", 20}}));
+                                            {"stack/cloth_on_sphere", 60}, {"tape_desk/left", 50}, {"tape_desk/right", 60}, {"soft/wringer", 20}, {"wax_seal/seal", 30}}));
   CAPTURE(file);
   const Outcome o = run(file + ".yaml", {"--steps", std::to_string(steps)});
   CHECK(o.result.exit_code == 0);

@@ -4,6 +4,9 @@
 #include <filesystem>
 
 #include "framework/compare/comparison.hpp"
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
+#include "geometry/errors.hpp"
 
 using namespace tack;
 
@@ -18,4 +21,28 @@ TEST_CASE("every shipped comparison fits together", "[compare]") {
     ++files;
   }
   CHECK(files >= 4);
+}
+
+TEST_CASE("the time of an entry is laid over the scene's: steps that adapt go as far, in fewer", "[compare]") {
+  const CompareCase pull = experiment_case(TACK_SOURCE_DIR "/experiments/debonding/pull.yaml",
+                                           {"objects.upper.shape.cells=[3, 1, 3]", "objects.lower.shape.cells=[4, 1, 4]"}, 100);
+  Trial fixed(pull, {Value(), 1e-4, 1e-3});
+  Trial adaptive(pull, {Value(), 1e-4, 1e-3, Value(), parse_string("adaptive: {error: 1 um}\n", "test.yaml")});
+  REQUIRE(fixed.run().converged);
+  REQUIRE(adaptive.run().converged);
+  CHECK(fixed.result().steps == 100);
+  CHECK(adaptive.result().steps < 70);
+  CHECK(largest_distance(fixed.world(), fixed.result().x, adaptive.result().x) < 20e-6);
+}
+
+TEST_CASE("the time of an entry has a step of its own, or that of the comparison, and no end", "[compare]") {
+  const auto entry = [](const std::string& time) {
+    SolverEntry e;
+    bind(parse_string("{name: a, time: " + time + "}", "test.yaml"), e, "an entry");
+    return e;
+  };
+  CHECK(entry("{step: 2 ms, adaptive: {error: 1 mm}}").own_step() == 2e-3);
+  CHECK_FALSE(entry("{integrator: bdf2}").own_step());
+  CHECK_THROWS_AS(entry("{duration: 1 s}"), InputError);
+  CHECK_THROWS_AS(entry("{stepper: lcp_pgs}"), InputError);
 }
