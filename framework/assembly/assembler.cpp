@@ -119,6 +119,7 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
     : dofs_(dofs), clock_(clock), terms_(std::move(terms)) {
   std::vector<const StencilRanges*> ranges;
   for (const Term* term : terms_) {
+    if (const auto* source = dynamic_cast<const GlobalModeSource*>(term)) mode_sources_.emplace_back(term, source);
     const std::vector<const StencilRanges*> own = term->ranges();
     const bool ranged = !term->dynamic() && !own.empty() && !needs_reduction(*term, dofs_);
     (ranged ? ranged_ : term->dynamic() ? dynamic_ : static_).terms.push_back(term);
@@ -140,6 +141,28 @@ void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
   dofs_.collect(full);
   for (int b = 0; b < dofs_.block_count(); ++b)
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
+}
+
+// Modes are few and their vectors long: in the unknowns, W^T u.
+void Assembler::gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request, GlobalModes& modes) const {
+  modes.clear();
+  for (const auto& [term, source] : mode_sources_) {
+    const bool dynamic = term->dynamic();
+    if (dynamic && request.without_dynamic) continue;
+    const Projection asked = dynamic ? request.dynamic_projection.value_or(request.projection) : request.projection;
+    const size_t first = modes.size();
+    // They touch every block, whichever has a flag.
+    source->add_global_modes(x, request.clamp_at ? Projection::clamp : asked, modes);
+    for (size_t k = first; k < modes.size(); ++k) {
+      VecX& full = modes[k].vector;
+      dofs_.collect(full);
+      VecX own(dofs_.size());
+      for (int b = 0; b < dofs_.block_count(); ++b) own.segment<3>(3 * b) = vertex(full, dofs_.vertex_of_block(b));
+      take_held_directions_out(own);
+      full = std::move(own);
+      modes[k].coefficient *= scales.of(*term);
+    }
+  }
 }
 
 void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& gradient) {
@@ -270,6 +293,7 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
   add_linear(x, scales.body, gradient);
   take_held_directions_out(gradient);
   take_held_directions_out(matrix);
+  gather_modes(x, scales, request, matrix.modes);
 }
 
 }  // namespace tack

@@ -62,6 +62,7 @@ class Assembler {
   void number_parts();
   void locate_static_blocks();
   void add_linear(const VecX& x, double scale, VecX& gradient) const;
+  void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request, GlobalModes& modes) const;
   void take_held_directions_out(VecX& gradient) const;
   void take_held_directions_out(BlockMatrix& matrix) const;
 
@@ -70,6 +71,7 @@ class Assembler {
   std::vector<const Term*> terms_;
   Group ranged_;           // terms that give their lasting stencils by ranges,
   LocalSums ranged_sums_;  // and their Hessians
+  std::vector<std::pair<const Term*, const GlobalModeSource*>> mode_sources_;
   Group static_, dynamic_;
   std::unique_ptr<BlockPattern> pattern_;
   std::vector<int> part_;  // of each unknown block, see BlockMatrix

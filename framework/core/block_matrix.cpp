@@ -20,6 +20,7 @@ void BlockMatrix::multiply(const VecX& x, VecX& y) const {
       if (r != c) y.segment<3>(3 * c) += block(k).transpose() * x.segment<3>(3 * r);
     }
   }
+  add_product(modes, x, y);
 }
 
 }  // namespace tack

@@ -1,12 +1,12 @@
 // Symmetric sparse matrix of 3x3 blocks, lower triangle, by block columns (rows ascending, the
-// diagonal block first). Only the pattern's owner changes the structure; `version` tells solvers
+// diagonal block first), and global modes beside it. Only the pattern's owner changes the structure; `version` tells solvers
 // when to analyse anew.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "geometry/types.hpp"
+#include "framework/core/global_modes.hpp"
 
 namespace tack {
 
@@ -17,6 +17,7 @@ struct BlockMatrix {
   std::uint64_t version = 0;      // changes when column_start or row do
   VecX place;                     // of each block column: where what it moves is [m]; may be empty
   std::vector<int> part;          // of each block column, from 0: columns that lasting stencils connect; may be empty
+  GlobalModes modes;              // parts of the matrix that are in no block; mostly none
 
   int columns() const { return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1; }
   int size() const { return 3 * columns(); }

@@ -76,6 +76,7 @@ void SymmetricProduct::multiply(const BlockMatrix& matrix, const VecX& x, VecX& 
       store3(sum, y.data() + 3 * static_cast<size_t>(r));
     }
   }, run_length);
+  add_product(matrix.modes, x, y);
 }
 
 }  // namespace tack

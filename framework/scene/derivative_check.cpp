@@ -37,6 +37,8 @@ VecX absolute_product(const BlockMatrix& matrix, const VecX& d) {
       sum.segment<3>(3 * r) += block * d.segment<3>(3 * c).cwiseAbs();
       if (r != c) sum.segment<3>(3 * c) += block.transpose() * d.segment<3>(3 * r).cwiseAbs();
     }
+  for (const GlobalMode& mode : matrix.modes)
+    sum += std::abs(mode.coefficient) * mode.vector.cwiseAbs().dot(d.cwiseAbs()) * mode.vector.cwiseAbs();
   return sum;
 }
 

@@ -65,6 +65,7 @@ void TangentSystem::take_as_it_is() {
   positive_ = false;
   ++indefinite_;
   ldlt_.compute(lower_triangle(matrix_));
+  if (ldlt_.info() == Eigen::Success) update_.prepare_any(matrix_.modes, [this](const VecX& b, VecX& x) { x = ldlt_.solve(b); });
 }
 
 // Conjugate gradients for the Hessian itself, preconditioned, from what its factor with a shift gave. False where it falls along some way.
@@ -93,8 +94,12 @@ void TangentSystem::solve(const VecX& r, VecX& d) {
   if (positive_ && !d.allFinite()) take_as_it_is();  // iterations found that it is not
   while (positive_ && is_shifted_ && !correct(r, d) && shift_ + 1 < std::size(shifts) && factorize(shifts[++shift_])) definite_->solve(r, d, clock_);
   if (positive_) return;
-  if (ldlt_.info() == Eigen::Success) d = ldlt_.solve(r);
-  else d.setConstant(r.size(), std::numeric_limits<double>::quiet_NaN());
+  if (ldlt_.info() == Eigen::Success) {
+    d = ldlt_.solve(r);
+    update_.apply(d);
+  } else {
+    d.setConstant(r.size(), std::numeric_limits<double>::quiet_NaN());
+  }
 }
 
 }  // namespace tack

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "framework/core/linear_solver.hpp"
+#include "framework/core/mode_update.hpp"
 #include "framework/core/symmetric_product.hpp"
 #include "framework/scene/step_potential.hpp"
 #include "framework/stepping/time_stepper.hpp"
@@ -49,6 +50,7 @@ class TangentSystem {
   SymmetricProduct product_;
   std::unique_ptr<LinearSolver> definite_;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of what is not positive definite
+  ModeUpdate update_;  // of its blocks
   bool factored_ = false, fresh_ = false, positive_ = true, is_shifted_ = false;
   size_t shift_ = 0;
   int factors_ = 0, indefinite_ = 0;

@@ -3,13 +3,13 @@
 
 #include <memory>
 
-#include "framework/core/linear_solver.hpp"
 #include "solvers/linear/cholmod_analysis.hpp"
 #include "solvers/linear/dense_kernels.hpp"
+#include "solvers/linear/direct_solver.hpp"
 
 namespace tack {
 
-class Cholmod : public LinearSolver {
+class Cholmod : public DirectSolver {
  public:
   void fields(Fields& f) override {
     analysis_.fields(f);
@@ -18,7 +18,7 @@ class Cholmod : public LinearSolver {
               "threads of the dense kernels; above 1 the bits may depend on it").at_least(1);
   }
 
-  bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
+  bool factorize_blocks(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     blas::set_threads(blas_threads_);
@@ -33,11 +33,11 @@ class Cholmod : public LinearSolver {
     return common->status == CHOLMOD_OK && analysis_.factor()->minor == analysis_.factor()->n;
   }
 
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+  void solve_blocks(const VecX& b, VecX& x, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::solve);
     x = Eigen::Map<const VecX>(solution(b.data(), b.size(), 1), b.size());
   }
-  void solve_columns(Eigen::MatrixXd& columns, PhaseClock& clock) override {
+  void solve_block_columns(Eigen::MatrixXd& columns, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::solve);
     columns = Eigen::Map<const Eigen::MatrixXd>(solution(columns.data(), columns.rows(), columns.cols()), columns.rows(), columns.cols());
   }

@@ -1,14 +1,14 @@
 // Eigen's simplicial LDL^T: no dense kernels, a second opinion on small problems.
 #include <Eigen/SparseCholesky>
 
-#include "framework/core/linear_solver.hpp"
+#include "solvers/linear/direct_solver.hpp"
 #include "solvers/linear/scalar_csc.hpp"
 
 namespace tack {
 
-class EigenLdlt : public LinearSolver {
+class EigenLdlt : public DirectSolver {
  public:
-  bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
+  bool factorize_blocks(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     const bool changed = matrix.version != version_;
@@ -27,7 +27,7 @@ class EigenLdlt : public LinearSolver {
     return solver_.info() == Eigen::Success && solver_.vectorD().minCoeff() > 0;
   }
 
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+  void solve_blocks(const VecX& b, VecX& x, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::solve);
     x = solver_.solve(b);
   }

@@ -3,14 +3,14 @@
 #include <memory>
 #include <optional>
 
-#include "framework/core/linear_solver.hpp"
 #include "solvers/linear/cholmod_analysis.hpp"
 #include "solvers/linear/dense_kernels.hpp"
+#include "solvers/linear/direct_solver.hpp"
 #include "solvers/linear/multifrontal_factor.hpp"
 
 namespace tack {
 
-class Multifrontal : public LinearSolver {
+class Multifrontal : public DirectSolver {
  public:
   enum class Precision { automatic, single, full };
 
@@ -23,7 +23,7 @@ class Multifrontal : public LinearSolver {
              "arithmetic of the factor");
   }
 
-  bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
+  bool factorize_blocks(const BlockMatrix& matrix, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     blas::set_threads(1);
@@ -38,7 +38,7 @@ class Multifrontal : public LinearSolver {
     return double_.factorize(*tree_, matrix, clock.deadline());
   }
 
-  void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
+  void solve_blocks(const VecX& b, VecX& x, PhaseClock& clock) override {
     const PhaseScope scope(clock, Phase::solve);
     if (exact_) {
       double_.solve(b, x);

@@ -5,6 +5,7 @@
 
 #include "framework/config/field.hpp"
 #include "framework/core/linear_solver.hpp"
+#include "framework/core/mode_update.hpp"
 #include "solvers/linear/conjugate_gradients.hpp"
 #include "solvers/linear/part_translations.hpp"
 #include "solvers/linear/preconditioner.hpp"
@@ -41,7 +42,10 @@ class Pcg : public LinearSolver {
     columns_ = matrix.columns();
     moved_rigidly_ = with_rigid_motions_ && columns_ >= many && easy_ < in_a_row && rigid_motions_.update(matrix);
     if (with_translations_ && !moved_rigidly_) translations_.update(matrix);
-    return true;
+    // Of what is not positive definite the preconditioner has to be: iterations find it.
+    GlobalModes modes = matrix.modes;
+    std::erase_if(modes, [](const GlobalMode& mode) { return mode.coefficient < 0; });
+    return update_.prepare(modes, [&](const VecX& b, VecX& x) { precondition(b, x); });
   }
 
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
@@ -56,20 +60,25 @@ class Pcg : public LinearSolver {
   int analyses() const override { return 0; }
 
  private:
+  double add_motions(const VecX& r, VecX& z) { return moved_rigidly_ ? rigid_motions_.add(r, z) : with_translations_ ? translations_.add(r, z) : 0.0; }
+  // Without global modes.
+  void precondition(const VecX& r, VecX& z) {
+    preconditioner_->apply(r, z);
+    add_motions(r, z);
+  }
   // going_on: b is what the last solve left over.
   void iterate(const VecX& b, VecX& x, double relative, bool going_on, PhaseClock& clock) {
-    const auto add = [&](const VecX& r, VecX& z) {
-      return moved_rigidly_ ? rigid_motions_.add(r, z) : with_translations_ ? translations_.add(r, z) : 0.0;
-    };
+    const auto add = [&](const VecX& r, VecX& z) { return add_motions(r, z); };
     const ConjugateGradients::Goal goal{relative, max_iterations_};
     ConjugateGradients::Outcome outcome;
-    if (MatrixSweeps* const sweeps = preconditioner_->sweeps()) {
+    // Sweeps go through the blocks, and know no global modes.
+    if (MatrixSweeps* const sweeps = matrix_->modes.empty() ? preconditioner_->sweeps() : nullptr) {
       outcome = going_on && swept_.left(b) ? swept_.go_on(*sweeps, b, x, goal, clock, add) : swept_.solve(*sweeps, b, x, goal, clock, add);
       iterations_ = swept_.iterations();
     } else {
       outcome = cg_.solve(*matrix_, b, x, goal, clock, [&](const VecX& r, VecX& z) {
-        preconditioner_->apply(r, z);
-        add(r, z);
+        precondition(r, z);
+        update_.apply(z);
       });
       iterations_ = cg_.iterations();
     }
@@ -94,6 +103,7 @@ class Pcg : public LinearSolver {
   ConjugateGradients cg_;
   SweptGradients swept_;
   int iterations_ = 0;  // of the last solve
+  ModeUpdate update_;  // of the preconditioner
 };
 
 TACK_REGISTER(LinearSolver, Pcg, "pcg",

@@ -16,6 +16,7 @@ VecX diagonal_of(const BlockMatrix& matrix) {
   VecX diagonal(matrix.size());
   for (int c = 0; c < matrix.columns(); ++c)
     diagonal.segment<3>(3 * c) = matrix.block(matrix.column_start[c]).diagonal();
+  for (const GlobalMode& mode : matrix.modes) diagonal += mode.coefficient * mode.vector.cwiseAbs2();
   return diagonal;
 }
 

@@ -1,0 +1,48 @@
+// A solver that factorises the blocks of a matrix. What the matrix has besides, its global modes, is taken by correcting what the factor gives
+// (mode_update.hpp): a solve for each of them, and a product with each in every solve.
+#pragma once
+
+#include "framework/core/linear_solver.hpp"
+#include "framework/core/mode_update.hpp"
+
+namespace tack {
+
+class DirectSolver : public LinearSolver {
+ public:
+  bool factorize(const BlockMatrix& matrix, PhaseClock& clock) final {
+    update_.clear();
+    return factorize_blocks(matrix, clock) &&
+           update_.prepare(matrix.modes, [&](const VecX& b, VecX& x) { solve_blocks(b, x, clock); });
+  }
+  void solve(const VecX& b, VecX& x, PhaseClock& clock) final {
+    solve_blocks(b, x, clock);
+    update_.apply(x);
+  }
+  void solve_columns(Eigen::MatrixXd& columns, PhaseClock& clock) final {
+    solve_block_columns(columns, clock);
+    if (update_.empty()) return;
+    VecX x;
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      x = columns.col(i);
+      update_.apply(x);
+      columns.col(i) = x;
+    }
+  }
+
+ protected:
+  // As those without `blocks` of LinearSolver, of the blocks alone.
+  virtual bool factorize_blocks(const BlockMatrix& matrix, PhaseClock& clock) = 0;
+  virtual void solve_blocks(const VecX& b, VecX& x, PhaseClock& clock) = 0;
+  virtual void solve_block_columns(Eigen::MatrixXd& columns, PhaseClock& clock) {
+    VecX x;
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      solve_blocks(columns.col(i), x, clock);
+      columns.col(i) = x;
+    }
+  }
+
+ private:
+  ModeUpdate update_;
+};
+
+}  // namespace tack
