@@ -16,6 +16,7 @@ struct EnergyAccount {
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;
   // Dissipated so far, by name (EnergyFlows::Published::account) [J].
   std::vector<std::pair<std::string, double>> dissipated;
+  double loads = 0;  // what loads have done so far [J]
   VecX gradient;  // 3n: of elastic and contact energy [N]; empty if no script moves anything
 
   double unexplained = 0;  // energy that nothing put in, from the first step on [J]

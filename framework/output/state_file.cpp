@@ -52,6 +52,7 @@ void for_each_field(Account& a, const Act& act) {
   act("lowest", a.lowest, Since::first);
   act("unexplained", a.unexplained, Since::first);
   act("dissipated", a.dissipated, Since::later);
+  act("loads", a.loads, Since::later);
   act("moved", a.at_play, Since::later);
   act("bottom", a.bottom, Since::later);
   act("grown_steps", a.grown_steps, Since::later);

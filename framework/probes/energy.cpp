@@ -19,10 +19,10 @@ class EnergyProbe : public Probe {
     Probe::fields(f);
     f.text("term", term_,
            "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix; or what was "
-           "dissipated so far: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping, what else a term publishes that begins so, and dissipated, their sum");
+           "done by loads so far, work_loads, or dissipated: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping, what else a term publishes that begins so, and dissipated, their sum");
   }
   void prepare(const World& world) override {
-    std::vector<std::string> names = {"total"};
+    std::vector<std::string> names = {"total", "work_loads"};
     for (const std::string& name : accounts(world)) names.push_back(name);
     for (const NamedEnergy& energy : energies_by_term(world, world.start)) names.push_back(energy.name);
     if (std::find(names.begin(), names.end(), term_) == names.end())
@@ -30,8 +30,9 @@ class EnergyProbe : public Probe {
                                    suggestion(term_, names, "terms")));
   }
   Unit unit() const override { return units::energy; }
-  bool asks_for_losses() const override { return term_.starts_with("dissipated"); }
+  bool asks_for_losses() const override { return term_.starts_with("dissipated") || term_ == "work_loads"; }
   std::vector<double> sample(const World& world, const State& state) override {
+    if (term_ == "work_loads") return {state.energy.loads};
     if (term_ == "dissipated") return {state.energy.all_dissipated()};
     if (term_.starts_with("dissipated_")) return {state.energy.dissipated_as(term_)};
     const std::vector<NamedEnergy> energies = energies_by_term(world, state);

@@ -10,6 +10,7 @@
 #include "framework/contact/rim_term.hpp"
 #include "framework/contact/too_close.hpp"
 #include "framework/core/damping_terms.hpp"
+#include "framework/load/volume_term.hpp"
 #include "framework/rod/rod_frames.hpp"
 #include "framework/scene/affine_bodies.hpp"
 #include "framework/scene/carried_motion.hpp"
@@ -286,6 +287,20 @@ void check_containment(const SceneConfig& scene, const Value& root, const World&
                                found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene, true)));
 }
 
+}  // namespace
+
+void note_following_load(FollowingLoad& load, World& world) {
+  if (const auto* chamber = dynamic_cast<const VolumeTerm*>(&load)) {
+    for (const VolumeTerm* other : world.chambers)
+      if (other->label() == chamber->label())
+        throw InputError(fmt::format("two pressures or chambers are named '{}'; give one of them another name", chamber->label()));
+    world.chambers.push_back(chamber);
+  }
+  world.following_loads.push_back(&load);
+}
+
+namespace {
+
 // Every load finds what it acts on, or this is told before anything is written.
 void add_loads(const SceneConfig& scene, const Value& root, World& world) {
   VecX force = VecX::Zero(world.rest.size());
@@ -294,6 +309,11 @@ void add_loads(const SceneConfig& scene, const Value& root, World& world) {
     for (size_t j = 0; j < scene.objects[i].loads.size(); ++j)
       at_place(object ? entry(object->find("loads"), j) : nullptr, [&] {
         const Load& load = *scene.objects[i].loads[j];
+        if (auto term = load.make_term(world.bodies[i], world.rest, world.mass)) {
+          note_following_load(*term, world);
+          world.load_terms.push_back(std::move(term));
+          return;
+        }
         load.add_forces(world.bodies[i], world.rest, world.mass, 0, force);
         world.load_term.add(load, world.bodies[i], world.rest, world.mass);
       });
@@ -305,6 +325,7 @@ void publish(World& world) {
   for (const auto& term : world.elastic_terms) world.records.publish(*term);
   if (!world.gravity.isZero())
     world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
+  for (const auto& load : world.load_terms) world.records.publish(*load);
   if (world.contact_term) world.records.publish(*world.contact_term);
   if (world.rim) world.records.publish(*world.rim);
   if (world.bonds) world.records.publish(*world.bonds);
@@ -389,6 +410,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const auto& term : world->damping_terms) world->terms.push_back(term.get());
   if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
   if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
+  for (const auto& load : world->load_terms) world->terms.push_back(load.get());
   if (world->contact_term) world->terms.push_back(world->contact_term.get());
   if (world->rim) world->terms.push_back(world->rim.get());
   if (world->bonds) world->terms.push_back(world->bonds.get());
@@ -400,6 +422,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const auto& term : world->damping_terms) world->participants.add(term.get());
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})
     world->participants.add(term);
+  for (const auto& load : world->load_terms) world->participants.add(load.get());
   if (world->contact_term) world->participants.add(world->contact_term.get());
   if (world->rim) world->participants.add(world->rim.get());
   if (world->bonds) world->participants.add(world->bonds.get());

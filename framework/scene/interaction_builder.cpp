@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/config/nearest.hpp"
+#include "framework/load/following_load.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/carrier.hpp"
 #include "framework/scene/pair_configs.hpp"
@@ -88,6 +89,7 @@ void InteractionBuilder::join(int body, int other) {
 
 void InteractionBuilder::take(std::unique_ptr<Term> term) {
   acting_.terms.push_back(term.get());
+  if (auto* load = dynamic_cast<FollowingLoad*>(term.get())) note_following_load(*load, world_);
   world_.elastic_terms.push_back(std::move(term));
 }
 

@@ -10,6 +10,7 @@
 #include "framework/contact/rim_term.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/core/damping_terms.hpp"
+#include "framework/load/following_load.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

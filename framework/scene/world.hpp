@@ -24,9 +24,11 @@ class BondTerm;
 class ContactSystem;
 class ContactTerm;
 class DampingTerm;
+class FollowingLoad;
 class FrictionTerm;
 class OrthogonalityTerm;
 class RimTerm;
+class VolumeTerm;
 
 struct World {
   World();
@@ -52,6 +54,9 @@ struct World {
   std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;
   LoadTerm load_term;
+  std::vector<std::unique_ptr<FollowingLoad>> load_terms;
+  std::vector<FollowingLoad*> following_loads;  // of all terms
+  std::vector<const VolumeTerm*> chambers;  // of them, those by an enclosed volume or a surface
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
   std::unique_ptr<RimTerm> rim;            // null if no pair adheres by a law of the gap over covered areas

@@ -9,6 +9,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/core/term_gradient.hpp"
+#include "framework/load/following_load.hpp"
 #include "framework/scene/energy_records.hpp"
 
 namespace tack {
@@ -125,6 +126,8 @@ void EnergyBalance::begin(const State& state, bool to_places) {
 
 void EnergyBalance::end(const VecX& x) {
   taken_ = EnergyFlows(world_.records);
+  for (const auto& load : world_.following_loads)
+    if (!load->stores()) taken_.loads += load->work(x, world_.dofs);
   std::vector<std::string> written;
   for (const FlowRecord& record : world_.records.flows()) {
     std::vector<double> amounts(record.columns.size());
@@ -189,7 +192,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   const VecX way = state.x - state.x_before;
   EnergyAccount end = account_of(energies);
   EnergyFlows flows = taken_;
-  flows.loads = load_work(state, way, h);
+  flows.loads += load_work(state, way, h);
   flows.script = released_;
   jerk_ = 0;
   if (script_moves) {
@@ -203,6 +206,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   flows.areas = start_.contact - contact_at_start(state.x_before, state.x, potential);
   const double before = stored(start_) - released_;
   flows.numerics = before + flows.loads + flows.script + flows.sum(FlowKind::fed) - flows.sum(FlowKind::dissipated) - flows.areas - stored(end);
+  end.loads = start_.loads + flows.loads;
   end.unexplained = start_.unexplained;
   end.lowest = start_.lowest;
   end.bottom = start_.bottom;

@@ -9,6 +9,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
+#include "framework/load/following_load.hpp"
 #include "geometry/interrupt.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
@@ -79,6 +80,10 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
     term->begin_step({state_.x, t});
   const EndVelocity now{1, state_.x - state_.v};
+  for (FollowingLoad* load : world_.following_loads) {
+    load->know_velocities(state_.v, now);
+    load->begin_step({state_.x, t});
+  }
   for (const auto& term : world_.damping_terms) term->begin_step({state_.x, t, 0, &now});
   for (const auto& term : world_.elastic_terms)
     if (!term->stores()) term->begin_step({state_.x, t, 0, &now});
@@ -143,6 +148,9 @@ Step TimeStepper::open(double h) {
   Step step{state_, h, integrator_->predict(state_, h), state_.x, held_, *potential_};
   std::optional<EndVelocity> velocity;
   if (!world_.damping_terms.empty()) velocity = integrator_->end_velocity(state_, h);
+  for (FollowingLoad* load : world_.following_loads)
+    if (load->needs_velocities())
+      load->know_velocities(state_.v, step.prediction.inertia ? integrator_->end_velocity(state_, h) : EndVelocity{0, state_.x});
   world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr});
   lag_impulses(step);
   held_.place(state_.time + h, step.places);

@@ -1,0 +1,65 @@
+// A chamber between objects: surfaces that together enclose it, with the slits between them closed. What fills it presses on all of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/load/chamber_term.hpp"
+#include "framework/scene/chamber_surface.hpp"
+#include "framework/scene/interaction.hpp"
+#include "framework/scene/interaction_builder.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+class ChamberBetween : public Interaction {
+ public:
+  void fields(Fields& f) override {
+    Interaction::fields(f);
+    f.list("parts", parts_, "what is around it: of each object the triangles with all three vertices selected; slits between parts are closed by what presses as they do")
+        .required().nonempty();
+    f.component("filling", filling_, "what is in it").required();
+    f.number("vent", vent_, units::velocity,
+             "how fast the filling leaves through slits between parts, as far as these are more than twice as wide as at rest: of the pressure above the ambient one, "
+             "vent times their area over the volume a second").nonnegative();
+    f.check("vent", [this]() -> std::string {
+      return vent_ == 0 || dynamic_cast<const StoredFilling*>(filling_.get()) ? "" : "a pressure that is given does not fall; fill the chamber with a gas or a liquid, or take it away";
+    });
+  }
+  std::vector<std::string> objects() const override {
+    std::vector<std::string> names;
+    for (const ObjectVertices& part : parts_) names.push_back(part.object);
+    return names;
+  }
+
+  void build(InteractionBuilder& builder) const override {
+    std::vector<ChamberPart> parts;
+    for (const ObjectVertices& part : parts_) parts.push_back(chamber_part(*part.select, builder.world().selection_context(builder.body(part.object))));
+    const std::string who = fmt::format("interaction '{}'", builder.name());
+    ChamberSurface around = chamber_surface(parts, builder.rest(), who);
+    std::unique_ptr<VolumeTerm> term = filling_->make_term(builder.name(), OrientedSurface(std::move(around.triangles)), builder.rest());
+    if (vent_ > 0) {
+      if (around.slits.empty()) throw InputError(who + ": has a vent, and no slits between its parts; take it away, or give the gas a leak");
+      auto& chamber = dynamic_cast<ChamberTerm&>(*term);
+      std::vector<double> shut;
+      for (const Triangle& t : around.slits) shut.push_back(2 * area_of(builder.rest(), t));
+      chamber.set_vent([slits = std::move(around.slits), shut = std::move(shut), speed = vent_, &chamber](const VecX& x) {
+        double open = 0;
+        for (size_t i = 0; i < slits.size(); ++i) open += std::max(0.0, area_of(x, slits[i]) - shut[i]);
+        return speed * open / chamber.volume(x);
+      });
+    }
+    if (term->stores()) builder.remembers("chamber", 2, 1);
+    builder.add(std::move(term));
+  }
+
+ private:
+  std::vector<ObjectVertices> parts_;
+  std::unique_ptr<Filling> filling_;
+  double vent_ = 0;  // m/s
+};
+
+TACK_REGISTER(Interaction, ChamberBetween, "chamber", "What fills the room between surfaces of one or more objects, and presses on them by its volume.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,33 @@
+// A chamber within one object.
+#include <fmt/format.h>
+
+#include "framework/load/filling.hpp"
+#include "framework/scene/chamber_surface.hpp"
+#include "framework/scene/load.hpp"
+
+namespace tack {
+namespace {
+
+class ChamberLoad : public Load {
+ public:
+  void fields(Fields& f) override {
+    f.text("name", name_, "in messages and probes; the object's unless given").line();
+    f.component("filling", filling_, "what is in it").required();
+    f.component("select", select_, "vertices; triangles with all three selected are around it: a closed sheet, or the faces of a cavity");
+  }
+  std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
+    const std::string label = name_.empty() ? body.name : name_;
+    ChamberSurface around = chamber_surface({chamber_part(*select_, {body, rest})}, rest, fmt::format("the chamber '{}'", label));
+    return filling_->make_term(label, OrientedSurface(std::move(around.triangles)), rest);
+  }
+
+ private:
+  std::string name_;
+  std::unique_ptr<Filling> filling_;
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+};
+
+TACK_REGISTER(Load, ChamberLoad, "chamber", "What fills a closed sheet, or a cavity of a solid, and presses on it by its volume.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,239 @@
+// A force by formulas of place, time and velocity. Such a force need not have a potential. Of a step that starts at x_n with the velocities v_n it is
+//     f_n + A (x - x_n) + B (v - v_n),    v = rate (x - still) those of its end,
+// with the derivatives by place and velocity, A and B, made symmetric and negative semi-definite: what pulls back or brakes does so at the end of the step,
+// what drives away as at its start. That has a potential, is exact for linear springs and brakes, and of first order otherwise.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "framework/config/field.hpp"
+#include "framework/load/following_load.hpp"
+#include "framework/scene/formula.hpp"
+#include "framework/scene/load.hpp"
+#include "framework/scene/selection.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+struct FieldFormulas {
+  std::array<std::string, 3> text = {"0", "0", "0"};
+  std::map<std::string, Quantity> parameters;
+  std::vector<Formula> compiled;
+  bool of_velocity = false;
+
+  std::vector<std::string> variables() const {
+    std::vector<std::string> names{"t", "x", "y", "z", "vx", "vy", "vz"};
+    for (const auto& [name, value] : parameters) names.push_back(name);
+    return names;
+  }
+  std::string compile() {
+    compiled.clear();
+    of_velocity = false;
+    const std::vector<std::string> own{"t", "x", "y", "z", "vx", "vy", "vz", "pi"};
+    for (const auto& [name, value] : parameters)
+      if (std::find(own.begin(), own.end(), name) != own.end()) return fmt::format("the parameter '{}' is something else in formulas already; take another name", name);
+    try {
+      for (const std::string& formula : text) {
+        compiled.emplace_back(formula, variables());
+        for (const char* v : {"vx", "vy", "vz"}) of_velocity = of_velocity || formula.find(v) != std::string::npos;
+      }
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  }
+  Vec3 at(double t, const Vec3& x, const Vec3& v) const {
+    std::vector<double> values{t, x.x(), x.y(), x.z(), v.x(), v.y(), v.z()};
+    for (const auto& [name, value] : parameters) values.push_back(value);
+    Vec3 f;
+    for (int i = 0; i < 3; ++i) f(i) = compiled[i](values);
+    if (!(f.norm() < 1e100))
+      throw SimulationError(fmt::format("the field ({}) is no finite force at t = {:.6g} s, ({:.6g}, {:.6g}, {:.6g}) m: {:.3g}, {:.3g}, {:.3g}", fmt::join(text, ", "),
+                                        t, x.x(), x.y(), x.z(), f.x(), f.y(), f.z()));
+    return f;
+  }
+};
+
+// The symmetric part without what is positive.
+Mat3 resisting(const Mat3& m) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen((m + m.transpose()) / 2);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0).asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+class FieldTerm : public FollowingLoad {
+ public:
+  // weights: of the vertices, what the formulas are per; size: of what is in the field [m].
+  FieldTerm(const FieldFormulas& formulas, std::vector<int> vertices, VecX weights, double size)
+      : FollowingLoad("field"), formulas_(formulas), vertices_(std::move(vertices)), weights_(std::move(weights)), step_(1e-5 * size) {}
+  bool needs_velocities() const override { return formulas_.of_velocity; }
+  void know_velocities(const VecX& now, const EndVelocity& later) override {
+    if (!formulas_.of_velocity) return;
+    velocity_ = later;
+    before_ = later.rate > 0 ? now : VecX::Zero(now.size());
+  }
+
+  void begin_step(const StepStart& start) override {
+    FollowingLoad::begin_step(start);
+    if (before_.size() != start.x.size()) {  // nobody knows any
+      velocity_ = {0, start.x};
+      before_ = VecX::Zero(start.x.size());
+    }
+    const double t = start.time + start.h;
+    forces_.resize(3, count());
+    by_place_.resize(vertices_.size());
+    by_velocity_.assign(vertices_.size(), Mat3::Zero());
+    for (int i = 0; i < count(); ++i) {
+      const Vec3 x = vertex(start.x, vertices_[i]), v = vertex(before_, vertices_[i]);
+      forces_.col(i) = weights_(i) * formulas_.at(t, x, v);
+      Mat3 by_place;
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 d = step_ * Vec3::Unit(k);
+        by_place.col(k) = (formulas_.at(t, x + d, v) - formulas_.at(t, x - d, v)) / (2 * step_);
+      }
+      by_place_[i] = weights_(i) * resisting(by_place);
+      if (velocity_.rate == 0) continue;
+      Mat3 by_velocity;
+      const double change = 1e-5 * std::max(v.norm(), 1e-3);
+      for (int k = 0; k < 3; ++k) {
+        const Vec3 d = change * Vec3::Unit(k);
+        by_velocity.col(k) = (formulas_.at(t, x, v + d) - formulas_.at(t, x, v - d)) / (2 * change);
+      }
+      by_velocity_[i] = weights_(i) * resisting(by_velocity);
+    }
+  }
+
+  double value(const VecX& x) const override {
+    double sum = 0;
+    for (int i = 0; i < count(); ++i) {
+      const Vec3 d = way(x, i), now = changed(x, i), then = changed(start(), i);
+      sum -= d.dot(forces_.col(i) + by_place_[i] * d / 2);
+      if (velocity_.rate > 0) sum -= (now.dot(by_velocity_[i] * now) - then.dot(by_velocity_[i] * then)) / (2 * velocity_.rate);
+    }
+    return sum;
+  }
+  std::vector<StencilBatch> batches() const override { return {{1, count(), vertices_.data()}}; }
+  void derivatives(const VecX& x, Projection, double* gradient, double* hessian) const override {
+    for (int i = 0; i < count(); ++i) {
+      Eigen::Map<Vec3>{gradient + 3 * static_cast<size_t>(i)} = -(forces_.col(i) + by_place_[i] * way(x, i) + by_velocity_[i] * changed(x, i));
+      if (hessian) Eigen::Map<Mat3>{hessian + 9 * static_cast<size_t>(i)} = -by_place_[i] - velocity_.rate * by_velocity_[i];
+    }
+  }
+  // In a step that ends at x.
+  void add_forces(const VecX& x, double part, VecX& sum) const override {
+    for (int i = 0; i < count(); ++i) {
+      const int v = vertices_[i];
+      vertex(sum, v) += weights_(i) * formulas_.at(time() + part * h(), vertex(start(), v) + part * way(x, i), vertex(before_, v) + part * changed(x, i));
+    }
+  }
+  double work(const VecX& x, const DofMap& dofs) const override {
+    VecX sum = VecX::Zero(x.size()), middle = sum;
+    add_forces(x, 0, sum);
+    add_forces(x, 0.5, middle);
+    sum += 4 * middle;
+    add_forces(x, 1, sum);
+    return work_of(sum / 6, x - start(), dofs);
+  }
+
+ private:
+  int count() const { return static_cast<int>(vertices_.size()); }
+  Vec3 way(const VecX& x, int i) const { return vertex(x, vertices_[i]) - vertex(start(), vertices_[i]); }
+  // Of the velocity, if the step ended there.
+  Vec3 changed(const VecX& x, int i) const {
+    const int v = vertices_[i];
+    return velocity_.rate * (vertex(x, v) - vertex(velocity_.still, v)) - vertex(before_, v);
+  }
+
+  const FieldFormulas& formulas_;
+  std::vector<int> vertices_;
+  VecX weights_;
+  double step_;  // m, of differences
+  EndVelocity velocity_{};
+  VecX before_;  // velocities at the start of the step
+  Eigen::Matrix3Xd forces_;
+  std::vector<Mat3> by_place_, by_velocity_;
+};
+
+class FieldLoad : public Load {
+ public:
+  enum class Per { mass, volume, area, object };
+
+  void fields(Fields& f) override {
+    for (int i = 0; i < 3; ++i) {
+      const std::string key(1, "xyz"[i]);
+      f.text(key, formulas_.text[i], "its component along " + key + ", a formula of t [s], the place x, y, z [m], the velocity vx, vy, vz [m/s] and the parameters, in SI");
+    }
+    f.quantities("parameters", formulas_.parameters, "numbers that the formulas name, with their units");
+    f.choice("per", per_,
+             {{"mass", Per::mass, "the formulas are accelerations [m/s^2]"},
+              {"volume", Per::volume, "forces per volume at rest [N/m^3]"},
+              {"area", Per::area, "forces per area of the surface at rest [Pa]"},
+              {"object", Per::object, "the force on all that is chosen, each vertex by its part of the mass, as a charge would be spread [N]"}},
+             "what they are per");
+    f.component("select", select_, "vertices");
+    f.check("x", [this] { return formulas_.compile(); });
+  }
+
+  std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX& mass) const override {
+    const std::vector<int> chosen = select(*select_, {body, rest});
+    Vec3 low = vertex(rest, body.first_vertex), high = low;
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      low = low.cwiseMin(Vec3(vertex(rest, v)));
+      high = high.cwiseMax(Vec3(vertex(rest, v)));
+    }
+    const double size = std::max((high - low).norm(), body.radius);
+    const bool whole = static_cast<int>(chosen.size()) == body.vertex_count;
+    // The frame of an affine body has its mass.
+    const bool framed = !body.frame.empty() && per_ != Per::area;
+    if (framed && !whole)
+      throw InputError("object '" + body.name + "': a field per mass or volume on part of an affine body has no meaning (its mass is that of the whole); select all of "
+                       "it, or take `per: area`");
+    const std::vector<int> on = framed ? body.frame : chosen;
+    const VecX all = per_ == Per::area ? areas(body, rest, chosen) : per_ == Per::volume && !framed ? volumes(body, rest, chosen) : mass;
+    VecX weights(on.size());
+    for (size_t i = 0; i < on.size(); ++i) weights(static_cast<Eigen::Index>(i)) = all(on[i]);
+    if (!(weights.sum() > 0))
+      throw InputError(fmt::format("object '{}': what its field chooses has no {}; choose other vertices, or another `per`", body.name,
+                                   per_ == Per::area ? "triangles of the surface" : per_ == Per::volume ? "tets or sheets with a thickness" : "mass"));
+    if (per_ == Per::object) weights /= weights.sum();
+    if (per_ == Per::volume && framed) weights *= body.volume / weights.sum();
+    return std::make_unique<FieldTerm>(formulas_, on, std::move(weights), size > 0 ? size : 1);
+  }
+
+ private:
+  static VecX areas(const Body& body, const VecX& rest, const std::vector<int>& chosen) {
+    std::vector<char> flags(rest.size() / 3, 0);
+    for (const int v : chosen) flags[v] = 1;
+    VecX sum = VecX::Zero(rest.size() / 3);
+    for (const Triangle& t : body.triangles) {
+      if (!flags[t[0]] || !flags[t[1]] || !flags[t[2]]) continue;
+      const auto [a, b, c] = corners(rest, t);
+      for (const int v : t) sum(v) += (b - a).cross(c - a).norm() / 6;
+    }
+    return sum;
+  }
+  // A quarter of each tet, a third of each piece of a sheet.
+  static VecX volumes(const Body& body, const VecX& rest, const std::vector<int>&) {
+    VecX sum = VecX::Zero(rest.size() / 3);
+    for (const Tet& tet : body.tets) {
+      const auto [a, b, c, d] = corners(rest, tet);
+      for (const int v : tet) sum(v) += std::abs((b - a).dot((c - a).cross(d - a))) / 24;
+    }
+    for (const Triangle& t : body.sheet) {
+      const auto [a, b, c] = corners(rest, t);
+      for (const int v : t) sum(v) += body.thickness * (b - a).cross(c - a).norm() / 6;
+    }
+    return sum;
+  }
+
+  FieldFormulas formulas_;
+  Per per_ = Per::mass;
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+};
+
+TACK_REGISTER(Load, FieldLoad, "field", "A force by formulas of place, time and velocity.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,139 @@
+// Wind and the drag of a medium on triangles: along its normal n, each is pushed by 1/2 rho c_d A |u| u, u = n . (w - v) the speed of the medium towards it. With the
+// normals and areas of the start of the step and the velocities of its end, v = rate (x - still), that has the convex potential
+//     rho c_d A / (6 rate) |u|^3,
+// so that drag is implicit, however light a sheet is.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "energies/loads/ramp.hpp"
+#include "framework/load/following_load.hpp"
+#include "framework/scene/load.hpp"
+#include "framework/scene/selection.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+struct WindSettings {
+  Vec3 velocity = Vec3::Zero();  // m/s
+  double density = 1.2;          // kg/m^3
+  double drag = 1;
+  Ramp ramp;
+};
+
+class WindTerm : public FollowingLoad {
+ public:
+  WindTerm(const WindSettings& settings, std::vector<Triangle> triangles)
+      : FollowingLoad("wind"), settings_(settings), triangles_(std::move(triangles)) {}
+  bool needs_velocities() const override { return true; }
+  void know_velocities(const VecX& now, const EndVelocity& later) override {
+    now_ = now;
+    velocity_ = later;
+  }
+
+  void begin_step(const StepStart& start) override {
+    FollowingLoad::begin_step(start);
+    if (velocity_.still.size() != start.x.size()) velocity_ = {0, start.x};  // nobody knows any
+    if (now_.size() != start.x.size()) now_ = VecX::Zero(start.x.size());
+    normals_.resize(3, count());
+    factors_.resize(count());
+    still_.resize(count());
+    first_.resize(count());
+    const Vec3 wind = settings_.ramp.at(start.time + start.h) * settings_.velocity;
+    for (int t = 0; t < count(); ++t) {
+      const auto [a, b, c] = corners(start.x, triangles_[t]);
+      const Vec3 twice = (b - a).cross(c - a);
+      const double size = twice.norm();
+      normals_.col(t) = size > 0 ? Vec3(twice / size) : Vec3::Zero();
+      factors_(t) = settings_.density * settings_.drag * size / 4;
+      still_(t) = normals_.col(t).dot(wind + velocity_.rate * mean(velocity_.still, t));
+      first_(t) = towards(start.x, t);
+    }
+  }
+
+  double value(const VecX& x) const override {
+    return sum_chunks(count(), [&](int first, int last) {
+      double sum = 0;
+      for (int t = first; t < last; ++t) {
+        const double u = towards(x, t), before = first_(t);
+        // Without velocities, its limit.
+        if (velocity_.rate > 0) sum += factors_(t) / (3 * velocity_.rate) * (std::abs(u * u * u) - std::abs(before * before * before));
+        else sum -= factors_(t) * std::abs(u) * u * normals_.col(t).dot(mean(x, t) - mean(start(), t));
+      }
+      return sum;
+    });
+  }
+  std::vector<StencilBatch> batches() const override { return {{3, count(), triangles_.front().data()}}; }
+  void derivatives(const VecX& x, Projection, double* gradient, double* hessian) const override {
+    for_each(count(), [&](int t) {
+      const double u = towards(x, t);
+      const Vec3 n = normals_.col(t), g = -factors_(t) / 3 * std::abs(u) * u * n;
+      for (int k = 0; k < 3; ++k) Eigen::Map<Vec3>{gradient + 9 * static_cast<size_t>(t) + 3 * k} = g;
+      if (!hessian) return;
+      const Mat3 h = 2 * factors_(t) / 9 * std::abs(u) * velocity_.rate * n * n.transpose();
+      for (int k = 0; k < hessian_blocks(3); ++k) Eigen::Map<Mat3>{hessian + 54 * static_cast<size_t>(t) + 9 * k} = h;
+    });
+  }
+  void add_forces(const VecX& x, double, VecX& forces) const override {
+    for (int t = 0; t < count(); ++t) {
+      const double u = towards(x, t);
+      push(t, u, forces);
+    }
+  }
+  // The mean of both ends.
+  double work(const VecX& x, const DofMap& dofs) const override {
+    VecX forces = VecX::Zero(x.size());
+    add_forces(x, 1, forces);
+    const Vec3 wind = settings_.ramp.at(time()) * settings_.velocity;
+    for (int t = 0; t < count(); ++t) push(t, normals_.col(t).dot(wind - (velocity_.rate > 0 ? mean(now_, t) : Vec3::Zero())), forces);
+    return work_of(forces / 2, x - start(), dofs);
+  }
+
+ private:
+  int count() const { return static_cast<int>(triangles_.size()); }
+  Vec3 mean(const VecX& x, int t) const {
+    const auto [a, b, c] = corners(x, triangles_[t]);
+    return (a + b + c) / 3;
+  }
+  void push(int t, double u, VecX& forces) const {
+    for (const int v : triangles_[t]) vertex(forces, v) += factors_(t) / 3 * std::abs(u) * u * normals_.col(t);
+  }
+  double towards(const VecX& x, int t) const { return still_(t) - velocity_.rate * normals_.col(t).dot(mean(x, t)); }
+
+  const WindSettings& settings_;
+  std::vector<Triangle> triangles_;
+  VecX now_;  // velocities at the start of the step
+  EndVelocity velocity_{};
+  Eigen::Matrix3Xd normals_;
+  VecX factors_, still_, first_;  // rho c_d A / 2; u of a triangle at the origin; u at the start of the step
+};
+
+class Wind : public Load {
+ public:
+  void fields(Fields& f) override {
+    f.vector("velocity", settings_.velocity, units::velocity, "of the medium; zero: it only resists");
+    settings_.ramp.fields(f, "ramp", "factor of the velocity over time");
+    f.number("density", settings_.density, units::density, "of the medium; that of air unless given").positive();
+    f.number("drag", settings_.drag, units::none, "c_d: force over 1/2 density speed^2 area").positive();
+    f.component("select", select_, "vertices; triangles with all three selected are in it");
+  }
+  std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
+    std::vector<char> chosen(static_cast<size_t>(body.vertex_count), 0);
+    for (const int v : select(*select_, {body, rest})) chosen[v - body.first_vertex] = 1;
+    std::vector<Triangle> triangles = body.triangles;
+    std::erase_if(triangles, [&](const Triangle& t) { return !std::all_of(t.begin(), t.end(), [&](int v) { return chosen[v - body.first_vertex]; }); });
+    if (triangles.empty())
+      throw InputError("object '" + body.name + "': its wind's selection holds no whole surface triangle; widen it");
+    return std::make_unique<WindTerm>(settings_, std::move(triangles));
+  }
+
+ private:
+  WindSettings settings_;
+  std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
+};
+
+TACK_REGISTER(Load, Wind, "wind", "The drag of a medium on surfaces, along their normals, by the square of its speed towards them.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,63 @@
+// What acts on a surface by the volume that it encloses: a potential W(V), of which every point of the surface feels the pressure p = -W'(V) along its
+// normal, whatever its shape (geometry/mesh/oriented_surface.hpp):
+//     gradient -p grad V,    Hessian -p grad^2 V + W'' grad V grad V^T.
+// The first part of the Hessian is of edges, and projected in closed form, the second a global mode.
+//
+// A surface with a boundary encloses nothing. It takes pressures that do not depend on a volume: V is then that of the cone from a point that is held in the
+// step, whose gradient is the areas but along the boundary; where that is fixed, -p V is their potential. Along a boundary that moves what is missing
+// is held at the start of the step: there the force is that of the end of the step but for what the boundary's own edges turn or stretch in it.
+#pragma once
+
+#include <string>
+
+#include "framework/core/global_modes.hpp"
+#include "framework/load/following_load.hpp"
+#include "geometry/mesh/oriented_surface.hpp"
+
+namespace tack {
+
+struct VolumeSample {
+  double energy = 0;     // W [J]
+  double pressure = 0;   // -W' [Pa]
+  double stiffness = 0;  // W'', not negative [Pa/m^3]
+};
+
+class VolumeTerm : public FollowingLoad, public GlobalModeSource {
+ public:
+  // label: whose, in messages, probes and histories. With the gas on the side that the triangles' normals lead away from.
+  VolumeTerm(std::string name, std::string label, OrientedSurface surface)
+      : FollowingLoad(std::move(name)), label_(std::move(label)), surface_(std::move(surface)) {
+    for (const auto& e : surface_.edges()) ends_.insert(ends_.end(), {e.a, e.b});
+  }
+  const std::string& label() const { return label_; }
+  const OrientedSurface& surface() const { return surface_; }
+
+  // For probes, of a state that is kept.
+  double volume(const VecX& x) const { return surface_.volume(x, surface_.mean_place(x)); }  // m^3
+  virtual double pressure(const VecX& x, double time) const = 0;  // what surfaces feel [Pa]
+  virtual double target(double time) const;  // the volume that is asked for [m^3]; not a number where none is
+  virtual double amount() const;  // of gas, as a part of what there was at rest; not a number where there is none
+
+  void begin_step(const StepStart& start) override;
+  double value(const VecX& x) const override;
+  std::vector<StencilBatch> batches() const override { return {{2, static_cast<int>(surface_.edges().size()), ends_.data()}}; }
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  void add_global_modes(const VecX& x, Projection projection, GlobalModes& modes) const override;
+  void add_forces(const VecX& x, double part, VecX& forces) const override;
+
+ protected:
+  // Of the step that was begun, when a part of it is over.
+  virtual VolumeSample sample(double volume, double part) const = 0;
+
+ private:
+  double enclosed(const VecX& x) const;  // the volume, or what stands for it
+
+  std::string label_;
+  OrientedSurface surface_;
+  std::vector<int> ends_;
+  Vec3 origin_ = Vec3::Zero();
+  std::vector<Vec3> rim_;  // what is held of boundaries, by edge; zero of others; empty if there are none
+  double before_ = 0;      // of an open surface: its cone at the start of the step
+};
+
+}  // namespace tack
