@@ -117,6 +117,12 @@ TEST_CASE("experiment lcp/slope") { check_experiment("lcp/slope.yaml"); }
 TEST_CASE("experiment lcp/slide") { check_experiment("lcp/slide.yaml"); }
 TEST_CASE("experiment lcp/hang") { check_experiment("lcp/hang.yaml"); }
 TEST_CASE("experiment lcp/fall") { check_experiment("lcp/fall.yaml"); }
+TEST_CASE("experiment loads/balloon") { check_experiment("loads/balloon.yaml"); }
+TEST_CASE("experiment loads/balloon_gas") { check_experiment("loads/balloon_gas.yaml"); }
+TEST_CASE("experiment loads/piston") { check_experiment("loads/piston.yaml"); }
+TEST_CASE("experiment loads/torque") { check_experiment("loads/torque.yaml"); }
+TEST_CASE("experiment loads/wind") { check_experiment("loads/wind.yaml"); }
+TEST_CASE("experiment loads/magnet") { check_experiment("loads/magnet.yaml"); }
 TEST_CASE("experiment first/tie") { check_experiment("first/tie.yaml"); }
 
 TEST_CASE("experiment locking/cantilever") { check_experiment("locking/cantilever.yaml"); }
