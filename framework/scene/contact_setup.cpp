@@ -71,6 +71,8 @@ constexpr double affine_modulus = 0.01;
 // What stops a soft body that moves faster than waves run in it presses with about density times speed^2, and the barrier has to
 // carry that: it takes the body for as stiff, up to so many times its modulus.
 constexpr double most_times = 10;
+// Such a body is crushed on edges and tips, and guards are what stops it there: they act over the whole range then.
+constexpr double guard_range = 0.5, guard_range_of_fast = 1;  // contact distances
 
 // Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
 // attached to the same ones.
@@ -172,6 +174,11 @@ class PairBuilder {
     return m;
   }
 
+  double guard_of(int a, int b) const {
+    if (table_.plain_sums) return 1;
+    return contact_.guard.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? guard_range_of_fast : guard_range);
+  }
+
   struct LawIds {
     int pressure, guard;
     int summary = -1;  // of world.adhesion; -1: without adhesion
@@ -180,8 +187,8 @@ class PairBuilder {
 
   LawIds laws_of(int a, int b, int config) {
     PairMaterials materials = materials_of(a, b);
-    const double offset = table_.offset(a, b);
-    const auto key = std::tuple{config, materials.softer_young, materials.softer_stiffness, offset};
+    const double offset = table_.offset(a, b), guarded = guard_of(a, b);
+    const auto key = std::tuple{config, materials.softer_young, materials.softer_stiffness, offset, guarded};
     if (const auto found = laws_.find(key); found != laws_.end()) {
       if (found->second.summary >= 0) add_to(world_.adhesion[found->second.summary], a, b);
       return found->second;
@@ -203,7 +210,7 @@ class PairBuilder {
       const BarrierLaw& barrier = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
       std::shared_ptr<NormalLaw> full = barrier.clone(), close = barrier.clone();
       full->prepare(materials);
-      materials.contact_distance *= table_.plain_sums ? 1.0 : contact_.guard;
+      materials.contact_distance *= guarded;
       close->prepare(materials);
       pressure.add(full);
       guard.add(close);
@@ -274,16 +281,16 @@ class PairBuilder {
   void set_roles(int a, int b, int config) {
     const LawIds ids = laws_of(a, b, config);
     if (ids.bond >= 0) set_bond(a, b, ids.bond, config);
-    const double range = table_.laws()[ids.pressure].range(), guard_range = table_.laws()[ids.guard].range();
-    const PairRole guard{ids.guard, 1, guard_range, false};
+    const double range = table_.laws()[ids.pressure].range(), range_of_guard = table_.laws()[ids.guard].range();
+    const PairRole guard{ids.guard, 1, range_of_guard, false};
     // An edge pair's area is half the mean of its two edges' (they count the surface twice).
-    table_.set_edge(a, b, {ids.guard, 0.25, guard_range, false});
+    table_.set_edge(a, b, {ids.guard, 0.25, range_of_guard, false});
     table_.set_thin(a, b, {ids.pressure, 1, range});
     if (table_.plain_sums) {
       table_.point(a, b) = table_.point(b, a) = {ids.pressure, 1, range, false};
       return;
     }
-    PairRole pressure{ids.pressure, 1, range, true, ids.guard, guard_range};
+    PairRole pressure{ids.pressure, 1, range, true, ids.guard, range_of_guard};
     pressure.covered = a != b && config >= 0 && contact_.pairs[config].adhesion;
     pressure.bonds = ids.bond >= 0;
     const std::string& side = config >= 0 ? contact_.pairs[config].integrate : PairConfig().integrate;
@@ -316,7 +323,7 @@ class PairBuilder {
   PairTable table_;
   CollidingObjects colliding_;
   BondTable bonds_;
-  std::map<std::tuple<int, double, double, double>, LawIds> laws_;
+  std::map<std::tuple<int, double, double, double, double>, LawIds> laws_;
 };
 
 // With a range beyond the scene's own size, everything is in contact with everything: a mistake in a unit, and

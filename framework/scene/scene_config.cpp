@@ -98,9 +98,10 @@ void PairConfig::fields(Fields& f) {
 void ContactConfig::fields(Fields& f) {
   f.number("distance", contact_distance, units::length, "dhat_b: gap below which surfaces repel").positive();
   f.component("barrier", barrier, "repulsion of every pair");
-  f.number("guard", guard, units::none,
-           "range, in contact distances, of the pairs that only keep surfaces apart (edge-edge, and "
-           "points of the side that pressure is not integrated over)").range(0.01, 1);
+  f.optional_number("guard", guard, units::none,
+                    "range, in contact distances, of the pairs that only keep surfaces apart (edge-edge, and points of the side that "
+                    "pressure is not integrated over); by default 0.5, and 1 for soft bodies that may fly or fall faster than waves run in them")
+      .range(0.01, 1);
   f.choice("weights", weights,
            {{"area", Weights::area, "surface integrals that do not depend on the mesh"},
             {"pair", Weights::pair, "every close pair counts, as in plain IPC; strength depends on the mesh"}},

@@ -1,5 +1,6 @@
-// The barrier that a pair of objects gets where the scene does not say.
+// The barrier, and the guards, that a pair of objects gets where the scene does not say.
 #include <catch2/catch.hpp>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -10,18 +11,32 @@ using namespace tack;
 
 namespace {
 
-// Of a cube of 0.1 m that flies at a floor; inverted from the barrier's traction at half the contact distance of 1 mm.
-double stiffness(double young, double speed, double turned = 0, const std::string& gravity = "", const std::string& contact = "") {
-  const TestScene scene(fmt::format(
+// A cube of 0.1 m that flies at a floor.
+std::string flying(double young, double speed, double turned = 0, const std::string& gravity = "", const std::string& contact = "") {
+  return fmt::format(
       "{}objects:\n"
       "  - {{name: cube, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, place: {{axis: [0.3, 0.5, 0.2], angle: {}, translate: [0, 0.2, 0]}},\n"
       "     velocity: [0, {}, 0], energies: [{{type: neo_hookean, young: {}, poisson: 0.3, density: 500}}]}}\n"
       "  - {{name: floor, shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, -0.05, 0]}}, motion: [fixed]}}\n"
       "contact: {{distance: 1 mm{}}}\n",
-      gravity, turned, -speed, young, contact));
+      gravity, turned, -speed, young, contact);
+}
+
+// Inverted from the barrier's traction at half the contact distance of 1 mm.
+template <class... Of>
+double stiffness(const Of&... of) {
+  const TestScene scene(flying(of...));
   const PairTable& pairs = scene.world->contact->pairs();
   const double traction = -pairs.laws()[pairs.point(0, 1).law].at(0.5e-3).slope;
   return traction / (std::log(2.0) + 0.5);
+}
+
+// In contact distances: of pairs of edges, and of points beside what they face.
+template <class... Of>
+std::array<double, 2> guards(const Of&... of) {
+  const TestScene scene(flying(of...));
+  const PairTable& pairs = scene.world->contact->pairs();
+  return {pairs.edge(0, 1).range / 1e-3, pairs.point(0, 1).guard_range / 1e-3};
 }
 
 }  // namespace
@@ -40,4 +55,13 @@ TEST_CASE("the barrier carries what stops a soft body that is faster than its wa
   CHECK(stiffness(1e4, 10, 1.234) == stiffness(1e4, 10));  // however it is turned
   CHECK(stiffness(1e4, 0, 0, "gravity: [0, -200, 0]\n") == Approx(0.1 * 500 * 2 * 200 * 0.35));  // a fall over the whole scene
   CHECK(stiffness(1e4, 100, 0, "", ", barrier: {stiffness: 3 kPa}") == Approx(3e3));
+}
+
+TEST_CASE("what is faster than its waves is guarded against over the whole range", "[contact][barrier]") {
+  using Ranges = std::array<double, 2>;
+  CHECK(guards(1e4, 4) == Ranges{0.5, 0.5});
+  CHECK(guards(1e4, 6) == Ranges{1, 1});
+  CHECK(guards(1e4, 0, 0, "gravity: [0, -200, 0]\n") == Ranges{1, 1});
+  CHECK(guards(1e4, 6, 0, "", ", guard: 0.25") == Ranges{0.25, 0.25});
+  CHECK(guards(1e4, 6, 0, "", ", barrier: {stiffness: 3 kPa}") == Ranges{1, 1});
 }
