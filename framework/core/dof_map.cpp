@@ -2,47 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "geometry/errors.hpp"
+#include "framework/core/leaves.hpp"
 
 namespace tack {
-namespace {
-
-constexpr double no_weight = 1e-13;  // what round-off leaves where weights cancel
-
-// Resolves chains of dependences down to vertices that depend on nothing.
-class Leaves {
- public:
-  Leaves(int vertices, const Dependences& dependences) : of_(vertices, nullptr), state_(vertices, fresh), leaves_(vertices) {
-    for (const Dependence& d : dependences) of_[d.vertex] = &d;
-  }
-
-  bool depends(int v) const { return of_[v] != nullptr; }
-
-  const std::map<int, double>& of(int v) {
-    if (state_[v] == done) return leaves_[v];
-    if (state_[v] == open) throw InputError("vertices follow each other in a circle (attach); let one of the objects lead");
-    state_[v] = open;
-    if (!of_[v]) {
-      leaves_[v] = {{v, 1.0}};
-    } else {
-      for (const auto& [on, weight] : of_[v]->on)
-        for (const auto& [leaf, part] : of(on)) leaves_[v][leaf] += weight * part;
-      std::erase_if(leaves_[v], [](const auto& entry) { return std::abs(entry.second) < no_weight; });
-    }
-    state_[v] = done;
-    return leaves_[v];
-  }
-
- private:
-  enum State : char { fresh, open, done };
-  std::vector<const Dependence*> of_;
-  std::vector<State> state_;
-  std::vector<std::map<int, double>> leaves_;
-};
-
-}  // namespace
 
 DofMap::DofMap(std::span<const char> movable, const Dependences& dependences, const std::vector<HeldDirections>& held)
     : block_of_(movable.size(), -1) {

@@ -1,8 +1,8 @@
 // Probes of what holds or drives vertices.
 #include <algorithm>
 
-#include "framework/core/term_gradient.hpp"
 #include "framework/output/probe.hpp"
+#include "framework/probes/unbalanced.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/rod/rod_frames.hpp"
 #include "framework/scene/world.hpp"
@@ -14,16 +14,7 @@ namespace {
 // What holds each vertex that is held, or moves it as its script says (3n) [N]: against everything that acts on it, forces in the place
 // of terms included, and its own inertia; in the directions in which it is held, and zero of what is free.
 VecX holding_forces(const World& world, const State& state) {
-  VecX gradient = VecX::Zero(state.x.size()), held = gradient;
-  for (const Term* term : world.terms)
-    if (!world.records.replaced(*term)) add_term_gradient(*term, state.x, gradient);
-  for (const ForceRecord& record : world.records.forces())
-    if (!record.term) {
-      VecX forces = VecX::Zero(gradient.size());
-      record.add(state.x, "", forces);
-      gradient -= forces;
-    }
-  for (int v = 0; v < world.dofs.vertex_count(); ++v) vertex(gradient, v) += world.mass(v) * vertex(state.a, v);
+  VecX gradient = unbalanced_forces(world, state), held = VecX::Zero(state.x.size());
   world.dofs.collect(gradient);
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
     if (!world.dofs.moves(v)) vertex(held, v) = vertex(gradient, v);

@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "framework/scene/joint_relations.hpp"
+
 namespace tack {
 namespace {
 
@@ -73,6 +75,14 @@ std::vector<char> Bindings::active(double t) const {
 }
 
 Dependences Bindings::at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
+  Dependences all = unjoined_at(free, active_ties);
+  if (joints_.empty()) return all;
+  SolvedJoints solved = solve_joints(joints_, frames_, free, all);
+  all.insert(all.end(), solved.dependences.begin(), solved.dependences.end());
+  return all;
+}
+
+Dependences Bindings::unjoined_at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
   Dependences all = lasting_;
   std::set<int> led;
   for (int v = 0; v < static_cast<int>(free.size()); ++v)

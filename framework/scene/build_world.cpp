@@ -16,6 +16,7 @@
 #include "framework/scene/carried_motion.hpp"
 #include "framework/scene/contact_support.hpp"
 #include "framework/scene/containment.hpp"
+#include "framework/scene/consistent_mass.hpp"
 #include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/earlier_state.hpp"
 #include "framework/scene/energy_records.hpp"
@@ -203,6 +204,7 @@ void start_state(const SceneConfig& scene, World& world) {
       if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
     }
   }
+  if (!world.bindings.joints().empty()) make_possible(world.dofs, world.mass, s.v);
   world.dofs.follow(s.v);
 }
 

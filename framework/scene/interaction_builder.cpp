@@ -9,6 +9,7 @@
 #include "framework/load/following_load.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/carrier.hpp"
+#include "framework/scene/joint_relations.hpp"
 #include "framework/scene/pair_configs.hpp"
 #include "geometry/errors.hpp"
 
@@ -81,6 +82,48 @@ void InteractionBuilder::tie(Dependences dependences, double from, double until)
                                    i < 0 ? d.vertex : world_.number_in_body(d.vertex), i < 0 ? name() : world_.bodies[i].name));
     }
   world_.bindings.add(Tie{fmt::format("interaction '{}'", name()), std::move(dependences), from, until});
+}
+
+namespace {
+
+int idle_relations(const std::vector<Joint>& joints, const World& world) {
+  const std::vector<char> free(static_cast<size_t>(world.rest.size() / 3), 1);
+  return solve_joints(joints, world.bindings.frames(), free, world.bindings.unjoined_at(free, std::vector<char>(world.bindings.ties().size(), 0))).idle;
+}
+
+// A joint of the same bodies that says all that this one does.
+void refuse_duplicate(const Joint& joint, const World& world) {
+  for (const Joint& other : world.bindings.joints()) {
+    if (!std::is_permutation(joint.bodies.begin(), joint.bodies.end(), other.bodies.begin(), other.bodies.end())) continue;
+    const int says = static_cast<int>(joint.relations.size() - joint.places.size());
+    if (idle_relations({other, joint}, world) - idle_relations({other}, world) >= says)
+      throw InputError(fmt::format("joint '{}' joins what '{}' joins already; take one of them away", joint.name, other.name));
+  }
+}
+
+}  // namespace
+
+void InteractionBuilder::add(Joint joint) {
+  joint.name = name();
+  bool any = false;
+  for (const int i : joint.bodies) {
+    const Body& body = world_.bodies[i];
+    if (body.frame.empty() || !body.movable) continue;
+    any = true;
+    if (std::any_of(body.frame.begin(), body.frame.end(), [&](int v) { return world_.script.ever_held(v); }))
+      throw InputError(fmt::format("joint '{}': a motion of '{}' holds some of its directions (along, across), which joints do not go with; a hinge or a "
+                                   "slider holds them", name(), body.name));
+  }
+  if (!any)
+    throw InputError(fmt::format("joint '{}' moves nothing: none of '{}' is an affine body that may move; give one of them `body: affine`, tie deformable "
+                                 "objects by `attach` or springs, and take a joint of what is held away", name(),
+                                 fmt::join([&] {
+                                   std::vector<std::string> names;
+                                   for (const int i : joint.bodies) names.push_back(world_.bodies[i].name);
+                                   return names;
+                                 }(), "', '")));
+  refuse_duplicate(joint, world_);
+  world_.bindings.add(std::move(joint));
 }
 
 void InteractionBuilder::join(int body, int other) {

@@ -41,6 +41,8 @@ class InteractionBuilder {
   Unknowns unknowns() { return Unknowns(world_, acting_.name); }
   // Vertices that follow others while it lasts [s]: None may be held by a motion.
   void tie(Dependences dependences, double from = 0, double until = std::numeric_limits<double>::infinity());
+  // Relations that hold exactly and throughout (joint_relations.hpp); its name is set. At least one of its bodies is affine and may move.
+  void add(Joint joint);
   // There is no contact between the two, then or later.
   void join(int body, int other);
 

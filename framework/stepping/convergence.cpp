@@ -8,11 +8,14 @@ namespace tack {
 
 namespace {
 
-// Of each block; of one without inertia as of the lightest that has some.
-VecX masses_to_judge_by(VecX mass) {
+// Of each block; of one without inertia as of the lightest that has some, or else as of what the lightest moves.
+VecX masses_to_judge_by(VecX mass, const VecX& moved) {
   double lightest = std::numeric_limits<double>::infinity();
   for (const double m : mass)
     if (m > 0) lightest = std::min(lightest, m);
+  if (!std::isfinite(lightest))
+    for (const double m : moved)
+      if (m > 0) lightest = std::min(lightest, m);
   for (double& m : mass)
     if (m == 0) m = std::isfinite(lightest) ? lightest : 1;
   return mass;
@@ -33,7 +36,7 @@ void Convergence::begin_step(const IncrementalPotential& potential, double h, bo
   inertia_ = inertia;
   balance_ = {};
   const DofMap& dofs = world_.dofs;
-  mass_ = masses_to_judge_by(dofs.own_masses(world_.mass));
+  mass_ = masses_to_judge_by(dofs.own_masses(world_.mass), dofs.block_masses(world_.mass));
   largest_load_ = 0;
   VecX load = VecX::Zero(world_.rest.size());
   world_.gravity_term.add_linear_gradient(load);

@@ -37,6 +37,20 @@ void check_followed(const Script::Hold& hold, int v, const VecX& placed, const V
                                     "affinely; move its vertices rigidly, or hold fewer of them", hold.name, v, off));
 }
 
+// What is held on both sides of joints has to move as these say.
+void check_joints(const std::vector<Joint>& joints, const VecX& x) {
+  constexpr double tolerance = 1e-6;  // of how far the object's anchors are apart, or from the origin
+  for (const Joint& joint : joints) {
+    const double error = joint_error(joint, x);
+    double reach = 0;
+    for (const int v : joint.anchors) reach = std::max(reach, (vertex(x, v) - vertex(x, joint.anchors.front())).norm());
+    const double far = vertex(x, joint.anchors.front()).norm();
+    if (error > tolerance * std::max(reach, far) + 1e-12)
+      throw SimulationError(fmt::format("joint '{}' would be torn by {:.3g} m: what is held on both sides of it does not move as it says; hold one side, "
+                                        "or take the joint away", joint.name, error));
+  }
+}
+
 }  // namespace
 
 bool HeldVertices::change(const State& state, double middle) {
@@ -84,6 +98,7 @@ void HeldVertices::place(double t, VecX& x) const {
     if (!active_[i] || script_.holds()[i].motion->partial()) continue;
     for (const int v : script_.holds()[i].vertices) check_followed(script_.holds()[i], v, placed, x);
   }
+  check_joints(bindings_.joints(), x);
 }
 
 void HeldVertices::commit(State& state) {

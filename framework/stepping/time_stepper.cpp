@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -10,7 +11,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
-#include "geometry/interrupt.hpp"
+#include "framework/scene/consistent_mass.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/time_config.hpp"
@@ -92,11 +93,8 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   potential_->begin_step(state_.x, state_.x, {}, false);
   potential_->move_to(q);
   const VecX& gradient = potential_->gradient();
-  const VecX mass = world_.dofs.block_masses(world_.mass);
-  for (const int v : vertices) {
-    const int b = world_.dofs.block(v);
-    vertex(state_.a, v) = mass(b) > 0 ? Vec3(-gradient.segment<3>(3 * b) / mass(b)) : Vec3::Zero();
-  }
+  const VecX accelerations = accelerations_by(-gradient);
+  for (const int v : vertices) vertex(state_.a, v) = accelerations.segment<3>(3 * world_.dofs.block(v));
   world_.dofs.follow(state_.a);
   if (!time_.integrator->follows_contact() || !world_.contact) return;
   const VecX contact = contact_accelerations(state_.x);
@@ -105,18 +103,26 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   world_.dofs.follow(state_.contact);
 }
 
+// By forces on the unknowns. Joints couple their masses; without them the diagonal of W^T M W is what counts.
+VecX TimeStepper::accelerations_by(const VecX& force) const {
+  if (!world_.bindings.joints().empty()) return divide_by_mass(world_.dofs, world_.mass, force);
+  const VecX mass = world_.dofs.block_masses(world_.mass);
+  VecX a = VecX::Zero(force.size());
+  for (int b = 0; b < world_.dofs.block_count(); ++b)
+    if (mass(b) > 0) a.segment<3>(3 * b) = force.segment<3>(3 * b) / mass(b);
+  return a;
+}
+
 // Of what moves (3n), at x, where the contact system must be.
 VecX TimeStepper::contact_accelerations(const VecX& x) const {
   const DofMap& dofs = world_.dofs;
   VecX force = world_.contact_term->forces(x, LawPart::all);
   if (world_.friction) force += world_.friction->forces(x, TangentialPart::all);
   dofs.collect(force);
-  const VecX mass = dofs.block_masses(world_.mass);
-  VecX a = VecX::Zero(force.size());
-  for (int b = 0; b < dofs.block_count(); ++b) {
-    const int v = dofs.vertex_of_block(b);
-    if (mass(b) > 0) vertex(a, v) = vertex(force, v) / mass(b);
-  }
+  VecX of_blocks, a = VecX::Zero(force.size());
+  dofs.gather(force, of_blocks);
+  of_blocks = accelerations_by(of_blocks);
+  for (int b = 0; b < dofs.block_count(); ++b) vertex(a, dofs.vertex_of_block(b)) = of_blocks.segment<3>(3 * b);
   dofs.follow(a);
   return a;
 }
@@ -147,7 +153,8 @@ Step TimeStepper::open(double h) {
   hold(h);
   Step step{state_, h, integrator_->predict(state_, h), state_.x, held_, *potential_};
   std::optional<EndVelocity> velocity;
-  if (!world_.damping_terms.empty()) velocity = integrator_->end_velocity(state_, h);
+  const auto& elastic = world_.elastic_terms;
+  if (!world_.damping_terms.empty() || std::any_of(elastic.begin(), elastic.end(), [](const auto& term) { return !term->stores(); })) velocity = integrator_->end_velocity(state_, h);
   for (FollowingLoad* load : world_.following_loads)
     if (load->needs_velocities())
       load->know_velocities(state_.v, step.prediction.inertia ? integrator_->end_velocity(state_, h) : EndVelocity{0, state_.x});

@@ -113,6 +113,10 @@ TEST_CASE("experiment affine/stack") { check_experiment("affine/stack.yaml"); }
 TEST_CASE("experiment affine/dominoes") { check_experiment("affine/dominoes.yaml"); }
 TEST_CASE("experiment affine/arch") { check_experiment("affine/arch.yaml"); }
 TEST_CASE("experiment affine/arch_collapses") { check_experiment("affine/arch_collapses.yaml"); }
+TEST_CASE("experiment joints/double_pendulum") { check_experiment("joints/double_pendulum.yaml"); }
+TEST_CASE("experiment joints/slider_crank") { check_experiment("joints/slider_crank.yaml"); }
+TEST_CASE("experiment joints/hinge_with_limit") { check_experiment("joints/hinge_with_limit.yaml"); }
+TEST_CASE("experiment joints/motor_stall") { check_experiment("joints/motor_stall.yaml"); }
 TEST_CASE("experiment lcp/slope") { check_experiment("lcp/slope.yaml"); }
 TEST_CASE("experiment lcp/slide") { check_experiment("lcp/slide.yaml"); }
 TEST_CASE("experiment lcp/hang") { check_experiment("lcp/hang.yaml"); }

@@ -1,0 +1,42 @@
+// Joints of points alone: one, that leaves all turns free, and four, that leave nothing.
+#include "energies/interactions/joint_points.hpp"
+
+namespace tack {
+namespace {
+
+class PointJoint : public Interaction {
+ public:
+  void fields(Fields& f) override {
+    Interaction::fields(f);
+    ends_.fields(f);
+  }
+  std::vector<std::string> objects() const override { return ends_.objects(); }
+
+ protected:
+  JointEnds ends_;
+};
+
+class Ball : public PointJoint {
+ public:
+  void build(InteractionBuilder& builder) const override {
+    JointPoints points(builder, ends_);
+    points.joined(ends_.at);
+    points.finish();
+  }
+};
+
+class Weld : public PointJoint {
+ public:
+  void build(InteractionBuilder& builder) const override {
+    JointPoints points(builder, ends_);
+    points.joined(ends_.at);
+    for (int i = 0; i < 3; ++i) points.joined(ends_.at + points.reach() * Vec3::Unit(i));
+    points.finish();
+  }
+};
+
+TACK_REGISTER(Interaction, Ball, "ball", "A joint: a point of an affine body is one of another object, or stays; all turns are free. Exact.", "");
+TACK_REGISTER(Interaction, Weld, "weld", "A joint: an affine body moves with another object as if they were one, or stays. Exact.", "");
+
+}  // namespace
+}  // namespace tack

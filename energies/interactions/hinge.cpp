@@ -1,0 +1,63 @@
+// Hinges: two points of an axis, and what acts about it.
+#include <fmt/format.h>
+
+#include "energies/interactions/joint_mechanics.hpp"
+#include "energies/interactions/joint_points.hpp"
+#include "energies/interactions/joint_strength.hpp"
+#include "framework/probes/of_interaction.hpp"
+
+namespace tack {
+namespace {
+
+inline constexpr Unit angular_damping{"N m s", "damping of turns"};
+inline constexpr JointUnits of_hinges{units::angle, units::angular_velocity, units::moment, angular_damping, "angle", "torque",
+                                      0.01, 0.01, 0.0175};  // rad, rad/s, rad
+
+class Hinge : public Interaction {
+ public:
+  void fields(Fields& f) override {
+    Interaction::fields(f);
+    ends_.fields(f);
+    f.vector("axis", axis_, units::none, "about which the object turns: angles are right-handed").required();
+    mechanics_.fields(f);
+  }
+  std::vector<std::string> objects() const override { return ends_.objects(); }
+
+  void build(InteractionBuilder& builder) const override {
+    if (axis_.norm() == 0) throw InputError(fmt::format("hinge '{}' has an axis without a direction; give it one", builder.name()));
+    const Vec3 axis = axis_.normalized();
+    JointPoints points(builder, ends_);
+    const Vec3 arm = ends_.at + points.reach() * across(axis)[0];
+    const int a = points.joined(ends_.at), b = points.joined(ends_.at + points.reach() * axis);
+    const int from = points.of_other(arm), turned = points.of_object(arm);
+    const double effort = joint_strength(builder.world(), points.object(), points.other());
+    points.finish();
+    mechanics_.build(builder, {a, b, from, turned}, effort);
+  }
+
+ private:
+  JointEnds ends_;
+  Vec3 axis_ = Vec3::Zero();
+  MechanicsKeys<HingeAngle, of_hinges> mechanics_;
+};
+
+class JointAngle : public OfInteraction<JointLimitTerm<HingeAngle>, Probe> {
+ public:
+  Unit unit() const override { return units::angle; }
+  std::vector<double> sample(const World&, const State& state) override { return {term().coordinate().at(state.x)}; }
+};
+
+class MotorTorque : public OfInteraction<JointDriveTerm<HingeAngle>, Probe> {
+ public:
+  Unit unit() const override { return units::moment; }
+  std::vector<double> sample(const World&, const State& state) override {
+    return {term().exerted(DriveKind::motor, state.x) + term().exerted(DriveKind::servo, state.x)};
+  }
+};
+
+TACK_REGISTER(Interaction, Hinge, "hinge", "A joint: an affine body turns about an axis of another object or of space alone. Exact; with limits, friction and motors if asked.", "");
+TACK_REGISTER(Probe, JointAngle, "joint_angle", "By which angle a hinge has turned, whole turns included [rad].", "");
+TACK_REGISTER(Probe, MotorTorque, "motor_torque", "What the motor and the servo of a hinge exert about its axis [N m].", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,77 @@
+// What a hinge or a slider leaves free, as one number of its vertices, and its memory: angles count whole turns.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "framework/core/history.hpp"
+#include "geometry/types.hpp"
+
+namespace tack {
+
+
+// By how much the object is turned about the axis against what it is joined to [rad]: of a point of the axis, another one in its direction,
+// an arm of the latter and an arm of the object.
+struct HingeAngle {
+  static constexpr int arity = 4;
+  template <class T>
+  static T of(const std::array<Eigen::Matrix<T, 3, 1>, 4>& x) {
+    using std::atan2;
+    const Eigen::Matrix<T, 3, 1> axis = x[1] - x[0], from = x[2] - x[0], arm = x[3] - x[0];
+    const T length = axis.norm();
+    const T across = (from.dot(arm) * length * length - from.dot(axis) * arm.dot(axis)) / length;
+    return atan2(axis.dot(from.cross(arm)), across);
+  }
+  // That of the angles that mean the same which is nearest.
+  static double turns(double angle, double near) { return 2 * std::numbers::pi * std::round((near - angle) / (2 * std::numbers::pi)); }
+};
+
+// How far a point of the object has gone along a line [m]: the point, a point of the line and another one in its direction.
+struct SliderWay {
+  static constexpr int arity = 3;
+  template <class T>
+  static T of(const std::array<Eigen::Matrix<T, 3, 1>, 3>& x) {
+    const Eigen::Matrix<T, 3, 1> line = x[2] - x[1];
+    return (x[0] - x[1]).dot(line) / line.norm();
+  }
+  static double turns(double, double) { return 0; }
+};
+
+template <class Coordinate>
+class JointCoordinate {
+ public:
+  static constexpr int arity = Coordinate::arity;
+
+  // memory: the array of the history that has the value; offset: the value at the start.
+  JointCoordinate(const std::array<int, arity>& vertices, double offset, std::string memory)
+      : vertices_(vertices), offset_(offset), last_(offset), memory_(std::move(memory)) {}
+
+  const std::array<int, arity>& vertices() const { return vertices_; }
+  double offset() const { return offset_; }
+  double last() const { return last_; }  // at the end of the last step that was kept
+  // The value nearest to that, and what it adds to that of the formula.
+  double at(const VecX& x) const { return plain(x) + shift(x); }
+  double shift(const VecX& x) const { return offset_ + Coordinate::turns(plain(x) + offset_, last_); }
+
+  void remember(const History& history) {
+    const std::vector<double>* value = remembered(history, memory_, 1, 1);
+    last_ = value ? value->front() : offset_;
+  }
+  void commit(const VecX& x, History& history) const { history[memory_] = {1, {at(x)}, {}}; }
+
+ private:
+  double plain(const VecX& x) const {
+    std::array<Vec3, arity> places;
+    for (int i = 0; i < arity; ++i) places[i] = vertex(x, vertices_[i]);
+    return Coordinate::of(places);
+  }
+
+  std::array<int, arity> vertices_;
+  double offset_, last_;
+  std::string memory_;
+};
+
+}  // namespace tack

@@ -1,0 +1,64 @@
+// What keeps a joint's coordinate q between two limits: of both gaps g = q - low, high - q, where they are less than a margin m,
+//     P = -K (g - m)^2 ln(g / m),
+// the barrier of contact (Li et al. 2020, Incremental Potential Contact, eq. 6) in the coordinate: it is infinite beyond, so no step ends there.
+#pragma once
+
+#include <limits>
+#include <memory>
+
+#include "energies/interactions/joint_coordinate.hpp"
+#include "framework/assembly/formula_term.hpp"
+
+namespace tack {
+
+// The coordinate as the formula of a term has it: near that one.
+template <class Coordinate, class T>
+T joint_coordinate(const std::array<Eigen::Matrix<T, 3, 1>, Coordinate::arity>& x, double offset, double near) {
+  const T plain = Coordinate::of(x) + offset;
+  if constexpr (std::is_same_v<T, double>) return plain + Coordinate::turns(plain, near);
+  else return plain + Coordinate::turns(plain.v, near);
+}
+
+template <class Coordinate>
+struct JointLimit : FormulaOf<Coordinate::arity> {
+  struct Data {
+    double low, high, margin, stiffness, offset;  // of the coordinate; K [J per square of it]
+    double near = 0;
+  };
+  template <class T>
+  T energy(const std::array<Eigen::Matrix<T, 3, 1>, Coordinate::arity>& x, const Data& d) const {
+    using std::log;
+    const T q = joint_coordinate<Coordinate, T>(x, d.offset, d.near);
+    T sum(0);
+    for (const T& gap : {T(q - d.low), T(d.high - q)}) {
+      if (gap >= T(d.margin)) continue;
+      if (gap <= T(0)) return T(std::numeric_limits<double>::infinity());
+      const T into = gap - d.margin;
+      sum += -d.stiffness * into * into * log(gap / d.margin);
+    }
+    return sum;
+  }
+};
+
+// With no limits it only remembers the coordinate: for probes.
+template <class Coordinate>
+class JointLimitTerm : public FormulaTerm<JointLimit<Coordinate>> {
+ public:
+  explicit JointLimitTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate) : FormulaTerm<JointLimit<Coordinate>>("joint_limits"), coordinate_(std::move(coordinate)) {}
+  // stiffness: what it exerts at half of the margin, over the margin and 1.193.
+  void limit(double low, double high, double margin, double stiffness) {
+    this->add(coordinate_->vertices(), {low, high, margin, stiffness, coordinate_->offset(), coordinate_->offset()});
+  }
+  const JointCoordinate<Coordinate>& coordinate() const { return *coordinate_; }
+
+  void remember(const History& history) override {
+    coordinate_->remember(history);
+    for (auto& d : this->data()) d.near = coordinate_->last();
+  }
+  void commit(const VecX& x, History& history) const override { coordinate_->commit(x, history); }
+
+ private:
+  std::shared_ptr<JointCoordinate<Coordinate>> coordinate_;
+};
+
+}  // namespace tack

@@ -1,0 +1,111 @@
+// The keys of what acts along the coordinate of a joint, and its terms.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "energies/interactions/joint_drive.hpp"
+#include "framework/config/field.hpp"
+#include "framework/scene/interaction_builder.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+// Of a hinge: angles and torques; of a slider: ways and forces.
+struct JointUnits {
+  Unit value, rate, effort, damping;
+  const char* what;    // "angle"
+  const char* effort_key;  // "torque"
+  double soft, soft_rate, margin;  // usual widths of a servo, of friction and motors, of limits
+};
+
+struct JointMotor {
+  Schedule target;
+  double most = 0, soft = 0;
+};
+
+template <const JointUnits& U>
+struct MotorKeys : JointMotor {
+  MotorKeys() { soft = U.soft_rate; }
+  void fields(Fields& f) {
+    f.schedule("speed", target, U.rate, "the rate that it drives at, over time").required();
+    f.number(U.effort_key, most, U.effort, "what it exerts at most").required().positive();
+    f.number("within", soft, U.rate, "how far off the rate is where it exerts all of that").positive();
+  }
+};
+
+template <const JointUnits& U>
+struct ServoKeys : JointMotor {
+  ServoKeys() { soft = U.soft; }
+  void fields(Fields& f) {
+    f.schedule(U.what, target, U.value, "where it drives to, over time").required();
+    f.number(U.effort_key, most, U.effort, "what it exerts at most").required().positive();
+    f.number("within", soft, U.value, "how far off it is where it exerts all of that").positive();
+  }
+};
+
+template <const JointUnits& U>
+struct FrictionKeys {
+  double most = 0, soft = U.soft_rate;
+  void fields(Fields& f) {
+    f.number(U.effort_key, most, U.effort, "by which it resists motion, dry").required().positive();
+    f.number("eps", soft, U.rate, "rate below which it resists less, and what stands creeps").positive();
+  }
+};
+
+template <const JointUnits& U>
+struct LimitKeys {
+  std::optional<double> low, high, effort;
+  double margin = U.margin;
+  void fields(Fields& f) {
+    f.optional_number("low", low, U.value, "the least");
+    f.optional_number("high", high, U.value, "the most");
+    f.number("margin", margin, U.value, "how near a limit is where it begins to resist").positive();
+    f.optional_number(U.effort_key, effort, U.effort, "what it exerts at half of the margin, without end towards the limit; unless given, as much as bodies so stiff are made for").positive();
+    f.check("low", [this] { return low && high && *low >= *high ? std::string("is not below `high`; exchange them") : std::string(); });
+  }
+};
+
+template <class Coordinate, const JointUnits& U>
+struct MechanicsKeys {
+  double start = 0, damping = 0;
+  std::optional<LimitKeys<U>> limits;
+  std::optional<FrictionKeys<U>> friction;
+  std::optional<MotorKeys<U>> motor;
+  std::optional<ServoKeys<U>> servo;
+
+  void fields(Fields& f) {
+    f.number("start", start, U.value, fmt::format("its {} at the start", U.what));
+    f.optional_object("limits", limits, "that it never passes");
+    f.optional_object("friction", friction, "dry, of a stated size");
+    f.number("damping", damping, U.damping, "viscous").nonnegative();
+    f.optional_object("motor", motor, "drives at a rate");
+    f.optional_object("servo", servo, "drives to a place");
+  }
+
+  // effort: what limits exert at half of their margin unless told.
+  void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices, double effort) const {
+    const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(vertices, start, builder.remembers(U.what, 1, 1));
+    auto limit = std::make_unique<JointLimitTerm<Coordinate>>(coordinate);
+    if (limits) {
+      constexpr double infinite = std::numeric_limits<double>::infinity(), at_half = 1.1931471805599453;  // 1/2 + ln 2
+      const double low = limits->low.value_or(-infinite), high = limits->high.value_or(infinite);
+      if (!(low < start && start < high))
+        throw InputError(fmt::format("joint '{}' starts at {:.6g} {}, not between its limits, {:.6g} and {:.6g}; change these, or `start`", builder.name(), start,
+                                     U.value.si, low, high));
+      limit->limit(low, high, limits->margin, limits->effort.value_or(effort) / (limits->margin * at_half));
+    }
+    builder.add(std::move(limit));
+    if (!friction && damping == 0 && !motor && !servo) return;
+    auto drive = std::make_unique<JointDriveTerm<Coordinate>>(coordinate);
+    if (friction || damping > 0) drive->drive(DriveKind::friction, friction ? friction->most : 0, friction ? friction->soft : 1, damping, 0.0);
+    if (motor) drive->drive(DriveKind::motor, motor->most, motor->soft, 0, motor->target);
+    if (servo) drive->drive(DriveKind::servo, servo->most, servo->soft, 0, servo->target);
+    builder.add(std::move(drive));
+  }
+};
+
+}  // namespace tack

@@ -1,0 +1,111 @@
+// Ropes: springs that pull and do not push.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "framework/assembly/formula_term.hpp"
+#include "framework/probes/of_interaction.hpp"
+#include "framework/scene/interaction_builder.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// k/2 (l - L)^2 where it is longer than L.
+struct Taut : FormulaOf<2> {
+  struct Data {
+    double stiffness, length;  // N/m, m
+  };
+  template <class T>
+  T energy(const Places<T>& x, const Data& rope) const {
+    const T stretch = (x[1] - x[0]).norm() - rope.length;
+    return stretch > T(0) ? T(0.5 * rope.stiffness * stretch * stretch) : T(0);
+  }
+};
+
+class RopeTerm : public FormulaTerm<Taut> {
+ public:
+  RopeTerm() : FormulaTerm("ropes") {}
+  // On what they start from, in sum [N].
+  Vec3 force(const VecX& x) const {
+    Vec3 sum = Vec3::Zero();
+    for (int s = 0; s < count(); ++s) {
+      const Vec3 span = vertex(x, stencil(s)[1]) - vertex(x, stencil(s)[0]);
+      const double stretch = span.norm() - data()[s].length;
+      if (stretch > 0) sum += data()[s].stiffness * stretch * span.normalized();
+    }
+    return sum;
+  }
+};
+
+struct RopeEnd {
+  std::string object;
+  std::optional<Vec3> at;             // m
+  std::unique_ptr<Selection> select;  // null: the point
+
+  void fields(Fields& f) {
+    f.text("object", object, "name of the object; unless given, space");
+    f.optional_vector("at", at, units::length, "a point that the object carries along, or that stays");
+    f.component("select", select, "its vertices, instead of a point");
+    f.check("object", [this] {
+      if (select && (object.empty() || at)) return std::string("`select` chooses vertices of an `object`, and stands in the place of `at`");
+      return std::string(select || at ? "" : "give the place of the end, `at`, or vertices of an object, `select`");
+    });
+  }
+  std::vector<int> vertices(InteractionBuilder& builder) const {
+    if (object.empty()) return {builder.fixed(*at)};
+    const int body = builder.body(object);
+    if (!select) return {builder.anchor(body, *at)};
+    return tack::select(*select, builder.world().selection_context(body));
+  }
+};
+
+class Rope : public Interaction {
+ public:
+  void fields(Fields& f) override {
+    Interaction::fields(f);
+    f.object("from", from_, "a point, or vertices that have one rope each");
+    f.object("to", to_, "a point, or vertices of which each is tied to the one that is nearest at the start");
+    f.number("stiffness", stiffness_, units::stiffness, "of each rope, once it is taut").required().positive();
+    f.optional_number("length", length_, units::length, "from which on it is taut; unless given, its length at the start").nonnegative();
+  }
+  std::vector<std::string> objects() const override {
+    std::vector<std::string> all;
+    for (const RopeEnd* end : {&from_, &to_})
+      if (!end->object.empty()) all.push_back(end->object);
+    return all;
+  }
+  void build(InteractionBuilder& builder) const override {
+    const std::vector<int> from = from_.vertices(builder), to = to_.vertices(builder);
+    const VecX& rest = builder.rest();
+    auto term = std::make_unique<RopeTerm>();
+    for (const int v : from) {
+      const auto distance = [&](int w) { return (vertex(rest, v) - vertex(rest, w)).norm(); };
+      const int nearest = *std::min_element(to.begin(), to.end(), [&](int a, int b) { return distance(a) < distance(b); });
+      if (nearest == v) throw InputError(fmt::format("rope '{}' would tie a vertex to itself; choose other ends", builder.name()));
+      term->add({v, nearest}, {stiffness_, length_.value_or(distance(nearest))});
+    }
+    builder.add(std::move(term));
+  }
+
+ private:
+  RopeEnd from_, to_;
+  double stiffness_ = 0;          // N/m
+  std::optional<double> length_;  // m
+};
+
+class RopeForce : public OfInteraction<RopeTerm, VectorProbe> {
+ public:
+  Unit unit() const override { return units::force; }
+
+ protected:
+  Vec3 value(const World&, const State& state) override { return term().force(state.x); }
+};
+
+TACK_REGISTER(Interaction, Rope, "rope", "Ropes between points or vertices of objects, or from these to space, which pull where they are taut and do not push.", "");
+TACK_REGISTER(Probe, RopeForce, "rope_force", "What ropes exert on where they start from, in sum [N].", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,101 @@
+// Sliders: an affine body goes along a line, and does not turn. In space the line is a direction that is held; on another object it turns with
+// that, which is not linear: there a stiff potential keeps the point on it.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "energies/interactions/joint_mechanics.hpp"
+#include "energies/interactions/joint_points.hpp"
+#include "energies/interactions/joint_strength.hpp"
+#include "framework/probes/of_interaction.hpp"
+
+namespace tack {
+namespace {
+
+inline constexpr Unit damping{"N s/m", "damping"};
+inline constexpr JointUnits of_sliders{units::length, units::velocity, units::force, damping, "way", "force", 1e-4, 1e-3, 1e-3};  // m, m/s, m
+
+// k/2 of the square of the distance of a point from a line.
+struct OnLine : FormulaOf<3> {
+  struct Data {
+    double stiffness;  // N/m
+  };
+  template <class T>
+  T energy(const Places<T>& x, const Data& d) const {
+    const Eigen::Matrix<T, 3, 1> line = x[2] - x[1], from = x[0] - x[1];
+    const T along = from.dot(line);
+    return 0.5 * d.stiffness * (from.squaredNorm() - along * along / line.squaredNorm());
+  }
+};
+
+class OnLineTerm : public FormulaTerm<OnLine> {
+ public:
+  OnLineTerm() : FormulaTerm("joint_lines") {}
+  double off(const VecX& x) const { return std::sqrt(std::max(0.0, 2 * energy(0, x) / data()[0].stiffness)); }
+};
+
+class Slider : public Interaction {
+ public:
+  void fields(Fields& f) override {
+    Interaction::fields(f);
+    ends_.fields(f);
+    f.vector("axis", axis_, units::none, "along which the object goes").required();
+    mechanics_.fields(f);
+    f.optional_number("stiffness", stiffness_, units::stiffness, "of the line on another object; unless given, as stiff as the bodies are").positive();
+  }
+  std::vector<std::string> objects() const override { return ends_.objects(); }
+
+  void build(InteractionBuilder& builder) const override {
+    if (axis_.norm() == 0) throw InputError(fmt::format("slider '{}' has an axis without a direction; give it one", builder.name()));
+    const Vec3 axis = axis_.normalized();
+    JointPoints points(builder, ends_);
+    const double reach = points.reach();
+    const std::array<Vec3, 2> sides = across(axis);
+    const std::array<Vec3, 4> at = {ends_.at, ends_.at + reach * axis, ends_.at + reach * sides[0], ends_.at + reach * sides[1]};
+    std::array<int, 4> own, others;
+    for (int i = 0; i < 4; ++i) own[i] = points.of_object(at[i]), others[i] = points.of_other(at[i]);
+    for (int i = 1; i < 4; ++i) points.joint().relations.push_back({{own[i], 1.0}, {own[0], -1.0}, {others[i], -1.0}, {others[0], 1.0}});
+    int moved = own[0];
+    if (points.other() < 0) {
+      moved = builder.unknowns().places("place", std::vector{ends_.at})[0];
+      builder.unknowns().hold(moved, Mat3::Identity() - axis * axis.transpose());
+      points.joint().relations.push_back({{own[0], 1.0}, {moved, -1.0}});
+    } else {
+      auto line = std::make_unique<OnLineTerm>();
+      const double strength = joint_strength(builder.world(), points.object(), points.other());  // N m, at a strain of 1e-4
+      line->add({own[0], others[0], others[1]}, {stiffness_.value_or(strength / (tolerated_affine_strain * reach * reach))});
+      points.joint().play = [term = line.get()](const VecX& x) { return term->off(x); };
+      builder.add(std::move(line));
+    }
+    const double effort = joint_strength(builder.world(), points.object(), points.other()) / reach;
+    points.finish();
+    mechanics_.build(builder, {moved, others[0], others[1]}, effort);
+  }
+
+ private:
+  JointEnds ends_;
+  Vec3 axis_ = Vec3::Zero();
+  MechanicsKeys<SliderWay, of_sliders> mechanics_;
+  std::optional<double> stiffness_;  // N/m
+};
+
+class JointWay : public OfInteraction<JointLimitTerm<SliderWay>, Probe> {
+ public:
+  Unit unit() const override { return units::length; }
+  std::vector<double> sample(const World&, const State& state) override { return {term().coordinate().at(state.x)}; }
+};
+
+class MotorForce : public OfInteraction<JointDriveTerm<SliderWay>, Probe> {
+ public:
+  Unit unit() const override { return units::force; }
+  std::vector<double> sample(const World&, const State& state) override {
+    return {term().exerted(DriveKind::motor, state.x) + term().exerted(DriveKind::servo, state.x)};
+  }
+};
+
+TACK_REGISTER(Interaction, Slider, "slider", "A joint: an affine body goes along a line of another object or of space, and does not turn against it; with limits, friction and motors if asked.", "");
+TACK_REGISTER(Probe, JointWay, "joint_way", "How far a slider has gone along its line [m].", "");
+TACK_REGISTER(Probe, MotorForce, "motor_force", "What the motor and the servo of a slider exert along its line [N].", "");
+
+}  // namespace
+}  // namespace tack

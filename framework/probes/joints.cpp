@@ -1,0 +1,143 @@
+// Probes of what joints transmit, and of how exact they are.
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <Eigen/SparseCore>
+#include <map>
+
+#include "framework/config/nearest.hpp"
+#include "framework/core/term_gradient.hpp"
+#include "framework/output/probe.hpp"
+#include "framework/probes/of_interaction.hpp"
+#include "framework/probes/unbalanced.hpp"
+#include "framework/scene/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+const Joint& joint_named(const World& world, const std::string& name, const std::string& probe, std::string_view type) {
+  for (const Joint& joint : world.bindings.joints())
+    if (joint.name == name) return joint;
+  refuse_interaction(interaction_named(world, name, probe), probe, type);
+}
+
+// The degrees of freedom as they would be without joints.
+DofMap unjoined(const World& world, const State& state) {
+  const auto holds = static_cast<std::ptrdiff_t>(world.script.holds().size());
+  std::vector<char> active = state.held;
+  if (active.empty()) {
+    active = world.script.active(state.time);
+    const std::vector<char> ties = world.bindings.active(state.time);
+    active.insert(active.end(), ties.begin(), ties.end());
+  }
+  const std::vector<char> free = world.script.free(active);
+  return DofMap(free, world.bindings.unjoined_at(free, {active.begin() + holds, active.end()}), world.script.held_directions(active));
+}
+
+// One for each relation of each joint, in their order [N]: with L of a relation sum_i w_i x_i = 0, w_i L and what does not balance at a vertex
+// that nothing else determines add up to zero. Where joints say the same thing several times, the least ones that do.
+Eigen::MatrixXd multipliers(const World& world, const State& state) {
+  const DofMap dofs = unjoined(world, state);
+  VecX unbalanced = unbalanced_forces(world, state);
+  if (state.contact.size() > 0)
+    for (int v = 0; v < dofs.vertex_count(); ++v) vertex(unbalanced, v) += world.mass(v) * vertex(state.contact, v);
+  dofs.collect(unbalanced);
+  std::vector<Eigen::Triplet<double>> entries;  // block, relation, weight
+  int relations = 0;
+  for (const Joint& joint : world.bindings.joints())
+    for (const Joint::Relation& relation : joint.relations) {
+      for (const auto& [v, weight] : relation) {
+        if (dofs.mixed(v))
+          for (const DofMap::Part& part : dofs.blocks(v)) entries.emplace_back(part.leaf, relations, weight * part.weight);
+        else if (dofs.block(v) >= 0)
+          entries.emplace_back(dofs.block(v), relations, weight);
+      }
+      ++relations;
+    }
+  std::map<int, int> row;  // of a block
+  for (const auto& entry : entries) row.try_emplace(entry.row());
+  for (const DofMap::HeldBlock& held : dofs.held_blocks()) row.erase(held.block);  // what holds it takes part
+  int rows = 0;
+  for (auto& [block, number] : row) number = rows++;
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, relations), forces(rows, 3);
+  for (const auto& entry : entries)
+    if (const auto at = row.find(entry.row()); at != row.end()) weights(at->second, entry.col()) += entry.value();
+  for (const auto& [block, number] : row) forces.row(number) = -vertex(unbalanced, dofs.vertex_of_block(block)).transpose();
+  return weights.completeOrthogonalDecomposition().solve(forces);
+}
+
+// What the joint exerts on vertices (3n) [N]: by its relations, and by terms of it.
+VecX forces_of_joint(const Joint& joint, const World& world, const State& state) {
+  VecX forces = VecX::Zero(state.x.size());
+  for (const ActingInteraction& interaction : world.interactions)
+    if (interaction.name == joint.name)
+      for (const Term* term : interaction.terms) add_term_gradient(*term, state.x, forces);
+  forces = -forces;
+  const Eigen::MatrixXd all = multipliers(world, state);
+  Eigen::Index relation = 0;
+  for (const Joint& other : world.bindings.joints())
+    for (const Joint::Relation& r : other.relations) {
+      if (&other == &joint)
+        for (const auto& [v, weight] : r) vertex(forces, v) -= weight * all.row(relation).transpose();
+      ++relation;
+    }
+  return forces;
+}
+
+template <class Base>
+class OfJoint : public Base {
+ public:
+  void fields(Fields& f) override {
+    Base::fields(f);
+    f.text("interaction", interaction_, "the joint").required();
+  }
+  void prepare(const World& world) override { joint_ = &joint_named(world, interaction_, this->name_, this->type()); }
+
+ protected:
+  const Joint& joint() const { return *joint_; }
+
+ private:
+  std::string interaction_;
+  const Joint* joint_ = nullptr;
+};
+
+class JointForce : public OfJoint<VectorProbe> {
+ public:
+  Unit unit() const override { return units::force; }
+
+ protected:
+  Vec3 value(const World& world, const State& state) override {
+    const VecX forces = forces_of_joint(joint(), world, state);
+    Vec3 sum = Vec3::Zero();
+    for (const int v : joint().anchors) sum += vertex(forces, v);
+    return sum;
+  }
+};
+
+class JointTorque : public OfJoint<VectorProbe> {
+ public:
+  Unit unit() const override { return units::moment; }
+
+ protected:
+  Vec3 value(const World& world, const State& state) override {
+    const VecX forces = forces_of_joint(joint(), world, state);
+    const Vec3 about = vertex(state.x, joint().anchors.front());
+    Vec3 sum = Vec3::Zero();
+    for (const int v : joint().anchors) sum += (vertex(state.x, v) - about).cross(Vec3(vertex(forces, v)));
+    return sum;
+  }
+};
+
+class JointError : public OfJoint<Probe> {
+ public:
+  Unit unit() const override { return units::length; }
+  std::vector<double> sample(const World&, const State& state) override { return {joint_error(joint(), state.x)}; }
+};
+
+TACK_REGISTER(Probe, JointForce, "joint_force", "What a joint exerts on its object, in sum [N].", "");
+TACK_REGISTER(Probe, JointTorque, "joint_torque", "The moment about its point of what a joint exerts on its object, limits, friction and motors included [N m].", "");
+TACK_REGISTER(Probe, JointError, "joint_error", "How far apart what a joint has in one place is at worst [m].", "");
+
+}  // namespace
+}  // namespace tack
