@@ -23,8 +23,9 @@ struct OnLine : FormulaOf<3> {
   template <class T>
   T energy(const Places<T>& x, const Data& d) const {
     const Eigen::Matrix<T, 3, 1> line = x[2] - x[1], from = x[0] - x[1];
-    const T along = from.dot(line);
-    return 0.5 * d.stiffness * (from.squaredNorm() - along * along / line.squaredNorm());
+    const T along = from.dot(line) / line.squaredNorm();
+    const Eigen::Matrix<T, 3, 1> off = from - line * along;  // not by a difference of squares, which has no digits left
+    return 0.5 * d.stiffness * off.squaredNorm();
   }
 };
 
