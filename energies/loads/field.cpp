@@ -209,7 +209,7 @@ class FieldLoad : public Load {
     VecX sum = VecX::Zero(rest.size() / 3);
     for (const Triangle& t : body.triangles) {
       if (!flags[t[0]] || !flags[t[1]] || !flags[t[2]]) continue;
-      const auto [a, b, c] = corners(rest, t);
+      const auto [a, b, c] = tack::corners(rest, t);
       for (const int v : t) sum(v) += (b - a).cross(c - a).norm() / 6;
     }
     return sum;
@@ -218,11 +218,11 @@ class FieldLoad : public Load {
   static VecX volumes(const Body& body, const VecX& rest, const std::vector<int>&) {
     VecX sum = VecX::Zero(rest.size() / 3);
     for (const Tet& tet : body.tets) {
-      const auto [a, b, c, d] = corners(rest, tet);
+      const auto [a, b, c, d] = tack::corners(rest, tet);
       for (const int v : tet) sum(v) += std::abs((b - a).dot((c - a).cross(d - a))) / 24;
     }
     for (const Triangle& t : body.sheet) {
-      const auto [a, b, c] = corners(rest, t);
+      const auto [a, b, c] = tack::corners(rest, t);
       for (const int v : t) sum(v) += body.thickness * (b - a).cross(c - a).norm() / 6;
     }
     return sum;

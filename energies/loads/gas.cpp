@@ -38,6 +38,7 @@ class Gas : public StoredFilling {
   }
   double target(double, double) const override { return std::numeric_limits<double>::quiet_NaN(); }
   bool is_gas() const override { return true; }
+  std::vector<double> corners() const override { return amount_.corners(); }
 
  private:
   double p0() const { return pressure_.value_or(ambient_); }
@@ -69,6 +70,7 @@ class Liquid : public StoredFilling {
   }
   double target(double at_rest, double time) const override { return at_rest * volume_.at(time); }
   bool is_gas() const override { return false; }
+  std::vector<double> corners() const override { return volume_.corners(); }
 
  private:
   double bulk_modulus_ = 1;  // Pa

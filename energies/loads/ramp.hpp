@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "framework/config/field.hpp"
 #include "framework/scene/formula.hpp"
@@ -26,6 +27,12 @@ struct Ramp {
         return error.what();
       }
     });
+  }
+  std::vector<double> corners() const {
+    std::vector<double> times;
+    if (!ramp.constant())
+      for (const Schedule::Point& p : ramp.points()) times.push_back(p.time);
+    return times;
   }
   double at(double t) const {
     const double by_points = ramp.at(t);

@@ -32,6 +32,7 @@ class WindTerm : public FollowingLoad {
     velocity_ = later;
   }
 
+  std::vector<double> corners() const override { return settings_.ramp.corners(); }
   void begin_step(const StepStart& start) override {
     FollowingLoad::begin_step(start);
     if (velocity_.still.size() != start.x.size()) velocity_ = {0, start.x};  // nobody knows any
@@ -42,7 +43,7 @@ class WindTerm : public FollowingLoad {
     first_.resize(count());
     const Vec3 wind = settings_.ramp.at(start.time + start.h) * settings_.velocity;
     for (int t = 0; t < count(); ++t) {
-      const auto [a, b, c] = corners(start.x, triangles_[t]);
+      const auto [a, b, c] = tack::corners(start.x, triangles_[t]);
       const Vec3 twice = (b - a).cross(c - a);
       const double size = twice.norm();
       normals_.col(t) = size > 0 ? Vec3(twice / size) : Vec3::Zero();
@@ -93,7 +94,7 @@ class WindTerm : public FollowingLoad {
  private:
   int count() const { return static_cast<int>(triangles_.size()); }
   Vec3 mean(const VecX& x, int t) const {
-    const auto [a, b, c] = corners(x, triangles_[t]);
+    const auto [a, b, c] = tack::corners(x, triangles_[t]);
     return (a + b + c) / 3;
   }
   void push(int t, double u, VecX& forces) const {

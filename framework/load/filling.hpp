@@ -27,6 +27,7 @@ class StoredFilling : public Filling {
   // What is left of the amount after a step of size h that ends at that volume [s]; vented: by a rate beside its own [1/s].
   virtual double after(double volume, double volume_at_rest, double amount, double time, double h, double vented) const = 0;
   virtual bool is_gas() const = 0;
+  virtual std::vector<double> corners() const { return {}; }  // times at which it changes abruptly [s]
   std::unique_ptr<VolumeTerm> make_term(std::string label, OrientedSurface surface, const VecX& rest) const override;
 };
 

@@ -2,6 +2,8 @@
 // bodies have; what it does to them is work.
 #pragma once
 
+#include <vector>
+
 #include <optional>
 
 #include "framework/core/dof_map.hpp"
@@ -23,6 +25,9 @@ class FollowingLoad : public Term, public ResidualView {
   // Before each begin_step(): the velocities at its start (3n) [m/s], and what an integrator takes for those at its end; of rate 0 where nothing has a velocity.
   virtual bool needs_velocities() const { return false; }
   virtual void know_velocities(const VecX& /*now*/, const EndVelocity& /*later*/) {}
+
+  // The times at which it changes abruptly [s]: steps that adapt end there.
+  virtual std::vector<double> corners() const { return {}; }
 
   // For methods that want sums of squares, all of it is rest.
   const ResidualView* residual_view() const override { return this; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/load/following_load.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
@@ -30,6 +31,8 @@ StepControl::StepControl(const World& world, const TimeConfig& time) : time_(tim
   }
   for (const Tie& tie : world.bindings.ties()) add(tie.from), add(tie.until);
   for (const double t : world.load_term.corners()) add(t);
+  for (const FollowingLoad* load : world.following_loads)
+    for (const double t : load->corners()) add(t);
   add(time.duration);
   std::sort(corners_.begin(), corners_.end());
   for (size_t i = 0; i < world.bodies.size(); ++i) {
