@@ -50,11 +50,11 @@ struct RopeEnd {
     f.optional_vector("at", at, units::length, "a point that the object carries along, or that stays");
     f.component("select", select, "its vertices, instead of a point");
     f.check("object", [this] {
-      if (select && (object.empty() || at)) return std::string("`select` chooses vertices of an `object`, and stands in the place of `at`");
-      return std::string(select || at ? "" : "give the place of the end, `at`, or vertices of an object, `select`");
+      return std::string(select && (object.empty() || at) ? "`select` chooses vertices of an `object`, and stands in the place of `at`" : "");
     });
   }
   std::vector<int> vertices(InteractionBuilder& builder) const {
+    if (!at && !select) throw InputError("rope: give the place of the end, `at`, or vertices of an object, `select`");
     if (object.empty()) return {builder.fixed(*at)};
     const int body = builder.body(object);
     if (!select) return {builder.anchor(body, *at)};

@@ -131,7 +131,9 @@ void TriangleDivision::part(const Corners& c, int depth, int cell, const std::ve
 void TriangleDivision::gather(const Corners& c, int cell, const std::vector<int>& near) {
   Sum own;
   examine(c, sample_depth_, look_from(c, near), near, own);
-  if (!(own.area > 0) || !(own.normal.norm() > accuracy * own.area)) return;
+  // The strip along a rim that only the slack covers is no sample.
+  const double strip = slack_ * size_ / (1 << sample_depth_);
+  if (!(own.area > 4 * strip) || !(own.normal.norm() > accuracy * own.area)) return;
   out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell});
   parts_->parts.push_back({triangle_, own.leader, own.area, own.distance / own.area});
 }

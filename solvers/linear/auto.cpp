@@ -1,4 +1,4 @@
-// Chooses between a factor that is kept and conjugate gradients, by what they
+// Chooses between a factor that is kept and conjugate gradients with an incomplete one, by what they
 // read and compute: the operations and entries of the factor as its symbolic analysis predicts them,
 // against the blocks of the matrix and the iterations that were needed. Counts, not seconds, so that
 // runs repeat bit for bit; the constants are measured, see docs/performance.md.
@@ -79,7 +79,7 @@ class AutomaticSolver : public LinearSolver {
     next_iterates_ = false;
     if (!cost) return;
     const double blocks = matrix_->blocks(), pass = cost->entries + per_unknown * matrix_->size() + product * blocks;
-    budget_ = std::max(0.0, (operation * cost->operations + passes * pass) / (per_block * blocks) - preparation);
+    budget_ = std::max(0.0, (operation * cost->operations + passes * pass) / (per_block * blocks) - incomplete_factor);
     next_iterates_ = budget_ > needed_ && matrix_->size() > smallest;
     solves_ = 0;
     average_ = 0;
@@ -127,11 +127,11 @@ class AutomaticSolver : public LinearSolver {
   static constexpr double passes = 4.3;       // through the factor for each system
   static constexpr double per_unknown = 150;  // of a pass: nodes are small
   static constexpr double product = 10;       // a block of the matrix, once a pass
-  static constexpr double per_block = 20;     // an iteration: two passes through the matrix
-  static constexpr double preparation = 2;    // iterations that its pivots cost, and its first pass
-  static constexpr double expected = 11;      // iterations that a system may well take
+  static constexpr double per_block = 26;     // an iteration: product and incomplete factor
+  static constexpr double incomplete_factor = 5.5;  // iterations that it costs
+  static constexpr double expected = 9;       // iterations that a system may well take
   static constexpr int smallest = 1000;       // unknowns: any solver will do for fewer
-  static constexpr double patience = 1.1;     // times the budget: what a kept factor costs is not known well
+  static constexpr double patience = 1.6;     // times the budget: what a kept factor costs is not known well
   static constexpr double again = 1.5;        // times the iterations that were too many: a budget to try them again
   static constexpr int trial = 4;             // systems before iterations are judged
   static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell

@@ -86,7 +86,7 @@ class Pcg : public LinearSolver {
     if (outcome != ConjugateGradients::Outcome::solved && !reached) x.setConstant(b.size(), std::numeric_limits<double>::quiet_NaN());
   }
 
-  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("diagonal_cholesky");
+  std::unique_ptr<Preconditioner> preconditioner_ = Registry<Preconditioner>::make("incomplete_cholesky");
   double tolerance_ = 1e-2;
   int max_iterations_ = 1000;
   bool truncate_ = false;

@@ -64,7 +64,7 @@ TEST_CASE("what a run warns of stands in its summary, also of a run that is gone
   CHECK(contains(whole.back()["text"].get<std::string>(), "energy: time integration lost"));
   CHECK(energy["causes"]["integrator"]["lost"].get<double>() > 0.03 * energy["at_play"].get<double>());
   RunSettings part;
-  part.steps = 6;  // past the first checkpoint
+  part.steps = summary["steps"].get<int>() - 2;  // past the first checkpoint, however many steps the impact was cut into
   recorded(part);
   part = {};
   part.resume = true;
