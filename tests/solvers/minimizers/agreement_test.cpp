@@ -79,7 +79,7 @@ Outcome outcome(const std::string& scene) {
 
 // Tolerances that ask for about the same.
 const std::map<std::string, std::string> tight = {
-    {"tolerance", "1e-8"}, {"force_tolerance", "1e-8"}, {"acceleration_tolerance", "1e-4"}, {"max_iterations", "20000"}};
+    {"tolerance", "1e-8"}, {"force_tolerance", "1e-8"}, {"acceleration_tolerance", "1e-4"}, {"max_iterations", "60000"}};
 
 }  // namespace
 
