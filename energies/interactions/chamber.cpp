@@ -8,6 +8,7 @@
 #include "framework/scene/interaction.hpp"
 #include "framework/scene/interaction_builder.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/mesh/quality.hpp"
 
 namespace tack {
 namespace {
@@ -42,10 +43,10 @@ class ChamberBetween : public Interaction {
       if (around.slits.empty()) throw InputError(who + ": has a vent, and no slits between its parts; take it away, or give the gas a leak");
       auto& chamber = dynamic_cast<ChamberTerm&>(*term);
       std::vector<double> shut;
-      for (const Triangle& t : around.slits) shut.push_back(2 * area_of(builder.rest(), t));
+      for (const Triangle& t : around.slits) shut.push_back(2 * triangle_area(builder.rest(), t));
       chamber.set_vent([slits = std::move(around.slits), shut = std::move(shut), speed = vent_, &chamber](const VecX& x) {
         double open = 0;
-        for (size_t i = 0; i < slits.size(); ++i) open += std::max(0.0, area_of(x, slits[i]) - shut[i]);
+        for (size_t i = 0; i < slits.size(); ++i) open += std::max(0.0, triangle_area(x, slits[i]) - shut[i]);
         return speed * open / chamber.volume(x);
       });
     }

@@ -4,7 +4,6 @@
 #include "energies/interactions/joint_mechanics.hpp"
 #include "energies/interactions/joint_points.hpp"
 #include "energies/interactions/joint_strength.hpp"
-#include "framework/probes/of_interaction.hpp"
 
 namespace tack {
 namespace {
@@ -41,19 +40,8 @@ class Hinge : public Interaction {
   MechanicsKeys<HingeAngle, of_hinges> mechanics_;
 };
 
-class JointAngle : public OfInteraction<JointLimitTerm<HingeAngle>, Probe> {
- public:
-  Unit unit() const override { return units::angle; }
-  std::vector<double> sample(const World&, const State& state) override { return {term().coordinate().at(state.x)}; }
-};
-
-class MotorTorque : public OfInteraction<JointDriveTerm<HingeAngle>, Probe> {
- public:
-  Unit unit() const override { return units::moment; }
-  std::vector<double> sample(const World&, const State& state) override {
-    return {term().exerted(DriveKind::motor, state.x) + term().exerted(DriveKind::servo, state.x)};
-  }
-};
+using JointAngle = CoordinateProbe<HingeAngle, of_hinges>;
+using MotorTorque = DriveProbe<HingeAngle, of_hinges>;
 
 TACK_REGISTER(Interaction, Hinge, "hinge", "A joint: an affine body turns about an axis of another object or of space alone. Exact; with limits, friction and motors if asked.", "");
 TACK_REGISTER(Probe, JointAngle, "joint_angle", "By which angle a hinge has turned, whole turns included [rad].", "");

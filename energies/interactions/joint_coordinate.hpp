@@ -12,7 +12,6 @@
 
 namespace tack {
 
-
 // By how much the object is turned about the axis against what it is joined to [rad]: of a point of the axis, another one in its direction,
 // an arm of the latter and an arm of the object.
 struct HingeAngle {

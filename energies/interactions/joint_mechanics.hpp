@@ -9,6 +9,7 @@
 
 #include "energies/interactions/joint_drive.hpp"
 #include "framework/config/field.hpp"
+#include "framework/probes/of_interaction.hpp"
 #include "framework/scene/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
@@ -105,6 +106,23 @@ struct MechanicsKeys {
     if (motor) drive->drive(DriveKind::motor, motor->most, motor->soft, 0, motor->target);
     if (servo) drive->drive(DriveKind::servo, servo->most, servo->soft, 0, servo->target);
     builder.add(std::move(drive));
+  }
+};
+
+// Probes of the coordinate, and of what motor and servo exert along it.
+template <class Coordinate, const JointUnits& U>
+class CoordinateProbe : public OfInteraction<JointLimitTerm<Coordinate>, Probe> {
+ public:
+  Unit unit() const override { return U.value; }
+  std::vector<double> sample(const World&, const State& state) override { return {this->term().coordinate().at(state.x)}; }
+};
+
+template <class Coordinate, const JointUnits& U>
+class DriveProbe : public OfInteraction<JointDriveTerm<Coordinate>, Probe> {
+ public:
+  Unit unit() const override { return U.effort; }
+  std::vector<double> sample(const World&, const State& state) override {
+    return {this->term().exerted(DriveKind::motor, state.x) + this->term().exerted(DriveKind::servo, state.x)};
   }
 };
 

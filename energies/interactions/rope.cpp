@@ -1,10 +1,10 @@
 // Ropes: springs that pull and do not push.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 
+#include "energies/interactions/nearest_ends.hpp"
 #include "framework/assembly/formula_term.hpp"
 #include "framework/probes/of_interaction.hpp"
 #include "framework/scene/interaction_builder.hpp"
@@ -81,12 +81,8 @@ class Rope : public Interaction {
     const std::vector<int> from = from_.vertices(builder), to = to_.vertices(builder);
     const VecX& rest = builder.rest();
     auto term = std::make_unique<RopeTerm>();
-    for (const int v : from) {
-      const auto distance = [&](int w) { return (vertex(rest, v) - vertex(rest, w)).norm(); };
-      const int nearest = *std::min_element(to.begin(), to.end(), [&](int a, int b) { return distance(a) < distance(b); });
-      if (nearest == v) throw InputError(fmt::format("rope '{}' would tie a vertex to itself; choose other ends", builder.name()));
-      term->add({v, nearest}, {stiffness_, length_.value_or(distance(nearest))});
-    }
+    for (const Edge& ends : nearest_ends(from, to, rest, fmt::format("rope '{}'", builder.name())))
+      term->add(ends, {stiffness_, length_.value_or(length_of(ends, rest))});
     builder.add(std::move(term));
   }
 

@@ -7,7 +7,6 @@
 #include "energies/interactions/joint_mechanics.hpp"
 #include "energies/interactions/joint_points.hpp"
 #include "energies/interactions/joint_strength.hpp"
-#include "framework/probes/of_interaction.hpp"
 
 namespace tack {
 namespace {
@@ -80,19 +79,8 @@ class Slider : public Interaction {
   std::optional<double> stiffness_;  // N/m
 };
 
-class JointWay : public OfInteraction<JointLimitTerm<SliderWay>, Probe> {
- public:
-  Unit unit() const override { return units::length; }
-  std::vector<double> sample(const World&, const State& state) override { return {term().coordinate().at(state.x)}; }
-};
-
-class MotorForce : public OfInteraction<JointDriveTerm<SliderWay>, Probe> {
- public:
-  Unit unit() const override { return units::force; }
-  std::vector<double> sample(const World&, const State& state) override {
-    return {term().exerted(DriveKind::motor, state.x) + term().exerted(DriveKind::servo, state.x)};
-  }
-};
+using JointWay = CoordinateProbe<SliderWay, of_sliders>;
+using MotorForce = DriveProbe<SliderWay, of_sliders>;
 
 TACK_REGISTER(Interaction, Slider, "slider", "A joint: an affine body goes along a line of another object or of space, and does not turn against it; with limits, friction and motors if asked.", "");
 TACK_REGISTER(Probe, JointWay, "joint_way", "How far a slider has gone along its line [m].", "");

@@ -1,13 +1,12 @@
 // Springs between vertices of two objects, and their probes.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 
+#include "energies/interactions/nearest_ends.hpp"
 #include "energies/interactions/spring_term.hpp"
 #include "framework/probes/of_interaction.hpp"
 #include "framework/scene/interaction_builder.hpp"
-#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -31,13 +30,10 @@ class Spring : public Interaction {
     const std::vector<int> from = builder.vertices(from_), to = builder.vertices(to_);
     const VecX& rest = builder.rest();
     auto term = std::make_unique<SpringTerm>(builder.remembers("broken", 1, static_cast<int>(from.size())));
-    for (const int v : from) {
-      const auto distance = [&](int w) { return (vertex(rest, v) - vertex(rest, w)).norm(); };
-      const int nearest = *std::min_element(to.begin(), to.end(), [&](int a, int b) { return distance(a) < distance(b); });
-      if (nearest == v) throw InputError(fmt::format("spring '{}' would tie a vertex to itself; choose other ends", builder.name()));
-      SpringTerm::Spring spring{stiffness_, length_.value_or(distance(nearest))};
+    for (const Edge& ends : nearest_ends(from, to, rest, fmt::format("spring '{}'", builder.name()))) {
+      SpringTerm::Spring spring{stiffness_, length_.value_or(length_of(ends, rest))};
       if (breaking_force_) spring.strength = *breaking_force_;
-      term->add({v, nearest}, spring);
+      term->add(ends, spring);
     }
     builder.add(std::move(term));
   }

@@ -10,10 +10,13 @@
 
 #include "framework/config/field.hpp"
 #include "framework/load/following_load.hpp"
+#include "framework/scene/chosen_vertices.hpp"
+#include "framework/scene/extent.hpp"
 #include "framework/scene/formula.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/selection.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/mesh/quality.hpp"
 
 namespace tack {
 namespace {
@@ -69,24 +72,15 @@ class FieldTerm : public FollowingLoad {
   FieldTerm(const FieldFormulas& formulas, std::vector<int> vertices, VecX weights, double size)
       : FollowingLoad("field"), formulas_(formulas), vertices_(std::move(vertices)), weights_(std::move(weights)), step_(1e-5 * size) {}
   bool needs_velocities() const override { return formulas_.of_velocity; }
-  void know_velocities(const VecX& now, const EndVelocity& later) override {
-    if (!formulas_.of_velocity) return;
-    velocity_ = later;
-    before_ = later.rate > 0 ? now : VecX::Zero(now.size());
-  }
 
   void begin_step(const StepStart& start) override {
     FollowingLoad::begin_step(start);
-    if (before_.size() != start.x.size()) {  // nobody knows any
-      velocity_ = {0, start.x};
-      before_ = VecX::Zero(start.x.size());
-    }
     const double t = start.time + start.h;
     forces_.resize(3, count());
     by_place_.resize(vertices_.size());
     by_velocity_.assign(vertices_.size(), Mat3::Zero());
     for (int i = 0; i < count(); ++i) {
-      const Vec3 x = vertex(start.x, vertices_[i]), v = vertex(before_, vertices_[i]);
+      const Vec3 x = vertex(start.x, vertices_[i]), v = vertex(before(), vertices_[i]);
       forces_.col(i) = weights_(i) * formulas_.at(t, x, v);
       Mat3 by_place;
       for (int k = 0; k < 3; ++k) {
@@ -94,7 +88,7 @@ class FieldTerm : public FollowingLoad {
         by_place.col(k) = (formulas_.at(t, x + d, v) - formulas_.at(t, x - d, v)) / (2 * step_);
       }
       by_place_[i] = weights_(i) * resisting(by_place);
-      if (velocity_.rate == 0) continue;
+      if (after().rate == 0) continue;
       Mat3 by_velocity;
       const double change = 1e-5 * std::max(v.norm(), 1e-3);
       for (int k = 0; k < 3; ++k) {
@@ -110,7 +104,7 @@ class FieldTerm : public FollowingLoad {
     for (int i = 0; i < count(); ++i) {
       const Vec3 d = way(x, i), now = changed(x, i), then = changed(start(), i);
       sum -= d.dot(forces_.col(i) + by_place_[i] * d / 2);
-      if (velocity_.rate > 0) sum -= (now.dot(by_velocity_[i] * now) - then.dot(by_velocity_[i] * then)) / (2 * velocity_.rate);
+      if (after().rate > 0) sum -= (now.dot(by_velocity_[i] * now) - then.dot(by_velocity_[i] * then)) / (2 * after().rate);
     }
     return sum;
   }
@@ -118,14 +112,14 @@ class FieldTerm : public FollowingLoad {
   void derivatives(const VecX& x, Projection, double* gradient, double* hessian) const override {
     for (int i = 0; i < count(); ++i) {
       Eigen::Map<Vec3>{gradient + 3 * static_cast<size_t>(i)} = -(forces_.col(i) + by_place_[i] * way(x, i) + by_velocity_[i] * changed(x, i));
-      if (hessian) Eigen::Map<Mat3>{hessian + 9 * static_cast<size_t>(i)} = -by_place_[i] - velocity_.rate * by_velocity_[i];
+      if (hessian) Eigen::Map<Mat3>{hessian + 9 * static_cast<size_t>(i)} = -by_place_[i] - after().rate * by_velocity_[i];
     }
   }
   // In a step that ends at x.
   void add_forces(const VecX& x, double part, VecX& sum) const override {
     for (int i = 0; i < count(); ++i) {
       const int v = vertices_[i];
-      vertex(sum, v) += weights_(i) * formulas_.at(time() + part * h(), vertex(start(), v) + part * way(x, i), vertex(before_, v) + part * changed(x, i));
+      vertex(sum, v) += weights_(i) * formulas_.at(time() + part * h(), vertex(start(), v) + part * way(x, i), vertex(before(), v) + part * changed(x, i));
     }
   }
   double work(const VecX& x, const DofMap& dofs) const override {
@@ -143,15 +137,13 @@ class FieldTerm : public FollowingLoad {
   // Of the velocity, if the step ended there.
   Vec3 changed(const VecX& x, int i) const {
     const int v = vertices_[i];
-    return velocity_.rate * (vertex(x, v) - vertex(velocity_.still, v)) - vertex(before_, v);
+    return after().rate * (vertex(x, v) - vertex(after().still, v)) - vertex(before(), v);
   }
 
   const FieldFormulas& formulas_;
   std::vector<int> vertices_;
   VecX weights_;
   double step_;  // m, of differences
-  EndVelocity velocity_{};
-  VecX before_;  // velocities at the start of the step
   Eigen::Matrix3Xd forces_;
   std::vector<Mat3> by_place_, by_velocity_;
 };
@@ -178,12 +170,7 @@ class FieldLoad : public Load {
 
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX& mass) const override {
     const std::vector<int> chosen = select(*select_, {body, rest});
-    Vec3 low = vertex(rest, body.first_vertex), high = low;
-    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
-      low = low.cwiseMin(Vec3(vertex(rest, v)));
-      high = high.cwiseMax(Vec3(vertex(rest, v)));
-    }
-    const double size = std::max((high - low).norm(), body.radius);
+    const double size = std::max(extent_of(body, rest).diagonal().norm(), body.radius);
     const bool whole = static_cast<int>(chosen.size()) == body.vertex_count;
     // The frame of an affine body has its mass.
     const bool framed = !body.frame.empty() && per_ != Per::area;
@@ -191,7 +178,7 @@ class FieldLoad : public Load {
       throw InputError("object '" + body.name + "': a field per mass or volume on part of an affine body has no meaning (its mass is that of the whole); select all of "
                        "it, or take `per: area`");
     const std::vector<int> on = framed ? body.frame : chosen;
-    const VecX all = per_ == Per::area ? areas(body, rest, chosen) : per_ == Per::volume && !framed ? volumes(body, rest, chosen) : mass;
+    const VecX all = per_ == Per::area ? areas(body, rest, chosen) : per_ == Per::volume && !framed ? volumes(body, rest) : mass;
     VecX weights(on.size());
     for (size_t i = 0; i < on.size(); ++i) weights(static_cast<Eigen::Index>(i)) = all(on[i]);
     if (!(weights.sum() > 0))
@@ -204,27 +191,23 @@ class FieldLoad : public Load {
 
  private:
   static VecX areas(const Body& body, const VecX& rest, const std::vector<int>& chosen) {
-    std::vector<char> flags(rest.size() / 3, 0);
-    for (const int v : chosen) flags[v] = 1;
+    const ChosenVertices all(body, chosen);
     VecX sum = VecX::Zero(rest.size() / 3);
     for (const Triangle& t : body.triangles) {
-      if (!flags[t[0]] || !flags[t[1]] || !flags[t[2]]) continue;
-      const auto [a, b, c] = tack::corners(rest, t);
-      for (const int v : t) sum(v) += (b - a).cross(c - a).norm() / 6;
+      if (!all.whole(t)) continue;
+      for (const int v : t) sum(v) += triangle_area(rest, t) / 3;
     }
     return sum;
   }
   // A quarter of each tet, a third of each piece of a sheet.
-  static VecX volumes(const Body& body, const VecX& rest, const std::vector<int>&) {
+  static VecX volumes(const Body& body, const VecX& rest) {
     VecX sum = VecX::Zero(rest.size() / 3);
     for (const Tet& tet : body.tets) {
       const auto [a, b, c, d] = tack::corners(rest, tet);
-      for (const int v : tet) sum(v) += std::abs((b - a).dot((c - a).cross(d - a))) / 24;
+      for (const int v : tet) sum(v) += std::abs(tet_volume(a, b, c, d)) / 4;
     }
-    for (const Triangle& t : body.sheet) {
-      const auto [a, b, c] = tack::corners(rest, t);
-      for (const int v : t) sum(v) += body.thickness * (b - a).cross(c - a).norm() / 6;
-    }
+    for (const Triangle& t : body.sheet)
+      for (const int v : t) sum(v) += body.thickness * triangle_area(rest, t) / 3;
     return sum;
   }
 

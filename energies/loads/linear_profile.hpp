@@ -26,12 +26,7 @@ struct LoadProfile {
     f.check("axis", [this]() -> std::string { return axis.norm() > 0 ? "" : "must not be zero"; });
   }
 
-  std::vector<double> corners() const {
-    std::vector<double> times;
-    if (!ramp.constant())
-      for (const Schedule::Point& p : ramp.points()) times.push_back(p.time);
-    return times;
-  }
+  std::vector<double> corners() const { return ramp.corners(); }
 
   double at(const Vec3& rest_position, double t) const {
     const double along = axis.normalized().dot(rest_position - centre);

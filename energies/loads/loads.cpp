@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "energies/loads/linear_profile.hpp"
+#include "framework/scene/chosen_vertices.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/selection.hpp"
 #include "geometry/errors.hpp"
@@ -22,11 +23,10 @@ class Traction : public Load {
 
   void add_forces(const Body& body, const VecX& rest, const VecX&, double t,
                   VecX& force) const override {
-    std::vector<char> chosen(rest.size() / 3, 0);
-    for (const int v : select(*select_, {body, rest})) chosen[v] = 1;
+    const ChosenVertices chosen(body, select(*select_, {body, rest}));
     bool any = false;
     for (const Triangle& tri : body.triangles) {
-      if (!chosen[tri[0]] || !chosen[tri[1]] || !chosen[tri[2]]) continue;
+      if (!chosen.whole(tri)) continue;
       any = true;
       const Vec3 a = vertex(rest, tri[0]), b = vertex(rest, tri[1]), c = vertex(rest, tri[2]);
       const double third = (b - a).cross(c - a).norm() / 6;

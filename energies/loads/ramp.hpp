@@ -28,12 +28,7 @@ struct Ramp {
       }
     });
   }
-  std::vector<double> corners() const {
-    std::vector<double> times;
-    if (!ramp.constant())
-      for (const Schedule::Point& p : ramp.points()) times.push_back(p.time);
-    return times;
-  }
+  std::vector<double> corners() const { return ramp.corners(); }
   double at(double t) const {
     const double by_points = ramp.at(t);
     return formula_ ? by_points * (*formula_)(std::array{t}) : by_points;

@@ -8,6 +8,7 @@
 
 #include "energies/loads/ramp.hpp"
 #include "framework/load/following_load.hpp"
+#include "framework/scene/chosen_vertices.hpp"
 #include "framework/scene/load.hpp"
 #include "framework/scene/selection.hpp"
 #include "geometry/parallel.hpp"
@@ -27,16 +28,10 @@ class WindTerm : public FollowingLoad {
   WindTerm(const WindSettings& settings, std::vector<Triangle> triangles)
       : FollowingLoad("wind"), settings_(settings), triangles_(std::move(triangles)) {}
   bool needs_velocities() const override { return true; }
-  void know_velocities(const VecX& now, const EndVelocity& later) override {
-    now_ = now;
-    velocity_ = later;
-  }
 
   std::vector<double> corners() const override { return settings_.ramp.corners(); }
   void begin_step(const StepStart& start) override {
     FollowingLoad::begin_step(start);
-    if (velocity_.still.size() != start.x.size()) velocity_ = {0, start.x};  // nobody knows any
-    if (now_.size() != start.x.size()) now_ = VecX::Zero(start.x.size());
     normals_.resize(3, count());
     factors_.resize(count());
     still_.resize(count());
@@ -48,7 +43,7 @@ class WindTerm : public FollowingLoad {
       const double size = twice.norm();
       normals_.col(t) = size > 0 ? Vec3(twice / size) : Vec3::Zero();
       factors_(t) = settings_.density * settings_.drag * size / 4;
-      still_(t) = normals_.col(t).dot(wind + velocity_.rate * mean(velocity_.still, t));
+      still_(t) = normals_.col(t).dot(wind + after().rate * mean(after().still, t));
       first_(t) = towards(start.x, t);
     }
   }
@@ -59,7 +54,7 @@ class WindTerm : public FollowingLoad {
       for (int t = first; t < last; ++t) {
         const double u = towards(x, t), before = first_(t);
         // Without velocities, its limit.
-        if (velocity_.rate > 0) sum += factors_(t) / (3 * velocity_.rate) * (std::abs(u * u * u) - std::abs(before * before * before));
+        if (after().rate > 0) sum += factors_(t) / (3 * after().rate) * (std::abs(u * u * u) - std::abs(before * before * before));
         else sum -= factors_(t) * std::abs(u) * u * normals_.col(t).dot(mean(x, t) - mean(start(), t));
       }
       return sum;
@@ -72,7 +67,7 @@ class WindTerm : public FollowingLoad {
       const Vec3 n = normals_.col(t), g = -factors_(t) / 3 * std::abs(u) * u * n;
       for (int k = 0; k < 3; ++k) Eigen::Map<Vec3>{gradient + 9 * static_cast<size_t>(t) + 3 * k} = g;
       if (!hessian) return;
-      const Mat3 h = 2 * factors_(t) / 9 * std::abs(u) * velocity_.rate * n * n.transpose();
+      const Mat3 h = 2 * factors_(t) / 9 * std::abs(u) * after().rate * n * n.transpose();
       for (int k = 0; k < hessian_blocks(3); ++k) Eigen::Map<Mat3>{hessian + 54 * static_cast<size_t>(t) + 9 * k} = h;
     });
   }
@@ -87,7 +82,7 @@ class WindTerm : public FollowingLoad {
     VecX forces = VecX::Zero(x.size());
     add_forces(x, 1, forces);
     const Vec3 wind = settings_.ramp.at(time()) * settings_.velocity;
-    for (int t = 0; t < count(); ++t) push(t, normals_.col(t).dot(wind - (velocity_.rate > 0 ? mean(now_, t) : Vec3::Zero())), forces);
+    for (int t = 0; t < count(); ++t) push(t, normals_.col(t).dot(wind - mean(before(), t)), forces);
     return work_of(forces / 2, x - start(), dofs);
   }
 
@@ -100,12 +95,10 @@ class WindTerm : public FollowingLoad {
   void push(int t, double u, VecX& forces) const {
     for (const int v : triangles_[t]) vertex(forces, v) += factors_(t) / 3 * std::abs(u) * u * normals_.col(t);
   }
-  double towards(const VecX& x, int t) const { return still_(t) - velocity_.rate * normals_.col(t).dot(mean(x, t)); }
+  double towards(const VecX& x, int t) const { return still_(t) - after().rate * normals_.col(t).dot(mean(x, t)); }
 
   const WindSettings& settings_;
   std::vector<Triangle> triangles_;
-  VecX now_;  // velocities at the start of the step
-  EndVelocity velocity_{};
   Eigen::Matrix3Xd normals_;
   VecX factors_, still_, first_;  // rho c_d A / 2; u of a triangle at the origin; u at the start of the step
 };
@@ -120,10 +113,9 @@ class Wind : public Load {
     f.component("select", select_, "vertices; triangles with all three selected are in it");
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
-    std::vector<char> chosen(static_cast<size_t>(body.vertex_count), 0);
-    for (const int v : select(*select_, {body, rest})) chosen[v - body.first_vertex] = 1;
+    const ChosenVertices chosen(body, select(*select_, {body, rest}));
     std::vector<Triangle> triangles = body.triangles;
-    std::erase_if(triangles, [&](const Triangle& t) { return !std::all_of(t.begin(), t.end(), [&](int v) { return chosen[v - body.first_vertex]; }); });
+    std::erase_if(triangles, [&](const Triangle& t) { return !chosen.whole(t); });
     if (triangles.empty())
       throw InputError("object '" + body.name + "': its wind's selection holds no whole surface triangle; widen it");
     return std::make_unique<WindTerm>(settings_, std::move(triangles));

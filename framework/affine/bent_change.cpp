@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "geometry/cross_matrix.hpp"
+
 namespace tack {
 namespace {
 
@@ -19,12 +21,6 @@ Mat3 rotation_of(const Mat3& m) {
   return r;
 }
 
-Mat3 skew(const Vec3& w) {
-  Mat3 m;
-  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return m;
-}
-
 }  // namespace
 
 bool bend_change(const Mat3& a, Mat3& change) {
@@ -34,7 +30,7 @@ bool bend_change(const Mat3& a, Mat3& change) {
   // K = W S + D: its skew part is that of W S, which is (tr S - S) w.
   const Vec3 twice(k(2, 1) - k(1, 2), k(0, 2) - k(2, 0), k(1, 0) - k(0, 1));
   const Vec3 w = (s.trace() * Mat3::Identity() - s).inverse() * twice;
-  change = rotation_of(end) * (s + k - skew(w) * s) - a;
+  change = rotation_of(end) * (s + k - cross_matrix(w) * s) - a;
   return true;
 }
 

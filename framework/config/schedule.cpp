@@ -30,4 +30,11 @@ double Schedule::at(double time) const {
   return (1 - s) * before.value + s * next->value;
 }
 
+std::vector<double> Schedule::corners() const {
+  std::vector<double> times;
+  if (constant()) return times;
+  for (const Point& p : points_) times.push_back(p.time);
+  return times;
+}
+
 }  // namespace tack

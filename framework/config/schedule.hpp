@@ -23,6 +23,7 @@ class Schedule {
   double at(double time) const;
   bool constant() const { return points_.size() == 1; }
   const std::vector<Point>& points() const { return points_; }
+  std::vector<double> corners() const;  // times at which its slope changes [s]; of a constant none
   bool operator==(const Schedule&) const = default;
 
  private:

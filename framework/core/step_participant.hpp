@@ -26,6 +26,7 @@ struct StepStart {
   double time = 0;  // s
   double h = 0;     // the size of the step [s]
   const EndVelocity* velocity = nullptr;  // null: the step over h
+  const VecX* before = nullptr;  // velocities at the start (3n) [m/s]; null: nothing has any, as in quasi-static steps
 };
 
 class StepParticipant {

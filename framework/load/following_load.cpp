@@ -2,6 +2,19 @@
 
 namespace tack {
 
+void FollowingLoad::begin_step(const StepStart& start) {
+  start_ = start.x;
+  time_ = start.time;
+  h_ = start.h;
+  if (needs_velocities() && start.before && start.velocity) {
+    before_ = *start.before;
+    after_ = *start.velocity;
+  } else {
+    before_ = VecX::Zero(start.x.size());
+    after_ = {0, start.x};
+  }
+}
+
 double FollowingLoad::work_of(const VecX& forces, const VecX& way, const DofMap& dofs) {
   double work = 0;
   for (int v = 0; v < dofs.vertex_count(); ++v)

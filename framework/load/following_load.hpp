@@ -4,8 +4,6 @@
 
 #include <vector>
 
-#include <optional>
-
 #include "framework/core/dof_map.hpp"
 #include "framework/core/residual_view.hpp"
 #include "framework/core/term.hpp"
@@ -17,14 +15,8 @@ class FollowingLoad : public Term, public ResidualView {
   using Term::Term;
   bool stores() const override { return false; }
   void publish(Records&) const override {}
-  void begin_step(const StepStart& start) override {
-    start_ = start.x;
-    time_ = start.time;
-    h_ = start.h;
-  }
-  // Before each begin_step(): the velocities at its start (3n) [m/s], and what an integrator takes for those at its end; of rate 0 where nothing has a velocity.
+  void begin_step(const StepStart& start) override;
   virtual bool needs_velocities() const { return false; }
-  virtual void know_velocities(const VecX& /*now*/, const EndVelocity& /*later*/) {}
 
   // The times at which it changes abruptly [s]: steps that adapt end there.
   virtual std::vector<double> corners() const { return {}; }
@@ -44,10 +36,15 @@ class FollowingLoad : public Term, public ResidualView {
   const VecX& start() const { return start_; }  // of the step (3n) [m]
   double time() const { return time_; }         // of its start [s]
   double h() const { return h_; }               // its size [s]
+  // Velocities at its start (3n) [m/s] and at its end: zero, and of rate 0, where nothing has any, or none are needed.
+  const VecX& before() const { return before_; }
+  const EndVelocity& after() const { return after_; }
 
  private:
   VecX start_;
   double time_ = 0, h_ = 0;
+  VecX before_;
+  EndVelocity after_{};
 };
 
 }  // namespace tack

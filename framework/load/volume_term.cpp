@@ -4,18 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/cross_matrix.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-Mat3 cross_matrix(const Vec3& w) {
-  Mat3 m;
-  m << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return m;
-}
 
 // The blocks (a, a), (b, a), (b, b) of the Hessian that couples a with b by f [w]_x: its eigenvalues are +-f |w|, twice, and zero.
 void write_hessian(double f, const Vec3& w, Projection projection, double* blocks) {

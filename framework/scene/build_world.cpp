@@ -8,16 +8,13 @@
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
-#include "framework/contact/too_close.hpp"
 #include "framework/core/damping_terms.hpp"
-#include "framework/load/volume_term.hpp"
 #include "framework/rod/rod_frames.hpp"
+#include "framework/scene/add_loads.hpp"
 #include "framework/scene/affine_bodies.hpp"
 #include "framework/scene/carried_motion.hpp"
 #include "framework/scene/contact_support.hpp"
-#include "framework/scene/containment.hpp"
 #include "framework/scene/consistent_mass.hpp"
-#include "framework/scene/describe_primitive.hpp"
 #include "framework/scene/earlier_state.hpp"
 #include "framework/scene/energy_records.hpp"
 #include "framework/scene/energy_with_unknowns.hpp"
@@ -27,9 +24,9 @@
 #include "framework/scene/refined_surface.hpp"
 #include "framework/scene/rod_twists.hpp"
 #include "framework/scene/selected_elements.hpp"
+#include "framework/scene/start_checks.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
-#include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
 #include "geometry/mesh/surface.hpp"
 #include "geometry/mesh/validate.hpp"
@@ -208,118 +205,11 @@ void start_state(const SceneConfig& scene, World& world) {
   world.dofs.follow(s.v);
 }
 
-const Value* entry(const Value* list, size_t i) {
-  return list && i < list->items.size() ? &list->items[i] : nullptr;
-}
-
 // One object at a time, so that a message can name its place in the file.
 template <class Action>
 void for_each_object(const SceneConfig& scene, const Value& root, const Action& action) {
   for (size_t i = 0; i < scene.objects.size(); ++i)
-    at_place(entry(root.find("objects"), i), [&] { action(i); });
-}
-
-// What to do about objects that are where others are.
-std::string apart(const SceneConfig& scene, bool several) {
-  const char* pushed = several && !scene.contact->push_out ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
-  return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
-}
-
-void check_start(const SceneConfig& scene, const Value& root, const World& world) {
-  if (!world.contact) return;
-  const ContactSurface& surface = world.contact->surface();
-  const auto hits = find_intersections(surface.mesh, world.start.x, world.contact->colliding(), 5);
-  if (hits.empty()) return;
-  std::string list;
-  int a = 0, b = 0;
-  bool several = false;
-  for (const auto& hit : hits) {
-    const Edge& e = surface.mesh.edges[hit.edge];
-    const Triangle& t = surface.mesh.triangles[hit.triangle];
-    a = surface.mesh.vertex_object[e[0]];
-    b = surface.mesh.vertex_object[t[0]];
-    several = several || a != b;
-    const auto n = [&](int v) { return world.number_in_body(v); };
-    list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", n(e[0]), n(e[1]),
-                        world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
-  }
-  throw InputError(fmt::format("{}the start intersects; {}:{}", place_of(root, "objects", static_cast<size_t>(std::max(a, b))),
-                               apart(scene, several), list));
-}
-
-// What no intersection of edges and triangles tells: edges, points and parts of one plane that touch, such as those of a sheet that is folded
-// flat or a rod that turns back on itself; and contact surfaces, which lie in front of what is meshed if objects have an offset.
-void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
-  if (!world.contact) return;
-  world.contact->cover(world.start.x, VecX());
-  const auto found = find_too_close(*world.contact, world.start.x);
-  world.contact->forget();
-  if (found.empty()) return;
-  std::string list;
-  int later = 0;
-  bool touches = false, several = false;
-  for (const TooClose& pair : found) {
-    const int a = world.body_of(pair.first[0]), b = world.body_of(pair.second[0]);
-    later = std::max({later, a, b});
-    touches = touches || pair.touching;
-    several = several || a != b;
-    const std::string what = describe_primitive(world, pair.first) + " and " + describe_primitive(world, pair.second);
-    list += pair.touching ? fmt::format("\n  {} touch at ({:.6g}, {:.6g}, {:.6g}) m", what, pair.at.x(), pair.at.y(), pair.at.z())
-                          : fmt::format("\n  {} are {:.4g} m apart, and need {:.4g} m", what, pair.distance, pair.offset);
-  }
-  const std::string where = place_of(root, "objects", static_cast<size_t>(later));
-  if (touches)
-    throw InputError(fmt::format("{}the start touches{}:{}", where, several ? "; " + apart(scene, true)
-                                 : " itself; take one of the parts out of the mesh, part them, or turn the object's contact with itself off "
-                                   "(contact.pairs, contact: false)", list));
-  throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate){} or lower their "
-                               "contact_offset:{}", where, several && !scene.contact->push_out ? ", have them pushed apart (contact.push_out: 1 mm)" : "",
-                               list));
-}
-
-void check_containment(const SceneConfig& scene, const Value& root, const World& world) {
-  const auto found = find_containment(world);
-  if (!found) return;
-  const Body& inner = world.bodies[found->body];
-  const Body& outer = world.bodies[found->around];
-  const Vec3 x = vertex(world.start.x, found->vertex);
-  throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
-                               "in tet {}); {}",
-                               place_of(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
-                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene, true)));
-}
-
-}  // namespace
-
-void note_following_load(FollowingLoad& load, World& world) {
-  if (const auto* chamber = dynamic_cast<const VolumeTerm*>(&load)) {
-    for (const VolumeTerm* other : world.chambers)
-      if (other->label() == chamber->label())
-        throw InputError(fmt::format("two pressures or chambers are named '{}'; give one of them another name", chamber->label()));
-    world.chambers.push_back(chamber);
-  }
-  world.following_loads.push_back(&load);
-}
-
-namespace {
-
-// Every load finds what it acts on, or this is told before anything is written.
-void add_loads(const SceneConfig& scene, const Value& root, World& world) {
-  VecX force = VecX::Zero(world.rest.size());
-  for (size_t i = 0; i < scene.objects.size(); ++i) {
-    const Value* object = entry(root.find("objects"), i);
-    for (size_t j = 0; j < scene.objects[i].loads.size(); ++j)
-      at_place(object ? entry(object->find("loads"), j) : nullptr, [&] {
-        const Load& load = *scene.objects[i].loads[j];
-        if (auto term = load.make_term(world.bodies[i], world.rest, world.mass)) {
-          note_following_load(*term, world);
-          world.load_terms.push_back(std::move(term));
-          return;
-        }
-        load.add_forces(world.bodies[i], world.rest, world.mass, 0, force);
-        world.load_term.add(load, world.bodies[i], world.rest, world.mass);
-      });
-  }
+    at_place(entry_of(root.find("objects"), i), [&] { action(i); });
 }
 
 // Friction before damping, as what works against both is summed in this order.
@@ -337,8 +227,10 @@ void publish(World& world) {
 
 }  // namespace
 
+const Value* entry_of(const Value* list, size_t i) { return list && i < list->items.size() ? &list->items[i] : nullptr; }
+
 std::string place_of(const Value& root, const std::string& list, size_t i) {
-  const Value* value = entry(root.find(list), i);
+  const Value* value = entry_of(root.find(list), i);
   return value ? value->mark.text() + ": " : "";
 }
 
@@ -405,8 +297,6 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   build_contact(scene, root, clock, *world);
   check_start(scene, root, *world);
-  check_gaps(scene, root, *world);
-  check_containment(scene, root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
   for (const auto& term : world->damping_terms) world->terms.push_back(term.get());

@@ -22,8 +22,8 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
 // The pairs of objects and their laws (contact_setup.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);
 
-// Of a term of the world that is such a load: all are told of velocities, and asked for their work. Throws InputError for a name that another one has.
-void note_following_load(FollowingLoad& load, World& world);
+// Entry i of a list as it stands in the file; null if the list is not there.
+const Value* entry_of(const Value* list, size_t i);
 
 // "scene.yaml:12:3: " of entry i of a list at the top of the scene, for messages.
 std::string place_of(const Value& root, const std::string& list, size_t i);

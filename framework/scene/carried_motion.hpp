@@ -1,7 +1,7 @@
 // Motions that go along with what another object does: kinematic chains.
 #pragma once
 
-#include <map>
+#include <memory>
 #include <string>
 
 #include "framework/scene/motion.hpp"

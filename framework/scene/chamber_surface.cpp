@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "framework/scene/chosen_vertices.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -21,13 +22,12 @@ struct Chosen {
 
 Chosen chosen_triangles(const Selection& selection, const SelectionContext& context) {
   const Body& body = context.body;
-  std::vector<char> chosen(static_cast<size_t>(body.vertex_count), 0);
-  for (const int v : select(selection, context)) chosen[v - body.first_vertex] = 1;
+  const ChosenVertices chosen(body, select(selection, context));
   Chosen found;
   const size_t faces = body.triangles.size() - body.sheet.size();
   for (size_t i = 0; i < body.triangles.size(); ++i) {
     const Triangle& t = body.triangles[i];
-    if (!std::all_of(t.begin(), t.end(), [&](int v) { return chosen[v - body.first_vertex]; })) continue;
+    if (!chosen.whole(t)) continue;
     (i < faces ? found.faces : found.sheet).push_back(t);
   }
   if (found.faces.empty() && found.sheet.empty())
@@ -129,11 +129,6 @@ std::vector<Triangle> pressed_triangles(const Selection& selection, const Select
   } catch (const InputError& error) {
     throw InputError(fmt::format("the surface of object '{}': {}", context.body.name, error.what()));
   }
-}
-
-double area_of(const VecX& x, const Triangle& t) {
-  const auto [a, b, c] = corners(x, t);
-  return (b - a).cross(c - a).norm() / 2;
 }
 
 ChamberSurface chamber_surface(const std::vector<ChamberPart>& parts, const VecX& rest, const std::string& who) {

@@ -24,7 +24,6 @@ struct ChamberSurface {
   std::vector<Triangle> triangles;
   std::vector<Triangle> slits;  // of them, those that are of no part: they close the slits between parts
 };
-double area_of(const VecX& x, const Triangle& t);  // m^2
 
 // Parts with a boundary are stitched to each other, nearest boundary to nearest. who: for messages. Throws InputError, naming the remedy, where something
 // is left open or nothing is enclosed.

@@ -7,6 +7,7 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/load/following_load.hpp"
+#include "framework/scene/add_loads.hpp"
 #include "framework/scene/build_world.hpp"
 #include "framework/scene/carrier.hpp"
 #include "framework/scene/joint_relations.hpp"
@@ -152,7 +153,7 @@ void add_interactions(const SceneConfig& scene, const Value& root, World& world)
   std::set<std::string> names;
   const Value* list = root.find("interactions");
   for (size_t i = 0; i < scene.interactions.size(); ++i)
-    at_place(list && i < list->items.size() ? &list->items[i] : nullptr, [&] {
+    at_place(entry_of(list, i), [&] {
       const Interaction& interaction = *scene.interactions[i];
       const std::string name = interaction_name(scene, i);
       if (!names.insert(name).second) throw InputError(fmt::format("two interactions are named '{}'; names must differ", name));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "framework/scene/build_world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -9,8 +10,7 @@ namespace {
 
 // "scene.yaml:12:3: " of entry i of `selections` in a map.
 std::string place_in(const Value* map, size_t i) {
-  const Value* list = map ? map->find("selections") : nullptr;
-  return list && i < list->items.size() ? list->items[i].mark.text() + ": " : "";
+  return map ? place_of(*map, "selections", i) : "";
 }
 
 void add_group(Body& body, const std::string& name, std::vector<int> vertices) {
@@ -47,7 +47,7 @@ std::vector<int> chosen(const NamedSelection& named, const Body& body, const Vec
 void add_named_selections(const SceneConfig& scene, const Value& root, World& world) {
   const Value* objects = root.find("objects");
   for (size_t i = 0; i < world.bodies.size(); ++i) {
-    const Value* object = objects && i < objects->items.size() ? &objects->items[i] : nullptr;
+    const Value* object = entry_of(objects, i);
     add_of_object(scene.objects[i], object, world.rest, world.bodies[i]);
   }
   for (size_t i = 0; i < scene.selections.size(); ++i) {

@@ -119,11 +119,7 @@ class Hinge : public Motion {
     const RigidMap map = *pose(t);
     for (const int v : vertices) vertex(x, v) = map(vertex(anchor, v));
   }
-  std::vector<double> corners() const override {
-    std::vector<double> times;
-    for (const Schedule::Point& p : angle_.points()) times.push_back(p.time);
-    return times;
-  }
+  std::vector<double> corners() const override { return angle_.corners(); }
   bool moves() const override { return !angle_.constant(); }
   std::optional<RigidMap> pose(double t) const override { return RigidMap::about(centre_, turned(angle(t), axis_.normalized())); }
 

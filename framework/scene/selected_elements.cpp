@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "framework/scene/chosen_vertices.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/tets/divide_tets.hpp"
 
@@ -27,12 +28,9 @@ void keep_whole(std::vector<Tet>& parts, const Out& out) {
 
 Body selected_elements(const Selection& selection, const SelectionContext& context) {
   Body body = context.body;
-  std::vector<char> chosen(static_cast<size_t>(body.vertex_count), 0);
-  for (const int v : select(selection, context)) chosen[v - body.first_vertex] = 1;
-  const auto out = [&](int v) { return !chosen[v - body.first_vertex]; };
-  const auto cut = [&](auto& elements) {
-    std::erase_if(elements, [&](const auto& element) { return std::any_of(element.begin(), element.end(), out); });
-  };
+  const ChosenVertices chosen(body, select(selection, context));
+  const auto out = [&](int v) { return !chosen.has(v); };
+  const auto cut = [&](auto& elements) { std::erase_if(elements, [&](const auto& element) { return !chosen.whole(element); }); };
   if (body.elements == Elements::composite) keep_whole(body.tets, out);
   else cut(body.tets);
   cut(body.triangles);

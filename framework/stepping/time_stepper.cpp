@@ -81,13 +81,11 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
     term->begin_step({state_.x, t});
   const EndVelocity now{1, state_.x - state_.v};
-  for (FollowingLoad* load : world_.following_loads) {
-    load->know_velocities(state_.v, now);
-    load->begin_step({state_.x, t});
-  }
-  for (const auto& term : world_.damping_terms) term->begin_step({state_.x, t, 0, &now});
+  const StepStart moment{state_.x, t, 0, &now, &state_.v};
+  for (FollowingLoad* load : world_.following_loads) load->begin_step(moment);
+  for (const auto& term : world_.damping_terms) term->begin_step(moment);
   for (const auto& term : world_.elastic_terms)
-    if (!term->stores()) term->begin_step({state_.x, t, 0, &now});
+    if (!term->stores()) term->begin_step(moment);
   VecX q;
   world_.dofs.gather(state_.x, q);
   potential_->begin_step(state_.x, state_.x, {}, false);
@@ -149,16 +147,20 @@ void TimeStepper::lag_impulses(Step& step) {
   step.impulses = &*impulses_;
 }
 
+// Whether something asks for them in a step.
+bool TimeStepper::velocities_matter() const {
+  const auto& elastic = world_.elastic_terms;
+  const auto& loads = world_.following_loads;
+  return !world_.damping_terms.empty() || std::any_of(elastic.begin(), elastic.end(), [](const auto& term) { return !term->stores(); }) ||
+         std::any_of(loads.begin(), loads.end(), [](const FollowingLoad* load) { return load->needs_velocities(); });
+}
+
 Step TimeStepper::open(double h) {
   hold(h);
   Step step{state_, h, integrator_->predict(state_, h), state_.x, held_, *potential_};
   std::optional<EndVelocity> velocity;
-  const auto& elastic = world_.elastic_terms;
-  if (!world_.damping_terms.empty() || std::any_of(elastic.begin(), elastic.end(), [](const auto& term) { return !term->stores(); })) velocity = integrator_->end_velocity(state_, h);
-  for (FollowingLoad* load : world_.following_loads)
-    if (load->needs_velocities())
-      load->know_velocities(state_.v, step.prediction.inertia ? integrator_->end_velocity(state_, h) : EndVelocity{0, state_.x});
-  world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr});
+  if (velocities_matter()) velocity = integrator_->end_velocity(state_, h);
+  world_.participants.begin_step({state_.x, state_.time, h, velocity ? &*velocity : nullptr, step.prediction.inertia ? &state_.v : nullptr});
   lag_impulses(step);
   held_.place(state_.time + h, step.places);
   if (accounts_) balance_.begin(state_, step.scripted());

@@ -77,6 +77,7 @@ class TimeStepper {
   void hold(double h);
   void set_accelerations(double t, const std::vector<int>& vertices);
   void lag_impulses(Step& step);
+  bool velocities_matter() const;
   VecX accelerations_by(const VecX& force) const;
   VecX contact_accelerations(const VecX& x) const;
   void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;

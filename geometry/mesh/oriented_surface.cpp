@@ -6,6 +6,7 @@
 #include <map>
 
 #include "geometry/errors.hpp"
+#include "geometry/mesh/quality.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -82,10 +83,7 @@ double OrientedSurface::volume(const VecX& x, const Vec3& origin) const {
 
 double OrientedSurface::area(const VecX& x) const {
   double sum = 0;
-  for (const Triangle& t : triangles_) {
-    const auto [a, b, c] = corners(x, t);
-    sum += (b - a).cross(c - a).norm() / 2;
-  }
+  for (const Triangle& t : triangles_) sum += triangle_area(x, t);
   return sum;
 }
 

@@ -22,6 +22,11 @@ double triangle_area(const Mesh& mesh, int triangle) {
   return triangle_area(x[a], x[b], x[c]);
 }
 
+double triangle_area(const VecX& x, const Triangle& triangle) {
+  const auto [a, b, c] = corners(x, triangle);
+  return triangle_area(a, b, c);
+}
+
 std::vector<int> inverted_tets(const Mesh& mesh) {
   std::vector<int> inverted;
   for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {

@@ -14,6 +14,7 @@ double tet_volume(const Mesh& mesh, int tet);
 
 double triangle_area(const Vec3& a, const Vec3& b, const Vec3& c);
 double triangle_area(const Mesh& mesh, int triangle);
+double triangle_area(const VecX& x, const Triangle& triangle);
 
 // Indices of the tets whose volume is not positive.
 std::vector<int> inverted_tets(const Mesh& mesh);

@@ -1,0 +1,17 @@
+// Which vertices springs and ropes tie to each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/types.hpp"
+
+namespace tack {
+
+// Each of some vertices with the nearest of others, the first of equally near ones. rest: 3n [m]; who: "spring 'cord'". Throws InputError where that
+// is the vertex itself.
+std::vector<Edge> nearest_ends(const std::vector<int>& from, const std::vector<int>& to, const VecX& rest, const std::string& who);
+
+inline double length_of(const Edge& ends, const VecX& x) { return (vertex(x, ends[0]) - vertex(x, ends[1])).norm(); }  // m
+
+}  // namespace tack
