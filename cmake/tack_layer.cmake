@@ -13,6 +13,8 @@ if(TACK_NATIVE)
   list(PREPEND TACK_CODE_OPTIONS -march=native)
 endif()
 target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic ${TACK_CODE_OPTIONS}
+                       # what is compiled for libraries too is inlined as in a program
+                       -fno-semantic-interposition
                        # a tenth of the compiler's time went into collecting its garbage
                        --param=ggc-min-heapsize=600000
                        # false alarms of GCC 12 inside its own intrinsics and Eigen
@@ -53,7 +55,8 @@ option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is
 # Commands that start from runs, or from laws: a program of their own, tack_studies, has them, so that a first run need not wait for them.
 set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report)
 set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot report)
-set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/scene framework/output
+set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body framework/motion framework/world framework/scene
+    framework/setup framework/checks framework/output
     framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app ${TACK_STUDY_FOLDERS}
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 # Hot ones whose files have most of their headers in common, a few at a time, as a change should not take longer than it must. Neither contact nor
@@ -63,12 +66,19 @@ set(TACK_UNITED_FOLDERS geometry/broad_phase geometry/exact framework/assembly f
 # Where one file alone is enough, as CGAL or what it instantiates takes so long, what is hot beside cold ones, and what changes with every commit.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
     geometry/meshing/distance_grid.cpp framework/assembly/psd_projection.cpp framework/output/provenance.cpp)
+# Folders of which each sees what the one before it sees too: compiled as one.
+set(TACK_AS_ONE "body|motion|world=scene" "checks=setup")
 # tack_parts(AT_ONCE SOURCE...): sets PARTS to names of groups of them, each of one folder and at most so many, and IN_<name> to what is in one.
 function(tack_parts AT_ONCE)
   set(FOLDERS "")
   foreach(SOURCE ${ARGN})
     cmake_path(GET SOURCE PARENT_PATH FOLDER)
     cmake_path(RELATIVE_PATH FOLDER BASE_DIRECTORY ${CMAKE_SOURCE_DIR})
+    foreach(ONE ${TACK_AS_ONE})
+      string(REGEX REPLACE "(.*)=.*" "\\1" FROM ${ONE})
+      string(REGEX REPLACE ".*=" "" INTO ${ONE})
+      string(REGEX REPLACE "framework/(${FROM})$" "framework/${INTO}" FOLDER ${FOLDER})
+    endforeach()
     string(REPLACE "/" "_" FOLDER ${FOLDER})
     list(APPEND FOLDERS ${FOLDER})
     list(APPEND IN_${FOLDER} ${SOURCE})

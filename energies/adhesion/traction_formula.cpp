@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "framework/scene/formula.hpp"
+#include "framework/body/formula.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "framework/body/chamber_surface.hpp"
 #include "framework/load/chamber_term.hpp"
-#include "framework/scene/chamber_surface.hpp"
 #include "framework/scene/interaction.hpp"
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
 

@@ -10,7 +10,7 @@
 #include "energies/interactions/joint_drive.hpp"
 #include "framework/config/field.hpp"
 #include "framework/probes/of_interaction.hpp"
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

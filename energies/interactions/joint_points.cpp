@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "framework/scene/extent.hpp"
+#include "framework/body/extent.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/interaction_builder.hpp"
 
 namespace tack {
 

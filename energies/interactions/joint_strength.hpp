@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "framework/affine/orthogonality_term.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -7,7 +7,7 @@
 #include "energies/interactions/nearest_ends.hpp"
 #include "framework/assembly/formula_term.hpp"
 #include "framework/probes/of_interaction.hpp"
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -6,7 +6,7 @@
 #include "energies/interactions/nearest_ends.hpp"
 #include "energies/interactions/spring_term.hpp"
 #include "framework/probes/of_interaction.hpp"
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/interaction_builder.hpp"
 
 namespace tack {
 namespace {

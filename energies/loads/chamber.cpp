@@ -1,9 +1,9 @@
 // A chamber within one object.
 #include <fmt/format.h>
 
+#include "framework/body/chamber_surface.hpp"
 #include "framework/load/filling.hpp"
-#include "framework/scene/chamber_surface.hpp"
-#include "framework/scene/load.hpp"
+#include "framework/world/load.hpp"
 
 namespace tack {
 namespace {

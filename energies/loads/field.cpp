@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "framework/body/chosen_vertices.hpp"
+#include "framework/body/extent.hpp"
+#include "framework/body/formula.hpp"
+#include "framework/body/selection.hpp"
 #include "framework/config/field.hpp"
 #include "framework/load/following_load.hpp"
-#include "framework/scene/chosen_vertices.hpp"
-#include "framework/scene/extent.hpp"
-#include "framework/scene/formula.hpp"
-#include "framework/scene/load.hpp"
-#include "framework/scene/selection.hpp"
+#include "framework/world/load.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/quality.hpp"
 

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "energies/loads/linear_profile.hpp"
-#include "framework/scene/chosen_vertices.hpp"
-#include "framework/scene/load.hpp"
-#include "framework/scene/selection.hpp"
+#include "framework/body/chosen_vertices.hpp"
+#include "framework/body/selection.hpp"
+#include "framework/world/load.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

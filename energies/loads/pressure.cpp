@@ -1,8 +1,8 @@
 // A pressure on the surface of an object that follows it, and the same of a chamber.
 #include "energies/loads/pressure_term.hpp"
+#include "framework/body/chamber_surface.hpp"
 #include "framework/load/filling.hpp"
-#include "framework/scene/chamber_surface.hpp"
-#include "framework/scene/load.hpp"
+#include "framework/world/load.hpp"
 
 namespace tack {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "framework/body/formula.hpp"
 #include "framework/config/field.hpp"
-#include "framework/scene/formula.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

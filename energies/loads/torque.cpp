@@ -10,10 +10,10 @@
 #include <cmath>
 
 #include "energies/loads/ramp.hpp"
+#include "framework/body/selection.hpp"
 #include "framework/core/global_modes.hpp"
 #include "framework/load/following_load.hpp"
-#include "framework/scene/load.hpp"
-#include "framework/scene/selection.hpp"
+#include "framework/world/load.hpp"
 
 namespace tack {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "energies/loads/ramp.hpp"
+#include "framework/body/chosen_vertices.hpp"
+#include "framework/body/selection.hpp"
 #include "framework/load/following_load.hpp"
-#include "framework/scene/chosen_vertices.hpp"
-#include "framework/scene/load.hpp"
-#include "framework/scene/selection.hpp"
+#include "framework/world/load.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {

@@ -1,7 +1,7 @@
 // What energies of edges have in common.
 #pragma once
 
-#include "framework/scene/body.hpp"
+#include "framework/body/body.hpp"
 
 namespace tack {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "energies/shell/fan_stencils.hpp"
-#include "framework/scene/body.hpp"
+#include "framework/body/body.hpp"
 
 namespace tack {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "energies/shell/plane_stretch.hpp"
-#include "framework/scene/body.hpp"
+#include "framework/body/body.hpp"
 
 namespace tack {
 

@@ -5,8 +5,8 @@
 #include <array>
 
 #include "energies/solid/material_split.hpp"
+#include "framework/body/body.hpp"
 #include "framework/core/term.hpp"
-#include "framework/scene/body.hpp"
 
 namespace tack {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "framework/scene/body.hpp"
+#include "framework/body/body.hpp"
 #include "geometry/pack.hpp"
 #include "geometry/tet_edges.hpp"
 

@@ -5,13 +5,13 @@
 #include <set>
 
 #include "framework/app/commands.hpp"
+#include "framework/checks/bond_law_check.hpp"
 #include "framework/law/law_plots.hpp"
 #include "framework/law/law_source.hpp"
 #include "framework/law/law_tables.hpp"
 #include "framework/plot/axis_unit.hpp"
 #include "framework/plot/gnuplot.hpp"
 #include "framework/plugin/plugins.hpp"
-#include "framework/scene/bond_law_check.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 

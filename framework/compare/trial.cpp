@@ -11,7 +11,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/experiment/stored_experiment.hpp"
-#include "framework/scene/energy_records.hpp"
+#include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"

@@ -4,7 +4,7 @@
 
 #include "framework/experiment/earlier_run.hpp"
 #include "framework/experiment/tolerances.hpp"
-#include "framework/scene/build_world.hpp"
+#include "framework/setup/build_world.hpp"
 
 namespace tack {
 namespace {

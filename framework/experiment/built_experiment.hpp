@@ -7,7 +7,7 @@
 #include "framework/core/phase_clock.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/output/probe_set.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

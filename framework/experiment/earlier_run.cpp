@@ -6,7 +6,7 @@
 
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/output/checkpoints.hpp"
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

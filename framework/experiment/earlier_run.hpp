@@ -5,7 +5,7 @@
 
 #include "framework/experiment/experiment.hpp"
 #include "framework/output/state_file.hpp"
-#include "framework/scene/earlier_state.hpp"
+#include "framework/setup/earlier_state.hpp"
 
 namespace tack {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/experiment/experiment.hpp"
-#include "framework/scene/earlier_state.hpp"
+#include "framework/setup/earlier_state.hpp"
 
 namespace tack {
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "framework/assembly/incremental_potential.hpp"
+#include "framework/body/extent.hpp"
 #include "framework/config/bind.hpp"
-#include "framework/scene/extent.hpp"
 
 namespace tack {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "framework/core/phase_clock.hpp"
 #include "framework/experiment/experiment.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

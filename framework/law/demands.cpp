@@ -13,7 +13,7 @@ namespace {
 constexpr double fall_begins = 0.9, fall_ends = 0.1;   // of the peak, where it falls
 constexpr double part_of_zone = 1.0 / 3;
 constexpr double part_of_fall = 0.1;      // that surfaces should part by in a step
-constexpr double part_of_range = 0.25;    // that the gap may change by across an element (framework/scene/resolution.hpp)
+constexpr double part_of_range = 0.25;    // that the gap may change by across an element (framework/checks/resolution.hpp)
 constexpr double at_once = 0.01;          // of the opening: a fall that no step resolves
 
 }  // namespace

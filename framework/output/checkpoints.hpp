@@ -5,7 +5,7 @@
 
 #include "framework/output/run_folder.hpp"
 #include "framework/output/state_file.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

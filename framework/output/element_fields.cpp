@@ -11,7 +11,7 @@
 
 #include "framework/assembly/symmetric_eigen.hpp"
 #include "framework/output/frame_fields.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 namespace {

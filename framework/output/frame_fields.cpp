@@ -7,7 +7,7 @@
 #include "framework/core/state.hpp"
 #include "framework/output/vertex_gaps.hpp"
 #include "framework/output/vertex_tractions.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -6,7 +6,7 @@
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/output/csv.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {

@@ -9,7 +9,7 @@
 #include "framework/config/bind.hpp"
 #include "framework/core/state.hpp"
 #include "framework/output/derived_probe.hpp"
-#include "framework/scene/build_world.hpp"
+#include "framework/setup/build_world.hpp"
 
 namespace tack {
 

@@ -8,8 +8,8 @@
 #include "framework/output/run_folder.hpp"
 #include "framework/output/steps_csv.hpp"
 #include "framework/output/vtu.hpp"
-#include "framework/scene/world.hpp"
 #include "framework/stepping/time_config.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

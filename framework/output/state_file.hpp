@@ -20,7 +20,7 @@
 
 #include "framework/core/state.hpp"
 #include "framework/core/warning.hpp"
-#include "framework/scene/earlier_state.hpp"
+#include "framework/setup/earlier_state.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/mesh/mesh.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 namespace {

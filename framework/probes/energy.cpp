@@ -5,9 +5,9 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
-#include "framework/scene/energy_records.hpp"
-#include "framework/scene/world.hpp"
 #include "framework/stepping/energy_flows.hpp"
+#include "framework/world/energy_records.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

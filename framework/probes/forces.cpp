@@ -6,7 +6,7 @@
 #include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

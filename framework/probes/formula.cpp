@@ -3,8 +3,8 @@
 
 #include <cctype>
 
+#include "framework/body/formula.hpp"
 #include "framework/output/derived_probe.hpp"
-#include "framework/scene/formula.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -10,7 +10,7 @@
 #include "framework/output/probe.hpp"
 #include "framework/probes/of_interaction.hpp"
 #include "framework/probes/unbalanced.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "framework/output/probe.hpp"
-#include "framework/scene/acting_interaction.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/acting_interaction.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -4,7 +4,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -5,7 +5,7 @@
 #include "framework/probes/unbalanced.hpp"
 #include "framework/probes/vertex_set.hpp"
 #include "framework/rod/rod_frames.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

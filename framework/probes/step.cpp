@@ -5,7 +5,7 @@
 
 #include "framework/config/nearest.hpp"
 #include "framework/output/probe.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

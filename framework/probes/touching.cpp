@@ -8,7 +8,7 @@
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/output/probe.hpp"
 #include "framework/probes/vertex_set.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 namespace {

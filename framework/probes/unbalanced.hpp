@@ -2,7 +2,7 @@
 #pragma once
 
 #include "framework/core/state.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "framework/body/selection.hpp"
 #include "framework/config/field.hpp"
-#include "framework/scene/selection.hpp"
 
 namespace tack {
 

@@ -7,7 +7,7 @@
 
 #include "framework/core/term_times.hpp"
 #include "framework/profile/pair_counts.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

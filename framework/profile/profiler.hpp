@@ -10,7 +10,7 @@
 #include "framework/core/minimizer.hpp"
 #include "framework/output/summary.hpp"
 #include "framework/profile/profile.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -1,9 +1,9 @@
 #include "framework/report/scene_data.hpp"
 
+#include "framework/body/rod_section.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/load_experiment.hpp"
 #include "framework/output/probe_units.hpp"
-#include "framework/scene/rod_section.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/checks/element_warnings.hpp"
+#include "framework/checks/law_check.hpp"
+#include "framework/checks/resolution.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/config/words.hpp"
 #include "framework/experiment/stored_experiment.hpp"
@@ -13,9 +16,6 @@
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/measured_csv.hpp"
 #include "framework/output/next_due.hpp"
-#include "framework/scene/element_warnings.hpp"
-#include "framework/scene/law_check.hpp"
-#include "framework/scene/resolution.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 

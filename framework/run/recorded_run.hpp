@@ -7,6 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "framework/checks/adhesion_resolution.hpp"
+#include "framework/checks/bent_solids.hpp"
+#include "framework/checks/contact_approach.hpp"
+#include "framework/checks/flow_quality.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "framework/output/progress.hpp"
 #include "framework/output/recorder.hpp"
@@ -14,10 +18,6 @@
 #include "framework/profile/profiler.hpp"
 #include "framework/run/problem_dump.hpp"
 #include "framework/run/simulation.hpp"
-#include "framework/scene/adhesion_resolution.hpp"
-#include "framework/scene/bent_solids.hpp"
-#include "framework/scene/flow_quality.hpp"
-#include "framework/scene/contact_approach.hpp"
 #include "framework/sensitivity/gradients.hpp"
 
 namespace tack {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "framework/scene/carrier.hpp"
 #include "framework/scene/scene_config.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/carrier.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "framework/body/selection.hpp"
 #include "framework/config/field.hpp"
-#include "framework/scene/selection.hpp"
 
 namespace tack {
 

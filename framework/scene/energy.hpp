@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include "framework/body/selection.hpp"
 #include "framework/core/term.hpp"
-#include "framework/scene/selection.hpp"
 
 namespace tack {
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "framework/scene/energy.hpp"
-#include "framework/scene/unknowns.hpp"
+#include "framework/world/unknowns.hpp"
 
 namespace tack {
 

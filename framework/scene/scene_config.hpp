@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "framework/body/rod_section.hpp"
 #include "framework/config/field.hpp"
 #include "framework/contact/normal_law.hpp"
+#include "framework/motion/motion.hpp"
 #include "framework/scene/attachment.hpp"
 #include "framework/scene/body_model.hpp"
 #include "framework/scene/damping_config.hpp"
@@ -16,12 +18,10 @@
 #include "framework/scene/fill.hpp"
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/interaction.hpp"
-#include "framework/scene/load.hpp"
-#include "framework/scene/motion.hpp"
-#include "framework/shapes/place.hpp"
-#include "framework/scene/rod_section.hpp"
-#include "framework/shapes/shape_source.hpp"
 #include "framework/scene/start_config.hpp"
+#include "framework/shapes/place.hpp"
+#include "framework/shapes/shape_source.hpp"
+#include "framework/world/load.hpp"
 
 namespace tack {
 

@@ -10,8 +10,8 @@
 #include "framework/core/linear_solver.hpp"
 #include "framework/core/mode_update.hpp"
 #include "framework/core/symmetric_product.hpp"
-#include "framework/scene/step_potential.hpp"
 #include "framework/stepping/time_stepper.hpp"
+#include "framework/world/step_potential.hpp"
 
 namespace tack {
 

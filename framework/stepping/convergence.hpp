@@ -12,7 +12,7 @@
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -10,7 +10,7 @@
 #include "framework/core/minimizer.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/load/following_load.hpp"
-#include "framework/scene/energy_records.hpp"
+#include "framework/world/energy_records.hpp"
 
 namespace tack {
 namespace {

@@ -25,8 +25,8 @@
 #include <string>
 #include <vector>
 
-#include "framework/scene/world.hpp"
 #include "framework/stepping/energy_flows.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "framework/core/step_filter.hpp"
-#include "framework/scene/step_potential.hpp"
 #include "framework/stepping/iterate_check.hpp"
+#include "framework/world/step_potential.hpp"
 
 namespace tack {
 

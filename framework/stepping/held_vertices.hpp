@@ -7,8 +7,8 @@
 
 #include "framework/core/dof_map.hpp"
 #include "framework/core/state.hpp"
-#include "framework/scene/bindings.hpp"
-#include "framework/scene/script.hpp"
+#include "framework/motion/script.hpp"
+#include "framework/world/bindings.hpp"
 
 namespace tack {
 

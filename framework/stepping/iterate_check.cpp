@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/scene/describe_primitive.hpp"
+#include "framework/world/describe_primitive.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "framework/core/phase_clock.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

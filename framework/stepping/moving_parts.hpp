@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/broad_phase/aabb.hpp"
 
 namespace tack {

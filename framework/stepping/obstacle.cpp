@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/scene/describe_primitive.hpp"
+#include "framework/world/describe_primitive.hpp"
 
 namespace tack {
 namespace {

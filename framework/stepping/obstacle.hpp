@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "framework/core/step_filter.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

@@ -13,9 +13,9 @@
 #include <string>
 
 #include "framework/core/minimizer.hpp"
-#include "framework/scene/step_potential.hpp"
 #include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/time_integrator.hpp"
+#include "framework/world/step_potential.hpp"
 
 namespace tack {
 

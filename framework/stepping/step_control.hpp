@@ -15,8 +15,8 @@
 #include <functional>
 #include <vector>
 
-#include "framework/scene/world.hpp"
 #include "framework/stepping/time_config.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

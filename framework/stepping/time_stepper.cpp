@@ -11,10 +11,10 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
-#include "framework/scene/consistent_mass.hpp"
-#include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/time_config.hpp"
+#include "framework/world/consistent_mass.hpp"
+#include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

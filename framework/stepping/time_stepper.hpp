@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "framework/core/warning.hpp"
-#include "framework/scene/step_potential.hpp"
 #include "framework/stepping/energy_balance.hpp"
 #include "framework/stepping/held_vertices.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
@@ -18,6 +17,7 @@
 #include "framework/stepping/step_report.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/time_config.hpp"
+#include "framework/world/step_potential.hpp"
 
 namespace tack {
 

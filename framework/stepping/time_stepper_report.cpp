@@ -6,10 +6,10 @@
 
 #include "framework/affine/orthogonality_term.hpp"
 #include "framework/bond/bond_term.hpp"
-#include "framework/scene/energy_records.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/energy_advice.hpp"
 #include "framework/stepping/time_stepper.hpp"
+#include "framework/world/energy_records.hpp"
 
 namespace tack {
 

@@ -1,6 +1,6 @@
 // One model for solids (tets), shells (triangles), rods (edges) and particles (points) over one list of
 // vertices. A mesh may mix them, but what takes part in contact may not yet
-// (framework/scene/contact_support.hpp). Coordinates in metres, angles in radians.
+// (framework/setup/contact_support.hpp). Coordinates in metres, angles in radians.
 // A tet (a, b, c, d) is positive when (b-a) x (c-a) . (d-a) > 0; a triangle's normal is
 // (b-a) x (c-a).
 // Errors: InputError for a transform that would spoil the mesh (zero axis, zero or non-finite

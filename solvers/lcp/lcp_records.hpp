@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "solvers/lcp/lcp_step.hpp"
 
 namespace tack {

@@ -5,7 +5,7 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_points.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "solvers/lcp/bond_rows.hpp"
 
 namespace tack {

@@ -5,7 +5,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/contact/rim_term.hpp"
 #include "framework/core/damping_terms.hpp"
-#include "framework/scene/step_potential.hpp"
+#include "framework/world/step_potential.hpp"
 
 namespace tack {
 

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "framework/core/linear_solver.hpp"
-#include "framework/scene/world.hpp"
 #include "framework/stepping/stepper.hpp"
+#include "framework/world/world.hpp"
 
 namespace tack {
 

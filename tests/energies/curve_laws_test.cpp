@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
+#include "framework/checks/law_check.hpp"
 #include "framework/contact/normal_law.hpp"
-#include "framework/scene/law_check.hpp"
 #include "tests/support/gap_law.hpp"
 #include "tests/support/program.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "framework/checks/derivative_check.hpp"
 #include "framework/load/volume_term.hpp"
-#include "framework/scene/derivative_check.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

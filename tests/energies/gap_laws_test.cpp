@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "framework/checks/law_check.hpp"
 #include "framework/contact/normal_law.hpp"
-#include "framework/scene/law_check.hpp"
 #include "tests/support/gap_law.hpp"
 
 using namespace tack;

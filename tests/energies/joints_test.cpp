@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "framework/checks/derivative_check.hpp"
 #include "framework/output/csv.hpp"
-#include "framework/scene/derivative_check.hpp"
-#include "framework/scene/joint_relations.hpp"
+#include "framework/world/joint_relations.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"

@@ -13,7 +13,8 @@ namespace {
 // From the ground up. Energies and solvers stand beside each other on the framework.
 const std::vector<std::string> layers = {
     "geometry", "framework/config", "framework/plugin", "framework/measured", "framework/core", "framework/assembly", "framework/contact", "framework/bond", "framework/affine", "framework/rod", "framework/load",
-    "framework/shapes", "framework/level_set", "framework/meshing", "framework/scene",
+    "framework/shapes", "framework/level_set", "framework/meshing",
+    "framework/body", "framework/motion", "framework/world", "framework/scene", "framework/setup", "framework/checks",
     "framework/stepping", "framework/output", "framework/experiment", "framework/probes", "framework/profile",
     "framework/sensitivity", "framework/run", "framework/plot", "framework/law", "framework/compare", "framework/batch", "framework/calibrate", "framework/report", "framework/app", "energies", "solvers"};
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "framework/body/body.hpp"
 #include "framework/rod/rod_frames.hpp"
-#include "framework/scene/body.hpp"
 
 namespace tack {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "framework/scene/body.hpp"
+#include "framework/body/body.hpp"
 #include "geometry/shapes/surfaces.hpp"
 
 namespace tack {

@@ -4,7 +4,7 @@
 #include <array>
 #include <random>
 
-#include "framework/scene/body.hpp"
+#include "framework/body/body.hpp"
 
 namespace tack {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 

@@ -5,14 +5,14 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "framework/body/body.hpp"
 #include "framework/core/published_field.hpp"
 #include "framework/core/term.hpp"
 #include "framework/output/csv.hpp"
 #include "framework/report/report.hpp"
 #include "framework/run/recorded_run.hpp"
-#include "framework/scene/body.hpp"
 #include "framework/scene/energy.hpp"
-#include "framework/scene/energy_records.hpp"
+#include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"

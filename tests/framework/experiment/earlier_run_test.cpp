@@ -9,11 +9,11 @@
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "framework/run/recorded_run.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/scene.hpp"
-#include "tests/support/test_run.hpp"
 #include "tests/support/silence.hpp"
+#include "tests/support/test_run.hpp"
 
 using namespace tack;
 using Catch::Contains;

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "tests/support/scene.hpp"
 
 using namespace tack;

@@ -7,7 +7,7 @@
 #include "framework/contact/friction_term.hpp"
 #include "framework/output/element_fields.hpp"
 #include "framework/output/output_config.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/scene.hpp"
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "framework/scene/derivative_check.hpp"
+#include "framework/checks/derivative_check.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 

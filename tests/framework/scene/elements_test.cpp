@@ -1,5 +1,5 @@
 // What an object's elements are: divided where they are composite, and refused where they would mean nothing.
-#include "framework/scene/elements.hpp"
+#include "framework/body/elements.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -4,12 +4,12 @@
 #include <numbers>
 
 #include "framework/assembly/formula_term.hpp"
+#include "framework/checks/derivative_check.hpp"
 #include "framework/core/records.hpp"
 #include "framework/run/gradient_check.hpp"
-#include "framework/scene/derivative_check.hpp"
-#include "framework/scene/earlier_state.hpp"
 #include "framework/scene/energy_with_unknowns.hpp"
-#include "framework/scene/interaction_builder.hpp"
+#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "framework/scene/derivative_check.hpp"
+#include "framework/checks/derivative_check.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 

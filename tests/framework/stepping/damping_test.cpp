@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "framework/scene/derivative_check.hpp"
+#include "framework/checks/derivative_check.hpp"
 #include "tests/support/component_variants.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"

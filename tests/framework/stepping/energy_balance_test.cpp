@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "framework/assembly/incremental_potential.hpp"
-#include "framework/scene/energy_records.hpp"
+#include "framework/world/energy_records.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;

@@ -13,12 +13,12 @@
 #include <tbb/global_control.h>
 #include <thread>
 
+#include "framework/checks/derivative_check.hpp"
 #include "framework/compare/trial.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/run/recorded_run.hpp"
-#include "framework/scene/derivative_check.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"

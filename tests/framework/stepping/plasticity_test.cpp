@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "framework/scene/energy_records.hpp"
+#include "framework/world/energy_records.hpp"
 #include "tests/support/published.hpp"
 #include "tests/support/test_run.hpp"
 

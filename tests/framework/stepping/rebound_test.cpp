@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/scene/energy_records.hpp"
+#include "framework/world/energy_records.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;

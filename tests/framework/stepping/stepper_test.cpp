@@ -6,7 +6,7 @@
 
 #include "framework/config/describe.hpp"
 #include "framework/scene/scene_config.hpp"
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"

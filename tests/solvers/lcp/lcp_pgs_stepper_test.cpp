@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "framework/scene/world.hpp"
+#include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/test_run.hpp"

@@ -1,0 +1,48 @@
+// One object of the scene as energies and loads see it: elements in global vertex indices.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "framework/body/elements.hpp"
+#include "framework/body/rod_section.hpp"
+#include "geometry/mesh/digest.hpp"
+#include "geometry/types.hpp"
+
+namespace tack {
+
+class RodFrames;
+
+struct Body {
+  std::string name;
+  int first_vertex = 0;
+  int vertex_count = 0;
+  bool movable = true;  // some vertex is free at some time
+  int energy = 0;       // which of its energies is made, from 0: what terms that remember are told apart by
+  std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
+  std::vector<Tet> tets;
+  Elements elements = Elements::linear;  // composite: each eight of the tets are one
+  std::vector<Triangle> triangles;  // the surface: outward oriented around tets, then those of `sheet`
+  std::vector<Triangle> sheet;      // explicit triangles of the mesh that are no faces of its tets: shells
+  double thickness = 0;             // of the sheet [m]; 0: none is given
+  std::vector<Edge> edges;          // rods: explicit edges of the mesh
+  std::vector<int> points;          // particles: explicit points of the mesh
+  std::optional<RodSection> section;  // of the edges
+  double radius = 0;                  // of the points [m]; 0: none
+  std::shared_ptr<RodFrames> rod;     // of edges with a twist; null without (rod/rod_frames.hpp)
+  std::vector<int> frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
+  double volume = 0;       // of an affine body [m^3]
+  double stiffness = 0;    // likewise [Pa]
+  // With a finer surface for contact (refined_surface.hpp): its vertices that are in no mesh, and its triangles; else empty.
+  std::vector<int> surface_vertices;
+  std::vector<Triangle> surface_triangles;
+  std::vector<int> extra_vertices;  // of its that are in no mesh, ascending: of its frame, surface and twists
+  MeshDigest digest;              // of the mesh before it was placed
+  bool from_file = false;         // the mesh was read from a file, or processed
+  std::vector<std::string> notes;       // what processing the mesh had to tell
+};
+
+}  // namespace tack

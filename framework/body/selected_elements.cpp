@@ -1,0 +1,46 @@
+#include "framework/body/selected_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/body/chosen_vertices.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/tets/divide_tets.hpp"
+
+namespace tack {
+namespace {
+
+// Of tets of which each eight are one: those all of whose corners are chosen.
+template <class Out>
+void keep_whole(std::vector<Tet>& parts, const Out& out) {
+  const std::vector<CompositeTet> all = composite_tets_of(parts);
+  std::vector<Tet> kept;
+  for (size_t t = 0; t < all.size(); ++t) {
+    if (std::any_of(all[t].begin(), all[t].begin() + 4, out)) continue;
+    const auto first = parts.begin() + static_cast<std::ptrdiff_t>(composite_parts * t);
+    kept.insert(kept.end(), first, first + composite_parts);
+  }
+  parts = std::move(kept);
+}
+
+}  // namespace
+
+Body selected_elements(const Selection& selection, const SelectionContext& context) {
+  Body body = context.body;
+  const ChosenVertices chosen(body, select(selection, context));
+  const auto out = [&](int v) { return !chosen.has(v); };
+  const auto cut = [&](auto& elements) { std::erase_if(elements, [&](const auto& element) { return !chosen.whole(element); }); };
+  if (body.elements == Elements::composite) keep_whole(body.tets, out);
+  else cut(body.tets);
+  cut(body.triangles);
+  cut(body.sheet);
+  cut(body.edges);
+  std::erase_if(body.points, out);
+  if (body.tets.empty() && body.sheet.empty() && body.edges.empty() && body.points.empty())
+    throw InputError(fmt::format("the selection {} of an energy of object '{}' holds no whole element; choose all vertices of "
+                                 "some", selection.type(), body.name));
+  return body;
+}
+
+}  // namespace tack

@@ -1,0 +1,99 @@
+#include "framework/checks/adhesion_resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "framework/contact/contact_points.hpp"
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/held_surface.hpp"
+#include "framework/scene/copied_lines.hpp"
+#include "framework/world/world.hpp"
+#include "geometry/mesh/quality.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double tolerated_change = 0.25;  // of the range
+constexpr double most_of_it = 0.5;            // of the impulse
+
+// By how much the gap changes across a triangle, the way to the other surface being n; 0 if it looks elsewhere [m].
+double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec3& n, double& facing) {
+  const Vec3 twice = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double area = twice.norm(), cosine = twice.dot(n) / area;
+  facing = two_sided ? std::abs(cosine) : -cosine;
+  if (!(facing > least_cosine)) return facing = 0;
+  return std::sqrt(area * std::max(0.0, 1 - cosine * cosine));
+}
+
+}  // namespace
+
+AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& world)
+    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawPart::adhesion).size()) {
+  for (const PairLaw& law : world.contact_term->laws(LawPart::adhesion)) adheres_.push_back(!law.laws().empty());
+}
+
+// Means over the triangles at a vertex of a mesh that look at the other surface.
+AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n, const VecX& x) const {
+  const CollisionMesh& mesh = world_.contact->surface().mesh;
+  const SurfaceTopology& topology = world_.contact->held().topology();
+  Element sum;
+  double weight = 0;
+  for (const int t : topology.triangles_at(v)) {
+    double facing = 0;
+    const auto c = corners(x, mesh.triangles[t]);
+    sum.gap_change += gap_change_across(c, topology.two_sided(t), n, facing) * facing;
+    sum.size += std::sqrt(2 * triangle_area(c[0], c[1], c[2])) * facing;
+    weight += facing;
+  }
+  if (weight > 0) sum.gap_change /= weight, sum.size /= weight;
+  return sum;
+}
+
+void AdhesionResolution::add(int law, double impulse, const Element& element, int object, int other) {
+  const PairLaw& adhesion = world_.contact_term->laws(LawPart::adhesion)[law];
+  const double tolerated = tolerated_change * (adhesion.range() - adhesion.offset());
+  Pulled& pulled = pulled_[law];
+  pulled.all += impulse;
+  if (element.gap_change <= tolerated) return;
+  pulled.coarse += impulse;
+  pulled.size += impulse * element.size * tolerated / element.gap_change;
+  if (pulled.object < 0) pulled.object = object, pulled.other = other;
+}
+
+// That of a sample, whose triangle counts by what it stands for of it.
+AdhesionResolution::Element AdhesionResolution::element_around(const Triangle& triangle, const Vec3& n, double own_area, const VecX& x) {
+  double facing = 0;
+  const auto c = corners(x, triangle);
+  const double area = triangle_area(c[0], c[1], c[2]);
+  return {gap_change_across(c, true, n, facing) * std::sqrt(std::min(1.0, own_area / area)), std::sqrt(2 * area)};
+}
+
+void AdhesionResolution::look(const VecX& x, double h) {
+  const std::vector<PairLaw>& laws = world_.contact_term->laws(LawPart::adhesion);
+  const ContactPoints points = contact_points({*world_.contact, world_.contact_term->laws(LawPart::barrier), adheres_, x});
+  for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
+    if (c.kind() == PointKind::edges || c.gap >= laws[c.law].range()) return;
+    Element element;
+    if (c.kind() == PointKind::vertex) element = element_at(c.point, c.normal, x);
+    else if constexpr (K > 3) element = element_around({c.vertices[0], c.vertices[1], c.vertices[2]}, c.normal, c.area, x);
+    add(c.law, c.area * std::max(0.0, laws[c.law].at(c.gap).slope) * h, element, c.object, c.opposite);
+  });
+}
+
+std::vector<std::string> AdhesionResolution::coarse() const {
+  CopiedLines lines;
+  for (const Pulled& pulled : pulled_) {
+    if (!(pulled.coarse > most_of_it * pulled.all)) continue;
+    const std::string& name = world_.bodies[pulled.object].name;
+    lines.tell(scene_.objects[pulled.object], "adhesion",
+               fmt::format("where '{}' adhered to '{}', the gap changed by more than a quarter of the range from one end of an element to the other "
+                           "({:.0f}% of what pulled did so there): its force depends on where vertices happen to be; elements of {:.2g} m would do",
+                           name, world_.bodies[pulled.other].name, 100 * pulled.coarse / pulled.all, pulled.size / pulled.coarse));
+  }
+  return lines.texts();
+}
+
+}  // namespace tack

@@ -1,0 +1,131 @@
+#include "framework/checks/derivative_check.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "framework/contact/friction_term.hpp"
+#include "framework/world/local_lengths.hpp"
+#include "framework/world/step_potential.hpp"
+
+namespace tack {
+namespace {
+
+// Relative errors that are let pass: a single entry that is off by some percent stays above.
+constexpr double gradient_tolerance = 1e-6, hessian_tolerance = 1e-5;
+// Of the local lengths: how far the states that are looked at are from the start.
+constexpr double distances[] = {3e-2, 1e-3};
+constexpr int directions = 2;  // at each
+
+class RandomDirections {
+ public:
+  VecX operator()(Eigen::Index n) {
+    return VecX::NullaryExpr(n, [this] { return component_(generator_); });
+  }
+
+ private:
+  std::mt19937 generator_{1};
+  std::uniform_real_distribution<double> component_{-1, 1};
+};
+
+// Row sums of |H_ij d_j|.
+VecX absolute_product(const BlockMatrix& matrix, const VecX& d) {
+  VecX sum = VecX::Zero(d.size());
+  for (int c = 0; c < matrix.columns(); ++c)
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      const int r = matrix.row[k];
+      const Mat3 block = matrix.block(k).cwiseAbs();
+      sum.segment<3>(3 * r) += block * d.segment<3>(3 * c).cwiseAbs();
+      if (r != c) sum.segment<3>(3 * c) += block.transpose() * d.segment<3>(3 * r).cwiseAbs();
+    }
+  for (const GlobalMode& mode : matrix.modes)
+    sum += std::abs(mode.coefficient) * mode.vector.cwiseAbs().dot(d.cwiseAbs()) * mode.vector.cwiseAbs();
+  return sum;
+}
+
+// One term as a function of the unknowns.
+class TermStudy {
+ public:
+  TermStudy(const Term& term, World& world, PhaseClock& clock)
+      : potential_(world, clock, {&term}, world.dofs, VecX::Zero(world.mass.size())),
+        check_{term.name(), {}, {}} {
+    potential_.begin_step(world.start.x, world.start.x, {}, false);
+  }
+
+  void look(const VecX& q, const VecX& direction) {
+    potential_.move_to(q);
+    const BlockMatrix& hessian = potential_.hessian({Projection::none});
+    const VecX gradient = potential_.gradient();
+    const VecX rows = absolute_product(hessian, direction);
+    std::vector<VecX> slope_errors, curvature_errors;
+    std::vector<VecX> moved, products;
+    double step = DifferenceStudy::first_step;
+    for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) {
+      // As far as floating point goes, which near small gaps and far from the origin is not 2 step d.
+      const VecX up = q + step * direction, down = q - step * direction;
+      moved.push_back(up - down);
+      products.emplace_back();
+      hessian.multiply(moved.back(), products.back());
+    }
+    step = DifferenceStudy::first_step;
+    for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) {
+      potential_.move_to(q + step * direction);
+      const double value_up = potential_.value();
+      const VecX gradient_up = potential_.gradient();
+      potential_.move_to(q - step * direction);
+      const double slope = potential_.value() - value_up + gradient.dot(moved[k]);
+      slope_errors.push_back(VecX::Constant(1, -slope / (2 * step)));
+      curvature_errors.push_back((gradient_up - potential_.gradient() - products[k]) / (2 * step));
+    }
+    const VecX slope_scale = VecX::Constant(1, gradient.cwiseProduct(direction).norm());
+    check_.gradient.merge(study_differences(slope_errors, slope_scale, gradient_tolerance));
+    // In units of energy, so that rows of different local lengths are comparable.
+    const VecX unit = direction.cwiseAbs();
+    for (VecX& e : curvature_errors) e = e.cwiseProduct(unit);
+    check_.hessian.merge(study_differences(curvature_errors, rows.cwiseProduct(unit), hessian_tolerance));
+  }
+
+  const DerivativeCheck& check() const { return check_; }
+
+ private:
+  StepPotential potential_;
+  DerivativeCheck check_;
+};
+
+void keep_worst(std::vector<DerivativeCheck>& checks, const DerivativeCheck& check) {
+  const auto same = std::find_if(checks.begin(), checks.end(),
+                                 [&](const DerivativeCheck& c) { return c.term == check.term; });
+  if (same == checks.end()) return checks.push_back(check);
+  same->gradient.merge(check.gradient);
+  same->hessian.merge(check.hessian);
+}
+
+}  // namespace
+
+std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseClock& clock) {
+  const VecX& start = world.start.x;
+  world.participants.remember(world.start.history);
+  world.participants.begin_step({start, world.start.time, h});
+  const VecX lengths = local_lengths(world, start);
+  VecX all(start.size()), q, unit;
+  for (Eigen::Index v = 0; v < lengths.size(); ++v) vertex(all, static_cast<int>(v)).setConstant(lengths(v));
+  world.dofs.gather(start, q);
+  world.dofs.gather(all, unit);
+  const auto free_direction = [&](RandomDirections& random) {
+    VecX d = unit.cwiseProduct(random(q.size()));
+    world.dofs.keep_held(VecX::Zero(start.size()), d);
+    return d;
+  };
+  std::vector<DerivativeCheck> checks;
+  for (const Term* term : world.terms) {
+    TermStudy study(*term, world, clock);
+    RandomDirections random;
+    for (const double distance : distances) {
+      const VecX state = q + distance * free_direction(random);
+      for (int i = 0; i < directions; ++i) study.look(state, free_direction(random));
+    }
+    keep_worst(checks, study.check());
+  }
+  return checks;
+}
+
+}  // namespace tack

@@ -1,0 +1,65 @@
+#include "framework/checks/flow_quality.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tack {
+namespace {
+
+constexpr double poor_quality = 0.1;  // of that at rest
+constexpr double flowed = 0.1;        // plastic strain, from which on it is flow that has given it its shape
+
+}  // namespace
+
+double mean_ratio(const Tet& tet, const VecX& x) {
+  double squares = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < i; ++k) squares += (vertex(x, tet[i]) - vertex(x, tet[k])).squaredNorm();
+  const Vec3 a = vertex(x, tet[1]) - vertex(x, tet[0]), b = vertex(x, tet[2]) - vertex(x, tet[0]), c = vertex(x, tet[3]) - vertex(x, tet[0]);
+  const double three_volumes = a.cross(b).dot(c) / 2;
+  return three_volumes > 0 ? 12 * std::cbrt(three_volumes * three_volumes) / squares : 0;
+}
+
+FlowQuality::FlowQuality(const World& world) : world_(world) {
+  for (const FieldRecord& field : world.records.fields()) {
+    if (field.name != "plastic_strain" || !field.tets || field.tets->empty()) continue;
+    Flowing flowing{&field, world.body_of(field.tets->front()[0]), {}};
+    for (const Tet& tet : *field.tets) flowing.at_rest.push_back(mean_ratio(tet, world.rest));
+    all_.push_back(std::move(flowing));
+  }
+}
+
+void FlowQuality::look(const VecX& x, double time) {
+  for (Flowing& f : all_) {
+    const VecX strain = f.strain->values(x);
+    for (size_t t = 0; t < f.at_rest.size(); ++t) {
+      if (!(strain(static_cast<Eigen::Index>(t)) > flowed)) continue;
+      const Tet& tet = (*f.strain->tets)[t];
+      const double quality = mean_ratio(tet, x) / f.at_rest[t];
+      lowest_ = std::min(lowest_.value_or(quality), quality);
+      if (quality >= f.lowest) continue;
+      f.lowest = quality;
+      f.time = time;
+      f.plastic_strain = strain(static_cast<Eigen::Index>(t));
+      f.tet = static_cast<int>(t);
+      f.place = (vertex(x, tet[0]) + vertex(x, tet[1]) + vertex(x, tet[2]) + vertex(x, tet[3])) / 4;
+    }
+  }
+}
+
+std::vector<std::string> FlowQuality::poor() const {
+  std::vector<std::string> lines;
+  for (const Flowing& f : all_) {
+    if (f.lowest >= poor_quality) continue;
+    lines.push_back(fmt::format(
+        "object '{}': plastic flow has made its elements flat or long: of tet {} at ({:.4g}, {:.4g}, {:.4g}) m, with a plastic strain of {:.2g}, the "
+        "mean ratio is {:.2g} of what it was at rest (t = {:.4g} s), and below {:g} shapes and forces there are the mesh's more than the body's; finer cells there, "
+        "shorter than what flow stretches them to, or go on from a mesh of the flowed shape (tack mesh remesh)",
+        world_.bodies[f.body].name, f.tet, f.place.x(), f.place.y(), f.place.z(), f.plastic_strain, f.lowest, f.time, poor_quality));
+  }
+  return lines;
+}
+
+}  // namespace tack

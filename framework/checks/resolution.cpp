@@ -1,0 +1,197 @@
+#include "framework/checks/resolution.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/stencil_kinds.hpp"
+#include "framework/contact/surface_topology.hpp"
+#include "framework/scene/copied_lines.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/world/world.hpp"
+#include "geometry/mesh/quality.hpp"
+#include "geometry/mesh/thickness.hpp"
+
+namespace tack {
+namespace {
+
+// Means over the surface of one object.
+struct SurfaceMeasure {
+  double size = 0;       // of an element, the root of twice its area, or the length of a rod's edge; 0 for particles [m]
+  double gap_change = 0; // h theta / 2 over the smooth edges [m]
+  double thickness = 0;  // 2 V / A [m]; 0 for sheets
+};
+
+std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t objects) {
+  const CollisionMesh& mesh = surface.mesh;
+  const VecX& x = surface.rest;
+  std::vector<SurfaceMeasure> all(objects);
+  std::vector<int> triangles(objects, 0), smooth(objects, 0);
+  for_each_edge(surface, [&](std::span<const EdgeUse> uses, const std::optional<double>& angle) {
+    if (!angle) return;
+    const auto [a, b] = uses[0].edge;
+    all[mesh.vertex_object[a]].gap_change += (vertex(x, a) - vertex(x, b)).norm() * *angle / 2;
+    ++smooth[mesh.vertex_object[a]];
+  });
+  std::vector<Thickness> thickness(objects);
+  std::vector<char> sheet(objects, 0);
+  std::vector<double> length(objects, 0);
+  std::vector<int> edges(objects, 0);
+  for (const int e : mesh.codim_edges) {
+    const auto& [a, b] = mesh.edges[e];
+    length[mesh.vertex_object[a]] += (vertex(x, a) - vertex(x, b)).norm();
+    ++edges[mesh.vertex_object[a]];
+  }
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle& t = mesh.triangles[i];
+    const int object = mesh.vertex_object[t[0]];
+    thickness[object].add(corners(x, t));
+    ++triangles[object];
+    if (surface.two_sided[i]) sheet[object] = 1;
+  }
+  for (size_t i = 0; i < objects; ++i) {
+    all[i].size = triangles[i] > 0 ? std::sqrt(2 * thickness[i].area() / triangles[i]) : edges[i] > 0 ? length[i] / edges[i] : 0;
+    all[i].gap_change /= std::max(smooth[i], 1);
+    if (!sheet[i]) all[i].thickness = thickness[i].thickness();
+  }
+  return all;
+}
+
+// Of the mesh, whatever surface contact sees [m].
+double element_size(const Body& body, const VecX& rest) {
+  double area = 0;
+  for (const Triangle& t : body.triangles) {
+    const auto [a, b, c] = corners(rest, t);
+    area += triangle_area(a, b, c);
+  }
+  return std::sqrt(2 * area / static_cast<double>(std::max<size_t>(body.triangles.size(), 1)));
+}
+
+double young_of(const ObjectConfig& object) {
+  for (const auto& energy : object.energies)
+    if (const auto young = energy->young()) return *young;
+  return 0;
+}
+
+class Warnings {
+ public:
+  Warnings(const SceneConfig& scene, World& world)
+      : scene_(scene), world_(world), measures_(measure(world.contact->surface(), world.bodies.size())) {}
+
+  std::vector<std::string> take() {
+    const ObjectClasses& classes = world_.contact->pairs().classes();
+    for (const AdhesionSummary& adhesion : world_.adhesion)
+      for (const auto& [a, b] : adhesion.kinds) {
+        interface(adhesion, a, b);
+        if (a == b) continue;
+        // The others of their classes, which may have other meshes.
+        for (int i = 0; i < classes.objects(); ++i) {
+          if (i != a && i != b && classes.of(i) == classes.of(a)) interface(adhesion, i, b);
+          if (i != a && i != b && classes.of(i) == classes.of(b)) interface(adhesion, a, i);
+        }
+      }
+    for (size_t i = 0; i < world_.bodies.size(); ++i) body(static_cast<int>(i));
+    start();
+    return lines_.texts();
+  }
+
+ private:
+  void interface(const AdhesionSummary& adhesion, int a, int b) {
+    double young = 0;
+    for (const int i : {a, b})
+      if (const double own = young_of(scene_.objects[i]); own > 0) young = young > 0 ? std::min(young, own) : own;
+    const double zone = young * adhesion.work_of_adhesion / (adhesion.peak_traction * adhesion.peak_traction);
+    const double range = world_.contact->pairs().point(a, b).range - world_.contact->pairs().offset(a, b);
+    for (const int i : a == b ? std::vector{a} : std::vector{a, b}) {
+      const SurfaceMeasure& m = measures_[i];
+      const std::string& name = world_.bodies[i].name;
+      const double size = world_.bodies[i].surface_triangles.empty() ? m.size : element_size(world_.bodies[i], world_.rest);
+      if (young_of(scene_.objects[i]) > 0 && size > (1 + 1e-6) * zone && first_time(i, "zone"))
+        tell(i, "zone", fmt::format(
+            "elements of '{}' ({:.3g} m) are larger than the process zone of its adhesion '{}' - '{}' (E W / "
+            "sigma^2 = {:.3g} m): where it peels or tears, it lets go too late; refine '{}'",
+            name, size, world_.bodies[a].name, world_.bodies[b].name, zone, name));
+      const double length = std::pow(bending_stiffness(i) * 2 * adhesion.work_of_adhesion / std::pow(adhesion.peak_traction, 2), 0.25);
+      if (length > 0 && size > (1 + 1e-6) * length / 2 && first_time(i, "bent"))
+        tell(i, "bent", fmt::format(
+            "elements of '{}' ({:.3g} m) are larger than a half of the length over which it bends where its adhesion '{}' - '{}' "
+            "lets go ((2 B W / sigma^2)^(1/4) = {:.3g} m, B its bending stiffness per width): the force of peeling is not "
+            "resolved; refine '{}'",
+            name, size, world_.bodies[a].name, world_.bodies[b].name, length, name));
+      if (m.gap_change > range / 4 && first_time(i, "curved"))
+        tell(i, "curved", fmt::format(
+            "the surface of '{}' is coarse for its adhesion '{}' - '{}': across one element ({:.3g} m) the gap "
+            "changes by about {:.2g} m of a range of {:.3g} m; refine '{}'",
+            name, world_.bodies[a].name, world_.bodies[b].name, m.size, m.gap_change, range, name));
+    }
+  }
+
+  // Of a sheet or a rod where it bends most easily, per width [N m]; 0 for what does not resist bending.
+  double bending_stiffness(int i) const {
+    double least = 0;
+    for (const auto& energy : scene_.objects[i].energies)
+      if (const double own = energy->bending_stiffness(world_.bodies[i]); own > 0) least = least > 0 ? std::min(least, own) : own;
+    return least;
+  }
+
+  void body(int i) {
+    const double range = world_.contact->pairs().point(i, i).range - world_.contact->pairs().offset(i, i), distance = scene_.contact->contact_distance;
+    const SurfaceMeasure& m = measures_[i];
+    const std::string& name = world_.bodies[i].name;
+    if (!world_.bodies[i].movable) return;
+    if (m.size > 0 && distance > m.size)
+      tell(i, "distance", fmt::format("contact.distance ({:.3g} m) exceeds the elements of '{}' ({:.3g} m); lower it "
+                                   "to a half of them or less",
+                                   distance, name, m.size));
+    if (m.thickness > 0 && range > m.thickness)
+      tell(i, "thickness", fmt::format("the contact of '{}' with itself has a range ({:.3g} m) above its thickness "
+                                   "({:.3g} m); lower the range, or name the pair with contact: false",
+                                   name, range, m.thickness));
+  }
+
+  // Forces of bodies on themselves.
+  void start() {
+    world_.contact->begin_step({world_.start.x});
+    world_.contact->move_to(world_.start.x);
+    std::set<int> on_themselves;
+    for_each_kind(world_.contact->contacts(), [&](auto kind, const auto& stencils, const double*) {
+      const auto& object = world_.contact->surface().mesh.vertex_object;
+      for (const auto& s : stencils)
+        if (const int i = object[s.vertices[0]]; i == object[s.vertices[decltype(kind)::first_vertices]]) on_themselves.insert(i);
+    });
+    for (const int i : on_themselves) {
+      const VecX force = world_.contact_term->forces(world_.start.x, LawPart::all, ObjectPair{i, i});
+      Eigen::Index at = 0;
+      const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
+      if (!(largest > 0)) continue;
+      tell(i, "start", fmt::format(
+          "'{}' starts with contact forces on itself (up to {:.3g} N, at its vertex {}): it will deform by itself; "
+          "lower contact.distance or the range of its adhesion below the gaps between its parts",
+          world_.bodies[i].name, largest, world_.number_in_body(static_cast<int>(at / 3))));
+    }
+  }
+
+  // One warning of a kind is enough for an object, however many it adheres to, and for all copies of one (fill.hpp).
+  bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
+
+  void tell(int object, const char* kind, std::string line) { lines_.tell(scene_.objects[object], kind, std::move(line)); }
+
+  const SceneConfig& scene_;
+  World& world_;
+  std::set<std::pair<int, std::string>> told_;
+  std::vector<SurfaceMeasure> measures_;
+  CopiedLines lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> resolution_warnings(const SceneConfig& scene, World& world) {
+  if (!world.contact) return {};
+  return Warnings(scene, world).take();
+}
+
+}  // namespace tack

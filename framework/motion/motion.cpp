@@ -1,0 +1,49 @@
+#include "framework/motion/motion.hpp"
+
+namespace tack {
+
+void Motion::fields(Fields& f) {
+  f.component("select", select_, "the vertices it holds");
+  f.text("carrier", carrier_, "object that a motion holds rigidly as a whole: these vertices go along with it, and their motion is told as "
+                              "if it stood still");
+  f.number("from", from_, units::time, "when it seizes them; they are free before").nonnegative();
+  f.optional_number("until", until_, units::time,
+                    "when it lets go of them, with the velocity they have; never unless given");
+  f.optional_vector("along", along_, units::none,
+                    "holds only the component along this direction; the vertices are free across it (a roller, a plane of "
+                    "symmetry). What another motion holds whole is not asked");
+  f.optional_vector("across", across_, units::none,
+                    "holds only the components across this direction; the vertices are free along it (a slider)");
+  f.check("carrier", [this]() -> std::string { return carrier_.empty() || !partial() ? "" : "takes along what is held whole; take `along` or `across` away"; });
+  for (const char* key : {"along", "across"})
+    f.check(key, [this]() -> std::string {
+      if (along_ && across_) return "give either along or across";
+      return (along_ && along_->norm() == 0) || (across_ && across_->norm() == 0) ? "must not be zero" : "";
+    });
+  f.check("until", [this]() -> std::string {
+    return until() > from_ ? "" : "must be later than from";
+  });
+}
+
+Mat3 Motion::held_directions() const {
+  if (along_) return along_->normalized() * along_->normalized().transpose();
+  if (across_) return Mat3::Identity() - across_->normalized() * across_->normalized().transpose();
+  return Mat3::Identity();
+}
+
+namespace {
+
+class Fixed : public Motion {
+ public:
+  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double,
+             VecX& x) const override {
+    for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
+  }
+  bool moves() const override { return false; }
+  std::optional<RigidMap> pose(double) const override { return RigidMap{}; }
+};
+
+TACK_REGISTER(Motion, Fixed, "fixed", "Vertices that do not move and own no unknowns.", "");
+
+}  // namespace
+}  // namespace tack

@@ -1,0 +1,67 @@
+// Who holds which vertices when: all motions of a scene.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "framework/core/dof_map.hpp"
+#include "framework/motion/motion.hpp"
+
+namespace tack {
+
+class Script {
+ public:
+  struct Hold {
+    const Motion* motion;
+    std::vector<int> vertices;  // global, ascending
+    std::string name;           // for messages: "motion 0 (fixed) of 'plate'"
+  };
+
+  Script() = default;
+  explicit Script(int vertex_count)
+      : ever_held_(vertex_count, 0), ever_free_(vertex_count, 1), moves_(vertex_count, 0),
+        rigid_group_(vertex_count, -1) {}
+
+  void grow(int more);  // vertices, behind the others
+
+  // Throws InputError if another motion holds one of the vertices at the same time: both whole, or both in directions
+  // that are not at right angles.
+  void add(Hold hold);
+  // Once all motions are there: the vertex follows others, and is free, or moved, where one of them is.
+  void follow(const Dependence& dependence);
+  // Of a vertex, some directions that no motion ever frees: a number has one (unknowns.hpp).
+  void hold_always(const HeldDirections& held) { always_held_.push_back(held); }
+  const std::vector<HeldDirections>& always_held() const { return always_held_; }
+  const std::vector<Hold>& holds() const { return holds_; }
+  int vertex_count() const { return static_cast<int>(ever_free_.size()); }
+
+  // Which of the holds act at time t [s], and which vertices those leave free, in some directions at least.
+  std::vector<char> active(double t) const;
+  std::vector<char> free(const std::vector<char>& active) const;
+  // Of the latter, those of which they hold some directions.
+  std::vector<HeldDirections> held_directions(const std::vector<char>& active) const;
+  // Writes where the active holds have their vertices at time t into x; anchor, rest: 3n [m].
+  void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
+             VecX& x) const;
+
+  bool ever_held(int v) const { return ever_held_[v]; }
+  bool moves(int v) const { return moves_[v]; }  // some hold moves it
+  bool ever_free(int v) const { return ever_free_[v]; }
+  // Whether the vertex may ever be elsewhere than at its start.
+  bool may_move(int v) const { return ever_free_[v] || moves_[v]; }
+  // Vertices of one group (>= 0) never move against each other, throughout the run; -1: no such group.
+  int rigid_group(int v) const { return rigid_group_[v]; }
+
+ private:
+  static void place(const Hold& hold, const VecX& rest, const VecX& anchor, double t, VecX& x);
+
+  std::vector<Hold> holds_;
+  std::vector<HeldDirections> always_held_;
+  std::vector<char> ever_held_, ever_free_, moves_;
+  std::vector<int> rigid_group_;
+  std::map<int, std::vector<std::pair<double, double>>> held_spans_;  // s: of vertices that are held whole for a while
+};
+
+}  // namespace tack

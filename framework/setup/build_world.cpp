@@ -1,0 +1,326 @@
+#include "framework/setup/build_world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "framework/body/selected_elements.hpp"
+#include "framework/bond/bond_term.hpp"
+#include "framework/contact/friction_term.hpp"
+#include "framework/contact/rim_term.hpp"
+#include "framework/core/damping_terms.hpp"
+#include "framework/rod/rod_frames.hpp"
+#include "framework/scene/energy_with_unknowns.hpp"
+#include "framework/setup/add_loads.hpp"
+#include "framework/setup/affine_bodies.hpp"
+#include "framework/setup/carried_motion.hpp"
+#include "framework/setup/contact_support.hpp"
+#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/interaction_builder.hpp"
+#include "framework/setup/named_selections.hpp"
+#include "framework/setup/push_out.hpp"
+#include "framework/setup/refined_surface.hpp"
+#include "framework/setup/rod_twists.hpp"
+#include "framework/setup/start_checks.hpp"
+#include "framework/shapes/made_mesh.hpp"
+#include "framework/world/consistent_mass.hpp"
+#include "framework/world/energy_records.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/orientation.hpp"
+#include "geometry/mesh/surface.hpp"
+#include "geometry/mesh/validate.hpp"
+#include "geometry/tets/divide_tets.hpp"
+
+namespace tack {
+namespace {
+
+Mesh placed(Mesh mesh, const ObjectConfig& object) {
+  object.place.apply(mesh);
+  validate_mesh(mesh, fmt::format("object '{}'", object.name));
+  return mesh;
+}
+
+// The mesh as the object's elements need it. Notes in the digest, which is that of the mesh before it was placed, that it has others.
+Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
+  if (object.elements == Elements::linear) return mesh;
+  const char* remedy = "take `elements` away";
+  if (mesh.tets.empty())
+    throw InputError(fmt::format("object '{}' has no tets of which `elements` could be; {}, or use a tet mesh or shape", object.name, remedy));
+  if (object.body)
+    throw InputError(fmt::format("object '{}' is an affine body, which does not strain: `elements` would do nothing; {}", object.name, remedy));
+  for (const auto& energy : object.energies)
+    if (energy->poisson() && !energy->takes_elements())
+      throw InputError(fmt::format("object '{}': the energy {} knows linear tets only (its material has no volume of its own, "
+                                   "energies/solid/material_split.hpp); {}", object.name, energy->type(), remedy));
+  if (object.elements != Elements::composite) return mesh;
+  mesh = divide_tets(mesh);
+  const MeshDigest divided = digest_of(mesh);
+  digest.vertex_count = divided.vertex_count;
+  digest.element_count = divided.element_count;
+  digest.elements = divided.elements;
+  return mesh;
+}
+
+// Appends a mesh to the world as a body.
+void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
+  Body body;
+  body.name = object.name;
+  body.first_vertex = static_cast<int>(world.rest.size()) / 3;
+  body.vertex_count = static_cast<int>(mesh.vertices.size());
+  world.rest.conservativeResize(world.rest.size() + 3 * body.vertex_count);
+  for (int i = 0; i < body.vertex_count; ++i)
+    vertex(world.rest, body.first_vertex + i) = mesh.vertices[i];
+  const auto shifted = [&](auto elements) {
+    for (auto& element : elements)
+      for (int& v : element) v += body.first_vertex;
+    return elements;
+  };
+  body.tags = mesh.tags;
+  body.tets = shifted(mesh.tets);
+  body.elements = object.elements;
+  const Surface surface = extract_surface(mesh);
+  body.triangles = shifted(surface.triangles);
+  body.sheet.assign(body.triangles.begin() + surface.first_sheet, body.triangles.end());
+  if (object.shell) {
+    if (body.sheet.empty())
+      throw InputError(fmt::format("object '{}' is given a thickness (shell), and its mesh has no triangles but faces of tets; "
+                                   "take it away, or use a shape of triangles", object.name));
+    body.thickness = object.shell->thickness;
+  }
+  body.edges = shifted(mesh.edges);
+  for (const int v : mesh.points) body.points.push_back(body.first_vertex + v);
+  if (object.rod) {
+    if (body.edges.empty())
+      throw InputError(fmt::format("object '{}' has a section (rod) and no explicit edges; take `rod` away, or choose a shape of "
+                                   "edges", object.name));
+    body.section = object.rod->section();
+  }
+  if (object.particle) {
+    if (body.points.empty())
+      throw InputError(fmt::format("object '{}' has a radius (particle) and no explicit points; take `particle` away, or choose a "
+                                   "shape of points", object.name));
+    body.radius = object.particle->radius;
+  }
+  world.bodies.push_back(std::move(body));
+}
+
+void hold_vertices(const SceneConfig& scene, int index, World& world) {
+  const ObjectConfig& object = scene.objects[index];
+  for (size_t i = 0; i < object.motion.size(); ++i) {
+    const std::string name = fmt::format("motion {} ({}) of '{}'", i, object.motion[i]->type(), object.name);
+    auto carried = carried_motion(*object.motion[i], name, object.name, scene);
+    const Motion& motion = carried ? *carried : *object.motion[i];
+    std::vector<int> vertices = select(object.motion[i]->selection(), world.selection_context(index));
+    if (motion.partial() && object.body) {
+      if (static_cast<int>(vertices.size()) != world.bodies[index].vertex_count)
+        throw InputError(fmt::format("{}: holds some directions of a part of an affine body; select all of it, or hold "
+                                     "vertices whole (on a line: a hinge, one: a joint)", name));
+      vertices = world.bodies[index].frame;
+    }
+    world.script.add({&motion, vertices, name});
+    hold_twists(motion, vertices, name, index, world);
+    if (carried) world.own_motions.push_back(std::move(carried));
+  }
+  Body& body = world.bodies[index];
+  body.movable = false;
+  if (body.rod)
+    for (const int v : body.rod->twists()) body.movable = body.movable || world.script.ever_free(v);
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+    body.movable = body.movable || world.script.ever_free(v);
+}
+
+Unknowns unknowns_of(int index, World& world) {
+  return Unknowns(world, fmt::format("{}/{}", world.bodies[index].name, world.bodies[index].energy), index);
+}
+
+void add_energies(const ObjectConfig& object, int index, World& world) {
+  Body& body = world.bodies[index];
+  if (!body.movable) return;
+  const bool mass_damping = object.damping && object.damping->mass > 0;
+  if (object.body) {
+    add_affine_masses(object, index, world);
+    if (mass_damping)
+      world.damping_terms.push_back(std::make_unique<MassDamping>(body.frame[0], 4, world.mass, object.damping->mass));
+    if (object.damping && object.damping->stiffness > 0)
+      throw InputError(fmt::format("object '{}' is an affine body, which does not strain: damping.stiffness would do nothing; "
+                                   "take it away, or give damping.mass", object.name));
+    return;
+  }
+  if (object.energies.empty())
+    throw InputError(fmt::format("object '{}' can move but has no energies; give it a material "
+                                 "(energies: [...]), make it an affine body (body: affine) or fix it (motion: [fixed])", object.name));
+  for (const auto& energy : object.energies) {
+    std::optional<Body> cut;
+    if (energy->selection()) cut = selected_elements(*energy->selection(), {body, world.rest});
+    const Body& acted_on = cut ? *cut : body;
+    const auto* asking = dynamic_cast<const EnergyWithUnknowns*>(energy.get());
+    std::unique_ptr<Term> term = asking ? asking->make_with_unknowns(acted_on, world.rest, unknowns_of(index, world)) : energy->make_term(acted_on, world.rest);
+    energy->add_mass(acted_on, world.rest, world.mass);
+    ++body.energy;
+    if (!term) continue;
+    if (object.damping && object.damping->stiffness > 0)
+      world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*term, object.damping->stiffness));
+    world.elastic_terms.push_back(std::move(term));
+  }
+  if (mass_damping) {
+    world.damping_terms.push_back(std::make_unique<MassDamping>(body.first_vertex, body.vertex_count, world.mass, object.damping->mass));
+    for (const UnknownGroup& group : world.unknowns)
+      if (group.body == index && world.mass(group.vertices.front()) > 0)
+        world.damping_terms.push_back(std::make_unique<MassDamping>(group.vertices.front(), static_cast<int>(group.vertices.size()), world.mass, object.damping->mass));
+  }
+  world.tets.insert(world.tets.end(), body.tets.begin(), body.tets.end());
+}
+
+void check_mass(const Value& root, const World& world) {
+  for (int v = 0; v < world.mesh_vertex_count(); ++v) {
+    if (world.mass(v) > 0 || !world.script.ever_free(v)) continue;
+    const int i = world.body_of(v);
+    if (world.bodies[i].frame.empty())
+      throw InputError(fmt::format("{}object '{}': vertex {} has no mass; give every part an energy "
+                                   "with a density", place_of(root, "objects", static_cast<size_t>(i)), world.bodies[i].name,
+                                   world.number_in_body(v)));
+  }
+}
+
+void start_state(const SceneConfig& scene, World& world) {
+  State& s = world.start;
+  s.x = world.rest;
+  world.dofs.follow(s.x);
+  s.v = s.a = VecX::Zero(world.rest.size());
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const ObjectConfig& object = scene.objects[i];
+    if (object.velocity.isZero() && object.spin.isZero()) continue;
+    const Vec3 centre = object.spin.isZero() ? Vec3::Zero() : world.centre_of_mass(static_cast<int>(i), s.x);
+    const Body& body = world.bodies[i];
+    if (body.rod)
+      for (int e = 0; e < body.rod->count(); ++e)
+        if (const int v = body.rod->twists()[e]; world.dofs.moves(v)) s.v(3 * v) = body.rod->radius() * object.spin.dot(body.rod->tangent(e, s.x));
+    for (const int v : world.vertices_of(static_cast<int>(i))) {
+      if (world.is_number(v)) continue;
+      if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
+    }
+  }
+  if (!world.bindings.joints().empty()) make_possible(world.dofs, world.mass, s.v);
+  world.dofs.follow(s.v);
+}
+
+// One object at a time, so that a message can name its place in the file.
+template <class Action>
+void for_each_object(const SceneConfig& scene, const Value& root, const Action& action) {
+  for (size_t i = 0; i < scene.objects.size(); ++i)
+    at_place(entry_of(root.find("objects"), i), [&] { action(i); });
+}
+
+// Friction before damping, as what works against both is summed in this order.
+void publish(World& world) {
+  for (const auto& term : world.elastic_terms) world.records.publish(*term);
+  if (!world.gravity.isZero())
+    world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
+  for (const auto& load : world.load_terms) world.records.publish(*load);
+  if (world.contact_term) world.records.publish(*world.contact_term);
+  if (world.rim) world.records.publish(*world.rim);
+  if (world.bonds) world.records.publish(*world.bonds);
+  if (world.friction) world.records.publish(*world.friction);
+  for (const auto& term : world.damping_terms) world.records.publish(*term);
+}
+
+}  // namespace
+
+const Value* entry_of(const Value* list, size_t i) { return list && i < list->items.size() ? &list->items[i] : nullptr; }
+
+std::string place_of(const Value& root, const std::string& list, size_t i) {
+  const Value* value = entry_of(root.find(list), i);
+  return value ? value->mark.text() + ": " : "";
+}
+
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, const EarlierState* earlier) {
+  auto world = std::make_unique<World>();
+  std::set<std::string> names;
+  std::vector<Mesh> meshes;
+  std::vector<MeshDigest> digests;
+  std::vector<std::vector<std::string>> notes;  // of the shapes
+  for_each_object(scene, root, [&](size_t i) {
+    const ObjectConfig& object = scene.objects[i];
+    if (!names.insert(object.name).second)
+      throw InputError(fmt::format("two objects are named '{}'; names must differ", object.name));
+    const auto shape = made(*object.shape);
+    Mesh mesh = shape->mesh;
+    digests.push_back(digest_of(mesh));
+    mesh = with_elements(placed(std::move(mesh), object), object, digests.back());
+    if (scene.contact) refuse_unmeasured_contact(mesh, object.name, object.rod.has_value(), object.particle.has_value());
+    meshes.push_back(std::move(mesh));
+    notes.push_back(shape->notes);
+  });
+  world->start_notes = push_out(scene, root, meshes);
+  for_each_object(scene, root, [&](size_t i) {
+    add_body(scene.objects[i], meshes[i], *world);
+    world->bodies.back().digest = digests[i];
+    world->bodies.back().from_file = scene.objects[i].shape->reads_files();
+    world->bodies.back().notes = std::move(notes[i]);
+  });
+  meshes.clear();
+  world->mass = world->weighing_mass = VecX::Zero(world->rest.size() / 3);
+  world->script = Script(static_cast<int>(world->rest.size()) / 3);
+  for_each_object(scene, root, [&](size_t i) {
+    if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
+    if (scene.objects[i].surface && !scene.contact)
+      throw InputError(fmt::format("object '{}' has a `surface` for contact, and there is none; take it away, or give a contact "
+                                   "section", scene.objects[i].name));
+    if (scene.objects[i].surface) add_refined_surface(scene.objects[i], static_cast<int>(i), *world);
+  });
+  add_named_selections(scene, root, *world);
+  for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
+  for_each_object(scene, root, [&](size_t i) { hold_vertices(scene, static_cast<int>(i), *world); });
+  for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
+  if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))
+    at_place(root.find("objects"), [] {
+      throw InputError("nothing can move: every object is held throughout; free one of them (motion, its "
+                       "select, from and until)");
+    });
+  for_each_object(scene, root, [&](size_t i) { add_attachments(scene, static_cast<int>(i), *world); });
+  for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], static_cast<int>(i), *world); });
+  world->weighing_mass = world->mass;
+  for (const UnknownGroup& group : world->unknowns)
+    if (group.length > 0)
+      for (const int v : group.vertices) world->weighing_mass(v) = 0;
+  add_affine_terms(scene, root, first_step, *world);
+  add_interactions(scene, root, *world);
+  const std::vector<char> active = world->script.active(first_step / 2), free = world->script.free(active);
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)), world->script.held_directions(active));
+  check_mass(root, *world);
+  add_loads(scene, root, *world);
+  world->gravity = scene.gravity;
+  if (!scene.gravity.isZero()) world->gravity_term.set_up(world->weighing_mass, scene.gravity);
+  start_state(scene, *world);
+  if (earlier)
+    at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
+  build_contact(scene, root, clock, *world);
+  check_start(scene, root, *world);
+
+  for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
+  for (const auto& term : world->damping_terms) world->terms.push_back(term.get());
+  if (!scene.gravity.isZero()) world->terms.push_back(&world->gravity_term);
+  if (!world->load_term.empty()) world->terms.push_back(&world->load_term);
+  for (const auto& load : world->load_terms) world->terms.push_back(load.get());
+  if (world->contact_term) world->terms.push_back(world->contact_term.get());
+  if (world->rim) world->terms.push_back(world->rim.get());
+  if (world->bonds) world->terms.push_back(world->bonds.get());
+  if (world->friction) world->terms.push_back(world->friction.get());
+  if (world->contact) world->participants.add(world->contact.get());
+  for (const Body& body : world->bodies)
+    if (body.rod) world->participants.add(body.rod.get());
+  for (const auto& term : world->elastic_terms) world->participants.add(term.get());
+  for (const auto& term : world->damping_terms) world->participants.add(term.get());
+  for (LinearTerm* term : {static_cast<LinearTerm*>(&world->gravity_term), static_cast<LinearTerm*>(&world->load_term)})
+    world->participants.add(term);
+  for (const auto& load : world->load_terms) world->participants.add(load.get());
+  if (world->contact_term) world->participants.add(world->contact_term.get());
+  if (world->rim) world->participants.add(world->rim.get());
+  if (world->bonds) world->participants.add(world->bonds.get());
+  if (world->friction) world->participants.add(world->friction.get());
+  publish(*world);
+  return world;
+}
+
+}  // namespace tack

@@ -1,0 +1,89 @@
+#include "framework/setup/carried_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/config/nearest.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// Its own motion, and then those of its carriers, up to the one that none carries.
+class CarriedMotion : public Motion {
+ public:
+  CarriedMotion(const Motion& own, std::vector<const Motion*> carriers)
+      : Motion(own.from(), own.until()), own_(own), carriers_(std::move(carriers)) {
+    if (from() > 0) seized_ = carried(from()).inverse();
+  }
+  void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t, VecX& x) const override {
+    own_.place(vertices, rest, anchor, t, x);
+    // What is seized later goes along from there.
+    const RigidMap map = carried(t) * seized_;
+    for (const int v : vertices) vertex(x, v) = map(vertex(x, v));
+  }
+  std::vector<double> corners() const override {
+    std::vector<double> times = own_.corners();
+    for (const Motion* carrier : carriers_) {
+      const std::vector<double> more = carrier->corners();
+      times.insert(times.end(), more.begin(), more.end());
+    }
+    return times;
+  }
+  bool moves() const override {
+    return own_.moves() || std::any_of(carriers_.begin(), carriers_.end(), [](const Motion* m) { return m->moves(); });
+  }
+  bool rigid() const override { return own_.rigid(); }
+
+ private:
+  RigidMap carried(double t) const {
+    RigidMap map;
+    for (const Motion* carrier : carriers_) map = *carrier->pose(t) * map;
+    return map;
+  }
+
+  const Motion& own_;
+  std::vector<const Motion*> carriers_;
+  RigidMap seized_;
+};
+
+std::string time_of(double t) { return std::isfinite(t) ? fmt::format("{} s", t) : "the end"; }
+
+const ObjectConfig& object_named(const std::string& name, const std::string& who, const SceneConfig& scene) {
+  std::vector<std::string> names;
+  for (const ObjectConfig& object : scene.objects) {
+    if (object.name == name) return object;
+    names.push_back(object.name);
+  }
+  throw InputError(fmt::format("{}: its carrier '{}' is no object{}", who, name, suggestion(name, names, "objects")));
+}
+
+const Motion& carrier_of(const Motion& motion, const std::string& who, const SceneConfig& scene) {
+  const ObjectConfig& object = object_named(motion.carrier(), who, scene);
+  for (const auto& other : object.motion)
+    if (other->pose(0) && !other->partial() && other->selection().type() == std::string("all") && other->from() <= motion.from() &&
+        other->until() >= motion.until())
+      return *other;
+  throw InputError(fmt::format("{}: object '{}' has no one motion that holds all of it, rigidly, from {} to {}; give it one (fixed, translate, rotate, "
+                               "hinge, keyframes), or this one a span (from, until) within that", who, object.name, time_of(motion.from()),
+                               time_of(motion.until())));
+}
+
+}  // namespace
+
+std::unique_ptr<Motion> carried_motion(const Motion& motion, const std::string& name, const std::string& object, const SceneConfig& scene) {
+  if (motion.carrier().empty()) return nullptr;
+  std::vector<const Motion*> carriers;
+  std::vector<std::string> passed = {object};
+  for (const Motion* at = &motion; !at->carrier().empty(); at = carriers.back()) {
+    if (std::find(passed.begin(), passed.end(), at->carrier()) != passed.end())
+      throw InputError(fmt::format("{}: its carrier '{}' is carried by itself in the end; take `carrier` away from one of them", name, motion.carrier()));
+    passed.push_back(at->carrier());
+    carriers.push_back(&carrier_of(*at, name, scene));
+  }
+  return std::make_unique<CarriedMotion>(motion, std::move(carriers));
+}
+
+}  // namespace tack

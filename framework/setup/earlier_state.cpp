@@ -1,0 +1,185 @@
+#include "framework/setup/earlier_state.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "framework/config/describe.hpp"
+#include "framework/config/nearest.hpp"
+#include "framework/world/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+const StateObject& checked(const std::string& name, const EarlierState& earlier, const StateObject& here) {
+  const StateObject& there = earlier.objects.at(name);
+  MeshDigest was = there.mesh;
+  was.vertices = here.mesh.vertices, was.groups = here.mesh.groups;  // it may be of another size, and have other groups
+  if (const std::string other = difference(was, here.mesh); !other.empty())
+    throw InputError(fmt::format("object '{}' had another mesh in {} ({}); give it the same shape, or leave it out of start.objects", name,
+                                 earlier.file, other));
+  if (there.vertices.size() != here.vertices.size())
+    throw InputError(fmt::format("object '{}' had {} vertices in {} beside those of its mesh (of affine bodies, finer surfaces, unknowns of energies), and has {} "
+                                 "here; give it the same `body`, `surface` and energies, or leave it out of start.objects", name,
+                                 there.vertices.size() - there.mesh.vertex_count, earlier.file, here.vertices.size() - here.mesh.vertex_count));
+  return there;
+}
+
+std::string names_of(const std::map<std::string, StateObject>& objects) {
+  std::vector<std::string> names;
+  for (const auto& [name, _] : objects) names.push_back(name);
+  if (names.size() > 8) {
+    names.resize(8);
+    names.push_back("...");
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+// In the scene's order.
+std::vector<const ObjectConfig*> chosen(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene) {
+  std::vector<const ObjectConfig*> all;
+  const auto among = [](const std::vector<std::string>& list, const std::string& name) { return std::find(list.begin(), list.end(), name) != list.end(); };
+  for (const ObjectConfig& object : scene.objects) {
+    const bool named = among(start.objects, object.name) ||
+                       std::any_of(object.groups.begin(), object.groups.end(), [&](const std::string& group) { return among(start.objects, group); });
+    if (named && !earlier.objects.contains(object.name))
+      throw InputError(fmt::format("there is no object '{}' in {}; it has {}", object.name, earlier.file, names_of(earlier.objects)));
+    if (named || (start.objects.empty() && earlier.objects.contains(object.name))) all.push_back(&object);
+  }
+  for (const std::string& name : start.objects)
+    if (std::none_of(scene.objects.begin(), scene.objects.end(), [&](const ObjectConfig& o) { return o.name == name || among(o.groups, name); })) {
+      std::vector<std::string> names;
+      for (const ObjectConfig& o : scene.objects) names.push_back(o.name), names.insert(names.end(), o.groups.begin(), o.groups.end());
+      throw InputError(fmt::format("there is no object or group '{}'{}", name, suggestion(name, names, "objects and groups")));
+    }
+  if (all.empty())
+    throw InputError(fmt::format("no object of the scene is in {}, which has {}; name them alike, or take `start` out", earlier.file,
+                                 names_of(earlier.objects)));
+  return all;
+}
+
+// What the object remembers, by the names that it begins with.
+void take_history(const ObjectConfig& object, const EarlierState& earlier, State& state) {
+  const std::string prefix = object.name + "/";
+  bool any = false;
+  for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
+    if (!it->second.keys.empty()) continue;  // of this object and others
+    state.history.insert(*it);
+    any = true;
+  }
+  if (any && earlier.energies.at(object.name) != energies_text(object))
+    throw InputError(fmt::format("object '{}' remembers what happened to it in {} (plastic strain, turns, frames), and its energies or elements are others now; "
+                                 "give it the same, or leave it out of start.objects", object.name, earlier.file));
+}
+
+// Where the vertices and objects of the earlier state are now; -1: not among those that are taken.
+struct Places {
+  std::vector<int> vertices, objects;
+};
+
+// What is remembered between objects: entries of a point and another object, both of which are taken, by their numbers here.
+void take_keyed(const EarlierState& earlier, const Places& places, State& state) {
+  for (const auto& [name, there] : earlier.history) {
+    const bool keyed = !there.keys.empty() && static_cast<int>(there.keys.size()) == there.entries();
+    if (!keyed) continue;
+    std::vector<std::pair<std::array<int, 2>, int>> kept;  // key here, entry there
+    for (int i = 0; i < there.entries(); ++i) {
+      const auto& [vertex, object] = there.keys[i];
+      if (vertex < 0 || object < 0 || vertex >= static_cast<int>(places.vertices.size()) || object >= static_cast<int>(places.objects.size()))
+        throw InputError(fmt::format("{}: its history '{}' does not fit its objects; write it anew", earlier.file, name));
+      if (places.vertices[vertex] >= 0 && places.objects[object] >= 0) kept.push_back({{places.vertices[vertex], places.objects[object]}, i});
+    }
+    if (kept.empty()) continue;
+    std::sort(kept.begin(), kept.end());
+    HistoryArray here{there.width, {}, {}};
+    for (const auto& [key, i] : kept) {
+      here.keys.push_back(key);
+      here.values.insert(here.values.end(), there.values.begin() + i * there.width, there.values.begin() + (i + 1) * there.width);
+    }
+    state.history[name] = std::move(here);
+  }
+}
+
+// Unknowns and memories of interactions of which all objects are taken.
+void take_interactions(const std::map<std::string, StateObject>& here, const std::vector<const ObjectConfig*>& objects, const StartConfig& start,
+                       const EarlierState& earlier, World& world) {
+  const auto taken = [&](int body) {
+    return std::any_of(objects.begin(), objects.end(), [&](const ObjectConfig* object) { return object->name == world.bodies[body].name; });
+  };
+  const auto refuse = [&](const ActingInteraction& interaction, const std::string& what, int there, int now) {
+    throw InputError(fmt::format("interaction '{}' had {} {} in {}, and has {} here; name it otherwise, or give it the same ends", interaction.name, there,
+                                 what, earlier.file, now));
+  };
+  State& s = world.start;
+  for (const ActingInteraction& interaction : world.interactions) {
+    if (!std::all_of(interaction.bodies.begin(), interaction.bodies.end(), taken)) continue;
+    for (const ActingInteraction::Memory& memory : interaction.memory) {
+      const auto there = earlier.history.find(memory.name);
+      if (there == earlier.history.end()) continue;
+      if (there->second.width != memory.width || there->second.entries() != memory.entries)
+        refuse(interaction, fmt::format("entries of '{}'", memory.name), there->second.entries(), memory.entries);
+      s.history.insert(*there);
+    }
+    const auto then = earlier.objects.find(interaction.name), now = here.find(interaction.name);
+    if (then == earlier.objects.end() || now == here.end()) continue;
+    const std::vector<int>&from = then->second.vertices, &to = now->second.vertices;
+    if (from.size() != to.size()) refuse(interaction, "unknowns", static_cast<int>(from.size()), static_cast<int>(to.size()));
+    for (size_t k = 0; k < to.size(); ++k) {
+      vertex(s.x, to[k]) = vertex(earlier.x, from[k]);
+      const bool moves = start.velocities && world.dofs.moves(to[k]);
+      vertex(s.v, to[k]) = moves ? Vec3(vertex(earlier.v, from[k])) : Vec3::Zero();
+      vertex(s.a, to[k]) = moves ? Vec3(vertex(earlier.a, from[k])) : Vec3::Zero();
+    }
+  }
+}
+
+}  // namespace
+
+std::map<std::string, StateObject> state_objects(const World& world) {
+  std::map<std::string, StateObject> objects;
+  for (size_t i = 0; i < world.bodies.size(); ++i) objects[world.bodies[i].name] = {world.vertices_of(static_cast<int>(i)), world.bodies[i].digest};
+  for (const ActingInteraction& interaction : world.interactions) {
+    std::vector<int> vertices;
+    for (const UnknownGroup& group : world.unknowns)
+      if (group.body < 0 && group.name.starts_with(interaction.name + "/")) vertices.insert(vertices.end(), group.vertices.begin(), group.vertices.end());
+    if (!vertices.empty()) objects[interaction.name] = {std::move(vertices), {}};
+  }
+  return objects;
+}
+
+std::string energies_text(const ObjectConfig& object) {
+  std::string text;
+  if (object.elements != Elements::linear) text += fmt::format("elements {}\n", static_cast<int>(object.elements));  // whose memory is in another order
+  for (const auto& energy : object.energies) text += fmt::format("{}\n{}", energy->type(), to_yaml(fields_of(*energy)));
+  return text;
+}
+
+std::string start_as_before(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene, World& world) {
+  const std::map<std::string, StateObject> here = state_objects(world);
+  State& s = world.start;
+  const std::vector<const ObjectConfig*> objects = chosen(start, earlier, scene);
+  Places places{std::vector<int>(static_cast<size_t>(earlier.x.size() / 3), -1), std::vector<int>(earlier.order.size(), -1)};
+  for (const ObjectConfig* object : objects) {
+    if (const auto at = std::find(earlier.order.begin(), earlier.order.end(), object->name); at != earlier.order.end())
+      places.objects[static_cast<size_t>(at - earlier.order.begin())] = world.body_index(object->name);
+    const StateObject& now = here.at(object->name);
+    const StateObject& then = checked(object->name, earlier, now);
+    for (size_t k = 0; k < now.vertices.size(); ++k) {
+      const int v = now.vertices[k], w = then.vertices[k];
+      vertex(s.x, v) = vertex(earlier.x, w);
+      places.vertices[w] = v;
+      const bool moves = start.velocities && world.dofs.moves(v);
+      vertex(s.v, v) = moves ? Vec3(vertex(earlier.v, w)) : Vec3::Zero();
+      vertex(s.a, v) = moves ? Vec3(vertex(earlier.a, w)) : Vec3::Zero();
+    }
+    take_history(*object, earlier, s);
+  }
+  take_keyed(earlier, places, s);
+  take_interactions(here, objects, start, earlier, world);
+  for (VecX* field : {&s.x, &s.v, &s.a}) world.dofs.follow(*field);
+  return fmt::format("{} of {} objects start as they were in {} (t = {:.6g} s)", objects.size(), scene.objects.size(), earlier.file, earlier.time);
+}
+
+}  // namespace tack

@@ -1,0 +1,173 @@
+#include "framework/setup/interaction_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "framework/config/nearest.hpp"
+#include "framework/load/following_load.hpp"
+#include "framework/scene/pair_configs.hpp"
+#include "framework/setup/add_loads.hpp"
+#include "framework/setup/build_world.hpp"
+#include "framework/world/carrier.hpp"
+#include "framework/world/joint_relations.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+
+void ObjectVertices::fields(Fields& f) {
+  f.text("object", object, "name of the object").required();
+  f.component("select", select, "its vertices");
+}
+
+void Interaction::fields(Fields& f) {
+  f.text("name", name_, "what probes and messages call it; unless given, its type and its number in the list, from 0").line();
+}
+
+InteractionBuilder::InteractionBuilder(const SceneConfig& scene, World& world, std::string name, std::string type)
+    : scene_(scene), world_(world), acting_{std::move(name), std::move(type), {}, {}, {}} {}
+
+int InteractionBuilder::body(const std::string& object) const { return world_.index_of(object, fmt::format("interaction '{}': ", name())); }
+
+std::vector<int> InteractionBuilder::bodies(const std::string& name) const {
+  std::vector<int> found;
+  for (size_t i = 0; i < scene_.objects.size(); ++i)
+    if (named_as(scene_.objects[i], name) != NamedAs::not_at_all) found.push_back(static_cast<int>(i));
+  if (!found.empty()) return found;
+  std::vector<std::string> names;
+  for (const ObjectConfig& o : scene_.objects) {
+    names.push_back(o.name);
+    names.insert(names.end(), o.groups.begin(), o.groups.end());
+  }
+  throw InputError(fmt::format("interaction '{}': no object or group is named '{}'{}", acting_.name, name, suggestion(name, names, "objects and groups")));
+}
+
+std::vector<int> InteractionBuilder::vertices(const ObjectVertices& of) const {
+  return select(*of.select, world_.selection_context(body(of.object)));
+}
+
+int InteractionBuilder::anchor(int body, const Vec3& at) {
+  const Carrier carrier(world_, body);
+  const Carrier::Place place = carrier.of(at);
+  const std::string& object = world_.bodies[body].name;
+  if (place.on.empty())
+    throw InputError(fmt::format("interaction '{}': '{}' has neither tets nor triangles that could carry a point along; choose vertices of it", name(), object));
+  if (place.off > Carrier::touching * carrier.size())
+    throw InputError(fmt::format("interaction '{}': the point ({:.6g}, {:.6g}, {:.6g}) m is {:.4g} m away from '{}', which has no tets that could carry it "
+                                 "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), place.off, object));
+  Unknowns own = unknowns();
+  const int v = own.places("anchor", std::vector{at})[0];
+  if (const std::vector<int>& frame = world_.bodies[body].frame; frame.empty()) {
+    own.follow({v, place.on});
+  } else {
+    std::array<double, 4> weights{};
+    for (const auto& [on, weight] : place.on) weights[static_cast<size_t>(std::find(frame.begin(), frame.end(), on) - frame.begin())] = weight;
+    world_.bindings.carry(frame[0], {v, weights});
+  }
+  return v;
+}
+
+int InteractionBuilder::fixed(const Vec3& at) {
+  Unknowns own = unknowns();
+  const std::vector<int> v = own.places("fixed", std::vector{at});
+  own.fix(v);
+  return v[0];
+}
+
+void InteractionBuilder::tie(Dependences dependences, double from, double until) {
+  for (const Dependence& d : dependences)
+    if (world_.script.ever_held(d.vertex)) {
+      const int i = world_.body_of(d.vertex);
+      throw InputError(fmt::format("interaction '{}': vertex {} of '{}' is held by a motion as well; take it out of one of the two", name(),
+                                   i < 0 ? d.vertex : world_.number_in_body(d.vertex), i < 0 ? name() : world_.bodies[i].name));
+    }
+  world_.bindings.add(Tie{fmt::format("interaction '{}'", name()), std::move(dependences), from, until});
+}
+
+namespace {
+
+int idle_relations(const std::vector<Joint>& joints, const World& world) {
+  const std::vector<char> free(static_cast<size_t>(world.rest.size() / 3), 1);
+  return solve_joints(joints, world.bindings.frames(), free, world.bindings.unjoined_at(free, std::vector<char>(world.bindings.ties().size(), 0))).idle;
+}
+
+// A joint of the same bodies that says all that this one does.
+void refuse_duplicate(const Joint& joint, const World& world) {
+  for (const Joint& other : world.bindings.joints()) {
+    if (!std::is_permutation(joint.bodies.begin(), joint.bodies.end(), other.bodies.begin(), other.bodies.end())) continue;
+    const int says = static_cast<int>(joint.relations.size() - joint.places.size());
+    if (idle_relations({other, joint}, world) - idle_relations({other}, world) >= says)
+      throw InputError(fmt::format("joint '{}' joins what '{}' joins already; take one of them away", joint.name, other.name));
+  }
+}
+
+}  // namespace
+
+void InteractionBuilder::add(Joint joint) {
+  joint.name = name();
+  bool any = false;
+  for (const int i : joint.bodies) {
+    const Body& body = world_.bodies[i];
+    if (body.frame.empty() || !body.movable) continue;
+    any = true;
+    if (std::any_of(body.frame.begin(), body.frame.end(), [&](int v) { return world_.script.ever_held(v); }))
+      throw InputError(fmt::format("joint '{}': a motion of '{}' holds some of its directions (along, across), which joints do not go with; a hinge or a "
+                                   "slider holds them", name(), body.name));
+  }
+  if (!any)
+    throw InputError(fmt::format("joint '{}' moves nothing: none of '{}' is an affine body that may move; give one of them `body: affine`, tie deformable "
+                                 "objects by `attach` or springs, and take a joint of what is held away", name(),
+                                 fmt::join([&] {
+                                   std::vector<std::string> names;
+                                   for (const int i : joint.bodies) names.push_back(world_.bodies[i].name);
+                                   return names;
+                                 }(), "', '")));
+  refuse_duplicate(joint, world_);
+  world_.bindings.add(std::move(joint));
+}
+
+void InteractionBuilder::join(int body, int other) {
+  if (body != other) world_.attached.emplace_back(std::min(body, other), std::max(body, other));
+}
+
+void InteractionBuilder::take(std::unique_ptr<Term> term) {
+  acting_.terms.push_back(term.get());
+  if (auto* load = dynamic_cast<FollowingLoad*>(term.get())) note_following_load(*load, world_);
+  world_.elastic_terms.push_back(std::move(term));
+}
+
+std::string InteractionBuilder::remembers(const std::string& what, int width, int entries) {
+  acting_.memory.push_back({name() + "/" + what, width, entries});
+  return acting_.memory.back().name;
+}
+
+ActingInteraction InteractionBuilder::finish() { return std::move(acting_); }
+
+std::string interaction_name(const SceneConfig& scene, size_t i) {
+  const Interaction& interaction = *scene.interactions[i];
+  return interaction.given_name().empty() ? fmt::format("{} {}", interaction.type(), i) : interaction.given_name();
+}
+
+void add_interactions(const SceneConfig& scene, const Value& root, World& world) {
+  std::set<std::string> names;
+  const Value* list = root.find("interactions");
+  for (size_t i = 0; i < scene.interactions.size(); ++i)
+    at_place(entry_of(list, i), [&] {
+      const Interaction& interaction = *scene.interactions[i];
+      const std::string name = interaction_name(scene, i);
+      if (!names.insert(name).second) throw InputError(fmt::format("two interactions are named '{}'; names must differ", name));
+      if (world.body_index(name) >= 0)
+        throw InputError(fmt::format("interaction '{}' has the name of an object; name one of them otherwise", name));
+      InteractionBuilder builder(scene, world, name, std::string(interaction.type()));
+      std::set<int> bodies;
+      for (const std::string& object : interaction.objects())
+        for (const int body : builder.bodies(object)) bodies.insert(body);
+      interaction.build(builder);
+      ActingInteraction acting = builder.finish();
+      acting.bodies.assign(bodies.begin(), bodies.end());
+      world.interactions.push_back(std::move(acting));
+    });
+}
+
+}  // namespace tack

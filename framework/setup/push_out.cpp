@@ -1,0 +1,188 @@
+#include "framework/setup/push_out.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "framework/scene/pair_configs.hpp"
+#include "framework/setup/build_world.hpp"
+#include "geometry/broad_phase/overlap_pairs.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/mesh/overlap_depth.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+constexpr int sweeps = 60;
+constexpr size_t most_lines = 10;
+
+// By the names that pairs have for them.
+ObjectClasses named_classes(const SceneConfig& scene) {
+  std::map<std::vector<NamedAs>, int> known;
+  std::vector<int> classes;
+  for (const ObjectConfig& object : scene.objects) {
+    std::vector<NamedAs> named;
+    for (const PairConfig& pair : scene.contact->pairs)
+      for (const std::string& name : pair.between) named.push_back(named_as(object, name));
+    classes.push_back(known.emplace(named, static_cast<int>(known.size())).first->second);
+  }
+  return ObjectClasses(std::move(classes));
+}
+
+struct OverlappingBoxes {
+  bool accept(int a, int b) const { return a < b; }
+  std::array<int, 2> pair(int a, int b) const { return {a, b}; }
+};
+
+class Pusher {
+ public:
+  Pusher(const SceneConfig& scene, const Value& root, const std::vector<Mesh>& meshes)
+      : scene_(scene), contact_(*scene.contact), limit_(*contact_.push_out), root_(root), classes_(named_classes(scene)),
+        configs_(scene, root, classes_), moved_(meshes.size(), Vec3::Zero()), last_(meshes.size(), -1) {
+    std::set<std::string> tied;
+    for (const ObjectConfig& object : scene.objects) {
+      if (!object.attach.empty()) tied.insert(object.name);
+      for (const AttachConfig& attach : object.attach) tied.insert(attach.to);
+    }
+    for (const auto& interaction : scene.interactions) {
+      if (!interaction->places()) continue;
+      for (const std::string& name : interaction->objects())
+        for (const ObjectConfig& object : scene.objects)
+          if (named_as(object, name) != NamedAs::not_at_all) tied.insert(object.name);
+    }
+    for (const ObjectConfig& object : scene.objects) free_.push_back(object.motion.empty() && !tied.contains(object.name));
+    for (const Mesh& mesh : meshes) surfaces_.emplace_back(mesh);
+  }
+
+  void push() {
+    for (int i = 0; i < sweeps; ++i)
+      if (!sweep()) return;
+  }
+
+  const std::vector<Vec3>& moved() const { return moved_; }
+
+  // What the last sweep was not enough for.
+  void refuse_rest() const {
+    for (const auto& [a, b] : near())
+      if (const auto found = overlap(a, b)) refuse(a, b, *found);
+  }
+
+  std::vector<std::string> lines() const {
+    std::vector<int> gone;
+    for (size_t i = 0; i < moved_.size(); ++i)
+      if (last_[i] >= 0) gone.push_back(static_cast<int>(i));
+    const size_t all = gone.size();
+    if (all > most_lines) {
+      std::stable_sort(gone.begin(), gone.end(), [&](int a, int b) { return moved_[a].norm() > moved_[b].norm(); });
+      gone.resize(most_lines);
+    }
+    std::vector<std::string> lines;
+    for (const int i : gone)
+      lines.push_back(fmt::format("'{}' is pushed by {:.4g} m, ({:.4g}, {:.4g}, {:.4g}), away from '{}'", name(i), moved_[i].norm(), moved_[i].x(),
+                                  moved_[i].y(), moved_[i].z(), name(last_[i])));
+    if (all > most_lines) lines.push_back(fmt::format("... and {} more objects are pushed by less", all - most_lines));
+    return lines;
+  }
+
+ private:
+  const std::string& name(int i) const { return scene_.objects[i].name; }
+  double offset(int a, int b) const { return scene_.objects[a].contact_offset + scene_.objects[b].contact_offset; }
+  double gap(int a, int b) const { return offset(a, b) + contact_.contact_distance / 2; }
+
+  bool touch(int a, int b) const {
+    const int entry = configs_.of(a, b);
+    return (free_[a] || free_[b]) && (entry < 0 || contact_.pairs[entry].contact);
+  }
+
+  // Pairs whose boxes come that near, ascending.
+  std::vector<std::array<int, 2>> near() const {
+    std::vector<Aabb> boxes;
+    for (size_t i = 0; i < surfaces_.size(); ++i) {
+      Aabb& box = boxes.emplace_back(surfaces_[i].box());
+      box.lo += moved_[i];
+      box.hi += moved_[i];
+      box.inflate(scene_.objects[i].contact_offset + contact_.contact_distance / 2);
+    }
+    const Bvh tree(boxes);
+    std::vector<std::array<int, 2>> pairs;
+    overlap_pairs(tree, tree, OverlappingBoxes{}, pairs);
+    std::erase_if(pairs, [&](const auto& pair) { return !touch(pair[0], pair[1]); });
+    return pairs;
+  }
+
+  // If they overlap, or are closer than their offsets.
+  std::optional<OverlapDepth> overlap(int a, int b) const {
+    const double least = offset(a, b) + 1e-6 * contact_.contact_distance;
+    const double deepest = 2 * limit_ + gap(a, b);
+    auto found = overlap_depth(surfaces_[a], moved_[a], surfaces_[b], moved_[b], gap(a, b), deepest);
+    return found && found->distance < least ? found : std::nullopt;
+  }
+
+  // As far as each may go yet.
+  void go(int i, const Vec3& by) {
+    Vec3 to = moved_[i] + by;
+    if (to.norm() > limit_) to *= limit_ / to.norm();
+    moved_[i] = to;
+  }
+
+  // Whether any pair overlapped. Those that do are found side by side; then they part one by one.
+  bool sweep() {
+    const auto pairs = near();
+    std::vector<std::optional<OverlapDepth>> overlaps(pairs.size());
+    for_each(static_cast<int>(pairs.size()), [&](int i) { overlaps[i] = overlap(pairs[i][0], pairs[i][1]); }, 1);
+    std::vector<char> gone(moved_.size(), 0);
+    bool any = false;
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      if (!overlaps[i]) continue;
+      any = true;
+      const auto [a, b] = pairs[i];
+      const auto found = gone[a] || gone[b] ? overlap(a, b) : overlaps[i];
+      if (!found) continue;
+      gone[a] |= free_[a], gone[b] |= free_[b];
+      const double way = gap(a, b) - found->distance;
+      const double first = surfaces_[a].volume(), second = surfaces_[b].volume();
+      const double share = !free_[a] ? 0 : !free_[b] ? 1 : second / (first + second);
+      if (free_[a]) go(a, share * way * found->away), last_[a] = b;
+      if (free_[b]) go(b, (share - 1) * way * found->away), last_[b] = a;
+    }
+    return any;
+  }
+
+  [[noreturn]] void refuse(int a, int b, const OverlapDepth& found) const {
+    const auto far = [&](int i) { return free_[i] && moved_[i].norm() >= limit_ * (1 - 1e-9); };
+    const std::string why = far(a) || far(b) ? fmt::format("'{}' would have to go farther than contact.push_out ({:.4g} m)", name(far(a) ? a : b), limit_)
+                                             : "what is around leaves no room";
+    throw InputError(fmt::format("{}'{}' and '{}' {} at ({:.6g}, {:.6g}, {:.6g}) m, {:.4g} m {}, and could not be pushed apart: {}; move one of them "
+                                 "(place.translate), or turn their contact off (contact.pairs, contact: false)",
+                                 place_of(root_, "objects", static_cast<size_t>(b)), name(a), name(b), found.distance < 0 ? "overlap" : "are too close",
+                                 found.at.x(), found.at.y(), found.at.z(), std::abs(found.distance), found.distance < 0 ? "deep" : "apart", why));
+  }
+
+  const SceneConfig& scene_;
+  const ContactConfig& contact_;
+  double limit_;  // m
+  const Value& root_;
+  ObjectClasses classes_;
+  PairConfigs configs_;
+  std::vector<SurfaceDistance> surfaces_;
+  std::vector<char> free_;
+  std::vector<Vec3> moved_;  // m
+  std::vector<int> last_;    // of each that has gone: away from whom; -1
+};
+
+}  // namespace
+
+std::vector<std::string> push_out(const SceneConfig& scene, const Value& root, std::vector<Mesh>& meshes) {
+  if (!scene.contact || !scene.contact->push_out) return {};
+  Pusher pusher(scene, root, meshes);
+  pusher.push();
+  pusher.refuse_rest();
+  for (size_t i = 0; i < meshes.size(); ++i)
+    for (Vec3& x : meshes[i].vertices) x += pusher.moved()[i];
+  return pusher.lines();
+}
+
+}  // namespace tack

@@ -1,0 +1,162 @@
+#include "framework/setup/rod_twists.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "framework/body/selected_elements.hpp"
+#include "framework/rod/rod_frames.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+Vec3 span(const Edge& e, const VecX& x) { return vertex(x, e[1]) - vertex(x, e[0]); }
+
+// What the smallest rotation that takes one direction to another makes of a vector. (Eigen's FromTwoVectors has a singular value
+// decomposition for opposite ones, which takes the compiler ten seconds.)
+Vec3 carried_along(const Vec3& from, const Vec3& to, const Vec3& vector) {
+  const Vec3 a = from.normalized(), b = to.normalized(), axis = a.cross(b);
+  const double squared = 2 * (1 + a.dot(b));  // of twice the cosine of half the angle
+  if (squared < 1e-12) {
+    const Vec3 across = a.unitOrthogonal();  // half a turn, about any axis
+    return 2 * across.dot(vector) * across - vector;
+  }
+  const double s = std::sqrt(squared);
+  return Quaternion(s / 2, axis.x() / s, axis.y() / s, axis.z() / s) * vector;
+}
+
+// Of a circular section: one that is carried along from edge to edge by the smallest rotations, so that the frames of an
+// open rod do not twist.
+std::vector<Vec3> carried_directors(const std::vector<Edge>& edges, const VecX& rest) {
+  std::map<int, std::vector<int>> around;
+  for (size_t e = 0; e < edges.size(); ++e)
+    for (const int v : edges[e]) around[v].push_back(static_cast<int>(e));
+  std::vector<Vec3> directors(edges.size(), Vec3::Zero());
+  for (size_t root = 0; root < edges.size(); ++root) {
+    if (!directors[root].isZero()) continue;
+    directors[root] = span(edges[root], rest).unitOrthogonal();
+    for (std::vector<int> open = {static_cast<int>(root)}; !open.empty();) {
+      const int e = open.back();
+      open.pop_back();
+      for (const int v : edges[e])
+        for (const int next : around[v]) {
+          if (!directors[next].isZero()) continue;
+          // Along the path through v, whatever way its edges are stored.
+          const double same = edges[e][1] == v ? 1 : -1, onwards = edges[next][0] == v ? 1 : -1;
+          directors[next] = carried_along(same * span(edges[e], rest), onwards * span(edges[next], rest), directors[e]);
+          open.push_back(next);
+        }
+    }
+  }
+  return directors;
+}
+
+std::vector<Vec3> directors_of(const Body& body, const std::vector<Edge>& edges, const VecX& rest) {
+  if (body.section->circular()) return carried_directors(edges, rest);
+  constexpr double parallel = 1e-6;
+  for (const Edge& e : edges)
+    if (body.section->normal.cross(span(e, rest).normalized()).norm() < parallel)
+      throw InputError(fmt::format("object '{}': its edge from vertex {} to {} lies along rod.normal, which has to point across every edge; "
+                                   "choose another one", body.name, e[0] - body.first_vertex, e[1] - body.first_vertex));
+  return std::vector<Vec3>(edges.size(), body.section->normal);
+}
+
+// Those that some energy twists, in the order of the body's.
+std::vector<Edge> twisted_edges(const ObjectConfig& object, const Body& body, const VecX& rest) {
+  std::set<Edge> twisted;
+  for (const auto& energy : object.energies) {
+    if (!energy->twists()) continue;
+    const std::vector<Edge>& edges = energy->selection() ? selected_elements(*energy->selection(), {body, rest}).edges : body.edges;
+    twisted.insert(edges.begin(), edges.end());
+  }
+  std::vector<Edge> edges;
+  std::copy_if(body.edges.begin(), body.edges.end(), std::back_inserter(edges), [&](const Edge& e) { return twisted.count(e) > 0; });
+  return edges;
+}
+
+// The twist of edges that another motion moves: it turns the frame that an edge has at the start of a step as it turns space around
+// the edge. Of motions that deform, what their linear part there makes of the first director counts.
+class DrivenTwist : public Motion {
+ public:
+  DrivenTwist(const Motion& driver, const RodFrames& rod) : Motion(driver.from(), driver.until()), driver_(driver), rod_(rod) {}
+  void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t, VecX& x) const override {
+    for (const int v : vertices) x(3 * v) = driver_.moves() ? arc(v - rod_.twists()[0], rest, anchor, t, x) : anchor(3 * v);
+  }
+  bool moves() const override { return driver_.moves(); }
+  bool rigid() const override { return false; }  // it is no place
+
+ private:
+  double arc(int e, const VecX& rest, const VecX& anchor, double t, const VecX& x) const {
+    const VecX& start = rod_.start();
+    const double t0 = rod_.start_time(), theta = rod_.angle(e, start);
+    if (t == t0) return rod_.radius() * theta;
+    const Mat3 back = linear_part(e, rest, anchor, t0).inverse();
+    const Vec3 tangent = rod_.tangent(e, start), director = rod_.director(e, start);
+    // Whole turns, by parts of the step: how far the director gets ahead of one that is only carried along.
+    constexpr int parts = 32;
+    double turned = 0;
+    Eigen::Vector3d t_before = tangent, d_before = director;
+    for (int i = 1; i <= parts; ++i) {
+      const Mat3 moved = linear_part(e, rest, anchor, t0 + (t - t0) * i / parts) * back;
+      const Vec3 t_now = (moved * tangent).normalized(), d_now = moved * director;
+      const Vec3 carried = carried_along(t_before, t_now, d_before);
+      turned += std::atan2(t_now.dot(carried.cross(d_now)), carried.dot(d_now));
+      t_before = t_now;
+      d_before = (d_now - d_now.dot(t_now) * t_now).normalized();
+    }
+    constexpr double turn = 2 * std::numbers::pi;
+    const double angle = rod_.angle_to(e, x, linear_part(e, rest, anchor, t) * (back * director));
+    return rod_.radius() * (angle + turn * std::round((theta + turned - angle) / turn));
+  }
+
+  // Of the motion at the edge, from the anchor to time t: where three points beside its first vertex go.
+  Mat3 linear_part(int e, const VecX& rest, const VecX& anchor, double t) const {
+    const Edge& edge = rod_.edge(e);
+    const double length = span(edge, rest).norm();
+    VecX from_rest(12), from_anchor(12), to = VecX::Zero(12);
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 beside = k > 0 ? Vec3(length * Vec3::Unit(k - 1)) : Vec3::Zero();
+      vertex(from_rest, k) = vertex(rest, edge[0]) + beside;
+      vertex(from_anchor, k) = vertex(anchor, edge[0]) + beside;
+    }
+    driver_.place(std::array{0, 1, 2, 3}, from_rest, from_anchor, t, to);
+    Mat3 part;
+    for (int k = 0; k < 3; ++k) part.col(k) = (vertex(to, k + 1) - vertex(to, 0)) / length;
+    return part;
+  }
+
+  const Motion& driver_;
+  const RodFrames& rod_;
+};
+
+}  // namespace
+
+void add_twists(const ObjectConfig& object, int index, World& world) {
+  Body& body = world.bodies[index];
+  if (!body.section) return;
+  const std::vector<Edge> edges = twisted_edges(object, body, world.rest);
+  if (edges.empty()) return;
+  const std::vector<Vec3> directors = directors_of(body, edges, world.rest);
+  const double radius = body.section->radius_of_gyration();
+  Numbers twists = Unknowns(world, body.name, index).numbers("twist", static_cast<int>(edges.size()), radius);
+  body.rod = std::make_shared<RodFrames>(body.name + "/rod/frames", edges, std::move(twists.vertices), directors, radius, world.rest);
+}
+
+void hold_twists(const Motion& motion, const std::vector<int>& vertices, const std::string& name, int index, World& world) {
+  const auto& rod = world.bodies[index].rod;
+  if (!rod || motion.partial()) return;
+  const auto held = [&](int v) { return std::binary_search(vertices.begin(), vertices.end(), v); };
+  std::vector<int> twists;
+  for (int e = 0; e < rod->count(); ++e)
+    if (held(rod->edge(e)[0]) && held(rod->edge(e)[1])) twists.push_back(rod->twists()[e]);
+  if (twists.empty()) return;
+  world.own_motions.push_back(std::make_unique<DrivenTwist>(motion, *rod));
+  world.script.add({world.own_motions.back().get(), std::move(twists), name + ", the twist of its edges"});
+}
+
+}  // namespace tack

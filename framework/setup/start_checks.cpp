@@ -1,0 +1,95 @@
+#include "framework/setup/start_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "framework/contact/too_close.hpp"
+#include "framework/setup/build_world.hpp"
+#include "framework/world/containment.hpp"
+#include "framework/world/describe_primitive.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/intersections.hpp"
+
+namespace tack {
+namespace {
+
+// What to do about objects that are where others are.
+std::string apart(const SceneConfig& scene, bool several) {
+  const char* pushed = several && !scene.contact->push_out ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
+  return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
+}
+
+void check_intersections(const SceneConfig& scene, const Value& root, const World& world) {
+  if (!world.contact) return;
+  const ContactSurface& surface = world.contact->surface();
+  const auto hits = find_intersections(surface.mesh, world.start.x, world.contact->colliding(), 5);
+  if (hits.empty()) return;
+  std::string list;
+  int a = 0, b = 0;
+  bool several = false;
+  for (const auto& hit : hits) {
+    const Edge& e = surface.mesh.edges[hit.edge];
+    const Triangle& t = surface.mesh.triangles[hit.triangle];
+    a = surface.mesh.vertex_object[e[0]];
+    b = surface.mesh.vertex_object[t[0]];
+    several = several || a != b;
+    const auto n = [&](int v) { return world.number_in_body(v); };
+    list += fmt::format("\n  edge ({}, {}) of '{}' meets triangle ({}, {}, {}) of '{}'", n(e[0]), n(e[1]),
+                        world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
+  }
+  throw InputError(fmt::format("{}the start intersects; {}:{}", place_of(root, "objects", static_cast<size_t>(std::max(a, b))),
+                               apart(scene, several), list));
+}
+
+// What no intersection of edges and triangles tells: edges, points and parts of one plane that touch, such as those of a sheet that is folded
+// flat or a rod that turns back on itself; and contact surfaces, which lie in front of what is meshed if objects have an offset.
+void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
+  if (!world.contact) return;
+  world.contact->cover(world.start.x, VecX());
+  const auto found = find_too_close(*world.contact, world.start.x);
+  world.contact->forget();
+  if (found.empty()) return;
+  std::string list;
+  int later = 0;
+  bool touches = false, several = false;
+  for (const TooClose& pair : found) {
+    const int a = world.body_of(pair.first[0]), b = world.body_of(pair.second[0]);
+    later = std::max({later, a, b});
+    touches = touches || pair.touching;
+    several = several || a != b;
+    const std::string what = describe_primitive(world, pair.first) + " and " + describe_primitive(world, pair.second);
+    list += pair.touching ? fmt::format("\n  {} touch at ({:.6g}, {:.6g}, {:.6g}) m", what, pair.at.x(), pair.at.y(), pair.at.z())
+                          : fmt::format("\n  {} are {:.4g} m apart, and need {:.4g} m", what, pair.distance, pair.offset);
+  }
+  const std::string where = place_of(root, "objects", static_cast<size_t>(later));
+  if (touches)
+    throw InputError(fmt::format("{}the start touches{}:{}", where, several ? "; " + apart(scene, true)
+                                 : " itself; take one of the parts out of the mesh, part them, or turn the object's contact with itself off "
+                                   "(contact.pairs, contact: false)", list));
+  throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate){} or lower their "
+                               "contact_offset:{}", where, several && !scene.contact->push_out ? ", have them pushed apart (contact.push_out: 1 mm)" : "",
+                               list));
+}
+
+void check_containment(const SceneConfig& scene, const Value& root, const World& world) {
+  const auto found = find_containment(world);
+  if (!found) return;
+  const Body& inner = world.bodies[found->body];
+  const Body& outer = world.bodies[found->around];
+  const Vec3 x = vertex(world.start.x, found->vertex);
+  throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
+                               "in tet {}); {}",
+                               place_of(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
+                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene, true)));
+}
+
+}  // namespace
+
+void check_start(const SceneConfig& scene, const Value& root, World& world) {
+  check_intersections(scene, root, world);
+  check_gaps(scene, root, world);
+  check_containment(scene, root, world);
+}
+
+}  // namespace tack

@@ -1,0 +1,58 @@
+#include "framework/world/energy_records.hpp"
+
+#include <algorithm>
+
+#include "framework/world/world.hpp"
+
+namespace tack {
+namespace {
+
+double kinetic_energy(const World& world, const State& state) {
+  double sum = 0;
+  for (int v = 0; v < world.dofs.vertex_count(); ++v)
+    if (world.dofs.moves(v)) sum += 0.5 * world.mass(v) * vertex(state.v, v).squaredNorm();
+  return sum;
+}
+
+// Those of objects come by name, then gravity, then the others as they are.
+void sort(std::vector<NamedEnergy>& energies) {
+  const auto rank = [](const NamedEnergy& e) { return e.kind == EnergyKind::of_objects ? 0 : e.kind == EnergyKind::weight ? 1 : 2; };
+  std::stable_sort(energies.begin(), energies.end(), [&](const NamedEnergy& a, const NamedEnergy& b) {
+    return rank(a) != rank(b) ? rank(a) < rank(b) : rank(a) == 0 && a.name < b.name;
+  });
+}
+
+}  // namespace
+
+double weight_of_free_vertices(const World& world, const VecX& x) {
+  double sum = 0;
+  for (int v = 0; v < world.dofs.vertex_count(); ++v)
+    if (world.dofs.moves(v)) sum += world.weighing_mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(x, v));
+  return sum;
+}
+
+std::pair<double, double> energies_of_free_vertices(const World& world, const State& state) {
+  return {kinetic_energy(world, state), weight_of_free_vertices(world, state.x)};
+}
+
+std::vector<NamedEnergy> energies_by_term(const World& world, const State& state) {
+  std::vector<NamedEnergy> all;
+  for (const EnergyRecord& record : world.records.energies()) {
+    const double value = record.value(state.x);
+    const auto same = std::find_if(all.begin(), all.end(), [&](const NamedEnergy& e) { return e.name == record.name; });
+    if (same == all.end()) all.push_back({record.name, value, record.kind});
+    else same->value += value;
+  }
+  sort(all);
+  all.insert(all.begin(), {"kinetic", kinetic_energy(world, state), EnergyKind::motion});
+  return all;
+}
+
+double stored_energy(const std::vector<NamedEnergy>& energies) {
+  double sum = 0;
+  for (const NamedEnergy& e : energies)
+    if (is_stored(e.kind)) sum += e.value;
+  return sum;
+}
+
+}  // namespace tack

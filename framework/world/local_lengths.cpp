@@ -1,0 +1,95 @@
+#include "framework/world/local_lengths.hpp"
+
+#include <limits>
+
+#include "framework/contact/contact_system.hpp"
+#include "geometry/distance/edge_edge.hpp"
+#include "geometry/distance/point_edge.hpp"
+#include "geometry/distance/point_triangle.hpp"
+#include "geometry/mesh/quality.hpp"
+
+namespace tack {
+namespace {
+
+class Lengths {
+ public:
+  Lengths(const World& world, const VecX& x)
+      : world_(world), x_(x),
+        lengths_(VecX::Constant(world.mass.size(), std::numeric_limits<double>::infinity())) {
+    for (const Body& body : world.bodies) add_elements(body);
+    for (const UnknownGroup& group : world.unknowns)
+      if (group.length > 0) lower(group.vertices, group.length);
+    if (world.contact) add_gaps(world.contact->surface().mesh, world.contact->candidates());
+    // What others follow may move as far as those may.
+    const std::vector<int>& dependents = world.dofs.dependents();
+    for (size_t k = 0; k < dependents.size(); ++k)
+      for (const DofMap::Part& part : world.dofs.parts(static_cast<int>(k)))
+        lower(std::array{part.leaf}, lengths_(dependents[k]) / std::max(1.0, 4 * std::abs(part.weight)));
+  }
+  const VecX& all() const { return lengths_; }
+
+ private:
+  template <class Element>
+  void lower(const Element& element, double length) {
+    for (const int v : element) lengths_(v) = std::min(lengths_(v), length);
+  }
+  Vec3 rest(int v) const { return vertex(world_.rest, v); }
+  Vec3 at(int v) const { return vertex(x_, v); }
+
+  void add_triangle(const Triangle& t) {
+    const Vec3 a = rest(t[0]), b = rest(t[1]), c = rest(t[2]);
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    lower(t, 2 * triangle_area(a, b, c) / longest);
+  }
+  void add_tet(const Tet& t) {
+    double largest = 0;
+    for (int i = 0; i < 4; ++i)
+      largest = std::max(largest, triangle_area(rest(t[i]), rest(t[(i + 1) % 4]), rest(t[(i + 2) % 4])));
+    lower(t, 3 * std::abs(tet_volume(rest(t[0]), rest(t[1]), rest(t[2]), rest(t[3]))) / largest);
+  }
+  void add_elements(const Body& body) {
+    for (const Tet& t : body.tets) add_tet(t);
+    for (const Triangle& t : body.triangles) add_triangle(t);
+    for (const Edge& e : body.edges) lower(e, (rest(e[1]) - rest(e[0])).norm());
+    if (body.radius > 0) lower(body.points, body.radius);
+  }
+
+  void add_gaps(const CollisionMesh& mesh, const Candidates& candidates) {
+    for (const auto& [p, t] : candidates.point_triangle) {
+      const Triangle& f = mesh.triangles[t];
+      const double d = std::sqrt(point_triangle_distance(at(p), at(f[0]), at(f[1]), at(f[2])));
+      lower(f, d);
+      lower(std::array{p}, d);
+    }
+    for (const auto& [i, j] : candidates.edge_edge) {
+      const Edge &a = mesh.edges[i], &b = mesh.edges[j];
+      const double d = std::sqrt(edge_edge_distance(at(a[0]), at(a[1]), at(b[0]), at(b[1])));
+      lower(a, d);
+      lower(b, d);
+    }
+    for (const auto& [p, i] : candidates.point_edge) {
+      const Edge& e = mesh.edges[i];
+      const double d = std::sqrt(point_edge_closest(at(p), at(e[0]), at(e[1])).s);
+      lower(e, d);
+      lower(std::array{p}, d);
+    }
+    for (const auto& pair : candidates.point_point) lower(pair, (at(pair[0]) - at(pair[1])).norm());
+  }
+
+  const World& world_;
+  const VecX& x_;
+  VecX lengths_;
+};
+
+}  // namespace
+
+VecX local_lengths(const World& world, const VecX& x) {
+  VecX lengths = Lengths(world, x).all();
+  // Particles that nothing is near: as much as the others, or a millimetre.
+  const double usual = lengths.minCoeff();
+  for (double& l : lengths)
+    if (!std::isfinite(l)) l = std::isfinite(usual) ? usual : 1e-3;
+  return lengths;
+}
+
+}  // namespace tack

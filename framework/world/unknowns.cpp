@@ -1,0 +1,93 @@
+#include "framework/world/unknowns.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "framework/world/world.hpp"
+
+namespace tack {
+namespace {
+
+class StandingStill : public Motion {
+ public:
+  void place(std::span<const int> vertices, const VecX&, const VecX& anchor, double, VecX& x) const override {
+    for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
+  }
+  bool moves() const override { return false; }
+};
+
+// Numbers whose value at any time is given.
+class Prescribed : public Motion {
+ public:
+  Prescribed(Schedule values, double length) : values_(std::move(values)), length_(length) {}
+  void place(std::span<const int> vertices, const VecX&, const VecX&, double t, VecX& x) const override {
+    for (const int v : vertices) vertex(x, v) = Vec3(length_ * values_.at(t), 0, 0);
+  }
+  bool moves() const override { return !values_.constant(); }
+  bool rigid() const override { return false; }  // it is no place
+
+ private:
+  Schedule values_;
+  double length_;  // m
+};
+
+}  // namespace
+
+std::vector<int> Unknowns::places(const std::string& name, std::span<const Vec3> at, double mass) { return append(name, at, mass, 0); }
+
+Numbers Unknowns::numbers(const std::string& name, int count, double length, double start, double mass) {
+  if (!(length > 0)) throw std::logic_error("numbers need a length by which they count as ways");
+  const std::vector<Vec3> at(static_cast<size_t>(count), Vec3(length * start, 0, 0));
+  Numbers numbers{append(name, at, mass, length), length};
+  for (const int v : numbers.vertices) world_.script.hold_always({v, Vec3(0, 1, 1).asDiagonal(), true});
+  return numbers;
+}
+
+std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3> at, double mass, double length) {
+  const int more = static_cast<int>(at.size()), first = static_cast<int>(world_.rest.size()) / 3, count = first + more;
+  std::vector<int> added(at.size());
+  std::iota(added.begin(), added.end(), first);
+  if (added.empty()) return added;
+  world_.rest.conservativeResize(3 * static_cast<Eigen::Index>(count));
+  world_.mass.conservativeResize(count);
+  world_.weighing_mass.conservativeResize(count);
+  for (int i = 0; i < more; ++i) {
+    vertex(world_.rest, added[i]) = at[i];
+    world_.mass(added[i]) = mass;
+    world_.weighing_mass(added[i]) = length > 0 ? 0 : mass;
+  }
+  world_.script.grow(more);
+  world_.extra_object.insert(world_.extra_object.end(), at.size(), body_);
+  if (body_ >= 0) {
+    auto& extra = world_.bodies[body_].extra_vertices;
+    extra.insert(extra.end(), added.begin(), added.end());
+  }
+  world_.unknowns.push_back({owner_ + "/" + name, body_, added, length});
+  return added;
+}
+
+void Unknowns::follow(Dependence dependence) {
+  world_.script.follow(dependence);
+  world_.bindings.add_lasting(std::move(dependence));
+}
+
+void Unknowns::hold(int vertex, const Mat3& held) { world_.script.hold_always({vertex, held, false}); }
+
+void Unknowns::fix(std::vector<int> places) {
+  world_.own_motions.push_back(std::make_unique<StandingStill>());
+  world_.script.add({world_.own_motions.back().get(), std::move(places), "the places of " + owner_});
+}
+
+void Unknowns::prescribe(const Numbers& numbers, std::span<const int> which, const Schedule& values) {
+  std::vector<int> vertices;
+  for (const int i : which) vertices.push_back(numbers.vertices[i]);
+  std::sort(vertices.begin(), vertices.end());
+  for (const int v : vertices) vertex(world_.rest, v) = Vec3(numbers.length * values.at(0), 0, 0);
+  world_.own_motions.push_back(std::make_unique<Prescribed>(values, numbers.length));
+  world_.script.add({world_.own_motions.back().get(), std::move(vertices), fmt::format("the values that {} gives", owner_)});
+}
+
+}  // namespace tack

@@ -1,0 +1,72 @@
+#include "framework/checks/bond_law_check.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/bond_laws.hpp"
+
+using namespace tack;
+using Catch::Contains;
+
+namespace {
+
+// As docs/extending.md has it: damage D = k / (4 W) dissipates W D^2. What it states may be wrong by factors.
+class Fading : public BondLawOf<Fading> {
+ public:
+  struct Memory {
+    double damage = 0;
+  };
+  Fading(double slope, double curvature, double loss, double peak, double work = 1) : slope_(slope), curvature_(curvature), loss_(loss), peak_(peak), work_(work) {}
+  void prepare(const PairMaterials&) override {}
+  double peak_traction() const override { return peak_ * 4 * std::sqrt(1e8 / 27); }
+  double work_of_adhesion() const override { return work_; }
+  template <class T>
+  T energy(const T& d, const T& s, const Memory& m, double h) const {
+    const T pulled = T(1e8) * (d * d + s);
+    const double k = value_of(pulled), damage = h > 0 ? std::clamp(k / 4, m.damage, 1.0) : m.damage;
+    const bool grows = damage > m.damage && damage < 1;
+    return chained(pulled, (1 - damage) * k / 2 + damage * damage - m.damage * m.damage, slope_ * (1 - damage) / 2, grows ? -curvature_ / 8 : 0);
+  }
+  Memory after(const Memory& m, const BondPlace& at) const { return {std::clamp(1e8 * (at.d * at.d + at.s) / 4, m.damage, 1.0)}; }
+  double loss(const Memory& before, const Memory& after, const BondPlace&) const {
+    return loss_ * (after.damage * after.damage - before.damage * before.damage);
+  }
+  bool gone(const Memory& m, const BondPlace&) const { return m.damage == 1; }
+
+ private:
+  double slope_, curvature_, loss_, peak_, work_;
+};
+
+}  // namespace
+
+TEST_CASE("laws of bonds that are what they state are silent", "[law_check]") {
+  const std::vector<std::map<std::string, std::string>> settings = {{},
+                                                                    {{"viscosity", "0.02"}},
+                                                                    {{"intensity", "0.4"}},
+                                                                    {{"tangential_strength", "2e4"}, {"tangential_work", "3"}},
+                                                                    {{"envelope", "{type: table, file: " TACK_TEST_DATA "/laws/six_rows.csv}"}}};
+  for (const ComponentVariant& v : variants<AdhesionLaw, BondLaw>(settings)) {
+    INFO(v.yaml);
+    const LawCheck check = check_law(*bond_law(v.yaml));
+    CHECK(check.wrong.empty());
+    CHECK(check.doubtful.empty());
+  }
+  const LawCheck check = check_law(Fading(1, 1, 1, 1));
+  CHECK((check.wrong.empty() && check.doubtful.empty()));
+}
+
+TEST_CASE("a law of bonds whose derivatives, losses, peak or work are not its own is told", "[law_check]") {
+  const auto only = [](const Fading& law, const std::string& line, bool doubtful = false) {
+    const LawCheck check = check_law(law);
+    CHECK(check.wrong.size() == (doubtful ? 0 : 1));
+    CHECK(check.doubtful.size() == (doubtful ? 1 : 0));
+    const std::vector<std::string>& lines = doubtful ? check.doubtful : check.wrong;
+    if (!lines.empty()) CHECK_THAT(lines[0], Contains(line));
+  };
+  only(Fading(1, 0.9, 1, 1), "second derivatives are not those of its tractions");
+  only(Fading(1, 1, 0.9, 1), "are not stored afterwards");
+  only(Fading(1, 1, 1, 1.1), "states a peak traction of 8468 Pa, and has 7698 when it is pulled slowly", true);
+  only(Fading(1, 1, 1, 1, 1.1), "states a work of adhesion of 1.1 J/m^2, and has 1 when it is pulled slowly", true);
+  const LawCheck slope = check_law(Fading(1.01, 1.01, 1, 1));
+  REQUIRE(!slope.wrong.empty());
+  CHECK_THAT(slope.wrong[0], Contains("tractions are not the derivatives of its energy"));
+}
