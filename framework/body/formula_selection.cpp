@@ -1,0 +1,44 @@
+// Vertices by a formula of their place: a rim, a ring, stripes.
+#include <array>
+
+#include "framework/body/formula.hpp"
+#include "framework/body/selection.hpp"
+#include "framework/config/field.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+const std::vector<std::string> place_variables = {"x", "y", "z"};
+
+class FormulaSelection : public Selection {
+ public:
+  void fields(Fields& f) override {
+    f.text("where", where_, "what holds of the chosen ones: a formula of their place at rest, x, y, z [m], that is not 0 there: abs(x) > 0.1 || y > 0.2").required();
+    f.check("where", [this]() -> std::string {
+      try {
+        Formula(where_, place_variables);
+        return "";
+      } catch (const InputError& error) {
+        return error.what();
+      }
+    });
+  }
+  std::vector<int> choose(const SelectionContext& c) const override {
+    const Formula holds(where_, place_variables);
+    std::vector<int> chosen;
+    for (int v = c.body.first_vertex; v < c.body.first_vertex + c.body.vertex_count; ++v) {
+      const Vec3 at = vertex(c.rest, v);
+      if (holds(std::array{at.x(), at.y(), at.z()}) != 0) chosen.push_back(v);
+    }
+    return chosen;
+  }
+
+ private:
+  std::string where_;
+};
+
+TACK_REGISTER(Selection, FormulaSelection, "formula", "Vertices at which a formula of their place at rest holds.", "");
+
+}  // namespace
+}  // namespace tack
