@@ -11,10 +11,20 @@ namespace tack {
 
 namespace fs = std::filesystem;
 
+// Of what the dynamic loader has opened, the loader knows it; of the program, only what it was called by.
+fs::path own_file() {
+  std::error_code none;
+  Dl_info info{};
+  if (::dladdr(reinterpret_cast<const void*>(&own_file), &info) != 0 && fs::path(info.dli_fname).extension() == ".so") return fs::canonical(info.dli_fname, none);
+  return fs::read_symlink("/proc/self/exe", none);
+}
+
+fs::path own_root() { return own_file().parent_path().parent_path(); }
+
 // Tests are in a folder beside that of the program.
 fs::path own_library_path(const std::string& name) {
   std::error_code none;
-  const fs::path root = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path();
+  const fs::path root = own_root();
   const fs::path installed = root / "lib" / "tack" / name;
   return fs::exists(installed, none) ? installed : root / "bin" / name;
 }

@@ -6,6 +6,11 @@
 
 namespace tack {
 
+// The file that this code is in: a program, or libtack.so in one of others.
+std::filesystem::path own_file();
+// The folder above the one that it lies in: bin/ of a program, lib/ of the library, and beside them share/.
+std::filesystem::path own_root();
+
 std::filesystem::path own_library_path(const std::string& name);
 
 struct OwnLibrary {

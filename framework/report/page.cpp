@@ -7,6 +7,7 @@
 
 #include "framework/report/packing.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/own_library.hpp"
 
 namespace tack {
 namespace {
@@ -35,7 +36,7 @@ int PageData::add(const std::string& bytes) {
 
 fs::path page_path() {
   std::error_code none;
-  const fs::path share = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "share";
+  const fs::path share = own_root() / "share";
   const fs::path installed = share / "tack" / "report.html";
   return fs::exists(installed, none) ? installed : share / "report.html";
 }

@@ -12,7 +12,7 @@ void Simulation::start_from(State state) {
   world().start = std::move(state);
   world().participants.forget();
   stepper_.reset();
-  solver_ = instance_of(*experiment().solver);
+  solver_ = make_solver_ ? make_solver_() : instance_of(*experiment().solver);
   stepper_.emplace(world(), experiment(), experiment().time, *solver_, clock(), warn_);
   const OutputConfig& output = experiment().output;
   if (output.frames && output.frame_interval > 0)

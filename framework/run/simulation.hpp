@@ -2,6 +2,7 @@
 // written; see recorded_run.hpp.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,8 @@ class Simulation {
   bool interrupted() const { return stepper_->interrupted(); }
   const State& state() const { return stepper_->state(); }
   const Minimizer& solver() const { return *solver_; }
+  // Who minimises from the next start on; empty: what the experiment says.
+  void solve_with(std::function<std::unique_ptr<Minimizer>()> make) { make_solver_ = std::move(make); }
   TimeStepper& stepper() { return *stepper_; }  // for those who study single steps; another one after start_from()
 
   // Who is told of what, from the next start on.
@@ -46,6 +49,7 @@ class Simulation {
   WarningFunction warn_;
   StepObservers observers_;
   TimeStepper::SolvedObserver solved_;
+  std::function<std::unique_ptr<Minimizer>()> make_solver_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;
 };

@@ -15,6 +15,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/mesh_bytes.hpp"
 #include "geometry/meshing_library.hpp"
+#include "geometry/own_library.hpp"
 
 namespace tack {
 namespace {
@@ -26,7 +27,7 @@ constexpr std::uintmax_t largest_file = std::uintmax_t{4} << 30;  // bytes
 // Size and time of the program and of its library: another build is another program.
 std::string this_program() {
   std::error_code none;
-  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path program = own_file();
   return fmt::format("{} {} {}", fs::file_size(program, none), fs::last_write_time(program, none).time_since_epoch().count(),
                      meshing_library_stamp());
 }

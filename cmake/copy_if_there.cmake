@@ -1,0 +1,3 @@
+if(EXISTS ${FROM})
+  file(COPY_FILE ${FROM} ${TO} ONLY_IF_DIFFERENT)
+endif()

@@ -1,0 +1,72 @@
+#include "python/bindings/arrays.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+namespace tack::python {
+
+namespace {
+
+std::vector<py::ssize_t> shape_of(Eigen::Index size, int columns) {
+  if (columns == 0) return {size};
+  return {size / columns, columns};
+}
+
+}  // namespace
+
+py::array view(const std::shared_ptr<const VecX>& values, int columns) {
+  auto* owner = new std::shared_ptr<const VecX>(values);
+  const py::capsule base(owner, [](void* p) { delete static_cast<std::shared_ptr<const VecX>*>(p); });
+  py::array_t<double> out(shape_of(values->size(), columns), values->data(), base);
+  py::detail::array_proxy(out.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return out;
+}
+
+py::array copy(const VecX& values, int columns) { return py::array_t<double>(shape_of(values.size(), columns), values.data()); }
+
+VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& what) {
+  if (numbers.size() != size) throw py::value_error(fmt::format("{}: {} numbers are given where there are {}", what, numbers.size(), size));
+  const VecX values = Eigen::Map<const VecX>(numbers.data(), size);
+  for (Eigen::Index i = 0; i < size; ++i)
+    if (!std::isfinite(values(i))) throw py::value_error(fmt::format("{}: number {} is {}", what, i, values(i)));
+  return values;
+}
+
+py::object sparse(const BlockMatrix& matrix) {
+  const auto size = static_cast<py::ssize_t>(matrix.size());
+  const auto count = static_cast<py::ssize_t>(matrix.values.size());
+  // The lower triangle block by block, and what mirrors it: scipy adds up and sorts.
+  py::array_t<double> values(2 * count);
+  py::array_t<std::int32_t> rows(2 * count), columns(2 * count);
+  double* value = values.mutable_data();
+  std::int32_t *row = rows.mutable_data(), *column = columns.mutable_data();
+  py::ssize_t n = 0;
+  const auto put = [&](int r, int c, double v) {
+    value[n] = v;
+    row[n] = r;
+    column[n++] = c;
+  };
+  for (int c = 0; c < matrix.columns(); ++c)
+    for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
+      const int r = matrix.row[k];
+      const auto block = matrix.block(k);
+      for (int j = 0; j < 3; ++j)
+        for (int i = 0; i < 3; ++i) {
+          put(3 * r + i, 3 * c + j, block(i, j));
+          if (r != c) put(3 * c + j, 3 * r + i, block(i, j));
+        }
+    }
+  const py::module_ scipy = py::module_::import("scipy.sparse");
+  const py::slice used(0, n, 1);
+  const py::object entries = py::make_tuple(values[used], py::make_tuple(rows[used], columns[used]));
+  py::object all = scipy.attr("coo_matrix")(entries, py::arg("shape") = py::make_tuple(size, size)).attr("tocsc")();
+  for (const GlobalMode& mode : matrix.modes) {
+    const py::object u = scipy.attr("csc_matrix")(copy(mode.vector, 1));
+    all = all + py::float_(mode.coefficient) * (u.attr("dot")(u.attr("transpose")()));
+  }
+  return all.attr("tocsc")();
+}
+
+}  // namespace tack::python

@@ -1,0 +1,41 @@
+// Vectors and matrices of tack as NumPy and SciPy have them.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "framework/core/block_matrix.hpp"
+#include "geometry/types.hpp"
+
+namespace tack::python {
+
+namespace py = pybind11;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+// All of it as (size / columns, columns), or flat where columns is 0: memory of the vector itself, which lives as long as the array does. Not writable.
+py::array view(const std::shared_ptr<const VecX>& values, int columns);
+
+// Copies, of the same shapes.
+py::array copy(const VecX& values, int columns);
+
+// Flat, of any shape. Throws ValueError unless there are `size` numbers, all finite; `what`: "positions".
+VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& what);
+
+// (n, K) of whole numbers.
+template <class Tuples>
+py::array_t<int> table(const Tuples& tuples, int columns) {
+  py::array_t<int> out({static_cast<py::ssize_t>(tuples.size()), static_cast<py::ssize_t>(columns)});
+  auto at = out.mutable_unchecked<2>();
+  for (size_t i = 0; i < tuples.size(); ++i)
+    for (int k = 0; k < columns; ++k) at(static_cast<py::ssize_t>(i), k) = tuples[i][k];
+  return out;
+}
+
+// scipy.sparse.csc_matrix, both triangles; modes of the matrix that are in no block (global_modes.hpp) are added as they are, dense.
+py::object sparse(const BlockMatrix& matrix);
+
+}  // namespace tack::python

@@ -1,0 +1,28 @@
+// What `import tack` is built on: the parts of it that are C++. python/tack makes of them what users see.
+#include <pybind11/pybind11.h>
+
+#include "framework/output/provenance.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
+#include "python/bindings/problem.hpp"
+#include "python/bindings/recorded.hpp"
+#include "python/bindings/running.hpp"
+
+PYBIND11_MODULE(_tack, module) {
+  namespace py = pybind11;
+  using namespace tack;
+  py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  py::register_exception<SimulationError>(module, "SimulationError", PyExc_RuntimeError);
+  py::register_exception_translator([](std::exception_ptr p) {
+    try {
+      if (p) std::rethrow_exception(p);
+    } catch (const Interrupted&) {
+      PyErr_SetNone(PyExc_KeyboardInterrupt);
+    }
+  });
+  module.attr("version") = this_build().version;
+  module.attr("revision") = this_build().revision();
+  python::bind_problem(module);
+  python::bind_running(module);
+  python::bind_recorded(module);
+}

@@ -1,0 +1,112 @@
+#include "python/bindings/problem.hpp"
+
+#include <pybind11/stl.h>
+
+#include "geometry/interrupt.hpp"
+
+namespace tack::python {
+
+MinimizerProblem& Problem::there() {
+  if (!problem_) throw std::runtime_error("the step that this was the problem of is over; ask for the next one");
+  return *problem_;
+}
+
+int Problem::size() { return there().objective.size(); }
+
+// What stays where it is is not evaluated again.
+Objective& Problem::at(const Numbers& q) {
+  Objective& objective = there().objective;
+  const VecX to = vector_of(q, objective.size(), "unknowns");
+  if (q_.size() != to.size() || q_ != to) {
+    objective.move_to(to);
+    q_ = to;
+    judged_.reset();
+  }
+  return objective;
+}
+
+double Problem::value(const Numbers& q) { return at(q).value(); }
+py::array Problem::gradient(const Numbers& q) { return copy(at(q).gradient(), 0); }
+
+py::object Problem::hessian(const Numbers& q, const std::string& projection) {
+  HessianRequest request;
+  if (projection == "clamp") request.projection = Projection::clamp;
+  else if (projection == "absolute") request.projection = Projection::absolute;
+  else if (projection != "none") throw py::value_error("projection: '" + projection + "' is none of: none, clamp, absolute");
+  return sparse(at(q).hessian(request));
+}
+
+double Problem::feasible_step(const Numbers& q, const Numbers& p) {
+  const int size = there().objective.size();
+  const double step = there().feasible_step(vector_of(q, size, "unknowns"), vector_of(p, size, "direction"));
+  q_.resize(0);  // filters may have moved what is shared
+  return step;
+}
+
+double Problem::stopping_norm(const Numbers& p, const Numbers& gradient) {
+  const int size = there().objective.size();
+  return there().stopping_norm(vector_of(p, size, "direction"), vector_of(gradient, size, "gradient"));
+}
+
+bool Problem::converged(const Numbers& q) {
+  at(q);
+  if (!judged_) judged_ = judge_.converged(there(), work_);
+  return *judged_;
+}
+
+namespace {
+
+class PythonMinimizer : public Minimizer {
+ public:
+  PythonMinimizer(py::function function, const Minimizer& like) : function_(std::move(function)) { static_cast<Minimizer&>(*this) = like; }
+  ~PythonMinimizer() override {
+    const py::gil_scoped_acquire gil;
+    function_.release().dec_ref();
+  }
+
+  MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) override {
+    const py::gil_scoped_acquire gil;
+    const auto seen = std::make_shared<Problem>(problem, q);
+    struct End {
+      Problem& problem;
+      ~End() { problem.end(); }
+    } const end{*seen};
+    const py::object answer = function_(seen);
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (answer.is_none()) throw py::type_error("the minimiser returned nothing; it has to return the unknowns where it ended");
+    const Numbers last = py::cast<Numbers>(answer);
+    const bool converged = seen->converged(last);
+    q = vector_of(last, q.size(), "what the minimiser returned");
+    MinimizerResult result = seen->work();
+    result.status = converged ? MinimizerStatus::converged : interrupt_requested ? MinimizerStatus::interrupted : MinimizerStatus::iteration_limit;
+    return result;
+  }
+
+ private:
+  py::function function_;
+};
+
+}  // namespace
+
+std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like) {
+  return std::make_unique<PythonMinimizer>(std::move(function), like);
+}
+
+void bind_problem(py::module_& module) {
+  py::class_<Problem, std::shared_ptr<Problem>>(
+      module, "Problem",
+      "The incremental potential of one step, as a function of its unknowns q: the coordinates of all vertices that are free, one after the other [m].\n\n"
+      "Valid until the step ends.")
+      .def_property_readonly("size", &Problem::size, "How many unknowns there are.")
+      .def_property_readonly("start", &Problem::start, "Where the minimisation begins: unknowns without intersections.")
+      .def("value", &Problem::value, py::arg("q"), "The incremental potential at q [J s^2; of quasi-static steps J]; infinite where it is not feasible.")
+      .def("gradient", &Problem::gradient, py::arg("q"), "Its gradient at q.")
+      .def("hessian", &Problem::hessian, py::arg("q"), py::arg("projection") = "none",
+           "Its Hessian at q, a scipy.sparse.csc_matrix. projection: 'none', or that each stencil is made positive semi-definite, 'clamp' or 'absolute'.")
+      .def("feasible_step", &Problem::feasible_step, py::arg("q"), py::arg("p"),
+           "The largest t in (0, 1] such that from q to q + t p nothing interpenetrates or inverts.")
+      .def("stopping_norm", &Problem::stopping_norm, py::arg("p"), py::arg("gradient"), "Of a Newton direction p and the gradient where it starts, over what is tolerated.")
+      .def("converged", &Problem::converged, py::arg("q"), "Whether the minimisation may end at q, by the scene's own tolerances.");
+}
+
+}  // namespace tack::python

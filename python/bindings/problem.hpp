@@ -1,0 +1,49 @@
+// The minimisation of a step, as a minimiser in Python sees it.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "framework/core/minimizer.hpp"
+#include "python/bindings/arrays.hpp"
+#include "solvers/minimizers/convergence_judge.hpp"
+
+namespace tack::python {
+
+// Valid while its step lasts; afterwards every call throws RuntimeError.
+class Problem {
+ public:
+  // start: unknowns where it begins, feasible (3m).
+  Problem(MinimizerProblem problem, VecX start) : problem_(std::move(problem)), start_(std::move(start)) { judge_.begin(); }
+
+  void end() { problem_.reset(); }
+
+  int size();
+  py::array start() const { return copy(start_, 0); }
+  double value(const Numbers& q);
+  py::array gradient(const Numbers& q);
+  py::object hessian(const Numbers& q, const std::string& projection);
+  double feasible_step(const Numbers& q, const Numbers& p);
+  double stopping_norm(const Numbers& p, const Numbers& gradient);
+  // Whether projected Newton would end there.
+  bool converged(const Numbers& q);
+
+  MinimizerResult& work() { return work_; }
+
+ private:
+  MinimizerProblem& there();
+  Objective& at(const Numbers& q);
+
+  std::optional<MinimizerProblem> problem_;
+  VecX start_, q_;
+  ConvergenceJudge judge_;
+  std::optional<bool> judged_;  // at q_; the judge answers once
+  MinimizerResult work_;
+};
+
+// A function of Python in the place of a minimiser: q = function(problem), feasible as the start is. Tolerances are those of `like`.
+std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like);
+
+void bind_problem(py::module_& module);
+
+}  // namespace tack::python

@@ -1,0 +1,303 @@
+#include "python/bindings/running.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+#include "framework/config/parse.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "framework/core/term_gradient.hpp"
+#include "framework/output/element_fields.hpp"
+#include "framework/output/frame_fields.hpp"
+#include "framework/setup/start_checks.hpp"
+#include "framework/world/energy_records.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/orientation.hpp"
+#include "python/bindings/interrupts.hpp"
+
+namespace tack::python {
+namespace {
+
+LoadedExperiment opened(const std::string& path, const std::vector<std::string>& overrides) { return load_experiment(path, overrides); }
+
+LoadedExperiment parsed(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  Value root = parse_string(text, name);
+  for (const std::string& assignment : overrides) apply_override(root, assignment);
+  return bound_experiment(std::move(root));
+}
+
+FrameGeometry cells_of(const World& world) {
+  FrameGeometry g;
+  g.vertices = world.mesh_vertex_count();
+  const auto add = [&](auto member, auto& list) {
+    for (size_t i = 0; i < world.bodies.size(); ++i)
+      for (const auto& cell : world.bodies[i].*member) {
+        list.push_back(cell);
+        g.cell_object.push_back(static_cast<int>(i));
+      }
+  };
+  add(&Body::tets, g.tets);
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    for (const Triangle& t : body.tets.empty() ? body.triangles : body.sheet) {
+      g.triangles.push_back(t);
+      g.cell_object.push_back(static_cast<int>(i));
+    }
+  }
+  add(&Body::edges, g.edges);
+  add(&Body::points, g.points);
+  return g;
+}
+
+py::dict dict_of(const StepReport& report) {
+  py::dict d;
+  d["step"] = report.step;
+  d["time"] = report.time;
+  d["step_size"] = report.step_size;
+  d["iterations"] = report.solve.iterations;
+  d["status"] = std::string(to_string(report.solve.status));
+  d["converged"] = report.converged;
+  d["residual"] = report.solve.residual;
+  d["halvings"] = report.halvings;
+  d["contacts"] = report.contacts;
+  d["min_distance"] = report.min_distance;
+  d["min_gap"] = report.min_gap;
+  d["unbalanced_force"] = report.unbalanced_force;
+  d["wall_seconds"] = report.wall_seconds;
+  for (const StepFigure& figure : report.figures) d[py::str(figure.name)] = figure.value;
+  return d;
+}
+
+}  // namespace
+
+// Work without the interpreter's lock, in threads of its own.
+template <class Work>
+auto Running::at_work(Work work) {
+  if (busy_.exchange(true)) throw std::runtime_error("this simulation is at work in another thread; wait for it, or give each thread one of its own");
+  struct Done {
+    std::atomic<bool>& busy;
+    ~Done() { busy = false; }
+  } const done{busy_};
+  const py::gil_scoped_release released;
+  return arena_.execute(work);
+}
+
+Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
+  arena_.execute([&] {
+    simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w.text); });
+    probes_.emplace(probes_of(simulation_->built()));
+    simulation_->start();
+    settle();
+  });
+  show();
+}
+
+Running::~Running() { end_problem(); }
+
+// Contact is where the state is.
+void Running::settle() {
+  World& world = simulation_->world();
+  if (world.contact) world.contact->move_to(simulation_->state().x);
+}
+
+void Running::show() {
+  const State& state = simulation_->state();
+  const auto keep = [](std::shared_ptr<VecX>& shown, const VecX& values, Eigen::Index size) {
+    if (shown->size() != size) shown = std::make_shared<VecX>(size);  // who has the former keeps it
+    *shown = values.head(size);
+  };
+  const Eigen::Index size = 3 * world().mesh_vertex_count();
+  keep(x_, state.x, size);
+  keep(v_, state.v, size);
+}
+
+void Running::end_problem() {
+  if (problem_) problem_->end();
+  problem_.reset();
+}
+
+py::dict Running::step() {
+  end_problem();
+  std::optional<StepReport> report;
+  {
+    const Interrupts interrupts;
+    report = at_work([this]() -> std::optional<StepReport> {
+      const int before = simulation_->state().step;
+      const StepReport r = simulation_->step();
+      if (simulation_->state().step == before) return std::nullopt;
+      settle();
+      return r;
+    });
+  }
+  show();
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  if (!report) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw py::error_already_set();
+  }
+  return dict_of(*report);
+}
+
+void Running::minimize_by(const py::object& function) {
+  if (!function.is_none() && !py::isinstance<py::function>(function) && !PyCallable_Check(function.ptr()))
+    throw py::type_error("a minimiser is called with a problem, and returns the unknowns where it ended");
+  const Minimizer& own = *simulation_->experiment().solver;
+  if (function.is_none()) simulation_->solve_with({});
+  else simulation_->solve_with([function = py::reinterpret_borrow<py::function>(function), &own] { return minimizer_of(function, own); });
+  restart();
+}
+
+// A stepper and a solver of its own from here on.
+void Running::restart() {
+  end_problem();
+  const State state = simulation_->state();
+  simulation_->start_from(state);
+  settle();
+  show();
+}
+
+void Running::move(const std::optional<Numbers>& x, const std::optional<Numbers>& v) {
+  end_problem();
+  World& world = simulation_->world();
+  State state = simulation_->state();
+  const Eigen::Index size = 3 * world.mesh_vertex_count();
+  const State before = state;
+  if (x) state.x.head(size) = vector_of(*x, size, "positions");
+  if (v) state.v.head(size) = vector_of(*v, size, "velocities");
+  world.dofs.follow(state.x);
+  world.dofs.follow(state.v);
+  // What was is no longer what the next step follows from.
+  state.h_before = 0;
+  state.acted_before = 0;
+  try {
+    world.start = state;
+    if (const int tet = first_inverted_tet(world.tets, state.x); tet >= 0) {
+      const Tet& t = world.tets[static_cast<size_t>(tet)];
+      throw InputError(fmt::format("the positions invert the tet of the vertices {}, {}, {} and {}; move them less", t[0], t[1], t[2], t[3]));
+    }
+    check_start(simulation_->experiment(), simulation_->built().root(), world);
+    simulation_->start_from(state);
+  } catch (...) {
+    simulation_->start_from(before);
+    settle();
+    throw;
+  }
+  settle();
+  show();
+}
+
+py::dict Running::energies() {
+  py::dict d;
+  for (const NamedEnergy& energy : energies_by_term(world(), simulation_->state())) d[py::str(energy.name)] = energy.value;
+  return d;
+}
+
+py::dict Running::forces() {
+  const VecX& x = simulation_->state().x;
+  const Eigen::Index size = 3 * world().mesh_vertex_count();
+  std::vector<std::pair<std::string, VecX>> all;
+  for (const Term* term : world().terms) {
+    auto same = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.first == term->name(); });
+    if (same == all.end()) same = all.insert(all.end(), {term->name(), VecX::Zero(x.size())});
+    add_term_gradient(*term, x, same->second);
+  }
+  py::dict d;
+  for (auto& [name, gradient] : all) {
+    gradient = -gradient;
+    world().collect_on_meshes(gradient);
+    d[py::str(name)] = copy(gradient.head(size), 3);
+  }
+  return d;
+}
+
+py::array Running::field(const std::string& name) {
+  const FrameGeometry geometry = cells_of(world());
+  for (const FrameFieldInfo& info : frame_fields()) {
+    if (info.name != name) continue;
+    if (info.of_elements) {
+      const std::vector<CellField> fields = element_fields({name}, world(), simulation_->state().x, geometry);
+      if (!fields.empty()) return copy(fields[0].values, fields[0].components > 1 ? fields[0].components : 0);
+    } else {
+      const std::vector<PointField> fields = vertex_fields({name}, world(), simulation_->state(), geometry);
+      if (!fields.empty()) return copy(fields[0].values, fields[0].components > 1 ? fields[0].components : 0);
+    }
+    throw py::value_error("nothing in this scene has the field '" + name + "'");
+  }
+  std::string known;
+  for (const FrameFieldInfo& info : frame_fields()) known += (known.empty() ? "" : ", ") + info.name;
+  throw py::value_error("there is no field '" + name + "'; there are " + known);
+}
+
+std::vector<double> Running::probe_values() { return probes_->sample(world(), simulation_->state()); }
+
+std::shared_ptr<Problem> Running::problem() {
+  end_problem();
+  TimeStepper& stepper = simulation_->stepper();
+  World& world = simulation_->world();
+  const double h = stepper.next_step_size();
+  const Step step = stepper.open(h);
+  convergence_.emplace(world, simulation_->solver());
+  convergence_->begin_step(step.potential, h, step.prediction.inertia);
+  steps_.emplace(world, simulation_->clock());
+  StepPotential& potential = step.potential;
+  MinimizerProblem problem{potential, [this, &potential](const VecX& q, const VecX& p) { return steps_->largest_tried(potential, q, p); }, {}, simulation_->clock()};
+  convergence_->judge(problem);
+  VecX q;
+  world.dofs.gather(step.places, q);
+  problem_ = std::make_shared<Problem>(std::move(problem), q);
+  return problem_;
+}
+
+std::vector<std::string> Running::take_warnings() { return std::exchange(warnings_, {}); }
+
+void bind_running(py::module_& module) {
+  py::class_<Body>(module, "Object", "An object of the scene: its name, its vertices among all, its elements.")
+      .def_readonly("name", &Body::name)
+      .def_readonly("first_vertex", &Body::first_vertex)
+      .def_readonly("vertex_count", &Body::vertex_count)
+      .def_property_readonly("tets", [](const Body& b) { return table(b.tets, 4); }, "(n, 4), vertices counted from 0 of the scene")
+      .def_property_readonly("triangles", [](const Body& b) { return table(b.triangles, 3); }, "(n, 3): of its surface, outwards, and of sheets")
+      .def_property_readonly("edges", [](const Body& b) { return table(b.edges, 2); }, "(n, 2): of rods")
+      .def_property_readonly("points", [](const Body& b) { return b.points; }, "particles");
+
+  const auto loaded = [](auto load, int threads) {
+    const py::gil_scoped_release released;
+    return std::make_unique<Running>(load(), threads);
+  };
+  py::class_<Running>(module, "Running")
+      .def_static("open", [loaded](const std::string& path, const std::vector<std::string>& set, int threads) {
+        return loaded([&] { return opened(path, set); }, threads);
+      })
+      .def_static("parse", [loaded](const std::string& text, const std::string& name, const std::vector<std::string>& set, int threads) {
+        return loaded([&] { return parsed(text, name, set); }, threads);
+      })
+      .def_property_readonly("name", &Running::name)
+      .def_property_readonly("time", &Running::time)
+      .def_property_readonly("step_count", &Running::step_count)
+      .def_property_readonly("duration", &Running::duration)
+      .def_property_readonly("step_size", &Running::step_size)
+      .def_property_readonly("finished", &Running::finished)
+      .def_property_readonly("threads", &Running::threads)
+      .def_property_readonly("objects", [](const Running& r) {
+        py::list all;
+        for (const Body& body : r.world().bodies) all.append(py::cast(&body, py::return_value_policy::reference));
+        return all;
+      }, py::keep_alive<0, 1>())
+      .def("step", &Running::step)
+      .def("minimize_by", &Running::minimize_by)
+      .def_property_readonly("x", &Running::positions)
+      .def_property_readonly("v", &Running::velocities)
+      .def_property_readonly("rest", &Running::rest)
+      .def_property_readonly("mass", &Running::mass)
+      .def("move", &Running::move, py::arg("x") = py::none(), py::arg("v") = py::none())
+      .def("energies", &Running::energies)
+      .def("forces", &Running::forces)
+      .def("field", &Running::field)
+      .def("probe_columns", &Running::probe_columns)
+      .def("probe_values", &Running::probe_values)
+      .def("problem", &Running::problem)
+      .def("take_warnings", &Running::take_warnings);
+}
+
+}  // namespace tack::python

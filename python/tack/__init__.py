@@ -1,0 +1,25 @@
+"""tack: frictional, adhesive contact of elastoplastic solids, sheets, rods and particles.
+
+    import tack
+
+    sim = tack.Simulation("scene.yaml", set={"time.step": "2 ms"})
+    sim.run(until=0.5)
+    print(sim.x.shape, sim.energies())
+
+    results = tack.run("scene.yaml")     # with everything kept that `tack run` keeps
+    results.probes["force"]              # arrays
+"""
+import ctypes as _ctypes
+import os as _os
+import pathlib as _pathlib
+
+# Plugins that a scene names find what they are built on in it.
+_ctypes.CDLL(str(_pathlib.Path(__file__).parent / "lib" / "libtack.so"), mode=_os.RTLD_GLOBAL | _os.RTLD_NOW)
+
+from ._tack import InputError, Problem, SimulationError  # noqa: E402
+from ._tack import version as __version__  # noqa: E402
+from .law import law  # noqa: E402
+from .results import Batch, Run, Tables, read  # noqa: E402
+from .simulation import Simulation, Warned, run  # noqa: E402
+
+__all__ = ["Batch", "InputError", "Problem", "Run", "Simulation", "SimulationError", "Tables", "Warned", "law", "read", "run"]

@@ -1,0 +1,138 @@
+"""What `tack run`, `tack batch` and `tack compare` have written, as arrays."""
+import csv
+import functools
+import html
+import json
+import math
+import pathlib
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+
+from . import _tack
+from .frames import Frame
+
+
+class Table(dict):
+    """Columns of a CSV file by name: arrays of numbers, or of texts where not all are numbers."""
+
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(line for line in file if not line.startswith("#")))
+        names = rows[0] if rows else []
+        for i, name in enumerate(names):
+            self[name] = _column([row[i] if i < len(row) else "" for row in rows[1:]])
+        self.rows = max(len(rows) - 1, 0)
+
+    def __missing__(self, name):
+        raise KeyError(f"no column '{name}'; there are {', '.join(self)}")
+
+
+def _column(cells):
+    try:
+        return np.array([float(cell) if cell != "" else math.nan for cell in cells])
+    except ValueError:
+        return np.array(cells)
+
+
+class _Folder:
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+
+    def report(self, output="", frames=0):
+        """Writes the report, one HTML file; returns its path."""
+        return pathlib.Path(_tack.report([str(self.path)], str(output), frames))
+
+    def _repr_html_(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = self.report(pathlib.Path(folder) / "report.html").read_text(encoding="utf-8")
+        return f'<iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 720px; border: 0" sandbox="allow-scripts"></iframe>'
+
+
+class Run(_Folder):
+    """Results of one run: `summary`, `probes` and `steps` (columns by name), `frames`."""
+
+    @functools.cached_property
+    def summary(self):
+        """summary.json, as a dictionary."""
+        return json.loads((self.path / "summary.json").read_text(encoding="utf-8"))
+
+    @functools.cached_property
+    def probes(self):
+        """probes.csv: arrays by name, `time` among them."""
+        return Table(self.path / "probes.csv")
+
+    @functools.cached_property
+    def steps(self):
+        """steps.csv: what is known of every step."""
+        return Table(self.path / "steps.csv")
+
+    @property
+    def scene(self):
+        """The path of the scene with everything that it left open."""
+        return self.path / "scene.yaml"
+
+    @functools.cached_property
+    def frames(self):
+        """Frames, read when they are asked for: run.frames[-1].x"""
+        return Frames(self.path)
+
+    def __repr__(self):
+        return f"<run '{self.summary['name']}': {self.summary['status']}, {self.summary['steps']} steps>"
+
+
+class Frames:
+    """A run's frames in their order."""
+
+    def __init__(self, path):
+        self.times, self._paths = [], []
+        index = path / "run.pvd"
+        if index.exists():
+            for entry in ElementTree.parse(index).getroot().iter("DataSet"):
+                self.times.append(float(entry.get("timestep")))
+                self._paths.append(path / entry.get("file"))
+
+    def __len__(self):
+        return len(self._paths)
+
+    def __getitem__(self, i):
+        if isinstance(i, slice):
+            return [Frame(path) for path in self._paths[i]]
+        return Frame(self._paths[i])
+
+    def at(self, time):
+        """The frame nearest to a time [s]."""
+        return self[int(np.argmin(np.abs(np.array(self.times) - time)))]
+
+
+class Batch(_Folder):
+    """Results of a batch: `table` (results.csv, columns by name), and its cases as runs."""
+
+    @functools.cached_property
+    def table(self):
+        return Table(self.path / "results.csv")
+
+    @functools.cached_property
+    def cases(self):
+        """{name: Run} of the cases that have begun."""
+        return {folder.name: Run(folder) for folder in sorted((self.path / "cases").iterdir()) if (folder / "summary.json").exists()}
+
+    def __repr__(self):
+        return f"<batch of {self.table.rows} cases: {self.path}>"
+
+
+class Tables(_Folder):
+    """Results of a comparison or a calibration: its tables by name, columns by name."""
+
+    @functools.cached_property
+    def tables(self):
+        return {path.stem: Table(path) for path in sorted(self.path.glob("*.csv"))}
+
+    def __repr__(self):
+        return f"<{_tack.kind_of(str(self.path))}: {', '.join(self.tables)}>"
+
+
+def read(folder):
+    """Results of a folder: a Run, a Batch, or Tables of a comparison or a calibration. Raises InputError for any other."""
+    return {"run": Run, "batch": Batch}.get(_tack.kind_of(str(folder)), Tables)(folder)

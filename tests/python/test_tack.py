@@ -1,0 +1,295 @@
+"""import tack: what docs/python.md says of it."""
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+
+import numpy as np
+
+import tack
+
+source = pathlib.Path(__file__).resolve().parents[2]
+blocks = source / "experiments/stack/two_blocks.yaml"
+pull = source / "experiments/debonding/pull.yaml"
+small = {"objects.lower.shape.cells": [2, 2, 2], "objects.upper.shape.cells": [2, 2, 2]}
+
+falling = {
+    "name": "falling",
+    "time": {"step": "10 ms", "duration": "0.1 s"},
+    "gravity": [0, -10, 0],
+    "objects": [{
+        "name": "cube",
+        "shape": {"type": "box", "size": [0.1, 0.1, 0.1], "cells": [1, 1, 1]},
+        "energies": [{"type": "neo_hookean", "young": "1 MPa", "poisson": 0.3, "density": 1000}],
+    }],
+    "probes": [{"name": "height", "type": "centre_of_mass", "object": "cube", "direction": [0, 1, 0]}],
+}
+
+
+def run_python(code, **options):
+    return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, **options)
+
+
+class Stepping(unittest.TestCase):
+    def test_a_cube_falls_by_the_integrator_s_own_closed_form(self):
+        sim = tack.Simulation(falling)
+        start = sim.probes()["height"]
+        sim.run()
+        n, h = sim.steps, 0.01
+        self.assertEqual(n, 10)
+        self.assertTrue(sim.finished)
+        self.assertAlmostEqual(sim.probes()["height"] - start, -10 * h * h * n * (n + 1) / 2, places=9)
+        np.testing.assert_allclose(sim.v[:, 1], -10 * h * n, rtol=1e-7)
+
+    def test_what_steps_give_is_what_the_program_gives(self):
+        with tempfile.TemporaryDirectory() as folder:
+            kept = tack.run(blocks, set={**small, "output.frames": True, "time.duration": "0.1 s"}, output=f"{folder}/kept")
+            sim = tack.Simulation(blocks, set={**small, "time.duration": "0.1 s"})
+            values = [sim.probes()]
+            sim.run(callback=lambda s: values.append(s.probes()))
+            for name in values[0]:
+                np.testing.assert_array_equal(kept.probes[name], [v[name] for v in values])
+            np.testing.assert_array_equal(kept.frames[-1].x, sim.x)
+            self.assertEqual(len(kept.steps["time"]), sim.steps)
+            self.assertEqual(kept.summary["status"], tack.read(f"{folder}/kept").summary["status"])
+
+    def test_threads_give_the_same_bits(self):
+        ends = []
+        for threads in (1, 2):
+            sim = tack.Simulation(blocks, set=small, threads=threads)
+            self.assertEqual(sim.threads, threads)
+            for _ in range(5):
+                sim.step()
+            ends.append(sim.x.copy())
+        np.testing.assert_array_equal(*ends)
+
+    def test_a_callback_ends_a_run(self):
+        sim = tack.Simulation(falling)
+        sim.run(callback=lambda s: s.steps < 3)
+        self.assertEqual(sim.steps, 3)
+        sim.run(until=0.05)
+        self.assertEqual(sim.steps, 5)
+
+    def test_simulations_side_by_side(self):
+        sims = [tack.Simulation(blocks, set=small, threads=1) for _ in range(2)]
+        threads = [threading.Thread(target=lambda s=s: [s.step() for _ in range(5)]) for s in sims]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        np.testing.assert_array_equal(sims[0].x, sims[1].x)
+
+    def test_one_simulation_is_not_stepped_twice_at_once(self):
+        sim = tack.Simulation(blocks, set=small)
+
+        def again(problem):
+            with self.assertRaisesRegex(RuntimeError, "at work"):
+                sim.step()
+            q = problem.start
+            while not problem.converged(q):
+                p = -np.linalg.solve(problem.hessian(q, "clamp").toarray(), problem.gradient(q))
+                q = q + problem.feasible_step(q, p) * p
+            return q
+
+        sim.step(minimizer=again)
+
+
+class Arrays(unittest.TestCase):
+    def test_positions_are_views(self):
+        sim = tack.Simulation(falling)
+        x = sim.x
+        address = x.__array_interface__["data"][0]
+        self.assertEqual(address, sim.x.__array_interface__["data"][0])
+        before = x.copy()
+        sim.step()
+        self.assertEqual(address, sim.x.__array_interface__["data"][0])
+        self.assertTrue(np.shares_memory(x, sim["cube"].x))
+        self.assertTrue(np.all(x[:, 1] < before[:, 1]))
+        with self.assertRaises(ValueError):
+            x[0, 0] = 1
+
+    def test_views_outlive_their_simulation(self):
+        sim = tack.Simulation(falling)
+        x, mass = sim.x, sim.mass.sum()
+        expected = x.copy()
+        del sim
+        np.testing.assert_array_equal(x, expected)
+        self.assertAlmostEqual(mass, 1.0, places=12)
+
+    def test_forces_add_up_to_what_accelerates(self):
+        sim = tack.Simulation(blocks, set=small)
+        for _ in range(12):
+            sim.step()
+        forces = sim.forces()
+        self.assertIn("gravity", forces)
+        moved = np.linalg.norm(sum(forces.values()).sum(axis=0))
+        self.assertTrue(np.isfinite(moved))
+        weight = forces["gravity"].sum(axis=0)
+        self.assertLess(weight[1], 0)
+        inner = sum(f for name, f in forces.items() if name.startswith("neo") or "corotated" in name or "kirchhoff" in name)
+        np.testing.assert_allclose(np.sum(inner, axis=0), 0, atol=1e-9 * np.abs(inner).sum())
+
+    def test_fields_and_objects(self):
+        sim = tack.Simulation(blocks, set=small)
+        for _ in range(12):
+            sim.step()
+        self.assertEqual(len(sim.pressures), len(sim.x))
+        self.assertEqual(len(sim.field("von_mises_stress")), sum(len(o.tets) for o in sim.objects.values()) + sum(
+            len(o.triangles) for o in sim.objects.values() if len(o.tets) == 0))
+        with self.assertRaisesRegex(ValueError, "there is no field 'presure'.*contact_pressure"):
+            sim.field("presure")
+
+    def test_moving(self):
+        sim = tack.Simulation(falling)
+        sim.v = np.tile([0.0, 3.0, 0.0], (len(sim.x), 1))
+        sim.step()
+        np.testing.assert_allclose(sim.v[:, 1], 2.9, rtol=1e-9)
+        x = sim.x + [1.0, 0, 0]
+        sim.x = x
+        np.testing.assert_array_equal(sim.x, x)
+        bad = x.copy()
+        bad[0] = [7, 7, 7]
+        before = sim.x.copy()
+        with self.assertRaisesRegex(tack.InputError, "invert"):
+            sim.x = bad
+        np.testing.assert_array_equal(sim.x, before)
+        sim.step()
+        for wrong in (x[:2], np.full_like(x, np.nan)):
+            with self.assertRaises(ValueError):
+                sim.x = wrong
+
+    def test_what_intersects_is_refused(self):
+        sim = tack.Simulation(blocks, set=small)
+        x = sim.x.copy()
+        lower, upper = sim["lower"].vertices, sim["upper"].vertices
+        x[upper] += x[lower].mean(axis=0) - x[upper].mean(axis=0)
+        before = sim.x.copy()
+        with self.assertRaises(tack.InputError):
+            sim.x = x
+        np.testing.assert_array_equal(sim.x, before)
+        sim.step()
+
+
+class Minimising(unittest.TestCase):
+    def test_derivatives_are_those_of_the_value(self):
+        sim = tack.Simulation(blocks, set={**small, "contact.friction": None})  # whose second derivatives jump at rest
+        for _ in range(12):
+            sim.step()
+        problem = sim.problem()
+        q = problem.start
+        rng = np.random.default_rng(1)
+        p = rng.normal(size=problem.size) * 1e-3
+        eps = 1e-4
+        slope = (problem.value(q + eps * p) - problem.value(q - eps * p)) / (2 * eps)
+        self.assertAlmostEqual(slope / (problem.gradient(q) @ p), 1, places=5)
+        curve = (problem.gradient(q + eps * p) - problem.gradient(q - eps * p)) / (2 * eps)
+        hessian = problem.hessian(q)
+        self.assertLess(np.linalg.norm(curve - hessian @ p), 1e-5 * np.linalg.norm(curve))
+        self.assertLess(abs(hessian - hessian.T).max(), 1e-9 * abs(hessian).max())
+        self.assertGreater(np.linalg.eigvalsh(problem.hessian(q, "clamp").toarray()).min(), 0)
+        sim.step()
+        with self.assertRaisesRegex(RuntimeError, "is over"):
+            problem.value(q)
+
+    def test_the_documented_descent_ends_where_newton_does(self):
+        page = (source / "docs/python.md").read_text(encoding="utf-8")
+        code = re.search(r"```python\n(import numpy as np\nimport tack\n\ndef descend.*?)\nsim = ", page, re.S).group(1)
+        self.assertLessEqual(len([line for line in code.splitlines() if line.strip()]), 20)
+        scope = {}
+        exec(code, scope)
+        tight = {**small, "solver.tolerance": "1e-7 m/s"}
+        own, newton = tack.Simulation(blocks, set=tight), tack.Simulation(blocks, set=tight)
+        for _ in range(3):
+            report = own.step(minimizer=scope["descend"])
+            self.assertTrue(report["converged"])
+            newton.step()
+        size = np.ptp(newton.x)
+        self.assertLess(np.abs(own.x - newton.x).max(), 1e-6 * size)
+
+    def test_a_minimiser_that_fails(self):
+        sim = tack.Simulation(blocks, set=small)
+        for _ in range(12):
+            sim.step()
+        with self.assertRaisesRegex(TypeError, "returned nothing"):
+            sim.step(minimizer=lambda problem: None)
+        with self.assertRaisesRegex(KeyError, "mine"):
+            sim.step(minimizer=lambda problem: {}["mine"])
+        with self.assertRaises(tack.SimulationError):
+            sim.step(minimizer=lambda problem: problem.start)
+        sim.minimize_by(None)
+        sim.step()
+        self.assertEqual(sim.steps, 13)
+
+
+class Laws(unittest.TestCase):
+    def test_a_function_is_a_law(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def traction(gap):
+                return 300 * np.sin(np.pi * np.clip(gap / 4e-3, 0, 1)) ** 2
+            law = tack.law(traction, reach=1e-3, file=f"{folder}/law.csv")
+            thin = {"expect": [], "output.frames": False}
+            peaks = []
+            for height in (1, 2):
+                law = tack.law(lambda gap: height * traction(gap), reach=4e-3, file=f"{folder}/law.csv")
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore", tack.Warned)
+                    results = tack.run(pull, set={**thin, "contact.pairs.0.adhesion": law}, output=f"{folder}/{height}")
+                peaks.append(results.probes["adhesion"].max())
+            area = 0.01  # m^2, of the plates
+            self.assertAlmostEqual(peaks[0] / (300 * area), 1, delta=0.01)
+            self.assertAlmostEqual(peaks[1] / peaks[0], 2, delta=0.02)
+
+    def test_what_is_no_law(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(ValueError, "gap of 0 m is not a finite number"):
+                with np.errstate(divide="ignore"):
+                    tack.law(lambda gap: 1 / gap, reach=1e-3, file=f"{folder}/law.csv")
+
+
+class Errors(unittest.TestCase):
+    def test_errors_name_the_place(self):
+        with self.assertRaisesRegex(tack.InputError, "yong.*young"):
+            tack.Simulation(falling, set={"objects.cube.energies.0.yong": "1 MPa"})
+        with self.assertRaises(ValueError):
+            tack.Simulation("nowhere.yaml")
+        with self.assertRaisesRegex(tack.InputError, "neither a run"):
+            tack.read(source / "docs")
+
+    def test_ctrl_c(self):
+        code = f"""
+import tack, sys
+sim = tack.Simulation({str(blocks)!r}, set={{"objects.lower.shape.cells": [24, 24, 24], "objects.upper.shape.cells": [24, 24, 24], "time.duration": "100 s"}})
+print("ready", flush=True)
+try:
+    sim.run()
+except KeyboardInterrupt:
+    steps = sim.steps
+    print("stopped", flush=True)
+"""
+        process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        try:
+            self.assertEqual(process.stdout.readline().strip(), "ready")
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=60)
+        finally:
+            process.kill()
+        self.assertEqual(out.strip(), "stopped")
+        self.assertEqual(process.returncode, 0)
+
+    def test_no_traces_are_left_in_the_process(self):
+        result = run_python(f"import signal, tack; sim = tack.Simulation({str(blocks)!r}); sim.step(); "
+                            "assert signal.getsignal(signal.SIGINT) is signal.default_int_handler; print(sim.steps)")
+        self.assertEqual(result.stdout.strip(), "1", result.stderr)
+
+
+if __name__ == "__main__":
+    os.chdir(tempfile.mkdtemp())
+    unittest.main()
