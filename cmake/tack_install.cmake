@@ -1,6 +1,7 @@
-# bin/tack and what it starts, lib/tack (what it opens itself), include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
+# bin/tack and what it starts, lib/tack (what it opens itself), lib/libtack.so (all of it as a library) where that was built, include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
 include(CMakePackageConfigHelpers)
 install(TARGETS tack_cli tack_studies RUNTIME DESTINATION bin)
+install(FILES $<TARGET_FILE:tack_library> DESTINATION lib OPTIONAL)
 install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)
 install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"
         PATTERN framework/app EXCLUDE)
@@ -11,8 +12,9 @@ install(FILES README.md LICENSE DESTINATION share/tack)
 
 set(BINARIES bin)
 set(HEADERS include/tack)
+set(LIBRARIES lib)
 configure_package_config_file(cmake/tackConfig.cmake.in ${CMAKE_BINARY_DIR}/tackConfig.cmake
-                              INSTALL_DESTINATION lib/cmake/tack PATH_VARS BINARIES HEADERS)
+                              INSTALL_DESTINATION lib/cmake/tack PATH_VARS BINARIES HEADERS LIBRARIES)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/tackConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/tackConfig.cmake ${CMAKE_BINARY_DIR}/tackConfigVersion.cmake cmake/plugin_note.cpp
         DESTINATION lib/cmake/tack)

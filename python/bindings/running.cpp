@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "framework/config/describe.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/term_gradient.hpp"
@@ -229,6 +230,15 @@ py::array Running::field(const std::string& name) {
   throw py::value_error("there is no field '" + name + "'; there are " + known);
 }
 
+std::string Running::scene() const { return to_yaml(fields_of(simulation_->experiment())); }
+
+void Running::write_frame(const std::string& path) {
+  const FrameGeometry geometry = cells_of(world());
+  const State& state = simulation_->state();
+  const std::vector<std::string> names = {"velocity", "contact_pressure", "von_mises_stress"};
+  write_vtu(path, geometry, state.x.head(3 * geometry.vertices), state.time, vertex_fields(names, world(), state, geometry), element_fields(names, world(), state.x, geometry));
+}
+
 std::vector<double> Running::probe_values() { return probes_->sample(world(), simulation_->state()); }
 
 std::shared_ptr<Problem> Running::problem() {
@@ -294,6 +304,8 @@ void bind_running(py::module_& module) {
       .def("energies", &Running::energies)
       .def("forces", &Running::forces)
       .def("field", &Running::field)
+      .def("scene", &Running::scene)
+      .def("write_frame", &Running::write_frame)
       .def("probe_columns", &Running::probe_columns)
       .def("probe_values", &Running::probe_values)
       .def("problem", &Running::problem)

@@ -49,6 +49,10 @@ class Running {
   py::dict energies();
   py::dict forces();
   py::array field(const std::string& name);
+  // The scene with everything that it leaves open, as runs keep it.
+  std::string scene() const;
+  // A frame as runs write them, with some fields of it.
+  void write_frame(const std::string& path);
   std::vector<std::string> probe_columns() const { return probes_->columns(); }
   std::vector<double> probe_values();
 

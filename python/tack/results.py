@@ -14,6 +14,13 @@ from . import _tack
 from .frames import Frame
 
 
+def shown(folder, title):
+    """The report of a folder, for a notebook."""
+    with tempfile.TemporaryDirectory() as scratch:
+        page = pathlib.Path(_tack.report([str(folder)], str(pathlib.Path(scratch) / "report.html"), 0)).read_text(encoding="utf-8")
+    return f'<iframe title="{html.escape(title)}" srcdoc="{html.escape(page)}" style="width: 100%; height: 720px; border: 0" sandbox="allow-scripts"></iframe>'
+
+
 class Table(dict):
     """Columns of a CSV file by name: arrays of numbers, or of texts where not all are numbers."""
 
@@ -45,9 +52,7 @@ class _Folder:
         return pathlib.Path(_tack.report([str(self.path)], str(output), frames))
 
     def _repr_html_(self):
-        with tempfile.TemporaryDirectory() as folder:
-            page = self.report(pathlib.Path(folder) / "report.html").read_text(encoding="utf-8")
-        return f'<iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 720px; border: 0" sandbox="allow-scripts"></iframe>'
+        return shown(self.path, self.path.name)
 
 
 class Run(_Folder):

@@ -1,8 +1,10 @@
 """A simulation that is stepped from Python, and runs whose results are kept."""
+import pathlib
+import tempfile
 import warnings
 
 from . import _tack
-from .results import read
+from .results import read, shown
 from .scene import opened, overrides_of
 
 
@@ -138,9 +140,23 @@ class Simulation:
     pressures = property(lambda self: self.field("contact_pressure"), doc="[Pa] of vertices, positive where they press")
     gaps = property(lambda self: self.field("gap"), doc="[m] of vertices to what is nearest; not a number where nothing is within reach")
 
+    def scene(self):
+        """The scene with everything that it leaves open, in YAML."""
+        return self._running.scene()
+
     def probes(self):
         """The scene's probes, now."""
         return dict(zip(self._running.probe_columns(), self._running.probe_values()))
+
+    def _repr_html_(self):
+        with tempfile.TemporaryDirectory() as folder:
+            frame = pathlib.Path(folder) / self.name / "frame_000000.vtu"
+            frame.parent.mkdir()
+            self._running.write_frame(str(frame))
+            (frame.parent / "scene.yaml").write_text(self.scene(), encoding="utf-8")
+            (frame.parent / "run.pvd").write_text(
+                f'<VTKFile type="Collection"><Collection><DataSet timestep="{self.time!r}" file="{frame.name}"/></Collection></VTKFile>', encoding="ascii")
+            return shown(frame.parent, self.name)
 
     def _warn(self):
         for text in self._running.take_warnings():

@@ -24,6 +24,7 @@ block() {
 if nm -DC --defined-only "$build/bin/tack" | grep -E '^[0-9a-f]+ . ((vtable|typeinfo|typeinfo name) for )?Eigen::'; then fail "exported"; fi
 
 # The guide, with the build that is there.
+cmake --build "$build" --target tack_library >/dev/null
 install=$(block '## Install tack' | grep '^cmake --install')
 bash -euc "${install/build\/release/\"$build\"}" >/dev/null
 for file in CMakeLists.txt parabolic.cpp barzilai_borwein.cpp extreme.cpp pull.yaml solvers.yaml; do
@@ -87,6 +88,30 @@ refused build/libtaken.so "probe 'gap' is registered in framework/probes/positio
 refused build/libunresolved.so "cannot load the plugin: .*undefined symbol: tack::no_such_function\(int\); it must be linked with what it calls"
 refused build/liblanes.so "undefined symbol: tack::no_such_function\(tack::packs_of_3::Pack\*\); .* link tack::native as well"
 refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.so"
+
+# A program of one's own: a crate falls as implicit Euler has it, g h^2 n (n + 1) / 2.
+mkdir own
+block '`own/CMakeLists.txt`' >own/CMakeLists.txt
+block '`own/own.cpp`' >own/own.cpp
+cmake -S own -B own/build -G Ninja -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
+cmake --build own/build >/dev/null
+cat >falling.yaml <<'END'
+name: falling
+time: {step: 10 ms, duration: 0.1 s}
+gravity: [0, -10, 0]
+objects: [{name: crate, shape: {type: box, size: [0.1, 0.1, 0.1]}, energies: [{type: neo_hookean, young: 1e5, poisson: 0.3, density: 1000}]}]
+END
+own/build/own falling.yaml | tail -1 | grep -qx '0.100 s: [0-9]* iterations, 0.052500 m' || { own/build/own falling.yaml; fail "a program of one's own"; }
+
+# A plugin in Python, where that is built.
+package=$build/python
+for python in python3 /usr/bin/python3; do
+  if [[ -e $package/tack/lib/libtack.so ]] && "$python" -c 'import numpy' 2>/dev/null; then
+    (cd "$scratch/guide/mine" && PYTHONPATH=$package "$python" -c 'import tack; s = tack.Simulation("pull.yaml"); s.step(); print("stepped", s.steps)') | grep -qx 'stepped 1' ||
+      fail "a plugin in Python"
+    break
+  fi
+done
 
 # A law of bonds.
 sed "s|\[build/libmine.so\]|[$scratch/guide/mine/build/libmine.so, build/libfading.so]|; s|{type: parabolic[^}]*}|{type: fading}|" "$scratch/guide/mine/pull.yaml" >"$scene"

@@ -1,4 +1,5 @@
 """import tack: what docs/python.md says of it."""
+import json
 import os
 import pathlib
 import re
@@ -251,6 +252,44 @@ class Laws(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "gap of 0 m is not a finite number"):
                 with np.errstate(divide="ignore"):
                     tack.law(lambda gap: 1 / gap, reach=1e-3, file=f"{folder}/law.csv")
+
+
+class Notebook(unittest.TestCase):
+    def test_the_tutorial_runs(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        matplotlib.use("agg")
+        notebook = json.loads((source / "docs/tutorial.ipynb").read_text(encoding="utf-8"))
+        scope = {}
+        before = pathlib.Path.cwd()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                os.chdir(folder)
+                for cell in notebook["cells"]:
+                    if cell["cell_type"] == "code":
+                        exec("".join(cell["source"]).replace("../experiments", str(source / "experiments")), scope)
+            finally:
+                os.chdir(before)
+        force = scope["force"]
+        self.assertGreater(force.max(), 0)
+        self.assertLess(abs(force[-1]), 1e-5)
+        soft, middle, stiff = scope["peaks"].values()
+        self.assertLess(soft, middle)
+        self.assertLess(middle, stiff)
+        self.assertLess(stiff, 5.1e3)
+        self.assertLess(np.abs(scope["own"].x - scope["ours"].x).max(), 1e-6)
+        self.assertEqual(scope["results"].summary["status"], "done")
+
+    def test_what_notebooks_show(self):
+        if not (pathlib.Path(tack.__file__).parent / "share/report.html").exists():
+            self.skipTest("the page of reports is not built")
+        sim = tack.Simulation(blocks, set=small)
+        sim.step()
+        shown = sim._repr_html_()
+        self.assertTrue(shown.startswith("<iframe"))
+        self.assertGreater(len(shown), 100000)
 
 
 class Errors(unittest.TestCase):
