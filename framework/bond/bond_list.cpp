@@ -22,7 +22,8 @@ std::array<int, 2> key_of(const Bond& bond) { return {bond.vertices[0], bond.b};
 
 }  // namespace
 
-BondList::BondList(const ContactSurface& surface, const BondTable& table) : surface_(&surface), table_(&table) {
+BondList::BondList(const ContactSurface& surface, const PairTable& pairs, const BondTable& table)
+    : surface_(&surface), pairs_(&pairs), table_(&table) {
   const auto& object = surface.mesh.vertex_object;
   const int objects = object.empty() ? 0 : *std::max_element(object.begin(), object.end()) + 1;
   first_triangle_.assign(objects + 1, 0);
@@ -67,7 +68,6 @@ void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& 
   if (key[0] < 0 || key[0] >= vertices || key[1] < 0 || key[1] >= objects) refuse();
   bond.a = object[key[0]];
   bond.b = key[1];
-  bond.rule = table_->between(bond.a, bond.b);
   const auto triangle_of = [&](int of, double number) {
     const int t = first_triangle_[of] + static_cast<int>(number);
     if (!(number >= 0) || t >= first_triangle_[of + 1]) refuse();
@@ -86,6 +86,7 @@ void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& 
   bond.anchor = triangle_of(bond.b, entry[3]);
   const Triangle& t = surface_->mesh.triangles[bond.anchor];
   std::copy(t.begin(), t.end(), bond.vertices.begin() + bond.leading);
+  bond.rule = rule_of(bond, *table_, *pairs_, surface_->mesh);
   const std::array<double, 3> c = {1 - entry[4] - entry[5], entry[4], entry[5]};
   for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -c[i];
   bond.area = entry[6];

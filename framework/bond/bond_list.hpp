@@ -15,7 +15,7 @@ namespace tack {
 class BondList {
  public:
   // Both must outlive it.
-  BondList(const ContactSurface& surface, const BondTable& table);
+  BondList(const ContactSurface& surface, const PairTable& pairs, const BondTable& table);
 
   // Those of 4 vertices before those of 6; of either, one rule after the other.
   const std::vector<Bond>& bonds() const { return bonds_; }
@@ -39,6 +39,7 @@ class BondList {
   void place(Bond& bond, const double* entry, const std::array<int, 2>& key) const;
 
   const ContactSurface* surface_;
+  const PairTable* pairs_;
   const BondTable* table_;
   std::vector<int> first_triangle_;  // of each object, and the end
   std::vector<Bond> bonds_;

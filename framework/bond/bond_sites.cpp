@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -22,7 +23,7 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
     sites.push_back({t, inside, mesh.triangles[t][0], -1, object, area, whole});
   };
   for (const CoveredParts& pair : system.coverage().parts()) {
-    if (table.between(pair.a, pair.b) < 0) continue;
+    if (!table.bonds(pair.a, pair.b)) continue;
     const double share = system.pairs().point(pair.a, pair.b).share;
     for (const CoveredTriangle& t : pair.whole)
       for (int i = 0; i < 3; ++i) {
@@ -33,7 +34,7 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
   }
   for (const ContactSample& s : system.coverage().samples()) {
     const int a = mesh.vertex_object[mesh.triangles[s.triangle][0]];
-    if (table.between(a, s.object) >= 0) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).share * s.area, false);
+    if (table.bonds(a, s.object)) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).share * s.area, false);
   }
 }
 
@@ -55,10 +56,11 @@ void add_vertices(const ContactSystem& system, const BondTable& table, const std
   std::vector<char> wanted(barriers.size(), 0);
   const PairTable& pairs = system.pairs();
   for (const auto& [a, b] : pairs.classes().examples())
-    if (table.between(a, b) >= 0) wanted[pairs.thin(a, b).law] = 1;
+    for (int part = -1; part < pairs.parts(a, b); ++part)
+      if (table.between(a, b, part) >= 0) wanted[pairs.thin(a, b, part).law] = 1;
   const ContactPoints points = contact_points({system, barriers, wanted, x});
   for_each_record(points, [&](const auto& point) {
-    if (point.kind() != PointKind::vertex || !(point.area > 0) || table.between(point.object, point.opposite) < 0) return;
+    if (point.kind() != PointKind::vertex || !(point.area > 0) || !table.bonds(point.object, point.opposite)) return;
     if (point.object != point.opposite && !held.topology().thin(point.point)) return;
     const std::span<const int> faced(point.vertices.begin() + 1, point.vertices.end());
     const int anchor = triangle_at(held.topology(), held, system.surface().mesh, faced, point.normal);
@@ -82,8 +84,6 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   bond.leading = site.triangle < 0 ? 1 : 3;
   bond.a = mesh.vertex_object[site.vertex];
   bond.b = site.object;
-  bond.rule = table.between(bond.a, bond.b);
-  const BondRule& rule = table.rules()[bond.rule];
   const double offset = system.pairs().offset(bond.a, bond.b);
   const Vec3 p = site.triangle < 0 ? Vec3(vertex(x, site.vertex)) : point_inside(x, mesh.triangles[site.triangle], site.inside);
 
@@ -97,6 +97,11 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
     const double squared = point_triangle_distance(p, t0, t1, t2);
     if (squared < closest || (squared == closest && t < bond.anchor)) closest = squared, bond.anchor = t;
   }
+  if (std::isinf(closest)) return std::nullopt;
+  bond.vertices[0] = site.vertex;
+  bond.rule = rule_of(bond, table, system.pairs(), mesh);
+  if (bond.rule < 0) return std::nullopt;
+  const BondRule& rule = table.rules()[bond.rule];
   if (!(std::sqrt(closest) <= offset + rule.distance * (1 + rounding))) return std::nullopt;
 
   const Triangle& anchor = mesh.triangles[bond.anchor];

@@ -1,13 +1,16 @@
 // Which pairs of objects bond, by which law and when. Over classes of objects, as PairTable.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "framework/bond/bond.hpp"
 #include "framework/bond/bond_law.hpp"
-#include "framework/contact/pair_law.hpp"
+#include "framework/contact/pair_table.hpp"
 #include "geometry/broad_phase/object_classes.hpp"
+#include "geometry/mesh/collision_mesh.hpp"
 
 namespace tack {
 
@@ -29,7 +32,20 @@ class BondTable {
     return static_cast<int>(rules_.size()) - 1;
   }
   void set(int a, int b, int rule) { rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule; }
-  int between(int a, int b) const { return rule_[classes_.index(a, b)]; }  // -1: the two do not bond
+  // Of the parts of two objects (PairTable::part), in their order.
+  void set_parts(int a, int b, const std::vector<int>& rules) {
+    of_parts_.resize(classes_.entries());
+    of_parts_[classes_.index(a, b)] = of_parts_[classes_.index(b, a)] = rules;
+  }
+  // -1: the two do not bond there; part -1: what is in none.
+  int between(int a, int b, int part) const { return part < 0 ? rule_[classes_.index(a, b)] : of_parts_[classes_.index(a, b)][part]; }
+  // Whether the two do anywhere.
+  bool bonds(int a, int b) const {
+    if (rule_[classes_.index(a, b)] >= 0) return true;
+    if (of_parts_.empty()) return false;
+    const std::vector<int>& parts = of_parts_[classes_.index(a, b)];
+    return std::any_of(parts.begin(), parts.end(), [](int rule) { return rule >= 0; });
+  }
   const std::vector<BondRule>& rules() const { return rules_; }
   bool empty() const { return rules_.empty(); }
 
@@ -37,6 +53,14 @@ class BondTable {
   ObjectClasses classes_;
   std::vector<BondRule> rules_;
   std::vector<int> rule_;
+  std::vector<std::vector<int>> of_parts_;  // empty without any
 };
+
+// Of a bond whose objects, triangle or first vertex, and anchor are known; -1: the two do not bond there.
+inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs, const CollisionMesh& mesh) {
+  const Triangle& anchor = mesh.triangles[bond.anchor];
+  return table.between(bond.a, bond.b, bond.triangle < 0 ? pairs.part(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)
+                                                         : pairs.part(bond.a, bond.b, mesh.triangles[bond.triangle], anchor));
+}
 
 }  // namespace tack

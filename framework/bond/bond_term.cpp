@@ -54,7 +54,7 @@ void shut(BondSample& s) { s.by_d = s.by_dd = s.by_ds = 0; }
 }  // namespace
 
 BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table)
-    : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), table_), remembered_(list_) {}
+    : Term("bonds"), system_(system), normal_(normal), table_(std::move(table)), list_(system.surface(), system.pairs(), table_), remembered_(list_) {}
 
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
@@ -100,11 +100,14 @@ void BondTerm::make_bonds(const VecX& x) {
   const auto before = remembered_.pairs();
   std::vector<BondSite> sites = bond_sites(system_, table_, normal_.laws(LawPart::barrier), x);
   const std::vector<int>& object = system_.surface().mesh.vertex_object;
+  const auto may_bond = [&](int rule, int a, int b) {
+    const std::pair<int, int> pair = std::minmax(a, b);
+    return table_.rules()[rule].on_contact || (!begun_ && !std::binary_search(before.begin(), before.end(), pair));
+  };
   std::erase_if(sites, [&](const BondSite& site) {
     const int a = object[site.vertex];
-    const bool on_contact = table_.rules()[table_.between(a, site.object)].on_contact;
-    const std::pair<int, int> pair = std::minmax(a, site.object);
-    if (!on_contact && (begun_ || std::binary_search(before.begin(), before.end(), pair))) return true;
+    // Which rule holds among parts is known with the triangle opposite.
+    if (!system_.pairs().has_parts(a, site.object) && !may_bond(table_.between(a, site.object, -1), a, site.object)) return true;
     const auto here = bonded.find(whose(site.triangle, site.vertex, site.object));
     if (here == bonded.end()) return false;
     return !site.whole || std::any_of(here->second.begin(), here->second.end(), [&](const Bond* b) {
@@ -118,7 +121,7 @@ void BondTerm::make_bonds(const VecX& x) {
   for_each(static_cast<int>(sites.size()), [&](int i) { made[i] = make_bond(sites[i], system_, table_, x); });
   std::vector<double> memory;
   for (const auto& bond : made) {
-    if (!bond) continue;
+    if (!bond || !may_bond(bond->rule, bond->a, bond->b)) continue;
     const BondRule& rule = table_.rules()[bond->rule];
     memory.assign(rule.law->width(), 0.0);
     rule.law->fresh(begun_, memory.data());

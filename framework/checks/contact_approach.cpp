@@ -121,7 +121,9 @@ bool ContactApproach::looked_at(const Objects& objects) const {
   if (a == b || !((soft_[a] && (soft_[b] || firm_[b])) || (firm_[a] && soft_[b]))) return false;
   const PairTable& pairs = world_.contact->pairs();
   const auto adheres = [&](int law) { return law >= 0 && !wanted_[law]; };
-  return !adheres(pairs.point(a, b).law) && !adheres(pairs.point(b, a).law);
+  for (int part = -1; part < pairs.parts(a, b); ++part)
+    if (adheres(pairs.point(a, b, part).law) || adheres(pairs.point(b, a, part).law)) return false;
+  return true;
 }
 
 std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::zones(const VecX& x) const {
@@ -154,7 +156,7 @@ void ContactApproach::look(const VecX& x) {
     if (force <= pressed.force) continue;
     const PairTable& pairs = world_.contact->pairs();
     const auto [a, b] = objects;
-    const double range = std::max(pairs.point(a, b).range, pairs.point(b, a).range), distance = range - pairs.offset(a, b);
+    const double range = std::max(pairs.point(a, b).reach(), pairs.point(b, a).reach()), distance = range - pairs.offset(a, b);
     const PressedZone zone = pressed_zone(points);
     const bool curved = zone.curved > least_curved * distance;
     pressed = {force, curved ? range - zone.gap : 0, curved ? of_flattening * zone.flattened : 0, distance};

@@ -121,6 +121,8 @@ Value to_value(const Fields& fields) {
     if (!v.is_map()) v.comment = unit_comment(f.shape);
     map.set(f.key, std::move(v));
   }
+  const auto given = std::count_if(map.entries.begin(), map.entries.end(), [](const Value::Entry& e) { return !e.value.is_null(); });
+  if (const Value* bare = fields.bare_key().empty() ? nullptr : map.find(fields.bare_key()); bare && given == 1 && !bare->is_null()) return *bare;
   return map;
 }
 

@@ -125,6 +125,10 @@ class Fields {
   template <class Pointer>
   Field& component_list(std::string key, std::vector<Pointer>& target, std::string doc);
 
+  // A text where a map of these fields is expected is short for a map with this key alone.
+  void bare(std::string key) { bare_ = std::move(key); }
+  const std::string& bare_key() const { return bare_; }
+
   // A condition between several fields: returns "" or what is wrong and how to mend it. Runs after
   // all fields of this object were bound without error; reported at `key` if the file has it.
   void check(std::string key, std::function<std::string()> condition);
@@ -155,6 +159,7 @@ class Fields {
   std::shared_ptr<void> owner_;
   std::vector<Field> fields_;
   std::vector<Check> checks_;
+  std::string bare_;  // empty: no text will do
 };
 
 template <class T>

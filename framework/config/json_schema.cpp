@@ -89,7 +89,7 @@ class Schema {
       case Form::map:
         return {{"type", "object"}, {"additionalProperties", value(*shape.entry, bounds, f)}};
       case Form::object:
-        return object(shape.prototype());
+        return struct_or_text(shape.prototype());
       case Form::component:
         define(*shape.kind);
         return schema_reference(shape.kind->name());
@@ -97,6 +97,13 @@ class Schema {
         return json::object();
     }
     return json::object();
+  }
+
+  json struct_or_text(const Fields& fields) {
+    const json all = object(fields);
+    if (fields.bare_key().empty()) return all;
+    const Field& bare = *fields.find(fields.bare_key());
+    return {{"anyOf", json::array({value(bare.shape, bare.bounds, bare), all})}};
   }
 
   static json bounded(json schema, const Bounds& b) {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "framework/config/nearest.hpp"
+#include "framework/config/yaml_text.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -17,13 +18,21 @@ bool different_types(const Value& a, const Value& b) {
   return type_a && type_b && type_a->text != type_b->text;
 }
 
+// An end of a pair: "cube", or "cube {type: tag, name: top}" of a part.
+std::string end_of(const Value& end) {
+  const Value* object = end.find("object");
+  const Value* select = end.find("select");
+  return (object ? object->text : end.text) + (select ? " " + inline_text(*select) : "");
+}
+
 // What an entry is found by: "cube", or "cube - wall" of a pair; nothing if it has no such key.
 std::optional<std::string> name_of(const Value& entry) {
   const Value* name = entry.find("name");
   if (name && name->is_scalar()) return name->text;
   const Value* between = entry.find("between");
   if (!between || between->items.size() != 2) return std::nullopt;
-  const auto& [a, b] = std::minmax(between->items[0].text, between->items[1].text);
+  const std::string first = end_of(between->items[0]), second = end_of(between->items[1]);
+  const auto& [a, b] = std::minmax(first, second);
   return a + " - " + b;
 }
 

@@ -35,8 +35,14 @@ void Reader::unknown_keys(const Value& map, const Fields& fields, std::string_vi
 }
 
 void Reader::bind_map(const Value& map, Fields& fields, std::string_view context, bool typed) {
+  if (map.is_scalar() && !fields.bare_key().empty()) {
+    Value only = Value::map();
+    only.mark = map.mark;
+    only.set(fields.bare_key(), map);
+    return bind_map(only, fields, context, typed);
+  }
   if (!map.is_map() && !map.is_null()) {
-    return error(map.mark, fmt::format("{} expects a map, got {}", context, map.description()));
+    return error(map.mark, fmt::format("{} expects a {}map, got {}", context, fields.bare_key().empty() ? "" : "text or a ", map.description()));
   }
   const std::size_t errors_before = errors_.size();
   unknown_keys(map, fields, context, typed);

@@ -23,9 +23,11 @@ ContactPoint<4> edge_point(const ContactPointsRequest& request, const ContactSte
 }
 
 void add_laws_of_area(const PairTable& pairs, int a, int b, std::vector<char>& laws) {
-  for (const PairRole* role : {&pairs.point(a, b), &pairs.point(b, a)})
-    if (role->law >= 0 && (role->facing || pairs.plain_sums)) laws[role->law] = 1;
-  if (const int thin = pairs.thin(a, b).law; thin >= 0) laws[thin] = 1;
+  for (int part = -1; part < pairs.parts(a, b); ++part) {
+    for (const PairRole* role : {&pairs.point(a, b, part), &pairs.point(b, a, part)})
+      if (role->law >= 0 && (role->facing || pairs.plain_sums)) laws[role->law] = 1;
+    if (const int thin = pairs.thin(a, b, part).law; thin >= 0) laws[thin] = 1;
+  }
 }
 
 }  // namespace

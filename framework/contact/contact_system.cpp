@@ -39,7 +39,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
   range_ = std::max(range_, pairs_.bond_reach());
   edge_range_ = pairs_.largest_edge_range();
   for (const auto& [a, b] : pairs_.classes().examples())
-    if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).range);
+    if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).reach());
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   stride_ = std::max(2 * mean_edge, range_);
@@ -85,7 +85,7 @@ void ContactSystem::commit(const VecX& x, History& history) const {
   for (const RememberedShare& s : narrow_phase_->held_shares()) {
     const Triangle& t = surface_.mesh.triangles[s.triangle];
     const auto [a, b, c] = corners(x, t);
-    const double range = pairs_.thin(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).range;
+    const double range = pairs_.thin(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).reach();
     if (point_triangle_distance(vertex(x, s.point), a, b, c) < range * range) shares.push_back(s);
   }
   remember_shares(shares, surface_.mesh, history);

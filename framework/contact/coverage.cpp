@@ -44,10 +44,10 @@ struct Coverage::Found {
   std::vector<int> around;  // what those that wait refer to
 
   // All or cells of a triangle.
-  void wait(int triangle, int object, int depth, const std::vector<int>& near, const std::vector<TriangleDivision::Left>& left) {
+  void wait(int triangle, int object, int depth, const std::vector<int>& near, const std::vector<TriangleDivision::Left>& left, int part = -1) {
     const int begin = static_cast<int>(around.size());
     around.insert(around.end(), near.begin(), near.end());
-    for (const auto& [cell, away] : left) waiting.push_back({triangle, object, depth, cell, begin, static_cast<int>(around.size()), away});
+    for (const auto& [cell, away] : left) waiting.push_back({triangle, object, depth, cell, begin, static_cast<int>(around.size()), away, part});
   }
 };
 
@@ -96,6 +96,19 @@ bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const 
   });
 }
 
+// Whether the same holds between all of a triangle that is covered at its corners and what lies opposite, and for the corners, which get its area.
+bool Coverage::one_law(const std::vector<GroupView>& views, int triangle, int object, const std::array<Corner, 3>& at) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  const Triangle& own = mesh.triangles[triangle];
+  const int of = mesh.vertex_object[own[0]];
+  if (!pairs_.has_parts(of, object)) return true;
+  const auto opposite = [&](int i) -> const Triangle& { return mesh.triangles[views[at[i].view].view.pieces[at[i].piece].triangle]; };
+  const int part = pairs_.part(of, object, own, opposite(0));
+  for (int i = 0; i < 3; ++i)
+    if (pairs_.part(of, object, own, opposite(i)) != part || pairs_.part(of, object, std::array{own[i]}, opposite(i)) != part) return false;
+  return true;
+}
+
 // By their orientations alone.
 bool Coverage::may_face(int triangle, int other) const {
   return held_.cosine(triangle, held_.normal(other)) > least_cosine ||
@@ -116,7 +129,7 @@ void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& si
       const auto at = corners(views, t, view->object);
       if (!covered(views, t, at)) continue;
       const SeenPiece& piece = view->view.pieces[at[0].piece];
-      if (piece.distance >= role.range) continue;
+      if (piece.distance >= role.reach()) continue;
       IntegrationSides::Capture& capture = sides.capture(object, view->object);
       capture.area += held_.area(t) * held_.cosine(t, piece.normal);
       ++capture.triangles;
@@ -165,11 +178,11 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
     for (const Opposite& other : chunk.opposite) {
       if (!own.overlaps(other.reached)) continue;
       const PairRole& role = pairs_.point(mesh.vertex_object[mesh.triangles[t][0]], other.object);
-      const double reach = 2 * role.range;
+      const double reach = 2 * role.reach();
       Found& found = other.found[chunk.index];
       const auto at = corners(views, t, other.object);
-      const bool whole = covered(views, t, at), small = 2 * held_.area(t) <= reach * reach;
-      if (whole && (small || role.bonds || even_gap(t, at, views, role.range))) {
+      const bool whole = covered(views, t, at) && one_law(views, t, other.object, at), small = 2 * held_.area(t) <= reach * reach;
+      if (whole && (small || role.bonds || even_gap(t, at, views, role.reach()))) {
         take_covered(t, reach, role.bonds, at, views, found);
         continue;
       }
@@ -190,10 +203,27 @@ std::vector<int> Coverage::facing(int triangle, std::span<const int> others) con
   return found;
 }
 
+// others: of that object.
+std::vector<Coverage::FacedPart> Coverage::faced_parts(int triangle, int object, std::span<const int> others) const {
+  const CollisionMesh& mesh = surface_.mesh;
+  const std::vector<int> faced = facing(triangle, others);
+  const int own = mesh.vertex_object[mesh.triangles[triangle][0]];
+  std::vector<FacedPart> found;
+  if (!pairs_.has_parts(own, object)) found.push_back({std::nullopt, faced});
+  else
+    for (int part = -1; part < pairs_.parts(own, object); ++part) {
+      const PartOfSurface seen(pairs_, mesh, triangle, object, part);
+      std::vector<int> of_part;
+      std::copy_if(faced.begin(), faced.end(), std::back_inserter(of_part), [&](int t) { return seen.has(t); });
+      if (!of_part.empty()) found.push_back({seen, std::move(of_part)});
+    }
+  return found;
+}
+
 // near: triangles of any object, ascending.
 Coverage::Around Coverage::find_around(int triangle, int object, const std::vector<int>& near) const {
   const CollisionMesh& mesh = surface_.mesh;
-  const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).range;
+  const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).reach();
   Around around{{}, 2 * range, true, false};
   const auto first = std::lower_bound(near.begin(), near.end(), first_triangle_[object]);
   const auto last = std::lower_bound(first, near.end(), first_triangle_[object + 1]);
@@ -215,13 +245,14 @@ Coverage::Around Coverage::find_around(int triangle, int object, const std::vect
 void Coverage::divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const {
   const PairRole& role = pairs_.point(surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]], object);
   // Samples are no larger than the reach, as what they stand for has about one gap; where it varies, than the range.
-  const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.range : role.range);
-  if (around.nearest > role.range && !role.bonds)
-    return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.range}});
-  std::vector<TriangleDivision::Left> left;
-  division.divide(triangle, object, role.range, depth, facing(triangle, around.triangles),
-                  role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
-  if (!left.empty()) found.wait(triangle, object, depth, around.triangles, left);
+  const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.reach() : role.reach());
+  if (around.nearest > role.reach() && !role.bonds)
+    return found.wait(triangle, object, depth, around.triangles, {{TriangleDivision::all, around.nearest - role.reach()}});
+  for (const FacedPart& faced : faced_parts(triangle, object, around.triangles)) {
+    std::vector<TriangleDivision::Left> left;
+    division.divide({triangle, object, role.reach(), depth}, faced.triangles, faced.seen(), role.bonds ? std::span<const int>() : around.triangles, found.samples, found.parts, left);
+    if (!left.empty()) found.wait(triangle, object, depth, around.triangles, left, faced.number());
+  }
 }
 
 bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
@@ -249,7 +280,7 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
   std::vector<std::array<int, 2>> found;
   const auto take = [&](int a, int b) {
     Aabb reached = boxes[b];
-    reached.inflate(2 * pairs_.point(a, b).range);
+    reached.inflate(2 * pairs_.point(a, b).reach());
     if (weighs(a, b, sides) && boxes[a].overlaps(reached)) found.push_back({a, b});
   };
   for (size_t i = 0; i < order.size(); ++i)
@@ -279,7 +310,7 @@ void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phas
       const int b = near[last][1];
       all[last].resize(chunk_count(n));
       opposite.push_back({b, boxes[b], all[last].data()});
-      opposite.back().reached.inflate(2 * pairs_.point(a, b).range);
+      opposite.back().reached.inflate(2 * pairs_.point(a, b).reach());
     }
     for (int c = 0; c < chunk_count(n); ++c)
       chunks.push_back({opposite, c, begin + c * chunk_size, begin + std::min(n, (c + 1) * chunk_size)});

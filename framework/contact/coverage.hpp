@@ -4,14 +4,18 @@
 // their corners, if they are small or the gap is even. Where the rim runs across a triangle, or it is so large that only its inside is opposite, it is
 // divided and cut along the rim, and what is covered of it is represented by points inside (samples). So the area that adheres is the
 // overlap, whatever the meshes, and what only comes near a rim from beside does not count.
+// Where other laws hold between parts of the two (pair_table.hpp), what a triangle faces is taken part by part, unless one law holds for all of it and for what
+// its corners stand for.
 // What is out of range when the step begins exerts no force then, and most of it none in the whole step. So such triangles wait: each is
 // divided, as the step found it, as soon as it may have come within range, and likewise each part of it of which one sample is made.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "framework/contact/covered_parts.hpp"
+#include "framework/contact/part_of_surface.hpp"
 #include "framework/contact/point_pieces.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
@@ -27,6 +31,7 @@ struct ContactSample {
   Vec3 normal;   // unit, of what is opposite, towards the point
   double area;   // towards that [m^2]
   int cell;      // of the triangle, which it stands for
+  int part;      // of what is opposite, by the laws that hold (PairTable::part)
 };
 
 class Coverage {
@@ -41,7 +46,7 @@ class Coverage {
   // Divides the triangles that wait and may be within range at x. The numbers of their samples, ascending; others keep their order.
   std::vector<int> approach(const VecX& x);
 
-  // By object, object opposite, triangle and cell.
+  // By object, object opposite, triangle, cell and part.
   const std::vector<ContactSample>& samples() const { return samples_; }
   // What those areas are made of, of each pair that has any.
   const std::vector<CoveredParts>& parts() const { return parts_; }
@@ -58,6 +63,7 @@ class Coverage {
     int depth, cell;  // triangle_division.hpp
     int begin, end;  // into around_
     double away;     // by so much [m]
+    int part = -1;   // of the object, if it is a cell
   };
   // Those that wait of one object for another one.
   struct WaitingPair {
@@ -71,6 +77,13 @@ class Coverage {
     bool parallel;   // all that it may face
     bool faced;      // there is such
   };
+  // What a triangle faces of an object, and to which the same laws hold; no part: all that it faces.
+  struct FacedPart {
+    std::optional<PartOfSurface> part;
+    std::vector<int> triangles;
+    const PartOfSurface* seen() const { return part ? &*part : nullptr; }
+    int number() const { return part ? part->part() : -1; }
+  };
   struct Found;
   struct Opposite;
   struct Chunk;
@@ -78,6 +91,7 @@ class Coverage {
   std::array<Corner, 3> corners(const std::vector<GroupView>& views, int triangle, int object) const;
   bool covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const;
   bool even_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) const;
+  bool one_law(const std::vector<GroupView>& views, int triangle, int object, const std::array<Corner, 3>& at) const;
   bool may_face(int triangle, int other) const;
   bool weighs(int a, int b, const IntegrationSides& sides) const;
   // Ordered pairs of objects that want weights, integrate and may be near, ascending.
@@ -87,6 +101,7 @@ class Coverage {
   Around find_around(int triangle, int object, const std::vector<int>& near) const;
   void divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const;
   std::vector<int> facing(int triangle, std::span<const int> others) const;
+  std::vector<FacedPart> faced_parts(int triangle, int object, std::span<const int> others) const;
   std::vector<int> divide(const std::vector<int>& numbers);
   void add_waiting(int a, int b, std::span<const Waiting> some, const std::vector<int>& around);
   std::vector<int> insert(std::vector<ContactSample>& added);

@@ -55,7 +55,7 @@ std::vector<int> Coverage::approach(const VecX& x) {
   std::vector<char> come(waiting_.size(), 0);
   for_each(static_cast<int>(pairs.size()), [&](int i) {
     const WaitingPair& pair = waiting_pairs_[pairs[i]];
-    const double range = pairs_.point(pair.a, pair.b).range;
+    const double range = pairs_.point(pair.a, pair.b).reach();
     for (int k = pair.begin; k < pair.end; ++k) {
       Waiting& w = waiting_[k];
       if (w.begin == w.end) continue;
@@ -87,13 +87,14 @@ std::vector<int> Coverage::divide(const std::vector<int>& numbers) {
     TriangleDivision division(surface_.mesh, held_);
     for (int i = first; i < last; ++i) {
       Waiting& w = waiting_[numbers[i]];
-      const std::vector<int> around(around_.begin() + w.begin, around_.begin() + w.end), faced = facing(w.triangle, around);
+      const std::vector<FacedPart> parts = faced_parts(w.triangle, w.object, std::span(around_).subspan(w.begin, w.end - w.begin));
       w.end = w.begin;  // it waits no more
-      const double range = pairs_.point(own(w.triangle), w.object).range;
-      if (w.cell == TriangleDivision::all) {
-        std::vector<TriangleDivision::Left> none;
-        division.divide(w.triangle, w.object, range, w.depth, faced, {}, found[c].samples, found[c].parts, none);
-      } else division.divide_cell(w.triangle, w.object, range, w.depth, w.cell, faced, found[c].samples, found[c].parts);
+      const TriangleDivision::What what{w.triangle, w.object, pairs_.point(own(w.triangle), w.object).reach(), w.depth};
+      for (const FacedPart& faced : parts)
+        if (w.cell == TriangleDivision::all) {
+          std::vector<TriangleDivision::Left> none;
+          division.divide(what, faced.triangles, faced.seen(), {}, found[c].samples, found[c].parts, none);
+        } else if (faced.number() == w.part) division.divide_cell(what, w.cell, faced.triangles, faced.seen(), found[c].samples, found[c].parts);
     }
   }, few);
   std::vector<ContactSample> added;
@@ -104,7 +105,7 @@ std::vector<int> Coverage::divide(const std::vector<int>& numbers) {
 // Cells of one triangle may come one after another.
 std::vector<int> Coverage::insert(std::vector<ContactSample>& added) {
   const auto key = [&](const ContactSample& s) {
-    return std::array{surface_.mesh.vertex_object[surface_.mesh.triangles[s.triangle][0]], s.object, s.triangle, s.cell};
+    return std::array{surface_.mesh.vertex_object[surface_.mesh.triangles[s.triangle][0]], s.object, s.triangle, s.cell, s.part};
   };
   const auto before = [&](const ContactSample& a, const ContactSample& b) { return key(a) < key(b); };
   std::sort(added.begin(), added.end(), before);

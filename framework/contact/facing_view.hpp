@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "framework/contact/held_surface.hpp"
+#include "framework/contact/part_of_surface.hpp"
 
 namespace tack {
 
@@ -46,6 +47,9 @@ struct Viewpoint {
 class FacingViewer {
  public:
   FacingViewer(const CollisionMesh& mesh, const HeldSurface& held) : mesh_(mesh), held_(held) {}
+
+  // What is looked at from now on is a part that ends at its seams; null: all of a surface.
+  void look_at(const PartOfSurface* part) { part_ = part; }
 
   Viewpoint vertex_view(int vertex_index) const;
   // One of position x inside a triangle, which stands for the given area.
@@ -83,6 +87,7 @@ class FacingViewer {
 
   const CollisionMesh& mesh_;
   const HeldSurface& held_;
+  const PartOfSurface* part_ = nullptr;
   std::vector<Seen> seen_;
 };
 

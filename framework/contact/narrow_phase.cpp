@@ -99,7 +99,7 @@ class SampleSearch : StencilSearch {
   void search(int i) {
     const ContactSample& sample = samples_[i];
     const Triangle& own = mesh_.triangles[sample.triangle];
-    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object);
+    const PairRole& role = pairs_.point(mesh_.vertex_object[own[0]], sample.object, sample.part);
     triangles_.clear();
     for (int k = pieces_.pieces[i].begin; k < pieces_.pieces[i].end; ++k) triangles_.push_back(mesh_.triangles[pieces_.triangles[k]]);
     const Vec3 p = point_inside(x_, own, sample.inside);
@@ -120,6 +120,11 @@ class SampleSearch : StencilSearch {
   const SamplePieces& pieces_;
 };
 
+const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, const Edge& a, const Edge& b) {
+  const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
+  return pairs.edge(object, other, pairs.part(object, other, a, b));
+}
+
 // edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
                   const std::vector<int>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
@@ -130,7 +135,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     const auto [ia, ib] = candidates.edge_edge[edge_pairs[i]];
     if (candidates.distances.edge_edge[edge_pairs[i]] - strays.edge(ia) - strays.edge(ib) >= largest) continue;
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
-    const PairRole& role = pairs.edge(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
+    const PairRole& role = edge_role(mesh, pairs, a, b);
     const auto ca = corners(x, a), cb = corners(x, b);
     if (box_gaps(ca, cb).maxCoeff() >= role.range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
@@ -145,7 +150,8 @@ void search_crossings(const CollisionMesh& mesh, const PairTable& pairs, const s
                       const std::vector<char>& free, const VecX& x, Found& found) {
   for (const auto& [edges, area] : crossings) {
     const Edge &a = mesh.edges[edges[0]], &b = mesh.edges[edges[1]];
-    const PairRole& role = pairs.thin(mesh.vertex_object[a[0]], mesh.vertex_object[b[0]]);
+    const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
+    const PairRole& role = pairs.thin(object, other, pairs.part(object, other, a, b));
     const auto ca = corners(x, a), cb = corners(x, b);
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
     if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
@@ -202,7 +208,7 @@ void NarrowPhase::choose_edges(const Candidates& candidates) {
     const auto [ia, ib] = candidates.edge_edge[i];
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
-    const PairRole& role = pairs_.edge(object, other);
+    const PairRole& role = edge_role(mesh, pairs_, a, b);
     if (role.law < 0 || candidates.clearances.edge_edge[i] >= role.range) return false;
     if (object != other || pairs_.plain_sums) return true;
     return !rest_neighbours(surface_, a, b, role.range);

@@ -13,9 +13,15 @@
 // theirs lies opposite. So between a surface and a rod or particle it is always the latter that integrates, whatever the
 // side of the pair; between two rods, or a rod and a particle, what counts is where the shadows of the two overlap
 // (rod_overlaps.hpp).
+//
+// Parts of surfaces may have laws of their own between them. A triangle or edge is of a part if all of its vertices are, and the whole takes
+// part in the integral as before: the seam between two parts is a rim to each of them (part_of_surface.hpp), so that areas and forces are those of two
+// objects that meet there. Of a triangle it is the one opposite that decides, of what is only guarded against, and of rods and particles, what is nearest.
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "framework/contact/pair_law.hpp"
@@ -36,7 +42,20 @@ struct PairRole {
   bool finer = false;        // pressure only if this side has the finer surface
   bool by_size = false;      // both sides press, with shares by the sizes of their cells; beyond a rim, nothing does
   bool covered = false;      // only where the other surface lies opposite: stated tractions end at its rim
-  bool bonds = false;        // what is covered bonds (framework/bond)
+  bool bonds = false;        // what is covered bonds (framework/bond), or some of it
+  bool pulls_too = false;    // then: other parts of it adhere by a law of the gap
+  double range_of_parts = 0;  // the largest of laws between parts of the two objects [m]
+
+  double reach() const { return std::max(range, range_of_parts); }
+};
+
+// Sets of parts that places are of, a bit for each.
+using PartSet = std::uint64_t;
+
+// What holds instead where one place is of some parts of the first object, the other of some of the second.
+struct PartRoles {
+  PartSet first = 0, second = 0;  // they have to be of all of these
+  PairRole point, edge, thin;     // as below; point: of points of the first object
 };
 
 // Over classes of objects: what is set for two objects holds for all that are of their classes.
@@ -68,6 +87,40 @@ class PairTable {
   bool any_tangential() const {
     return std::any_of(tangential_.begin(), tangential_.end(), [](const auto& t) { return t.acts(); });
   }
+
+  // Per vertex; empty: no object has parts.
+  void set_parts(std::vector<PartSet> of_vertex) { part_of_vertex_ = std::move(of_vertex); }
+  const std::vector<PartSet>& part_sets() const { return part_of_vertex_; }
+  static constexpr int most_parts = 64;
+  // Of points of a against b, the one that holds first first; for b against a they are set as well.
+  void add_part(int a, int b, PartRoles roles) {
+    if (parts_.empty()) parts_.resize(classes_.entries());
+    largest_edge_range_ = std::max(largest_edge_range_, roles.edge.range);
+    parts_[classes_.index(a, b)].push_back(std::move(roles));
+  }
+  bool has_parts(int a, int b) const { return !parts_.empty() && !parts_[classes_.index(a, b)].empty(); }
+  int parts(int a, int b) const { return parts_.empty() ? 0 : static_cast<int>(parts_[classes_.index(a, b)].size()); }
+  // That an element is of, by its vertices.
+  template <std::size_t K>
+  PartSet parts_of(const std::array<int, K>& vertices) const {
+    PartSet all = ~PartSet(0);
+    for (const int v : vertices) all &= part_of_vertex_[v];
+    return all;
+  }
+  // Which of the parts' roles hold between two elements of a and b; -1: those of the whole objects.
+  template <std::size_t K, std::size_t L>
+  int part(int a, int b, const std::array<int, K>& of_a, const std::array<int, L>& of_b) const {
+    if (!has_parts(a, b)) return -1;
+    const PartSet first = parts_of(of_a), second = parts_of(of_b);
+    const std::vector<PartRoles>& all = parts_[classes_.index(a, b)];
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if ((first & all[i].first) == all[i].first && (second & all[i].second) == all[i].second) return static_cast<int>(i);
+    return -1;
+  }
+  const PartRoles& part_roles(int a, int b, int part) const { return parts_[classes_.index(a, b)][part]; }
+  const PairRole& point(int a, int b, int part) const { return part < 0 ? point(a, b) : part_roles(a, b, part).point; }
+  const PairRole& edge(int a, int b, int part) const { return part < 0 ? edge(a, b) : part_roles(a, b, part).edge; }
+  const PairRole& thin(int a, int b, int part) const { return part < 0 ? thin(a, b) : part_roles(a, b, part).thin; }
 
   // Points of object a against the surface of object b.
   PairRole& point(int a, int b) { return point_[classes_.index(a, b)]; }
@@ -105,7 +158,7 @@ class PairTable {
 
   // Whether any pair adheres by a law of the gap where it is covered, so that its rim pulls.
   bool any_rim() const {
-    return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.covered && !role.bonds; });
+    return std::any_of(point_.begin(), point_.end(), [](const PairRole& role) { return role.covered && (!role.bonds || role.pulls_too); });
   }
 
   // Plain IPC sums instead: every close pair of primitives counts, no inclusion-exclusion.
@@ -117,6 +170,8 @@ class PairTable {
   std::vector<PairLaw> laws_;
   std::vector<TangentialLaw> tangential_;  // per law
   std::vector<PairRole> point_, edge_, thin_;
+  std::vector<PartSet> part_of_vertex_;
+  std::vector<std::vector<PartRoles>> parts_;  // empty without any
   std::vector<double> offset_;  // m
   double largest_edge_range_ = 0, largest_offset_ = 0, bond_reach_ = 0;  // m
 };

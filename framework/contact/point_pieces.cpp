@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
@@ -23,7 +24,8 @@ class PieceMaker {
   void add(int g) {
     const PointGroup& group = r_.groups.groups[g];
     const int own = mesh_.vertex_object[group.point];
-    const PairRole& role = r_.pairs.point(own, group.object);
+    part_ = nearest_part(group, own);
+    const PairRole& role = r_.pairs.point(own, group.object, part_);
     if (role.law < 0) return;
     if (r_.pairs.plain_sums) {
       add_all(group, {role.law, role.range, role.share * whole(group.point)});
@@ -50,6 +52,23 @@ class PieceMaker {
     int law;  // -1: none
     double range;
   };
+
+  // That of what is nearest of the group.
+  int nearest_part(const PointGroup& group, int own) const {
+    if (!r_.pairs.has_parts(own, group.object)) return -1;
+    const VecX& x = r_.held.x();
+    const std::array point{group.point};
+    double nearest = std::numeric_limits<double>::infinity();
+    int part = -1;
+    const auto look = [&](const auto& element) {
+      const double squared = squared_distance(corners(x, point), corners(x, element));
+      if (squared < nearest) nearest = squared, part = r_.pairs.part(own, group.object, point, element);
+    };
+    for (int i = group.triangle_begin; i < group.triangle_end; ++i) look(mesh_.triangles[triangle(i)]);
+    for (int i = group.edge_begin; i < group.edge_end; ++i) look(mesh_.edges[rod(i)]);
+    for (int i = group.other_begin; i < group.other_end; ++i) look(std::array{particle(i)});
+    return part;
+  }
 
   const SurfaceTopology& topology() const { return r_.held.topology(); }
   double whole(int point) const {
@@ -133,7 +152,7 @@ class PieceMaker {
 
   // What a vertex of a surface has no part in: the rod or particle integrates.
   void add_rods_and_particles(const PointGroup& group, const PairRole& role) {
-    const PairRole& thin = r_.pairs.thin(mesh_.vertex_object[group.point], group.object);
+    const PairRole& thin = r_.pairs.thin(mesh_.vertex_object[group.point], group.object, part_);
     const double presses = topology().thin(group.point) ? thin_area(group) : 0;
     if (presses > 0) {
       begin(group, {thin.law, thin.range, presses});
@@ -169,6 +188,12 @@ class PieceMaker {
     return role.by_size && piece.beyond > rim_slack * std::sqrt(piece.area) ? 0 : part * piece.area;
   }
 
+  // By the triangle that leads a piece.
+  const PairRole& role_towards(const PointGroup& group, const SeenPiece& piece) const {
+    const int own = mesh_.vertex_object[group.point];
+    return r_.pairs.point(own, group.object, r_.pairs.part(own, group.object, std::array{group.point}, mesh_.triangles[piece.triangle]));
+  }
+
   void add_pressure(const PointGroup& group, const PairRole& role) {
     const auto known = std::lower_bound(r_.views.begin(), r_.views.end(), group.key(),
                                         [](const GroupView& v, const std::array<int, 2>& key) { return v.key() < key; });
@@ -180,7 +205,7 @@ class PieceMaker {
       areas[k] = pressure_area(view.pieces[k], role, parts[k]);
     }
     const Viewpoint from = viewer_.vertex_view(group.point);
-    const double reach = std::max(role.range, guard.law >= 0 ? guard.range : 0);
+    const double reach = std::max(role.reach(), guard.law >= 0 ? guard.range : 0);
     near_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
       if (!reaches(i, reach)) continue;
@@ -188,7 +213,8 @@ class PieceMaker {
       near_.push_back({i, piece >= 0 && areas[piece] > 0 ? piece : -1});
     }
     for (int k = 0; k < view.count; ++k) {
-      add_piece(group, {role.law, role.range, areas[k]}, k);
+      const PairRole& here = role_towards(group, view.pieces[k]);
+      add_piece(group, {here.law, here.range, areas[k]}, k);
       // What presses little must not come through, either.
       const double rest = role.by_size ? (1 - parts[k]) * r_.held.whole(group.point) : 0;
       if (guard.law >= 0 && rest > 0) add_piece(group, {guard.law, guard.range, rest}, k);
@@ -204,7 +230,7 @@ class PieceMaker {
 
   // What a vertex has of rods and particles. Where it has little of its area towards something, it guards.
   void add_thin(const PointGroup& group, const PairRole& role) {
-    const PairRole& pressure = r_.pairs.thin(mesh_.vertex_object[group.point], group.object);
+    const PairRole& pressure = r_.pairs.thin(mesh_.vertex_object[group.point], group.object, part_);
     const double area = r_.held.thin(group.point);
     triangles_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) triangles_.push_back(triangle(i));
@@ -271,6 +297,7 @@ class PieceMaker {
   FacingViewer viewer_;
   ThinViewer thin_viewer_;
   PointPieces out_;
+  int part_ = -1;                   // of what is nearest of a group, by the laws that hold
   std::vector<NearTriangle> near_;  // of a group
   std::vector<int> triangles_;      // likewise
   std::vector<Triangle> near_triangles_;

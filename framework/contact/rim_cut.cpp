@@ -23,7 +23,7 @@ void add_line(const CollisionMesh& mesh, const HeldSurface& held, int triangle, 
 
 }  // namespace
 
-void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, int triangle, const Vec3& p,
+void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, const PartOfSurface* part, int triangle, const Vec3& p,
                    std::vector<RimLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
   const PointTriangleType type =
@@ -31,16 +31,17 @@ void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, int trian
   const int feature = static_cast<int>(type);  // three vertices, three edges, the face
   const SurfaceTopology& topology = held.topology();
   if (feature >= 6) return;
+  const auto goes_on = [&](int of, int side) { return topology.smooth_edge(of, side) && (!part || part->beyond(topology, of, side)); };
   if (feature >= 3) {
-    if (!topology.smooth_edge(triangle, feature - 3)) add_line(mesh, held, triangle, feature - 3, lines);
+    if (!goes_on(triangle, feature - 3)) add_line(mesh, held, triangle, feature - 3, lines);
     return;
   }
   const int corner = t[feature];
   for (const int near : topology.triangles_at(corner)) {
-    if (!(held.normal(near).dot(held.normal(triangle)) > least_cosine)) continue;
+    if (!(held.normal(near).dot(held.normal(triangle)) > least_cosine) || (part && !part->has(near))) continue;
     for (int side = 0; side < 3; ++side) {
       const bool at_corner = mesh.triangles[near][side] == corner || mesh.triangles[near][(side + 1) % 3] == corner;
-      if (at_corner && !topology.smooth_edge(near, side)) add_line(mesh, held, near, side, lines);
+      if (at_corner && !goes_on(near, side)) add_line(mesh, held, near, side, lines);
     }
   }
 }

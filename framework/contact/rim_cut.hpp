@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "framework/contact/held_surface.hpp"
+#include "framework/contact/part_of_surface.hpp"
 
 namespace tack {
 
@@ -22,8 +23,8 @@ struct CutCorner {
 };
 using CutFace = std::vector<CutCorner>;
 
-// Adds the lines of the creases and boundaries in which the closest point of a triangle to p lies.
-void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, int triangle, const Vec3& p,
+// Adds the lines of the creases and boundaries in which the closest point of a triangle to p lies, and of the seams of the part that it is of (null: none).
+void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, const PartOfSurface* part, int triangle, const Vec3& p,
                    std::vector<RimLine>& lines);
 
 // Of the piece with those corners of the triangle `own`.

@@ -17,9 +17,8 @@ std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
 class PairForces {
  public:
   // sum: zero, and again when they have been handed over; touched: none, and of none again.
-  PairForces(const PairRole& role, const PairTable& table, const CollisionMesh& mesh, const HeldSurface& held, VecX& sum,
-             std::vector<char>& touched)
-      : role_(role), law_(table.laws()[role.law]), mesh_(mesh), held_(held), sum_(sum), touched_(touched) {}
+  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const HeldSurface& held, VecX& sum, std::vector<char>& touched)
+      : a_(a), b_(b), table_(table), mesh_(mesh), held_(held), sum_(sum), touched_(touched) {}
 
   void add(const RimPart& rim) {
     const std::array<Vec3, 3> other = corners(held_.x(), mesh_.triangles[rim.other]);
@@ -29,7 +28,7 @@ class PairForces {
     const double part = along.dot(p - other[rim.side]) / along.squaredNorm();
     const double height = normal.dot(p - other[rim.side]);
     const Vec3 outward = along.cross(normal).normalized();
-    const double strength = energy(std::abs(height)) * rim.length;
+    const double strength = energy(rim.triangle, rim.other, std::abs(height)) * rim.length;
     if (strength == 0) return;
     Vec3 foot = Vec3::Zero();
     foot[rim.side] = 1 - part;
@@ -46,7 +45,7 @@ class PairForces {
     const std::array<Vec3, 3> own = corners(held_.x(), mesh_.triangles[covered.triangle]);
     const Vec3 twice = (own[1] - own[0]).cross(own[2] - own[0]);
     const double whole = twice.dot(normal) / 2;
-    const double strength = energy(covered.distance);
+    const double strength = energy(covered.triangle, covered.leader, covered.distance);
     if (strength == 0 || std::abs(whole) < least_cosine / 2 * twice.norm()) return;
     const double half = -strength * covered.area / whole / 2;  // the sign with it
     if (covered.leader != leader_) {  // corners of a triangle mostly have the same
@@ -69,15 +68,18 @@ class PairForces {
   }
 
  private:
-  double energy(double distance) const { return role_.share * std::min(0.0, law_.at(distance).value); }
+  double energy(int triangle, int other, double distance) const {
+    const PairRole& role = table_.point(a_, b_, table_.part(a_, b_, mesh_.triangles[triangle], mesh_.triangles[other]));
+    return role.share * std::min(0.0, table_.laws()[role.law].at(distance).value);
+  }
   void act(int v, const Vec3& force) {
     vertex(sum_, v) += force;
     if (!touched_[v]) order_.push_back(v);
     touched_[v] = true;
   }
 
-  const PairRole& role_;
-  const PairLaw& law_;
+  int a_, b_;
+  const PairTable& table_;
   const CollisionMesh& mesh_;
   const HeldSurface& held_;
   VecX& sum_;
@@ -102,7 +104,7 @@ void RimForces::take(const std::vector<CoveredParts>& pairs, const PairTable& ta
       all_ = sum = VecX::Zero(held.x().size());
       touched.assign(mesh.vertex_object.size(), false);
     }
-    PairForces forces(role, table, mesh, held, sum, touched);
+    PairForces forces(pair.a, pair.b, table, mesh, held, sum, touched);
     for (const CoveredPart& part : pair.parts) forces.add(part);
     for (const RimPart& rim : pair.rims) forces.add(rim);
     Pair& found = pairs_.emplace_back();

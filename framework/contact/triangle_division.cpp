@@ -34,32 +34,34 @@ int TriangleDivision::depth_of(double area, double size) {
   return std::clamp(static_cast<int>(std::ceil(std::log2(std::sqrt(2 * area) / size))), 1, most_depth);
 }
 
-void TriangleDivision::begin(int triangle, int object, double range, int depth, std::vector<ContactSample>& out, CoveredParts& parts) {
+void TriangleDivision::begin(const What& what, const PartOfSurface* seen, std::vector<ContactSample>& out, CoveredParts& parts) {
   parts_ = &parts;
-  triangle_ = triangle;
-  object_ = object;
-  range_ = range;
-  reach_ = 2 * range;
+  triangle_ = what.triangle;
+  object_ = what.object;
+  seen_ = seen;
+  viewer_.look_at(seen);
+  range_ = what.range;
+  reach_ = 2 * what.range;
   out_ = &out;
-  size_ = std::sqrt(2 * held_.area(triangle));
+  size_ = std::sqrt(2 * held_.area(triangle_));
   slack_ = 1e-9 * size_;
-  sample_depth_ = depth;
+  sample_depth_ = what.depth;
   last_depth_ = sample_depth_ + finer;
 }
 
-void TriangleDivision::divide(int triangle, int object, double range, int depth, const std::vector<int>& facing, std::span<const int> around,
+void TriangleDivision::divide(const What& what, const std::vector<int>& facing, const PartOfSurface* seen, std::span<const int> around,
                               std::vector<ContactSample>& out, CoveredParts& parts, std::vector<Left>& left) {
-  begin(triangle, object, range, depth, out, parts);
+  begin(what, seen, out, parts);
   around_ = around;
   left_ = &left;
   part(whole, 0, 0, facing);
 }
 
-void TriangleDivision::divide_cell(int triangle, int object, double range, int depth, int cell, const std::vector<int>& facing,
-                                   std::vector<ContactSample>& out, CoveredParts& parts) {
-  begin(triangle, object, range, depth, out, parts);
+void TriangleDivision::divide_cell(const What& what, int cell, const std::vector<int>& facing, const PartOfSurface* seen, std::vector<ContactSample>& out,
+                                   CoveredParts& parts) {
+  begin(what, seen, out, parts);
   Corners c = whole;
-  for (int below = depth - 1; below >= 0; --below) c = children_of(c)[cell >> 2 * below & 3];
+  for (int below = what.depth - 1; below >= 0; --below) c = children_of(c)[cell >> 2 * below & 3];
   gather(c, cell, those_near(c, facing));
 }
 
@@ -134,7 +136,7 @@ void TriangleDivision::gather(const Corners& c, int cell, const std::vector<int>
   // The strip along a rim that only the slack covers is no sample.
   const double strip = slack_ * size_ / (1 << sample_depth_);
   if (!(own.area > 4 * strip) || !(own.normal.norm() > accuracy * own.area)) return;
-  out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell});
+  out_->push_back({triangle_, own.inside / own.area, object_, own.normal.normalized(), own.area, cell, seen_ ? seen_->part() : -1});
   parts_->parts.push_back({triangle_, own.leader, own.area, own.distance / own.area});
 }
 
@@ -160,7 +162,7 @@ bool TriangleDivision::cut(const Corners& c, const Look& seen, const std::vector
   lines_.clear();
   for (int i = 0; i < 3; ++i) {
     if (!seen.from[i].any) return false;
-    if (!seen.from[i].covered) add_rim_lines(mesh_, held_, seen.from[i].triangle, place(c[i]), lines_);
+    if (!seen.from[i].covered) add_rim_lines(mesh_, held_, seen_, seen.from[i].triangle, place(c[i]), lines_);
   }
   if (lines_.empty() || lines_.size() > most_lines) return false;
   // So that corners on the rim are within, and a rim along the edge of a piece is found.

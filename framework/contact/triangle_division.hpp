@@ -24,13 +24,17 @@ class TriangleDivision {
   static constexpr int all = -1;  // cells of a triangle
   // How often a triangle of that area is divided into four until cells have about this size [m^2, m].
   static int depth_of(double area, double size);
-  // facing: those triangles of the object that it may face. range: of the law [m]; what lies opposite may be twice as far. depth: of cells.
-  // parts: of that pair. Cells are left out by the triangles `around`, which samples may act on; none is without any.
-  void divide(int triangle, int object, double range, int depth, const std::vector<int>& facing, std::span<const int> around,
-              std::vector<ContactSample>& out, CoveredParts& parts, std::vector<Left>& left);
+  struct What {
+    int triangle, object;
+    double range;  // of the law [m]; what lies opposite may be twice as far
+    int depth;     // of cells
+  };
+  // facing: those triangles of the object that it may face, or of a part of it that is seen alone (null: there is none). parts: of that pair. Cells are left out by the
+  // triangles `around`, which samples may act on; none is without any.
+  void divide(const What& what, const std::vector<int>& facing, const PartOfSurface* seen, std::span<const int> around, std::vector<ContactSample>& out,
+              CoveredParts& parts, std::vector<Left>& left);
   // One that was left out.
-  void divide_cell(int triangle, int object, double range, int depth, int cell, const std::vector<int>& facing,
-                   std::vector<ContactSample>& out, CoveredParts& parts);
+  void divide_cell(const What& what, int cell, const std::vector<int>& facing, const PartOfSurface* seen, std::vector<ContactSample>& out, CoveredParts& parts);
 
  private:
   using Corners = std::array<Vec3, 3>;  // barycentric coordinates
@@ -53,7 +57,7 @@ class TriangleDivision {
   Vec3 place(const Vec3& inside) const;
   Seen look(const Vec3& inside, const std::vector<int>& near);
   Look look_from(const Corners& points, const std::vector<int>& near);
-  void begin(int triangle, int object, double range, int depth, std::vector<ContactSample>& out, CoveredParts& parts);
+  void begin(const What& what, const PartOfSurface* seen, std::vector<ContactSample>& out, CoveredParts& parts);
   std::vector<int> those_near(const Corners& c, const std::vector<int>& near) const;
   double out_of_range(const Corners& c) const;
   bool hopeless(const Look& seen, double size) const;
@@ -68,6 +72,7 @@ class TriangleDivision {
   const CollisionMesh& mesh_;
   const HeldSurface& held_;
   FacingViewer viewer_;
+  const PartOfSurface* seen_ = nullptr;
   int triangle_ = 0, object_ = 0, sample_depth_ = 0, last_depth_ = 0;
   double range_ = 0, reach_ = 0, size_ = 0, slack_ = 0;  // m
   std::vector<ContactSample>* out_ = nullptr;

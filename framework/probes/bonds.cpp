@@ -31,7 +31,7 @@ class BondsProbe : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     std::tie(a_, b_) = between_.prepare(world, name_);
-    if (!world.bonds || world.bonds->table().between(a_, b_) < 0)
+    if (!world.bonds || !world.bonds->table().bonds(a_, b_))
       throw InputError("probe '" + name_ + "': '" + world.bodies[a_].name + "' and '" + world.bodies[b_].name +
                        "' have no adhesion by bonds; give the pair one (tack list adhesion), or take the probe away");
   }

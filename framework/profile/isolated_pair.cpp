@@ -106,7 +106,10 @@ PairTable table_of(const PairTable& all, const Cut& cut) {
     own.set_edge(i, j, all.edge(cut.body(i), cut.body(j)));
     own.set_thin(i, j, all.thin(cut.body(i), cut.body(j)));
     own.set_offset(i, j, all.offset(cut.body(i), cut.body(j)));
+    if (i != j || own.parts(i, j) == 0)
+      for (int part = 0; part < all.parts(cut.body(i), cut.body(j)); ++part) own.add_part(i, j, all.part_roles(cut.body(i), cut.body(j), part));
   });
+  if (!all.part_sets().empty()) own.set_parts(cut.part(all.part_sets()));
   return own;
 }
 

@@ -34,7 +34,10 @@ void count_candidates(const CollisionMesh& mesh, const Candidates& candidates, C
 
 // The edges of a pair have the law of its guards, unless all pairs of primitives simply add up.
 bool guards(const PairTable& pairs, int a, int b, int law) {
-  return !pairs.plain_sums && law == pairs.edge(a, b).law;
+  if (pairs.plain_sums) return false;
+  for (int part = -1; part < pairs.parts(a, b); ++part)
+    if (law == pairs.edge(a, b, part).law) return true;
+  return false;
 }
 
 void count_stencils(const ContactSystem& contact, Counter& counter) {

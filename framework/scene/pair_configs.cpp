@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "framework/config/nearest.hpp"
 
@@ -45,7 +46,8 @@ std::string PairConfigs::place(int entry) const {
   return pairs && entry < static_cast<int>(pairs->items.size()) ? pairs->items[entry].mark.text() + ": " : "";
 }
 
-PairConfigs::Side PairConfigs::side(int entry, const std::string& name) const {
+PairConfigs::Side PairConfigs::side(int entry, const PairSide& named) const {
+  const std::string& name = named.object;
   Side found{std::vector<char>(objects_, name == all_objects), name == all_objects ? all : group};
   for (int i = 0; i < objects_; ++i) {
     const NamedAs as = named_as(scene_.objects[i], name);
@@ -53,7 +55,11 @@ PairConfigs::Side PairConfigs::side(int entry, const std::string& name) const {
     found.objects[i] = 1;
     if (as == NamedAs::object) found.rank = object;
   }
-  if (std::find(found.objects.begin(), found.objects.end(), 1) != found.objects.end()) return found;
+  if (std::find(found.objects.begin(), found.objects.end(), 1) != found.objects.end()) {
+    if (named.select && found.rank != object)
+      throw error(entry, fmt::format("a part is one of a single object, and '{}' is {}; name the object", name, name == all_objects ? "all of them" : "a group"));
+    return found;
+  }
   std::vector<std::string> names;
   for (const ObjectConfig& o : scene_.objects) {
     names.push_back(o.name);
@@ -67,19 +73,30 @@ PairConfigs::Side PairConfigs::side(int entry, const std::string& name) const {
 void PairConfigs::read(int i) {
   const PairConfig& pair = scene_.contact->pairs[i];
   const Side first = side(i, pair.between[0]), second = side(i, pair.between[1]);
-  entries_[i] = {first.objects, second.objects, {}, first.rank + second.rank};
+  entries_[i] = {first.objects, second.objects, {}, first.rank + second.rank, (pair.between[0].select != nullptr) + (pair.between[1].select != nullptr)};
   const std::string& named = pair.integrate;
-  if (named == pair.between[0]) entries_[i].integrates = first.objects;
-  else if (named == pair.between[1]) entries_[i].integrates = second.objects;
+  if (named == pair.between[0].object) entries_[i].integrates = first.objects;
+  else if (named == pair.between[1].object) entries_[i].integrates = second.objects;
   else if (named != "automatic" && named != "finer" && named != "both")
     throw error(i, fmt::format("integrate: '{}' is neither automatic, finer, both, nor one of the pair; name '{}' or '{}'", named,
-                               pair.between[0], pair.between[1]));
+                               pair.between[0].object, pair.between[1].object));
 }
 
 void PairConfigs::spread(int i) {
-  const Entry& e = entries_[i];
+  if (entries_[i].parts > 0) return;
   for (const auto& [a, b] : classes_.examples())
-    if ((e.first[a] && e.second[b]) || (e.first[b] && e.second[a])) take(i, a, b);
+    if (meant(i, a, b)) take(i, a, b);
+}
+
+std::vector<int> PairConfigs::of_parts(int a, int b) const {
+  const int whole = of(a, b);
+  std::vector<int> found;
+  for (int i = 0; i < static_cast<int>(entries_.size()); ++i)
+    if (entries_[i].parts > 0 && meant(i, a, b) && (whole < 0 || entries_[i].rank >= entries_[whole].rank)) found.push_back(i);
+  std::stable_sort(found.begin(), found.end(), [&](int i, int j) {
+    return std::pair(entries_[i].rank, entries_[i].parts) > std::pair(entries_[j].rank, entries_[j].parts);
+  });
+  return found;
 }
 
 void PairConfigs::take(int i, int a, int b) {
@@ -90,7 +107,7 @@ void PairConfigs::take(int i, int a, int b) {
     if (names_objects(i)) throw error(i, fmt::format("the pair '{}', '{}' is given twice", first, second));
     const PairConfig& other = scene_.contact->pairs[known];
     throw error(i, fmt::format("'{}' and '{}' are also a pair of '{}' and '{}'{}; say which holds by an entry that names the two "
-                               "objects", first, second, other.between[0], other.between[1],
+                               "objects", first, second, other.between[0].object, other.between[1].object,
                                place(known).empty() ? "" : fmt::format(" ({})", place(known).substr(0, place(known).size() - 2))));
   }
   entry_[classes_.index(a, b)] = entry_[classes_.index(b, a)] = i;

@@ -1,10 +1,14 @@
 // Which entry of contact.pairs holds for two objects. An entry names two sides: an object, a group of objects or "*", which
 // is every object. Where several entries fit, the one that says more of who is meant holds: two objects before an object
 // and a group, then an object and all, two groups, a group and all, all and all.
-// Errors: InputError with the place of the entry for a name that is none, an integration side that is none, and two entries
+// A side may be a part of an object that it names. Such entries hold where both places are within what they name, before the entry of the whole
+// objects if they say as much of who is meant: two parts before one. Two that say as much of the same places are told apart by nothing, and refused
+// (SurfaceParts).
+// Errors: InputError with the place of the entry for a name that is none, a part of what is no single object, an integration side that is none, and two entries
 // that say as much of the same two objects.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -24,8 +28,14 @@ class PairConfigs {
   // classes: objects of one are named by the same entries (ObjectClasses).
   PairConfigs(const SceneConfig& scene, const Value& root, const ObjectClasses& classes);
 
-  // The number of the entry; -1: none fits.
+  // The number of the entry of the whole objects; -1: none fits.
   int of(int a, int b) const { return entry_[classes_.index(a, b)]; }
+  // Those of parts that hold before it, the ones that say more first, then as in the file.
+  std::vector<int> of_parts(int a, int b) const;
+  // Whether the entry's first side is on a, if it is of a and b (both may be).
+  bool turned(int entry, int a, int b) const { return !(has(entries_[entry].first, a) && has(entries_[entry].second, b)); }
+  // Whether two entries say as much.
+  bool equal(int i, int j) const { return entries_[i].rank == entries_[j].rank && entries_[i].parts == entries_[j].parts; }
   // Whether the entry names the two objects themselves.
   bool names_objects(int entry) const { return entries_[entry].rank == most_said; }
   // Whether the integration side that the entry names is, or holds, an object.
@@ -38,13 +48,15 @@ class PairConfigs {
   struct Entry {
     std::vector<char> first, second, integrates;  // per object
     int rank = 0;                                 // how much is said of who is meant
+    int parts = 0;                                // how many sides are a part
   };
   struct Side {
     std::vector<char> objects;
     int rank;
   };
   static bool has(const std::vector<char>& objects, int object) { return !objects.empty() && objects[object]; }
-  Side side(int entry, const std::string& name) const;
+  bool meant(int entry, int a, int b) const { return !turned(entry, a, b) || !turned(entry, b, a); }
+  Side side(int entry, const PairSide& named) const;
   void read(int entry);
   void spread(int entry);
   void take(int entry, int a, int b);

@@ -1,5 +1,7 @@
 #include "framework/scene/scene_config.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/bond/bond_law.hpp"
 
 namespace tack {
@@ -50,12 +52,20 @@ void ObjectConfig::fields(Fields& f) {
   f.vector("spin", spin, units::angular_velocity, "initial angular velocity of what is free of it, about its centre of mass");
 }
 
+void PairSide::fields(Fields& f) {
+  f.text("object", object, "an object, a group of objects, or \"*\"").required();
+  f.component("select", select, "of an object, a part: the triangles, edges and points all of whose vertices are chosen; all of it unless given");
+  f.bare("object");
+}
+
+std::string PairSide::text() const { return select ? fmt::format("'{}' ({})", object, select->type()) : "'" + object + "'"; }
+
 bool PairConfig::bonds() const { return dynamic_cast<const BondLaw*>(adhesion.get()) != nullptr; }
 
 void PairConfig::fields(Fields& f) {
-  f.texts("between", between, "two names, of an object or of a group of them, or \"*\" for all; the same object twice for contact of it with "
-          "itself. Where several entries fit, two objects hold before an object and a group, an object and \"*\", two groups, a "
-          "group and \"*\", twice \"*\"")
+  f.list("between", between, "two names, of an object or of a group of them, or \"*\" for all; the same object twice for contact of it with "
+         "itself; or a part of an object, {object: NAME, select: ...}. Where several entries fit, two objects hold before an object and a group, an object and \"*\", "
+         "two groups, a group and \"*\", twice \"*\"; of those that are equal in this, two parts before one, and that before none")
       .required();
   f.flag("contact", contact, "false: the two may pass through each other");
   f.component("barrier", barrier, "repulsion of this pair, instead of the common one");

@@ -68,10 +68,18 @@ struct ObjectConfig {
   void fields(Fields& f);
 };
 
+// One of two sides that meet.
+struct PairSide {
+  std::string object;                 // or a group, or "*"
+  std::unique_ptr<Selection> select;  // null: all of it
+  void fields(Fields& f);
+  std::string text() const;  // for messages
+};
+
 struct PairConfig {
   enum class Bonding { automatic, at_start, on_contact };
   enum class Unstressed { as_bonded, touching };
-  std::vector<std::string> between;
+  std::vector<PairSide> between;
   bool contact = true;
   std::unique_ptr<BarrierLaw> barrier;
   std::unique_ptr<AdhesionLaw> adhesion;

@@ -26,7 +26,7 @@ ObjectClasses named_classes(const SceneConfig& scene) {
   for (const ObjectConfig& object : scene.objects) {
     std::vector<NamedAs> named;
     for (const PairConfig& pair : scene.contact->pairs)
-      for (const std::string& name : pair.between) named.push_back(named_as(object, name));
+      for (const PairSide& side : pair.between) named.push_back(named_as(object, side.object));
     classes.push_back(known.emplace(named, static_cast<int>(known.size())).first->second);
   }
   return ObjectClasses(std::move(classes));

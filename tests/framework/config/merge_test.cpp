@@ -42,6 +42,10 @@ TEST_CASE("pairs are merged by the two objects that they name, in any order") {
   CHECK(text("pairs: [{between: [a, b], mu: 1}, {between: [a, a], mu: 2}]",
              "pairs: [{between: [b, a], eps: 3}, {between: [b, b], mu: 4}]") ==
         "{pairs: [{between: [b, a], mu: 1, eps: 3}, {between: [a, a], mu: 2}, {between: [b, b], mu: 4}]}");
+  // A part is another one than the whole, and than another part.
+  CHECK(text("pairs: [{between: [a, b], mu: 1}, {between: [{object: a, select: {type: tag, name: t}}, b], mu: 2}]",
+             "pairs: [{between: [b, {object: a, select: {type: tag, name: t}}], mu: 3}, {between: [{object: a, select: all}, b], mu: 4}, {between: [{object: b}, a], mu: 5}]") ==
+        "{pairs: [{between: [{object: b}, a], mu: 5}, {between: [b, {object: a, select: {type: tag, name: t}}], mu: 3}, {between: [{object: a, select: all}, b], mu: 4}]}");
 }
 
 TEST_CASE("lists with entries that have no name are replaced") {

@@ -76,6 +76,36 @@ TEST_CASE("pairs that are no use are told", "[scene]") {
   CHECK_THROWS_WITH(TestScene(named), Contains("a group 'wall', which is the name of an object"));
 }
 
+TEST_CASE("parts: which entry holds is told, and what cannot be is refused with its place", "[scene][parts]") {
+  const auto with = [](const std::string& pairs) { return boxes(std::string(apart) + "pairs: [" + pairs + "]"); };
+  const std::string top = "{object: a, select: {type: face, direction: [0, 1, 0]}}", left = "{object: a, select: {type: face, direction: [-1, 0, 0]}}";
+  TestScene scene(with("{between: [" + top + ", red], friction: {mu: 0.1}}, {between: [" + top + ", b], friction: {mu: 0.2}}, {between: [a, b], friction: {mu: 0.3}}, "
+                       "{between: [" + top + ", {object: b, select: all}], friction: {mu: 0.4}}, {between: [" + left + ", b], friction: {mu: 0.5}}"));
+  const World& world = *scene.world;
+  const PairTable& pairs = world.contact->pairs();
+  const int a = world.body_index("a"), b = world.body_index("b"), c = world.body_index("c");
+  // Two parts, then one each in the order of the file; that of a group says less than that of the whole objects.
+  REQUIRE(pairs.parts(a, b) == 3);
+  const auto mu = [&](int i, int j, int part) { return pairs.tangential(pairs.point(i, j, part).law).mu; };
+  for (const auto& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+    CHECK(mu(i, j, 0) == 0.4);
+    CHECK(mu(i, j, 1) == 0.2);
+    CHECK(mu(i, j, 2) == 0.5);
+    CHECK(mu(i, j, -1) == 0.3);
+  }
+  CHECK_FALSE(pairs.has_parts(a, c));
+  CHECK(pairs.parts(a, a) == 2);
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: red, select: all}, b]}")), Contains(":") && Contains("a part is one of a single object, and 'red' is a group"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: \"*\", select: all}, b]}")), Contains("all of them"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: {type: tag, name: rim}}, b]}")), Contains("has no group 'rim'"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: {type: indices, vertices: [0]}}, b]}")), Contains("holds no whole triangle"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [{object: a, select: all}, b]}, {between: [" + top + ", b]}")), Contains("are also named by another entry") && Contains("says as much"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], contact: false}")), Contains("as a whole"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b]}, {between: [a, b], contact: false}")), Contains("are in no contact"));
+  CHECK_THROWS_WITH(TestScene(with("{between: [" + top + ", b], integrate: a}, {between: [" + left + ", b], integrate: b}")), Contains("one integration side"));
+  CHECK_THROWS_WITH(TestScene(boxes(std::string(apart) + "weights: pair, pairs: [{between: [" + top + ", b]}]")), Contains("weights: pair"));
+}
+
 TEST_CASE("copies share a class; who is named, thicker or attached has one of its own", "[scene]") {
   TestScene scene("objects:\n"
                   "  - {name: grain, shape: {type: box, size: [0.1, 0.1, 0.1]}, body: affine, fill: {region: {type: sphere, radius: 1}, count: 30, clearance: 0.01}}\n"

@@ -1,0 +1,313 @@
+#include "framework/setup/pair_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "framework/setup/dynamic_pressure.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// An affine body is far stiffer than its contacts need: they carry the stress that strains it by 1e-4 at half their
+// distance with a tenth of this part of its stiffness.
+constexpr double affine_modulus = 0.01;
+// What stops a soft body that moves faster than waves run in it presses with about density times speed^2, and the barrier has to
+// carry that: it takes the body for as stiff, up to so many times its modulus.
+constexpr double most_times = 10;
+// Such a body is crushed on edges and tips, and guards are what stops it there: they act over the whole range then.
+constexpr double guard_range = 0.5, guard_range_of_fast = 1;  // contact distances
+
+// Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
+// attached to the same ones.
+ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures) {
+  std::set<std::string> names;
+  for (const PairConfig& pair : scene.contact->pairs)
+    for (const PairSide& side : pair.between) names.insert(side.object);
+  std::vector<std::set<int>> attached(world.bodies.size());
+  for (const auto& [a, b] : world.attached) attached[a].insert(b), attached[b].insert(a);
+  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double>;
+  std::map<Key, int> known;
+  std::vector<int> classes;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const ObjectConfig& object = scene.objects[i];
+    const Body& body = world.bodies[i];
+    std::vector<NamedAs> named;
+    for (const std::string& name : names) named.push_back(named_as(object, name));
+    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i]};
+    classes.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
+  }
+  return ObjectClasses(std::move(classes));
+}
+
+}  // namespace
+
+PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, World& world)
+    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), pressures_(dynamic_pressures(scene, world)),
+      classes_(classes_of(scene, world, pressures_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
+      colliding_(classes_), bonds_(classes_) {
+  table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
+  if (parts_.any()) table_.set_parts(parts_.of_vertices());
+}
+
+void PairBuilder::build() {
+  const std::set<std::pair<int, int>> all_attached(world_.attached.begin(), world_.attached.end());
+  for (const auto& [a, b] : classes_.examples()) {
+    const int index = configs_.of(a, b);
+    const std::vector<int> parts = configs_.of_parts(a, b);
+    const bool attached = all_attached.contains({a, b});
+    if (attached && index >= 0 && contact_.pairs[index].contact && configs_.names_objects(index))
+      throw configs_.error(index,
+                           fmt::format("'{}' and '{}' touch where one is attached to the other, so there is no contact between "
+                                       "them; take the pair away, or leave a gap", world_.bodies[a].name, world_.bodies[b].name));
+    const bool held = !world_.bodies[a].movable && !world_.bodies[b].movable, through = index >= 0 && !contact_.pairs[index].contact;
+    if (!parts.empty()) refuse_parts(a, b, parts, attached || through);
+    if (attached || (held && !contact_.between_held) || through) {
+      colliding_.set(a, b, false);
+      continue;
+    }
+    // Without a law, but the exact check sees one being driven through the other.
+    if (held) continue;
+    table_.set_offset(a, b, offset_of(a, b));
+    set_roles(a, b, index, parts);
+  }
+}
+
+// apart: the two are in no contact.
+void PairBuilder::refuse_parts(int a, int b, const std::vector<int>& parts, bool apart) const {
+  for (const int entry : parts) {
+    if (table_.plain_sums) throw configs_.error(entry, "parts of objects have areas, and contact.weights: pair counts close pairs instead; take it away, or name whole objects");
+    if (!contact_.pairs[entry].contact)
+      throw configs_.error(entry, "what passes through each other does so as a whole; take `contact: false` away, or name whole objects");
+    if (apart && configs_.names_objects(entry))
+      throw configs_.error(entry, fmt::format("'{}' and '{}' are in no contact, where one is attached to the other or their pair says so, and neither are parts of them; take this "
+                                              "pair away", world_.bodies[a].name, world_.bodies[b].name));
+  }
+  parts_.tell_apart(parts, a, b);
+}
+
+std::string PairBuilder::contact_place() const {
+  const Value* contact = root_.find("contact");
+  return contact ? contact->mark.text() + ": " : "";
+}
+
+// What acts along the surfaces of a pair whose adhesion has the given peak traction.
+TangentialLaw PairBuilder::tangential_of(const PairConfig* pair, double peak_traction) const {
+  TangentialLaw law;
+  if (const auto& friction = pair && pair->friction ? pair->friction : contact_.friction) {
+    law.mu = friction->mu;
+    law.eps_v = friction->eps_v;
+  }
+  if (pair && pair->tangential_adhesion) {
+    law.mu_a = pair->tangential_adhesion->mu;
+    law.eps_a = pair->tangential_adhesion->eps_a.value_or(law.eps_v);
+    law.peak_traction = peak_traction;
+  }
+  return law;
+}
+
+double PairBuilder::offset_of(int a, int b) const { return scene_.objects[a].contact_offset + scene_.objects[b].contact_offset; }
+
+// Both 0 if no side has a modulus.
+PairMaterials PairBuilder::materials_of(int a, int b) const {
+  PairMaterials m{contact_.contact_distance};
+  const auto lower = [](double& softer, double modulus) {
+    if (modulus > 0 && (softer == 0 || modulus < softer)) softer = modulus;
+  };
+  for (const int object : {a, b}) {
+    lower(m.softer_young, softest_young(scene_.objects[object]));
+    lower(m.softer_stiffness, affine_modulus * world_.bodies[object].stiffness);
+  }
+  lower(m.softer_stiffness, m.softer_young);
+  const double dynamic = std::max(pressures_[a], pressures_[b]);
+  if (dynamic > 0) m.softer_stiffness = std::clamp(dynamic, m.softer_stiffness, most_times * m.softer_stiffness);
+  return m;
+}
+
+double PairBuilder::guard_of(int a, int b) const {
+  if (table_.plain_sums) return 1;
+  return contact_.guard.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? guard_range_of_fast : guard_range);
+}
+
+PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
+  PairMaterials materials = materials_of(a, b);
+  const double offset = table_.offset(a, b), guarded = guard_of(a, b);
+  const auto key = std::tuple{config, part, materials.softer_young, materials.softer_stiffness, offset, guarded};
+  if (const auto found = laws_.find(key); found != laws_.end()) {
+    if (found->second.summary >= 0) add_to(world_.adhesion[found->second.summary], a, b);
+    return found->second;
+  }
+  const PairConfig* pair = config >= 0 ? &contact_.pairs[config] : nullptr;
+  PairLaw pressure(offset), guard(offset);
+  std::shared_ptr<NormalLaw> adhesion;
+  std::shared_ptr<BondLaw> bond;
+  try {
+    if (pair && pair->bonds()) {
+      bond = dynamic_cast<const BondLaw&>(*pair->adhesion).clone();
+      bond->prepare(materials);
+      materials.adhesion_peak = bond->peak_traction();
+    } else if (pair && pair->adhesion) {
+      adhesion = dynamic_cast<const NormalAdhesion&>(*pair->adhesion).clone();
+      adhesion->prepare(materials);
+      materials.adhesion_peak = dynamic_cast<const AdhesionLaw&>(*adhesion).peak_traction();
+    }
+    const BarrierLaw& barrier = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
+    std::shared_ptr<NormalLaw> full = barrier.clone(), close = barrier.clone();
+    full->prepare(materials);
+    materials.contact_distance *= guarded;
+    close->prepare(materials);
+    pressure.add(full);
+    guard.add(close);
+  } catch (const InputError& error) {
+    if (!pair) throw InputError(contact_place() + error.what());
+    throw configs_.error(config, error.what());
+  }
+  if (adhesion) {
+    pressure.add(adhesion);
+    if (table_.plain_sums) guard.add(adhesion);
+    report(a, b, part, dynamic_cast<const AdhesionLaw&>(*adhesion), pressure);
+  }
+  const TangentialLaw along = tangential_of(pair, materials.adhesion_peak);
+  TangentialLaw along_guard = along;
+  if (!table_.plain_sums) along_guard.mu_a = 0;  // guards do not adhere
+  int rule = -1;
+  if (bond) {
+    rule = bonds_.add(rule_of(*pair, bond, pressure, config));
+    report(a, b, part, *bond);
+  }
+  const LawIds ids{table_.add_law(pressure, along), table_.add_law(guard, along_guard),
+                   adhesion || bond ? static_cast<int>(world_.adhesion.size()) - 1 : -1, rule};
+  laws_.emplace(key, ids);
+  return ids;
+}
+
+void PairBuilder::add_to(AdhesionSummary& summary, int a, int b) const {
+  summary.pairs += classes_.pairs_like(a, b);
+  summary.kinds.push_back({a, b});
+}
+
+void PairBuilder::report(int a, int b, int part, const AdhesionLaw& adhesion, const PairLaw& law) {
+  const PairLaw::Well well = law.well();
+  world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, part,
+                             adhesion.work_of_adhesion(), well.depth, well.gap,
+                             adhesion.peak_traction()});
+}
+
+bool PairBuilder::has_surface(int object) const { return !world_.bodies[object].triangles.empty() || !world_.bodies[object].surface_triangles.empty(); }
+
+void PairBuilder::refuse_bond(int a, int b, int config) const {
+  if (!has_surface(a) && !has_surface(b))
+    throw configs_.error(config, fmt::format("neither '{}' nor '{}' has a surface: bonds are anchored in triangles; choose an adhesion of the gap for rods and "
+                                             "particles among each other (tack list adhesion)", world_.bodies[a].name, world_.bodies[b].name));
+  if (table_.plain_sums)
+    throw configs_.error(config, "bonds stand for areas, and contact.weights: pair counts close pairs instead; take it away, or choose an adhesion of the gap");
+}
+
+// Bonds are there without the barrier, and hold from the gap that they are made at, or from touching.
+void PairBuilder::report(int a, int b, int part, const BondLaw& bond) {
+  world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, part,
+                             bond.work_of_adhesion(), bond.work_of_adhesion(), 0, bond.peak_traction()});
+}
+
+BondRule PairBuilder::rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law, const PairLaw& barrier, int config) {
+  const double distance = pair.bond_distance.value_or(contact_.contact_distance);
+  if (distance > 2 * contact_.contact_distance)
+    throw configs_.error(config, fmt::format("bond_distance is {:.6g} m, and contact sees twice its distance, {:.6g} m; lower it, or raise contact.distance",
+                                             distance, 2 * contact_.contact_distance));
+  using Bonding = PairConfig::Bonding;
+  const bool on_contact = pair.bond == Bonding::on_contact || (pair.bond == Bonding::automatic && law->bonds_on_contact());
+  table_.set_bond_reach(distance + barrier.offset());
+  const std::string type(law->type());
+  return {std::move(law), type, on_contact, distance, pair.unstressed == PairConfig::Unstressed::touching, barrier};
+}
+
+PairBuilder::Side PairBuilder::side_of(int a, int b, int config) const {
+  if (config < 0) return Side::automatic;
+  const std::string& side = contact_.pairs[config].integrate;
+  if (side == "automatic") return Side::automatic;
+  if (side == "finer") return Side::finer;
+  // Both may be of the group that is named.
+  if (side == "both" || (configs_.integrates(config, a) && configs_.integrates(config, b))) return Side::both;
+  return configs_.integrates(config, a) ? Side::first : Side::second;
+}
+
+// One for the two objects: that of the entry that says.
+PairBuilder::Side PairBuilder::side_of(int a, int b, int config, const std::vector<int>& parts) const {
+  Side found = side_of(a, b, config);
+  for (const int entry : parts) {
+    const Side side = side_of(a, b, entry);
+    if (found == Side::automatic) found = side;
+    if (side == Side::automatic || side == found) continue;
+    throw configs_.error(entry, fmt::format("integrate: '{}' and '{}' have one integration side, whatever the part, and another of their pairs names another one; say the same in both, or "
+                                            "in one of them alone", world_.bodies[a].name, world_.bodies[b].name));
+  }
+  return found;
+}
+
+PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const Integral& integral) const {
+  const double range = table_.laws()[ids.pressure].range(), range_of_guard = table_.laws()[ids.guard].range();
+  PairRole guard{ids.guard, 1, range_of_guard, false};
+  guard.range_of_parts = integral.range_of_parts;
+  Roles roles;
+  // An edge pair's area is half the mean of its two edges' (they count the surface twice).
+  roles.edge = {ids.guard, 0.25, range_of_guard, false};
+  roles.thin = {ids.pressure, 1, range};
+  roles.thin.range_of_parts = integral.range_of_parts;
+  if (table_.plain_sums) {
+    roles.first = roles.second = {ids.pressure, 1, range, false};
+    return roles;
+  }
+  PairRole pressure{ids.pressure, 1, range, true, ids.guard, range_of_guard};
+  pressure.covered = integral.covered;
+  pressure.bonds = integral.bonds;
+  pressure.pulls_too = integral.pulls_too;
+  pressure.range_of_parts = integral.range_of_parts;
+  pressure.by_size = a != b && integral.side == Side::automatic && !pressure.covered;
+  if (a == b || integral.side == Side::both || pressure.by_size) pressure.share = 0.5;
+  else pressure.automatic = integral.side == Side::automatic, pressure.finer = integral.side == Side::finer;
+  roles.first = roles.second = pressure;
+  if (a != b && integral.side == Side::first) roles.second = guard;
+  if (a != b && integral.side == Side::second) roles.first = guard;
+  return roles;
+}
+
+void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& parts) {
+  const auto adheres = [&](int entry) { return entry >= 0 && contact_.pairs[entry].adhesion; };
+  const LawIds whole = laws_of(a, b, config, -1);
+  std::vector<LawIds> of_parts;
+  for (const int entry : parts) of_parts.push_back(laws_of(a, b, entry, static_cast<int>(of_parts.size()) * (a == b ? 2 : 1)));
+  Integral integral{side_of(a, b, config, parts)};
+  // Seams are rims: parts are told apart by what is covered of them.
+  integral.covered = a != b && (adheres(config) || !parts.empty());
+  integral.bonds = whole.bond >= 0;
+  integral.pulls_too = adheres(config) && whole.bond < 0;
+  std::vector<int> rules;
+  if (whole.bond >= 0) refuse_bond(a, b, config);
+  for (size_t i = 0; i < parts.size(); ++i) {
+    rules.push_back(of_parts[i].bond);
+    if (rules.back() >= 0) refuse_bond(a, b, parts[i]);
+    integral.bonds = integral.bonds || rules.back() >= 0;
+    integral.pulls_too = integral.pulls_too || (adheres(parts[i]) && rules.back() < 0);
+    integral.range_of_parts = std::max(integral.range_of_parts, table_.laws()[of_parts[i].pressure].range());
+  }
+  if (whole.bond >= 0) bonds_.set(a, b, whole.bond);
+  const Roles roles = roles_of(a, b, whole, integral);
+  table_.point(a, b) = roles.first;
+  table_.point(b, a) = roles.second;
+  table_.set_edge(a, b, roles.edge);
+  table_.set_thin(a, b, roles.thin);
+  integral.range_of_parts = std::max(integral.range_of_parts, roles.thin.range);
+  std::vector<int> rules_of_roles;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const Roles own = roles_of(a, b, of_parts[i], integral);
+    const auto [first, second] = parts_.wanted(parts[i], a, b);
+    table_.add_part(a, b, {first, second, own.first, own.edge, own.thin});
+    table_.add_part(b, a, {second, first, own.second, own.edge, own.thin});
+    rules_of_roles.insert(rules_of_roles.end(), a == b ? 2 : 1, rules[i]);
+  }
+  if (integral.bonds && !parts.empty()) bonds_.set_parts(a, b, rules_of_roles);
+}
+
+}  // namespace tack

@@ -1,0 +1,80 @@
+// From the entries of contact.pairs to tables: which objects may touch, with which laws, where, and who integrates.
+// Errors: InputError with the place of the entry.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "framework/bond/bond_table.hpp"
+#include "framework/contact/pair_table.hpp"
+#include "framework/scene/pair_configs.hpp"
+#include "framework/setup/surface_parts.hpp"
+#include "geometry/broad_phase/colliding_objects.hpp"
+
+namespace tack {
+
+class PairBuilder {
+ public:
+  // cells: per object, the area of its surface that a vertex has in the mean [m^2].
+  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, World& world);
+
+  void build();
+
+  PairTable& table() { return table_; }
+  BondTable& bonds() { return bonds_; }
+  const CollidingObjects& colliding() const { return colliding_; }
+
+ private:
+  struct LawIds {
+    int pressure, guard;
+    int summary = -1;  // of world.adhesion; -1: without adhesion
+    int bond = -1;     // of the bond table; -1: without bonds
+  };
+  // Who integrates.
+  enum class Side { automatic, finer, both, first, second };
+  // What holds for two objects whatever the part.
+  struct Integral {
+    Side side = Side::automatic;
+    bool covered = false, bonds = false, pulls_too = false;
+    double range_of_parts = 0;
+  };
+  struct Roles {
+    PairRole first, second, edge, thin;  // the former two of points of the first and of the second object
+  };
+
+  std::string contact_place() const;
+  TangentialLaw tangential_of(const PairConfig* pair, double peak_traction) const;
+  double offset_of(int a, int b) const;
+  PairMaterials materials_of(int a, int b) const;
+  double guard_of(int a, int b) const;
+  LawIds laws_of(int a, int b, int config, int part);
+  void add_to(AdhesionSummary& summary, int a, int b) const;
+  void report(int a, int b, int part, const AdhesionLaw& adhesion, const PairLaw& law);
+  void report(int a, int b, int part, const BondLaw& bond);
+  bool has_surface(int object) const;
+  void refuse_bond(int a, int b, int config) const;
+  void refuse_parts(int a, int b, const std::vector<int>& parts, bool apart) const;
+  BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law, const PairLaw& barrier, int config);
+  Side side_of(int a, int b, int config) const;
+  Side side_of(int a, int b, int config, const std::vector<int>& parts) const;
+  Roles roles_of(int a, int b, const LawIds& ids, const Integral& integral) const;
+  void set_roles(int a, int b, int config, const std::vector<int>& parts);
+
+  const SceneConfig& scene_;
+  const ContactConfig& contact_;
+  const Value& root_;
+  World& world_;
+  const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
+  ObjectClasses classes_;
+  PairConfigs configs_;
+  SurfaceParts parts_;
+  PairTable table_;
+  CollidingObjects colliding_;
+  BondTable bonds_;
+  std::map<std::tuple<int, int, double, double, double, double>, LawIds> laws_;
+};
+
+}  // namespace tack

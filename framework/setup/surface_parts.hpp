@@ -1,0 +1,40 @@
+// The parts of surfaces that entries of contact.pairs name, as sets of bits of vertices (PairTable). Vertices of a finer surface are of what all
+// corners that they follow are of.
+// Errors: InputError with the place of the entry, for a part without a whole triangle (edge, point), for more parts than there are bits, and for two entries
+// that say as much of the same places.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "framework/contact/pair_table.hpp"
+#include "framework/scene/pair_configs.hpp"
+#include "framework/world/world.hpp"
+
+namespace tack {
+
+class SurfaceParts {
+ public:
+  SurfaceParts(const SceneConfig& scene, const PairConfigs& configs, const World& world);
+
+  bool any() const { return next_ > 0; }
+  const std::vector<PartSet>& of_vertices() const { return of_vertices_; }
+  // What places of a and of b have to be of for an entry to hold; 0: they may be anywhere.
+  std::array<PartSet, 2> wanted(int entry, int a, int b) const;
+  // Refuses entries of the two objects of which none says more than the other, where they meet.
+  void tell_apart(const std::vector<int>& entries, int a, int b) const;
+
+ private:
+  PartSet add(int entry, const PairSide& side);
+  // Whether a triangle of the body (an edge, a point, if it has none) is of all these parts.
+  bool holds(const Body& body, PartSet parts) const;
+
+  const SceneConfig& scene_;
+  const PairConfigs& configs_;
+  const World& world_;
+  int next_ = 0;                              // the first bit that is free
+  std::vector<PartSet> of_vertices_;          // empty without parts
+  std::vector<std::array<PartSet, 2>> sides_;  // of the entries
+};
+
+}  // namespace tack
