@@ -7,7 +7,8 @@ install(DIRECTORY geometry framework energies solvers DESTINATION include/tack F
         PATTERN framework/app EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp DESTINATION include/tack/framework/plugin)
 install(DIRECTORY experiments docs DESTINATION share/tack PATTERN results EXCLUDE)
-install(FILES ${CMAKE_BINARY_DIR}/share/report.html DESTINATION share/tack OPTIONAL)
+install(FILES ${CMAKE_BINARY_DIR}/share/report.html ${CMAKE_BINARY_DIR}/share/film.html ${CMAKE_BINARY_DIR}/share/render.mjs DESTINATION share/tack OPTIONAL)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/report/node_modules/playwright-core DESTINATION share/tack/node_modules OPTIONAL)
 install(FILES README.md LICENSE DESTINATION share/tack)
 
 set(BINARIES bin)

@@ -45,7 +45,7 @@ endforeach()
 target_compile_options(tack_precompiled_cold PRIVATE ${TACK_COLD_OPTIONS} ${TACK_CLEAN_REGISTERS})
 function(tack_precompile_cold TARGET)
   target_precompile_headers(${TARGET} REUSE_FROM tack_precompiled_cold)
-  target_compile_options(${TARGET} PRIVATE ${TACK_CLEAN_REGISTERS})
+  target_compile_options(${TARGET} PRIVATE ${TACK_CLEAN_REGISTERS} -fPIC)  # as the header was: programs would have -fPIE
 endfunction()
 
 # Parsing, describing and writing are not worth the optimiser's time, nor the compiler's: the files of such
@@ -54,7 +54,7 @@ endfunction()
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 # Commands that start from runs, or from laws: a program of their own, tack_studies, has them, so that a first run need not wait for them.
 set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report)
-set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot report)
+set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report)
 set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body framework/motion framework/world framework/scene
     framework/setup framework/checks framework/output
     framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app ${TACK_STUDY_FOLDERS}
@@ -239,7 +239,7 @@ function(tack_build_info)
   target_include_directories(tack_framework_cold PRIVATE ${FOLDER})
 endfunction()
 
-# The page of `tack report`, beside the program: made of report/ and of libraries that npm fetches. Not a part of `all`: everything else
+# The page of `tack report`, and what `tack render` draws with, beside the program: made of report/ and of libraries that npm fetches. Not a part of `all`: everything else
 # is built without npm and without a network. Both programs are looked for when it is made: `./tack` may have installed them after cmake ran.
 function(tack_report_page)
   set(MODULES ${CMAKE_BINARY_DIR}/report)
@@ -252,7 +252,7 @@ function(tack_report_page)
     COMMAND npm --prefix ${MODULES} ci --ignore-scripts --no-audit --no-fund
     COMMAND ${CMAKE_COMMAND} -E touch ${MODULES}/fetched
     COMMENT "Fetching the libraries of the page of reports")
-  add_custom_command(OUTPUT ${PAGE} VERBATIM DEPENDS ${MODULES}/fetched ${SOURCE}/build.mjs ${SOURCES}
+  add_custom_command(OUTPUT ${PAGE} VERBATIM DEPENDS ${MODULES}/fetched ${SOURCE}/build.mjs ${SOURCE}/render.mjs ${SOURCES}
     COMMAND node ${SOURCE}/build.mjs ${MODULES} ${PAGE}
     COMMENT "Making the page of reports")
   add_custom_target(tack_report DEPENDS ${PAGE})

@@ -1,6 +1,6 @@
-// Makes the page of `tack report`: one file with all scripts, styles and the licences of what is in it.
-//   node build.mjs MODULES OUTPUT    MODULES: the folder that holds node_modules
-import { mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+// Makes the page of `tack report`, and that of `tack render` beside it: one file each with all scripts, styles and the licences of what is in it.
+//   node build.mjs MODULES OUTPUT    MODULES: the folder that holds node_modules; OUTPUT: report.html, beside which film.html and render.mjs go
+import { copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -9,8 +9,8 @@ const [modules, output] = process.argv.slice(2).map((path) => resolve(path));
 const source = join(dirname(fileURLToPath(import.meta.url)), "src");
 const esbuild = createRequire(join(modules, "package.json"))("esbuild");
 
-const result = await esbuild.build({
-  entryPoints: [join(source, "main.js")],
+const bundle = (entry) => esbuild.build({
+  entryPoints: [join(source, entry)],
   nodePaths: [join(modules, "node_modules")],
   bundle: true,
   minify: true,
@@ -23,8 +23,9 @@ const result = await esbuild.build({
   metafile: true,
   logLevel: "warning",
 });
+const result = await bundle("main.js");
 
-const text = (ending) => result.outputFiles.find((file) => file.path.endsWith(ending)).text;
+const textOf = (made, ending) => made.outputFiles.find((file) => file.path.endsWith(ending)).text;
 const escaped = (plain) => plain.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 
 // Every package that something of is in the bundle.
@@ -44,14 +45,19 @@ function licence(name) {
 }
 
 const parts = {
-  "/* style */": text(".css"),
-  "/* script */": text(".js"),
+  "/* style */": textOf(result, ".css"),
+  "/* script */": textOf(result, ".js"),
   "<!-- licences -->": [...packages].sort().map(licence).join("\n"),
 };
-let page = readFileSync(join(source, "page.html"), "utf8");
-for (const [place, part] of Object.entries(parts)) {
-  if (!page.includes(place)) throw new Error(`page.html: has no place '${place}'`);
-  page = page.replace(place, () => part);
+function filled(name, parts) {
+  let page = readFileSync(join(source, name), "utf8");
+  for (const [place, part] of Object.entries(parts)) {
+    if (!page.includes(place)) throw new Error(`${name}: has no place '${place}'`);
+    page = page.replace(place, () => part);
+  }
+  return page;
 }
 mkdirSync(dirname(output), { recursive: true });
-writeFileSync(output, page);
+writeFileSync(output, filled("page.html", parts));
+writeFileSync(join(dirname(output), "film.html"), filled("film.html", { "/* script */": textOf(await bundle("film.js"), ".js") }));
+copyFileSync(join(source, "..", "render.mjs"), join(dirname(output), "render.mjs"));

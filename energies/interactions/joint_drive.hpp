@@ -71,6 +71,12 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
       d.target = targets_[s].at(start.time + start.h);
     }
   }
+  std::vector<double> abrupt_times() const override {
+    std::vector<double> times;
+    for (const Schedule& target : targets_)
+      for (const double t : target.corners()) times.push_back(t);
+    return times;
+  }
   void remember(const History& history) override { coordinate_->remember(history); }
   void commit(const VecX& x, History& history) const override { coordinate_->commit(x, history); }
 

@@ -10,7 +10,7 @@
 
 #include "framework/body/chosen_vertices.hpp"
 #include "framework/body/extent.hpp"
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 #include "framework/body/selection.hpp"
 #include "framework/config/field.hpp"
 #include "framework/load/following_load.hpp"
@@ -155,7 +155,8 @@ class FieldLoad : public Load {
   void fields(Fields& f) override {
     for (int i = 0; i < 3; ++i) {
       const std::string key(1, "xyz"[i]);
-      f.text(key, formulas_.text[i], "its component along " + key + ", a formula of t [s], the place x, y, z [m], the velocity vx, vy, vz [m/s] and the parameters, in SI");
+      f.text(key, formulas_.text[i], "its component along " + key + ", a formula of t [s], the place x, y, z [m], the velocity vx, vy, vz [m/s] and the parameters, in SI")
+          .formula({"t", "x", "y", "z", "vx", "vy", "vz"});
     }
     f.quantities("parameters", formulas_.parameters, "numbers that the formulas name, with their units");
     f.choice("per", per_,

@@ -12,7 +12,7 @@ class PressureTerm : public VolumeTerm {
   PressureTerm(std::string label, OrientedSurface surface, double value, const Ramp& ramp)
       : VolumeTerm("pressure", std::move(label), std::move(surface)), value_(value), ramp_(ramp) {}
   double pressure(const VecX&, double time) const override { return value_ * ramp_.at(time); }
-  std::vector<double> corners() const override { return ramp_.corners(); }
+  std::vector<double> abrupt_times() const override { return ramp_.corners(); }
   void begin_step(const StepStart& start) override {
     VolumeTerm::begin_step(start);
     reference_ = surface().closed() ? volume(start.x) : 0;

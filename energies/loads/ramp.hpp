@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 #include "framework/config/field.hpp"
 #include "geometry/errors.hpp"
 

@@ -30,7 +30,7 @@ class TorqueTerm : public FollowingLoad, public GlobalModeSource {
   TorqueTerm(const TorqueSettings& settings, std::vector<int> vertices, VecX weights)
       : FollowingLoad("torque"), settings_(settings), axis_(settings.axis.normalized()), vertices_(std::move(vertices)), weights_(std::move(weights)) {}
 
-  std::vector<double> corners() const override { return settings_.ramp.corners(); }
+  std::vector<double> abrupt_times() const override { return settings_.ramp.corners(); }
   void begin_step(const StepStart& start) override {
     FollowingLoad::begin_step(start);
     across_.resize(3, count());

@@ -29,7 +29,7 @@ class WindTerm : public FollowingLoad {
       : FollowingLoad("wind"), settings_(settings), triangles_(std::move(triangles)) {}
   bool needs_velocities() const override { return true; }
 
-  std::vector<double> corners() const override { return settings_.ramp.corners(); }
+  std::vector<double> abrupt_times() const override { return settings_.ramp.corners(); }
   void begin_step(const StepStart& start) override {
     FollowingLoad::begin_step(start);
     normals_.resize(3, count());

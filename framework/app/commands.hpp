@@ -81,6 +81,16 @@ struct ReportOptions {
 // One HTML file for a run, several runs, a comparison or a batch.
 int report_command(const ReportOptions& options);
 
+struct RenderOptions {
+  std::vector<std::string> folders;    // of runs
+  std::string view;                    // the file of a view; empty: the usual one
+  std::vector<std::string> overrides;  // "a.b=c": of the view
+  std::string output = "picture.png";
+  bool quiet = false;
+};
+// A picture or a film of runs, side by side.
+int render_command(const RenderOptions& options);
+
 struct PlotOptions {
   std::vector<std::string> folders;  // runs, or one batch, or one comparison
   std::string output;                // folder of the pictures; empty: plots in the folder; of several, in the working directory
@@ -88,9 +98,11 @@ struct PlotOptions {
   std::vector<std::string> by;
   bool log_x = false, log_y = false;
   std::vector<double> x_range;  // the part of x that is shown; empty: all
+  std::string style;                    // a file of how they look; empty: as usual
+  std::vector<std::string> overrides;   // "a.b=c": of the style
   std::vector<std::string> data;  // files of measured or reference points with columns of the same names, drawn as marks
 };
-// Pictures for papers, as SVG and PNG.
+// Pictures for papers, as SVG and PNG, and PDF if the style says so.
 int plot_command(const PlotOptions& options);
 
 struct CheckOptions : SceneOptions {

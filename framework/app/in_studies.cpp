@@ -9,6 +9,7 @@ int compare_command(const CompareOptions&) { throw InStudies{}; }
 int describe_command(const ListOptions&) { throw InStudies{}; }
 int law_command(const LawOptions&) { throw InStudies{}; }
 int plot_command(const PlotOptions&) { throw InStudies{}; }
+int render_command(const RenderOptions&) { throw InStudies{}; }
 int report_command(const ReportOptions&) { throw InStudies{}; }
 
 }  // namespace tack

@@ -79,6 +79,7 @@ class CommandLine {
     add_calibrate();
     add_plot();
     add_report();
+    add_render();
     add_check();
     add_list();
     add_law();
@@ -208,6 +209,8 @@ class CommandLine {
     plot->add_option("--data", plot_.data, "a file (CSV, with units) with columns of the same names, drawn as marks (repeatable)")
         ->take_all()->allow_extra_args(false)->needs(x);
     plot->add_flag("--log-y", plot_.log_y, "a logarithmic axis")->needs(x);
+    plot->add_option("--style", plot_.style, "a file (YAML) with size on paper, fonts, labels, colours; PDF as well");
+    plot->add_option("--set", plot_.overrides, "override keys of the style: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
     plot->callback([this] { exit_code_ = plot_command(plot_); });
   }
 
@@ -219,6 +222,16 @@ class CommandLine {
     report->add_option("--case", report_.cases, "of a batch: a case whose run is shown as well (repeatable)")
         ->take_all()->allow_extra_args(false);
     report->callback([this] { exit_code_ = report_command(report_); });
+  }
+
+  void add_render() {
+    CLI::App* render = app_.add_subcommand("render", "Draw a picture (PNG) or a film (MP4, GIF) of runs, side by side, with shadows");
+    render->add_option("folder", render_.folders, "results folders of runs")->required();
+    render->add_option("-o,--output", render_.output, "the file: its ending says what it is")->capture_default_str();
+    render->add_option("--view", render_.view, "a file (YAML) with size, camera, looks of objects, colours by a field");
+    render->add_option("--set", render_.overrides, "override keys of the view: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
+    render->add_flag("-q,--quiet", render_.quiet, "print errors only");
+    render->callback([this] { exit_code_ = render_command(render_); });
   }
 
   void add_check() {
@@ -297,6 +310,7 @@ class CommandLine {
   CalibrateOptions calibrate_;
   PlotOptions plot_;
   ReportOptions report_;
+  RenderOptions render_;
   CheckOptions check_;
   ListOptions list_;
   LawOptions law_;

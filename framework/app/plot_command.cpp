@@ -7,6 +7,8 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/batch/batch_description.hpp"
+#include "framework/config/bind.hpp"
+#include "framework/config/parse.hpp"
 #include "framework/measured/measured_curve.hpp"
 #include "framework/plot/gnuplot.hpp"
 #include "framework/plot/run_plots.hpp"
@@ -51,7 +53,7 @@ Plot chosen(Plot plot, const PlotOptions& options) {
 
 class Pictures {
  public:
-  explicit Pictures(fs::path folder) : folder_(std::move(folder)) {
+  explicit Pictures(fs::path folder, PlotLook look = {}) : folder_(std::move(folder)), look_(std::move(look)) {
     std::error_code failed;
     fs::create_directories(folder_, failed);
     if (failed) throw InputError(fmt::format("{}: cannot be made ({}); choose another folder with -o", folder_.string(), failed.message()));
@@ -59,7 +61,7 @@ class Pictures {
 
   template <class Picture>
   void draw(const Picture& picture, const std::string& name) {
-    tell(tack::draw(picture, folder_, name), name);
+    tell(tack::draw(picture, folder_, name, look_), name);
   }
   void tell(const std::string& failure, const std::string& name) {
     if (failure.empty()) fmt::print("{}\n", (folder_ / (name + ".svg")).string());
@@ -78,6 +80,7 @@ class Pictures {
 
  private:
   fs::path folder_;
+  PlotLook look_;
   bool failed_ = false;
 };
 
@@ -94,10 +97,18 @@ std::vector<std::string> results_in(const CsvTexts& table) {
   return found;
 }
 
+PlotLook look_of(const PlotOptions& options) {
+  Value root = options.style.empty() ? Value::map() : parse_file(options.style);
+  for (const std::string& assignment : options.overrides) apply_override(root, assignment);
+  PlotLook look;
+  bind(root, look, "the style");
+  return look;
+}
+
 int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::path& output) {
   const BatchDescription batch = read_description(folder);
   const CsvTexts table = read_csv_texts(folder.table());
-  Pictures pictures(output);
+  Pictures pictures(output, look_of(options));
   if (!options.x.empty()) {
     TablePlot what{options.x, options.y, options.by, options.log_x, options.log_y};
     if (what.by.empty())
@@ -155,6 +166,8 @@ int plot_command(const PlotOptions& options) {
   const bool batch = fs::exists(first / "batch.json"), comparison = fs::exists(first / "compare.csv");
   if ((batch || comparison) && options.folders.size() > 1)
     throw InputError(fmt::format("{}: is a {}; draw it by itself", first.string(), batch ? "batch" : "comparison"));
+  if (comparison && !batch && (!options.style.empty() || !options.overrides.empty()))
+    throw InputError(fmt::format("{}: pictures of a comparison are drawn as they were made; change the scripts in its folder plots", first.string()));
   if (comparison && !batch && !options.x.empty()) throw InputError(fmt::format("{}: --x and --y are for runs and batches", first.string()));
   if (!batch && !options.by.empty()) throw InputError(fmt::format("{}: --by is for the table of a batch", first.string()));
   if (comparison && !batch) return plot_comparison(first);
@@ -166,7 +179,7 @@ int plot_command(const PlotOptions& options) {
     const fs::path path = fs::weakly_canonical(folder);
     runs.push_back(run_of(folder, path.has_filename() ? path.filename() : path.parent_path().filename()));
   }
-  Pictures pictures(output);
+  Pictures pictures(output, look_of(options));
   if (options.x.empty()) pictures.draw_runs(runs);
   else pictures.draw(chosen(probe_curves(runs, options.x, options.y), options), picture_name(options.y) + "_over_" + picture_name(options.x));
   return pictures.exit_code();

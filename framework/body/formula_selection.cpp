@@ -1,7 +1,7 @@
 // Vertices by a formula of their place: a rim, a ring, stripes.
 #include <array>
 
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 #include "framework/body/selection.hpp"
 #include "framework/config/field.hpp"
 #include "geometry/errors.hpp"
@@ -14,7 +14,7 @@ const std::vector<std::string> place_variables = {"x", "y", "z"};
 class FormulaSelection : public Selection {
  public:
   void fields(Fields& f) override {
-    f.text("where", where_, "what holds of the chosen ones: a formula of their place at rest, x, y, z [m], that is not 0 there: abs(x) > 0.1 || y > 0.2").required();
+    f.text("where", where_, "what holds of the chosen ones: a formula of their place at rest, x, y, z [m], that is not 0 there: abs(x) > 0.1 || y > 0.2").required().formula(place_variables);
     f.check("where", [this]() -> std::string {
       try {
         Formula(where_, place_variables);

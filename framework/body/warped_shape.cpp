@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 #include "framework/config/field.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "framework/shapes/shape_source.hpp"
@@ -23,7 +23,7 @@ class WarpedShape : public ShapeSource {
   void fields(Fields& f) override {
     f.component("of", of_, "the mesh that is moved").required();
     for (int i = 0; i < 3; ++i) {
-      f.text(warped_variables[i], text_[i], "where a vertex goes along " + warped_variables[i] + " [m]: a formula of where it was, x, y, z [m]");
+      f.text(warped_variables[i], text_[i], "where a vertex goes along " + warped_variables[i] + " [m]: a formula of where it was, x, y, z [m]").formula(warped_variables);
       f.check(warped_variables[i], [this, i]() -> std::string {
         try {
           Formula(text_[i], warped_variables);

@@ -1,6 +1,6 @@
 // Binds a parsed value to an object with fields(): strict, and all errors of one pass in one
 // InputError, each as `file.yaml:12:5: unknown key 'yong' in energy 'neo_hookean'; did you mean
-// 'young'? (keys: ...)`. Keys that are absent leave the member as it is.
+// 'young'? (keys: ...)`. Keys that are absent leave the member as it is. Its `parameters`, if it has any, may stand in place of numbers (parameters.hpp).
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@ namespace tack {
 template <class T>
 void bind(const Value& value, T& object, std::string_view context) {
   Fields fields = fields_of(object);
-  Reader reader;
+  Reader reader(Parameters::of(value));
   reader.bind(value, fields, context);
   reader.finish();
 }

@@ -29,6 +29,11 @@ Field& Field::nonempty() {
   return *this;
 }
 
+Field& Field::formula(std::vector<std::string> of) {
+  variables = std::move(of);
+  return *this;
+}
+
 Field& Field::line() {
   one_line = true;
   return *this;

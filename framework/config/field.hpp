@@ -42,6 +42,7 @@ struct Field {
   bool mandatory = false;
   bool filled = false;  // a list that may not be empty
   bool one_line = false;  // texts without line breaks and other control characters
+  std::optional<std::vector<std::string>> variables;  // of a text that is a formula
 
   // Takes the value over into the member, or reports to the reader why it cannot.
   std::function<void(const Value&, const Field&, Reader&)> read;
@@ -51,6 +52,7 @@ struct Field {
   // Modifiers, chained behind the declaration. Bounds hold for every number of a list, in SI.
   Field& required();
   Field& nonempty();
+  Field& formula(std::vector<std::string> variables);  // a text that is one (formula.hpp), of these and of the scene's parameters
   Field& line();  // a name, say, that tables and messages have within a line
   Field& positive();
   Field& nonnegative();

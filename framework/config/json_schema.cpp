@@ -74,7 +74,7 @@ class Schema {
       case Form::number:
         return number(shape.unit, bounds);
       case Form::integer:
-        return bounded({{"type", "integer"}}, bounds);
+        return bounded({{"type", {"integer", "string"}}, {"pattern", expression_pattern}}, bounds);
       case Form::flag:
         return {{"type", "boolean"}};
       case Form::text:
@@ -122,7 +122,7 @@ class Schema {
     std::string name = fmt::format("number.{}", unit.quantity);
     std::replace(name.begin(), name.end(), ' ', '_');
     if (definitions_.contains(name)) return name;
-    json schema{{"type", {"number", "string"}}, {"pattern", number_pattern}};
+    json schema{{"type", {"number", "string"}}, {"pattern", fmt::format("{}|{}", number_pattern, expression_pattern)}};
     if (!unit.si.empty()) {
       definitions_["number.in_a_known_unit"] = {{"pattern", known_unit_pattern()}};
       schema["if"] = schema_reference("number.in_a_known_unit");

@@ -79,6 +79,12 @@ Value& in_map(Value& map, const std::string& key, const SourceMark& origin) {
   return map.set(key, std::move(created));
 }
 
+// A parameter may go by its name alone, where that is no key.
+std::string whole_path(const Value& root, const std::string& path) {
+  const Value* parameters = path.find('.') == path.npos && !root.find(path) ? root.find("parameters") : nullptr;
+  return parameters && parameters->find(path) ? "parameters." + path : path;
+}
+
 }  // namespace
 
 void apply_override(Value& root, const std::string& assignment) {
@@ -96,7 +102,7 @@ void apply_override(Value& root, const std::string& assignment) {
 void set_at(Value& root, const std::string& path, Value value) {
   const SourceMark origin = value.mark;
   Value* node = &root;
-  for (const std::string& segment : split_path(path, origin)) {
+  for (const std::string& segment : split_path(whole_path(root, path), origin)) {
     node = node->is_sequence() ? &in_list(*node, segment, origin) : &in_map(*node, segment, origin);
   }
   *node = std::move(value);
@@ -104,7 +110,7 @@ void set_at(Value& root, const std::string& path, Value value) {
 
 const Value* value_at(const Value& root, const std::string& path) {
   const Value* node = &root;
-  std::istringstream stream(path);
+  std::istringstream stream(whole_path(root, path));
   for (std::string segment; node && std::getline(stream, segment, '.');)
     node = node->is_sequence() ? entry_of(*node, segment) : node->find(segment);
   return node;

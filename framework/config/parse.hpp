@@ -17,7 +17,8 @@ Value parse_string(const std::string& text, const std::string& name);
 
 // Applies `--set a.b=c`: the value, parsed as YAML, replaces the one at the dotted path. A segment
 // indexes a list by number or by the `name` of its entries (`objects.plate.shape.size`); keys that
-// do not exist are created (binding checks them); a component written as a bare name becomes a map.
+// do not exist are created (binding checks them); a component written as a bare name becomes a map. One of the file's `parameters` may go by its name
+// alone, where that is no key of the file.
 void apply_override(Value& root, const std::string& assignment);
 
 // The same with a value that was read elsewhere, whose marks it keeps.

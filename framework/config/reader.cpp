@@ -52,11 +52,57 @@ void Reader::bind_map(const Value& map, Fields& fields, std::string_view context
     if (f.mandatory && absent) {
       error(map.mark, fmt::format("missing key '{}' in {}: {}; expects {}", f.key, context, f.doc,
                                   f.shape.expectation()));
-    } else if (v) {
+    } else if (v && parameters_.empty()) {
       f.read(*v, f, *this);
+    } else if (v) {
+      const std::size_t before = errors_.size();
+      const Value resolved = f.variables ? with_numbers_in_formula(*v, map, f) : with_numbers(*v, f.shape, f.key);
+      if (errors_.size() == before) f.read(resolved, f, *this);
     }
   }
   if (errors_.size() == errors_before) run_checks(map, fields);
+}
+
+// With numbers in the place of expressions that name parameters, wherever numbers are expected.
+Value Reader::with_numbers(const Value& value, const Shape& shape, std::string_view key) {
+  Value out = value;
+  const auto each = [&](const Shape& inner) {
+    for (Value& item : out.items) item = with_numbers(item, inner, key);
+    for (Value::Entry& entry : out.entries) entry.value = with_numbers(entry.value, inner, key);
+  };
+  switch (shape.form) {
+    case Shape::Form::list:
+    case Shape::Form::map:
+      if (shape.entry) each(*shape.entry);
+      break;
+    case Shape::Form::schedule:
+      each(shape);
+      [[fallthrough]];
+    case Shape::Form::number:
+    case Shape::Form::integer:
+    case Shape::Form::any:
+      if (!value.is_scalar() || !parameters_.named_in(value.text)) break;
+      try {
+        out.text = parameters_.evaluated(value.text);
+      } catch (const InputError& e) {
+        error(value.mark, fmt::format("{}: {}", key, e.what()));
+      }
+      break;
+    default: break;
+  }
+  return out;
+}
+
+// What the formula's own map calls `parameters` are not the scene's.
+Value Reader::with_numbers_in_formula(const Value& value, const Value& map, const Field& field) {
+  Value out = value;
+  if (!value.is_scalar()) return out;
+  try {
+    out.text = parameters_.inserted(value.text, *field.variables, map.find("parameters"));
+  } catch (const InputError& e) {
+    error(value.mark, fmt::format("{}: {}", field.key, e.what()));
+  }
+  return out;
 }
 
 void Reader::run_checks(const Value& map, const Fields& fields) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/config/parameters.hpp"
 #include "framework/config/units.hpp"
 #include "framework/config/value.hpp"
 
@@ -17,9 +18,14 @@ struct Component;
 struct Field;
 class Fields;
 class Kind;
+struct Shape;
 
 class Reader {
  public:
+  Reader() = default;
+  // parameters: what expressions in the place of numbers may name.
+  explicit Reader(Parameters parameters) : parameters_(std::move(parameters)) {}
+
   // Binds the keys of a map; null counts as an empty map. `context` follows "in": "energy 'arap'".
   void bind(const Value& value, Fields& fields, std::string_view context);
 
@@ -57,7 +63,10 @@ class Reader {
   void unknown_keys(const Value& map, const Fields& fields, std::string_view context, bool typed);
   void bind_map(const Value& map, Fields& fields, std::string_view context, bool typed);
   void run_checks(const Value& map, const Fields& fields);
+  Value with_numbers(const Value& value, const Shape& shape, std::string_view key);
+  Value with_numbers_in_formula(const Value& value, const Value& map, const Field& field);
 
+  Parameters parameters_;
   std::vector<Error> errors_;
 };
 

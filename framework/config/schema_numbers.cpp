@@ -12,6 +12,8 @@ namespace tack {
 #define TACK_NUMBER R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*)"
 const char* const number_pattern = TACK_NUMBER R"(([A-Za-z%µ°1/(].*)?$)";
 
+const char* const expression_pattern = R"(^[-+( ]*[A-Za-z_][A-Za-z0-9_]*\s*([-+*/^(<>?)].*)?$|^.*\S\s*[*?]\s*\S.*$|^.*\S [-+/] \S.*$)";
+
 namespace {
 
 using Exponents = std::array<int, 3>;  // of kg, m and s

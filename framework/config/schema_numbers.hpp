@@ -14,6 +14,8 @@ namespace tack {
 
 // Any number, with or without a unit.
 extern const char* const number_pattern;
+// What may be an expression of parameters (parameters.hpp): it begins with a name, or has an operator.
+extern const char* const expression_pattern;
 
 // Numbers in units that are known here, of any kind; and those of them that `unit` accepts.
 std::string known_unit_pattern();

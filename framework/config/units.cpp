@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <udunits2.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -183,6 +184,27 @@ std::string si_unit(const std::string& unit) {
   const UnitPtr base = coherent(given.get());
   if (!base || ut_format(base.get(), text.data(), text.size() - 1, UT_ASCII) < 0) return unit;
   return text.data();
+}
+
+std::map<std::string, int> base_dimension(const std::string& unit) {
+  if (unit.empty() || unit == "1") return {};
+  to_si("1 " + unit, units::any);
+  const std::scoped_lock lock(units_mutex());
+  const UnitPtr given = parse_unit(unit), base = coherent(given.get());
+  std::array<char, 256> text{};
+  if (!base || ut_format(base.get(), text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION) < 0) return {};
+  // "m.kg.s-2"
+  std::map<std::string, int> exponents;
+  std::string_view rest = text.data();
+  while (!rest.empty()) {
+    const std::string_view factor = rest.substr(0, rest.find('.'));
+    rest.remove_prefix(std::min(factor.size() + 1, rest.size()));
+    const std::size_t name = std::min(factor.find_first_of("-0123456789^"), factor.size());
+    int exponent = 1;
+    if (name < factor.size()) std::from_chars(factor.data() + name + (factor[name] == '^'), factor.data() + factor.size(), exponent);
+    if (name > 0 && factor.substr(0, name) != "rad") exponents[std::string(factor.substr(0, name))] += exponent;
+  }
+  return exponents;
 }
 
 std::string product_unit(const Unit& a, const Unit& b) {

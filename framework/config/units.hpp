@@ -2,6 +2,7 @@
 // of the same dimension ("5 MPa", "1.2 g/cm^3", "30 deg", "10 %"), and without one it is SI.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -58,6 +59,9 @@ std::string product_unit(const Unit& a, const Unit& b);
 
 // The SI unit of the same dimension, as parameters of that kind have it: "N" of "mN", "Pa" of "N/mm^2". Throws as to_si does.
 std::string si_unit(const std::string& unit);
+
+// The exponents of the base units that the SI unit of its dimension has: {m: 1, s: -2} of "mm/s^2"; radians are none. Throws as to_si does.
+std::map<std::string, int> base_dimension(const std::string& unit);
 
 std::string unit_noun(const Unit& unit);         // "pressure (Pa)"
 std::string unit_noun_plural(const Unit& unit);  // "pressures (Pa)"

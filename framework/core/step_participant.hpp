@@ -10,6 +10,8 @@
 // begin_step(), from the same x or an earlier one.
 #pragma once
 
+#include <vector>
+
 #include "framework/core/history.hpp"
 #include "geometry/types.hpp"
 
@@ -39,6 +41,7 @@ class StepParticipant {
   virtual void lag(const VecX& /*x*/) {}
   virtual void move_to(const VecX& /*x*/) {}
   virtual void commit(const VecX& /*x*/, History& /*history*/) const {}
+  virtual std::vector<double> abrupt_times() const { return {}; }  // at which it changes in no smooth way [s]: steps that adapt end there
   // Forgets what steps have left for the sake of speed: as if built anew.
   virtual void forget() {}
 };
@@ -71,6 +74,12 @@ class StepParticipants : public StepParticipant {
   }
   void commit(const VecX& x, History& history) const override {
     for (const StepParticipant* p : all_) p->commit(x, history);
+  }
+  std::vector<double> abrupt_times() const override {
+    std::vector<double> times;
+    for (const StepParticipant* p : all_)
+      for (const double t : p->abrupt_times()) times.push_back(t);
+    return times;
   }
   void forget() override {
     for (StepParticipant* p : all_) p->forget();

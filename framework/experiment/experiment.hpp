@@ -2,6 +2,7 @@
 // (built_experiment.hpp), and what works or keeps anything is an instance made from it (instance_of, config/bind.hpp).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@ struct Experiment : SceneConfig {
   std::string name;
   std::string about;
   std::vector<std::string> plugins;  // absolute paths; loaded
+  std::map<std::string, Quantity> parameters;  // of which everything else has been computed
   TimeConfig time;
   std::unique_ptr<const Minimizer> solver = Registry<Minimizer>::make("projected_newton");
   std::vector<std::unique_ptr<const Probe>> probes;

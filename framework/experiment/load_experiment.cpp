@@ -1,5 +1,7 @@
 #include "framework/experiment/load_experiment.hpp"
 
+#include <fmt/format.h>
+
 #include "framework/config/bind.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/experiment/file_kind.hpp"
@@ -15,11 +17,21 @@ void refuse_former_keys(const Value& root) {
     throw InputError(springs->mark.text() + ": springs are interactions: write `interactions: [{type: spring, ...}]`, with the same keys");
 }
 
+// A formula of probes would take one for the other.
+void refuse_names_of_probes(const Value& root) {
+  const Value *parameters = root.find("parameters"), *probes = root.find("probes");
+  if (!parameters || !probes) return;
+  for (const Value& probe : probes->items)
+    if (const Value* name = probe.find("name"); name && parameters->find(name->text))
+      throw InputError(fmt::format("{}: the probe '{}' has the name of a parameter; give one of them another", name->mark.text(), name->text));
+}
+
 }  // namespace
 
 LoadedExperiment bound_experiment(Value root) {
   refuse_other_kind(root, FileKind::scene);
   refuse_former_keys(root);
+  refuse_names_of_probes(root);
   load_plugins(root);
   LoadedExperiment loaded{std::move(root), {}, {}};
   bind(loaded.root, loaded.experiment, "the scene");

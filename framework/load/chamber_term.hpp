@@ -24,7 +24,7 @@ class ChamberTerm : public VolumeTerm {
   void remember(const History& history) override;
   void commit(const VecX& x, History& history) const override;
 
-  std::vector<double> corners() const override { return filling_.corners(); }
+  std::vector<double> abrupt_times() const override { return filling_.corners(); }
   double pressure(const VecX& x, double time) const override { return filling_.at(volume(x), at_rest_, amount_, time).pressure; }
   double target(double time) const override { return filling_.target(at_rest_, time); }
   double amount() const override;

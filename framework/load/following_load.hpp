@@ -18,9 +18,6 @@ class FollowingLoad : public Term, public ResidualView {
   void begin_step(const StepStart& start) override;
   virtual bool needs_velocities() const { return false; }
 
-  // The times at which it changes abruptly [s]: steps that adapt end there.
-  virtual std::vector<double> corners() const { return {}; }
-
   // For methods that want sums of squares, all of it is rest.
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {}; }

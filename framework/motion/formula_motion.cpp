@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 #include "framework/motion/motion.hpp"
 #include "geometry/errors.hpp"
 
@@ -19,7 +19,7 @@ class FormulaMotion : public Motion {
     for (int i = 0; i < 3; ++i) {
       const std::string key(1, "xyz"[i]);
       f.text(key, text_[i], "displacement along " + key + " from where a vertex was seized [m]: a formula in "
-                            "t [s] and its rest position X, Y, Z [m]");
+                            "t [s] and its rest position X, Y, Z [m]").formula(variables);
       f.check(key, [this, i] { return compile(i); });
     }
     Motion::fields(f);

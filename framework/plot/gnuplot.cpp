@@ -33,7 +33,9 @@ constexpr size_t longest_label = 34;     // characters
 constexpr double most_without_decades = 80;  // largest over smallest number of a logarithmic axis, with its margins
 constexpr size_t most_beside = 16;                                            // names of a legend
 constexpr size_t longest_beside = 34, longest_of_two = 46, longest_of_three = 16;  // characters: beside the picture, and in rows below it
-constexpr int plain_height = 480, row_height = 20, axis_height = 64;  // pixels; the last of ticks and label
+constexpr double plain_width = 720, wide_width = 900, plain_height = 480, plain_font = 13;  // pixels, of which an inch has 96
+constexpr double row_height = 20, axis_height = 64;                           // of a line of text; of ticks and label; with that font
+constexpr double dots_per_inch = 96, dots_of_papers = 600, points_per_inch = 72;
 
 // Control characters have no place in a picture.
 std::string printable(std::string text) {
@@ -94,21 +96,55 @@ std::string data_block(const Plot& plot, const Curve& curve, size_t i) {
   return out + "END\n";
 }
 
-std::string style_of(size_t i) {
-  return fmt::format("lc rgb '{}' dt {} lw 2", colours[i % colours.size()], dashes[i % dashes.size()]);
+std::string colour_of(size_t i, const PlotLook& look) {
+  return look.colours.empty() ? colours[i % colours.size()] : look.colours[i % look.colours.size()];
 }
 
-// As wide as its names need, up to a limit, and higher by what stands below it [pixels].
-std::string terminals(const std::string& name, const std::string& command, bool wide, int below = 0) {
-  const int width = wide ? 900 : 720, height = plain_height + below;
-  return fmt::format("set terminal svg size {2},{4} font 'Helvetica,13' dynamic background rgb 'white'\nset output '{0}.svg'\n{1}\n"
-                     "set terminal pngcairo size {3},{5} font 'Helvetica,26' linewidth 2\nset output '{0}.png'\n{1}\nunset output\n",
-                     name, command, width, 2 * width, height, 2 * height);
+// Lines are in points, of which gnuplot has 0.75 for one of width 1 in SVG.
+std::string style_of(size_t i, const PlotLook& look) {
+  return fmt::format("lc rgb '{}' dt {} lw {}", colour_of(i, look), dashes[i % dashes.size()], look.line_width ? *look.line_width / 0.75 : 2);
 }
 
-std::string axis(const char* name, const AxisRange& range) {
+// The sheet that a picture is laid out on, in pixels.
+struct Sheet {
+  double width, height, font;
+  double row() const { return row_height * font / plain_font; }
+  double axis() const { return axis_height * font / plain_font; }
+};
+
+// What is not sized is as wide as its names need, up to a limit, and higher by what stands below it.
+Sheet sheet_of(const PlotLook& look, bool wide, double below) {
+  const double pixels = dots_per_inch / 0.0254;
+  Sheet sheet{wide ? wide_width : plain_width, plain_height + below, look.font_size ? *look.font_size * dots_per_inch / points_per_inch : plain_font};
+  if (look.width) sheet.width = *look.width * pixels, sheet.height = sheet.width * 2 / 3;
+  if (look.height) sheet.height = *look.height * pixels;
+  return sheet;
+}
+
+std::string terminals(const std::string& name, const std::string& command, const Sheet& sheet, const PlotLook& look) {
+  const double finer = look.sized() ? dots_of_papers / dots_per_inch : 2;
+  std::string out = fmt::format("set terminal svg size {2:.0f},{3:.0f} font '{4},{5:.4g}' dynamic background rgb 'white'\nset output '{0}.svg'\n{1}\n"
+                                "set terminal pngcairo size {6:.0f},{7:.0f} font '{4},{8:.4g}' linewidth {9:.4g}\nset output '{0}.png'\n{1}\n",
+                                name, command, sheet.width, sheet.height, look.font, sheet.font, finer * sheet.width, finer * sheet.height,
+                                finer * sheet.font * (look.sized() ? points_per_inch / dots_per_inch : 1), finer);
+  if (look.pdf)
+    out += fmt::format("set terminal pdfcairo size {2:.4g}in,{3:.4g}in font '{4},{5:.4g}' linewidth 0.75\nset output '{0}.pdf'\n{1}\n", name, command,
+                       sheet.width / dots_per_inch, sheet.height / dots_per_inch, look.font, sheet.font * points_per_inch / dots_per_inch);
+  return out + "unset output\n";
+}
+
+// A round number, so that no more than so many steps of it fill the range.
+double tick_step(const AxisRange& range, double most) {
+  const double least = (range.high - range.low) / std::max(2.0, most), decade = std::pow(10, std::floor(std::log10(least)));
+  for (const double times : {1, 2, 5})
+    if (times * decade >= least) return times * decade;
+  return 10 * decade;
+}
+
+// most: ticks that there is room for; 0: as many as gnuplot likes.
+std::string axis(const char* name, const AxisRange& range, double most = 0) {
   std::string out = fmt::format("set {}range [{}:{}]\n", name, range.low, range.high);
-  if (!range.log) return out;
+  if (!range.log) return most > 0 ? out + fmt::format("set {}tics {:.6g}\n", name, tick_step(range, most)) : out;
   std::vector<std::string> ticks;
   const bool decades = range.high / range.low > 100;
   for (const double t : log_ticks(range))
@@ -139,7 +175,18 @@ std::optional<std::vector<double>> label_heights(const Scene& s, const Plot& plo
   return spread_out(wanted, label_distance);
 }
 
-std::string script_of(const Plot& unscaled, const std::string& name) {
+// With what a look says of it.
+template <class Picture>
+Picture looked(Picture picture, const PlotLook& look) {
+  if (!look.title.empty()) picture.title = look.title;
+  if (look.untitled) picture.title.clear();
+  if (!look.y_label.empty()) picture.y_label = look.y_label;
+  return picture;
+}
+
+std::string script_of(const Plot& given, const std::string& name, const PlotLook& look) {
+  Plot unscaled = looked(given, look);
+  if (!look.x_label.empty()) unscaled.x_label = look.x_label;
   const Plot plot = scaled(unscaled);
   Scene s;
   for (const Curve& c : merged_curves(plot.curves))
@@ -157,18 +204,21 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
   std::string out = "set encoding utf8\n";
   for (size_t i = 0; i < s.curves.size(); ++i) out += data_block(plot, s.curves[i], i);
   out += fmt::format("set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n"
-                     "set border 3 lc rgb '#606060'\nset tics nomirror out\nset grid lc rgb '#e0e0e0' lw 1\n",
-                     in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label));
-  out += axis("x", s.x) + axis("y", s.y);
+                     "set border 3 lc rgb '#606060'\nset tics nomirror out\n{}",
+                     in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label), look.grid ? "set grid lc rgb '#e0e0e0' lw 1\n" : "");
+  const Sheet plain = sheet_of(look, false, 0);
+  out += axis("x", s.x, look.sized() ? plain.width / (6 * plain.font) : 0) + axis("y", s.y, look.sized() ? plain.height / (4 * plain.font) : 0);
   const auto labels = label_heights(s, plot);
   size_t longest = 0;
-  int below = 0;
+  double below = 0;
   for (const Curve& c : s.curves) longest = std::max(longest, shortened(c.title).size());
-  if (labels && s.curves.size() > 1) {
+  if (!look.legend) {
+    out += "unset key\n";
+  } else if (labels && s.curves.size() > 1) {
     out += fmt::format("unset key\nset rmargin {}\n", longest + 3);
     for (size_t i = 0; i < s.curves.size(); ++i)
       out += fmt::format("set label {} at graph 1.015, graph {:.4f} left noenhanced tc rgb '{}'\n", in_quotes(shortened(s.curves[i].title)),
-                         (*labels)[i], colours[i % colours.size()]);
+                         (*labels)[i], colour_of(i, look));
   } else {
     size_t whole = 0;
     for (const Curve& c : s.curves) whole = std::max(whole, c.title.size());
@@ -176,10 +226,10 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
     out += s.curves.size() < 2 ? "unset key\n" : beside ? "set key outside right noenhanced samplen 3\n" : "";
     if (!beside && s.curves.size() > 1) {  // between the axis and the notes
       const size_t in_a_row = whole > longest_of_two ? 1 : whole > longest_of_three ? 2 : 3, rows = (s.curves.size() + in_a_row - 1) / in_a_row;
-      const int names = 10 + static_cast<int>(rows + plot.notes.size()) * row_height;
-      below = names;
+      const double names = 10 + static_cast<double>(rows + plot.notes.size()) * plain.row();
+      if (!look.height) below = names;
       out += fmt::format("set key at screen 0.02, screen {:.4f} left top Left reverse noenhanced samplen 3 maxrows {}\nset bmargin at screen {:.4f}\n",
-                         static_cast<double>(names) / (plain_height + below), rows, static_cast<double>(names + axis_height) / (plain_height + below));
+                         names / (plain.height + below), rows, (names + plain.axis()) / (plain.height + below));
     }
   }
   for (const LevelLine& l : plot.levels)
@@ -192,7 +242,7 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
     if (below == 0) out += fmt::format("set bmargin {}\n", 4 + plot.notes.size());
     for (size_t i = 0; i < plot.notes.size(); ++i)
       out += fmt::format("set label {} at screen 0.02, screen {:.3f} left noenhanced tc rgb '#606060'\n", in_quotes(plot.notes[i]),
-                         (10 + row_height * static_cast<double>(plot.notes.size() - 1 - i)) / (plain_height + below));
+                         (10 + plain.row() * static_cast<double>(plot.notes.size() - 1 - i)) / (plain.height + below));
   }
   std::vector<std::string> commands;
   for (size_t i = 0; i < s.curves.size(); ++i) {
@@ -200,13 +250,16 @@ std::string script_of(const Plot& unscaled, const std::string& name) {
     const char* with = scattered ? "points" : plot.style == Plot::Style::points ? "linespoints" : plot.style == Plot::Style::lines ? "lines" : "steps";
     const std::string mark = scattered || plot.style == Plot::Style::points ? fmt::format(" pt {} ps 0.8", marks[i % marks.size()]) : "";
     if (!s.curves[i].spread.empty())  // marks too small to be seen: a size of zero makes SVG that not every renderer reads
-      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colours[i % colours.size()]));
-    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i), mark, in_quotes(s.curves[i].title)));
+      commands.push_back(fmt::format("$curve{} using 1:2:3:4 with yerrorbars notitle lc rgb '{}' lw 1.2 pt 7 ps 0.02", i, colour_of(i, look)));
+    commands.push_back(fmt::format("$curve{} using 1:2 with {} {}{} title {}", i, with, style_of(i, look), mark, in_quotes(s.curves[i].title)));
   }
-  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), !labels || longest > 16, below);
+  Sheet sheet = sheet_of(look, !labels || longest > 16, below);
+  if (look.width && !look.height) sheet.height += below;
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet, look);
 }
 
-std::string script_of(const StackedBars& bars, const std::string& name) {
+std::string script_of(const StackedBars& given, const std::string& name, const PlotLook& look) {
+  const StackedBars bars = looked(given, look);
   std::string out = "set encoding utf8\n$bars << END\n";
   double highest = 0;
   for (const std::vector<double>& parts : bars.heights) highest = std::max(highest, std::accumulate(parts.begin(), parts.end(), 0.0));
@@ -231,7 +284,7 @@ std::string script_of(const StackedBars& bars, const std::string& name) {
     commands.push_back(fmt::format("{} using {}{} title {} {} lc rgb '{}'", "$bars", k + 2, k ? "" : ":xtic(1)",
                                    in_quotes(bars.parts[k]), fill, colours[k % colours.size()]));
   }
-  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), true);
+  return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet_of(look, true, 0), look);
 }
 
 // The exit code of `gnuplot SCRIPT` in a folder, its messages in a file beside it; -1: it could not be started.
@@ -277,17 +330,17 @@ std::string draw_script(const fs::path& folder, const std::string& name) {
   return fmt::format("{}: gnuplot failed; see {}", name, messages.string());
 }
 
-std::string draw(const Plot& plot, const fs::path& folder, const std::string& name) {
+std::string draw(const Plot& plot, const fs::path& folder, const std::string& name, const PlotLook& look) {
   const auto& curves = plot.curves;
   if (std::none_of(curves.begin(), curves.end(), [&](const Curve& c) { return drawable(plot, c); }))
     return fmt::format("{}: nothing to draw", name);
-  replace_file(folder / (name + ".gp"), script_of(plot, name));
+  replace_file(folder / (name + ".gp"), script_of(plot, name, look));
   return draw_script(folder, name);
 }
 
-std::string draw(const StackedBars& bars, const fs::path& folder, const std::string& name) {
+std::string draw(const StackedBars& bars, const fs::path& folder, const std::string& name, const PlotLook& look) {
   if (bars.names.empty() || bars.parts.empty()) return fmt::format("{}: nothing to draw", name);
-  replace_file(folder / (name + ".gp"), script_of(bars, name));
+  replace_file(folder / (name + ".gp"), script_of(bars, name, look));
   return draw_script(folder, name);
 }
 

@@ -8,13 +8,14 @@
 #include <filesystem>
 
 #include "framework/plot/plot.hpp"
+#include "framework/plot/plot_look.hpp"
 
 namespace tack {
 
-// Writes folder/name.gp, and name.svg and name.png by it. "" or why there are no pictures. Throws InputError
+// Writes folder/name.gp, and name.svg and name.png, if asked name.pdf, by it. "" or why there are no pictures. Throws InputError
 // when the script cannot be written.
-std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name);
-std::string draw(const StackedBars& bars, const std::filesystem::path& folder, const std::string& name);
+std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name, const PlotLook& look = {});
+std::string draw(const StackedBars& bars, const std::filesystem::path& folder, const std::string& name, const PlotLook& look = {});
 
 // Runs a script that is there. "" or what is wrong.
 std::string draw_script(const std::filesystem::path& folder, const std::string& name);

@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 #include "framework/output/derived_probe.hpp"
 #include "geometry/errors.hpp"
 
@@ -19,7 +19,7 @@ class FormulaProbe : public DerivedProbe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("of", text_, "a formula of columns of probes that stand before this one, and of t, the time [s]: `force / (0.1 * 0.1)`").required();
+    f.text("of", text_, "a formula of columns of probes that stand before this one, and of t, the time [s]: `force / (0.1 * 0.1)`").required().formula({"t"});
     f.text("unit", unit_, "what the result of the formula is in: `mN`, say, of which the column has the SI unit; a plain number unless given");
     f.check("unit", [this] { return check_unit(); });
   }

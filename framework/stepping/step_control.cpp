@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/load/following_load.hpp"
 #include "framework/stepping/time_integrator.hpp"
 
 namespace tack {
@@ -30,9 +29,7 @@ StepControl::StepControl(const World& world, const TimeConfig& time) : time_(tim
     for (const double t : hold.motion->corners()) add(t);
   }
   for (const Tie& tie : world.bindings.ties()) add(tie.from), add(tie.until);
-  for (const double t : world.load_term.corners()) add(t);
-  for (const FollowingLoad* load : world.following_loads)
-    for (const double t : load->corners()) add(t);
+  for (const double t : world.participants.abrupt_times()) add(t);
   add(time.duration);
   std::sort(corners_.begin(), corners_.end());
   for (size_t i = 0; i < world.bodies.size(); ++i) {

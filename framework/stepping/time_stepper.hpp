@@ -90,6 +90,7 @@ class TimeStepper {
   bool keep(const Attempt& attempt, double h, StepReport& report);
   void warn_of(const Attempt& attempt, const StepReport& report);
   void warn_of_unbonded();
+  void warn_of_joints();
   double smallest_tried() const;
   bool tolerates(double h, const Verdict& verdict) const;
   void halve(double h, const Verdict& verdict);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "framework/affine/orthogonality_term.hpp"
+#include "framework/body/extent.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/energy_advice.hpp"
@@ -44,6 +45,18 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   return r;
 }
 
+// Those that a stiff potential holds, as bodies that are held on both sides need.
+void TimeStepper::warn_of_joints() {
+  constexpr double tolerated = 1e-3;  // of the size of the object
+  for (const Joint& joint : world_.bindings.joints()) {
+    if (!joint.play) continue;
+    const double play = joint.play(state_.x), size = extent_of(world_.bodies[static_cast<size_t>(joint.bodies.front())], world_.rest).diagonal().norm();
+    if (play > tolerated * size)
+      warn_({fmt::format("step {} at t = {:.6g} s: joint '{}' gives way by {:.3g} m, {:.2g}% of its object's size; raise body.stiffness of what it joins, or load it less",
+                         state_.step, state_.time, joint.name, play, 100 * play / size), "joint " + joint.name});
+  }
+}
+
 void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
   if (!balance_.warning().empty())
     warn_({fmt::format("{}: {}", balance_.warning(),
@@ -51,6 +64,7 @@ void TimeStepper::warn_of(const Attempt& attempt, const StepReport& r) {
   if (r.affine_strain > tolerated_affine_strain && !std::exchange(told_of_strain_, true))
     warn_({fmt::format("step {} at t = {:.6g} s: an affine body is strained by {:.2g}, more than {:g}; raise body.stiffness",
                        state_.step, state_.time, r.affine_strain, tolerated_affine_strain), "affine strain"});
+  warn_of_joints();
   if (control_ && control_->too_large())
     warn_({fmt::format("step {} at t = {:.6g} s: its error is {:.3g} m, more than time.adaptive.error {:.3g} m, and it is the smallest that is allowed; "
                        "lower time.adaptive.smallest ({:.3g} s), or allow a larger error",

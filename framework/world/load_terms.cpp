@@ -16,7 +16,7 @@ VecX LoadTerm::forces_at(double t, Eigen::Index size) const {
   return force;
 }
 
-std::vector<double> LoadTerm::corners() const {
+std::vector<double> LoadTerm::abrupt_times() const {
   std::vector<double> all;
   for (const Acting& a : loads_) {
     const std::vector<double> own = a.load->corners();

@@ -27,7 +27,7 @@ class LoadTerm : public LinearTerm {
   void add(const Load& load, const Body& body, const VecX& rest, const VecX& mass) {
     loads_.push_back({&load, &body, &rest, &mass});
   }
-  std::vector<double> corners() const;  // times at which any of them changes abruptly [s]
+  std::vector<double> abrupt_times() const override;
   bool empty() const { return loads_.empty(); }
   VecX forces_at(double t, Eigen::Index size) const;  // of that size [N]
   void begin_step(const StepStart& start) override;

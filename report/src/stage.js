@@ -221,6 +221,12 @@ export class Stage {
     this.request();
   }
 
+  // Where it stands and what it looks at [m].
+  view() {
+    const metres = (p) => p.toArray().map((x, c) => x * this.size + this.centre[c]);
+    return { from: metres(this.camera.position), to: metres(this.controls.target), angle: (this.camera.fov * Math.PI) / 180 };
+  }
+
   // Angles in radians; zoom as a factor of the distance.
   orbit(across, along, zoom = 1) {
     const offset = this.camera.position.clone().sub(this.controls.target);

@@ -70,6 +70,7 @@ class View {
         h("div", { class: "bar" }, button("Fit frame", () => this.fit(this.frame)), button("Fit run", () => this.fit(null))),
         checkbox("mesh lines", false, (on) => this.stage?.setLines(on)),
         button("Save picture", () => this.save()),
+        (this.copyButton = button("Copy camera", () => this.copyCamera())),
         h("fieldset", {}, h("legend", {}, "Objects"), this.objects)),
       this.keys);
     this.canvas.addEventListener("keydown", (event) => this.key(event));
@@ -308,6 +309,21 @@ class View {
       for (const [part, text] of this.ticks) ctx.fillText(text, left + part * wide, line + 34 * unit);
     }
     return out;
+  }
+
+  // For `tack render --view`.
+  async copyCamera() {
+    const { from, to, angle } = this.stage.view();
+    const numbers = (list) => `[${list.map((x) => Number(x.toPrecision(5))).join(", ")}]`;
+    const text = `camera: {from: ${numbers(from)}, to: ${numbers(to)}, angle: ${Number(angle.toPrecision(4))}}`;
+    let said = "Copied";
+    try {
+      await navigator.clipboard.writeText(text);
+    } catch {
+      said = text; // where pages may not write there
+    }
+    this.copyButton.textContent = said;
+    setTimeout(() => (this.copyButton.textContent = "Copy camera"), said === text ? 20000 : 1500);
   }
 
   save() {

@@ -59,6 +59,7 @@ const mistakes = {
   "an unknown energy": (f) => (cube(f).energies[0].type = "neohookean"),
   "an unknown key of an energy": (f) => (cube(f).energies[0].yung = 1),
   "an energy without a type": (f) => delete cube(f).energies[0].type,
+  "a number as a whole one": (f) => (cube(f).shape.cells = ["3.5", 1, 1]),
   "a negative step": (f) => (f.time.step = -1),
   "an object without a shape": (f) => delete cube(f).shape,
   "an object without a name": (f) => delete cube(f).name,
@@ -68,6 +69,7 @@ const mistakes = {
 for (const [what, change] of Object.entries(mistakes)) assert.ok(!accepts(change), `not found: ${what}`);
 const rights = {
   "other units of the right kind": (f) => { f.time.step = "5e-3 s"; cube(f).energies[0].young = "0.1 N/mm^2"; f.gravity = [0, "-981 cm/s^2", 0]; },
+  "expressions of parameters": (f) => { f.parameters = { side: "10 cm", n: 2 }; f.time.step = "side / 1 m * 0.01 s"; cube(f).shape.size = ["side", "2 * side", "sqrt(side^2)"]; cube(f).shape.cells = ["n", "2 * n", 1]; },
   "units that the schema does not know": (f) => (cube(f).energies[0].young = "1e5 kg m-1 s-2"),
 };
 for (const [what, change] of Object.entries(rights)) assert.ok(accepts(change), `refused: ${what}\n  ${problems(schemas.scene)}`);

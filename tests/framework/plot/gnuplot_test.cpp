@@ -67,3 +67,35 @@ TEST_CASE("every renderer reads the pictures, and nothing of them is cut off", "
   CHECK(x > length * 0.82);
   CHECK(y + length * 0.58 < 480);
 }
+
+TEST_CASE("a look sizes pictures for paper", "[plot]") {
+  const TemporaryFolder folder;
+  const Plot plot{.title = "of runs", .x_label = "gap", .y_label = "force", .x_unit = "m", .y_unit = "N",
+                  .curves = {{"a", {{1e-3, 2}, {2e-3, 3}}, {}}, {"b", {{1e-3, 3}, {2e-3, 4}}, {}}}, .levels = {}, .notes = {}};
+  PlotLook look;
+  look.width = 0.0889;  // 3.5 inches
+  look.font_size = 8;
+  look.line_width = 1.5;
+  look.untitled = look.pdf = true;
+  look.x_label = "opening";
+  look.colours = {"#112233"};
+  const std::string failure = draw(plot, folder.path(), "plot", look);
+  if (contains(failure, "gnuplot is not there")) return;
+  CHECK(failure == "");
+  const std::string svg = file_text(folder.path() / "plot.svg");
+  CHECK(contains(svg, "width=\"336\" height=\"224\""));
+  CHECK(contains(svg, "opening [mm]"));
+  CHECK(contains(svg, "force [N]"));
+  CHECK_FALSE(contains(svg, "of runs"));
+  CHECK(contains(svg, "rgb( 17,  34,  51)"));
+  CHECK_FALSE(contains(svg, "rgb(  0, 114, 178)"));  // the usual first colour
+  CHECK(contains(svg, "font-size=\"10.67\""));      // 8 points
+  CHECK(file_text(folder.path() / "plot.pdf").starts_with("%PDF"));
+  const std::string png = file_text(folder.path() / "plot.png");  // 600 dots an inch: width and height stand in bytes 16 to 23
+  REQUIRE(png.size() > 24);
+  const auto number = [&](size_t at) { return (static_cast<unsigned char>(png[at + 2]) << 8) + static_cast<unsigned char>(png[at + 3]); };
+  CHECK(number(16) == 2100);
+  CHECK(number(20) == 1400);
+  CHECK(draw(StackedBars{"t", "y", {"one", "two"}, {"p"}, {{1}, {2}}, {}, ""}, folder.path(), "bars", look) == "");
+  CHECK(contains(file_text(folder.path() / "bars.svg"), "width=\"336\" height=\"224\""));
+}

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 
 #include "framework/stepping/time_stepper.hpp"
 #include "geometry/errors.hpp"
@@ -181,6 +182,52 @@ TEST_CASE("adaptive steps end where the script has corners", "[stepping]") {
     CHECK(std::any_of(taken.steps.begin(), taken.steps.end(), [&](const StepReport& s) { return std::abs(s.time - corner) < 1e-12; }));
   }
   CHECK(taken.steps.size() < 60);
+}
+
+TEST_CASE("adaptive steps end where motors change what they drive at", "[stepping]") {
+  const Taken taken = run(time_of("implicit_euler", 1e-3, 0.2, "error: 1e-3, largest: 0.03") +
+                          "objects: [{name: bar, shape: {type: box, size: [0.01, 0.2, 0.05]}, body: {type: affine, density: 1000}}]\n"
+                          "interactions: [{type: hinge, name: hinge, object: bar, at: [0, 0, 0], axis: [0, 0, 1], motor: {speed: [[0.0611, 0], [0.1234, 1]], torque: 1}}]\n");
+  for (const double corner : {0.0611, 0.1234, 0.2}) {
+    INFO(corner);
+    CHECK(std::any_of(taken.steps.begin(), taken.steps.end(), [&](const StepReport& s) { return std::abs(s.time - corner) < 1e-12; }));
+  }
+}
+
+namespace {
+
+// A block that falls on a floor and slides; unit: of length, which densities and moduli follow so that all that has no dimension is the same.
+std::string sliding(double unit) {
+  return fmt::format("time: {{step: 1e-3, duration: 0.2, integrator: bdf2, adaptive: {{error: {0}, largest: 20e-3, smallest: 0.01e-3}}}}\n"
+                     "solver: {{type: projected_newton, tolerance: {1}}}\n"
+                     "gravity: [0, {2}, 0]\n"
+                     "contact: {{distance: {3}, friction: {{mu: 0.3, eps_v: {4}}}}}\n"
+                     "objects:\n"
+                     "  - {{name: floor, shape: {{type: box, size: [{5}, {6}, {5}]}}, place: {{translate: [0, {7}, 0]}}, motion: [fixed]}}\n"
+                     "  - {{name: block, shape: {{type: box, size: [{8}, {8}, {8}], cells: [2, 2, 2]}}, place: {{translate: [0, {9}, 0]}}, velocity: [{10}, {11}, 0],\n"
+                     "     energies: [{{type: neo_hookean, young: {12}, density: 1000}}]}}\n",
+                     0.1e-3 * unit, 1e-5 * unit, -9.81 * unit, 1e-3 * unit, 0.01 * unit, 0.4 * unit, 0.02 * unit, -0.01 * unit, 0.05 * unit, 0.05 * unit, 0.3 * unit, -1 * unit,
+                     1e5 * unit * unit);
+}
+
+}  // namespace
+
+TEST_CASE("adaptive steps are the same with any number of threads", "[stepping]") {
+  const auto with = [](int threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(threads));
+    return run(sliding(1));
+  };
+  const Taken one = with(1), two = with(2);
+  CHECK(one.end.x == two.end.x);
+  CHECK(one.end.time == two.end.time);
+  CHECK(one.steps.size() == two.steps.size());
+}
+
+TEST_CASE("adaptive steps are the same in other units", "[stepping]") {
+  const Taken here = run(sliding(1)), there = run(sliding(1e-3));
+  CHECK(static_cast<double>(there.steps.size()) == Approx(static_cast<double>(here.steps.size())).epsilon(0.1));
+  CHECK(there.smallest() == Approx(here.smallest()).epsilon(0.5));
+  CHECK((1e3 * there.end.x - here.end.x).lpNorm<Eigen::Infinity>() < 1e-3);
 }
 
 TEST_CASE("quasi-static steps grow where the way is straight and shrink where it turns", "[stepping]") {

@@ -1,4 +1,4 @@
-#include "framework/body/formula.hpp"
+#include "framework/config/formula.hpp"
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -64,6 +64,11 @@ Formula::Formula(const std::string& text, const std::vector<std::string>& variab
   if (const int results = parser_->parser.GetNumResults(); results > 1)  // the last would be taken
     refuse(text, variables, fmt::format("a comma makes {} formulas of it; write numbers with a point, as 0.02", results));
 }
+bool Formula::knows(const std::string& name) {
+  static const mu::Parser parser;
+  return name == "pi" || parser.GetFunDef().contains(name) || parser.GetConst().contains(name);
+}
+
 Formula::~Formula() = default;
 Formula::Formula(Formula&&) noexcept = default;
 Formula& Formula::operator=(Formula&&) noexcept = default;

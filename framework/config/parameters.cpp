@@ -1,0 +1,238 @@
+#include "framework/config/parameters.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "framework/config/formula.hpp"
+#include "framework/config/nearest.hpp"
+#include "framework/config/units.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+bool begins_name(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
+bool in_name(char c) { return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)); }
+
+size_t end_of_name(const std::string& text, size_t at) {
+  while (at < text.size() && in_name(text[at])) ++at;
+  return at;
+}
+
+// Behind the number that begins there.
+size_t end_of_number(const std::string& text, size_t at) {
+  const char* begin = text.c_str() + at;
+  char* end = nullptr;
+  std::strtod(begin, &end);
+  return at + static_cast<size_t>(end - begin);
+}
+
+bool begins_number(const std::string& text, size_t at) {
+  const auto digit = [&](size_t i) { return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])); };
+  return digit(at) || (text[at] == '.' && digit(at + 1));
+}
+
+// What an expression is made of: names, numbers with their units, and the rest, character by character.
+struct Piece {
+  enum Kind { name, number, other } kind;
+  std::string text;  // of a number without its unit
+  std::string unit = "";
+};
+
+// The unit behind a number, up to where it ends: "mm", "m/s^2", "kg/m^3", "%". A name that is known ends it, as it is divided by: "4 mm / width".
+template <class Known>
+size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
+  size_t start = at;
+  while (start < text.size() && text[start] == ' ') ++start;
+  if (start == text.size()) return at;
+  if (text[start] == '%') return start + 1;
+  const auto word = [&](size_t from) {
+    size_t end = from;
+    while (end < text.size() && (std::isalpha(static_cast<unsigned char>(text[end])) || static_cast<unsigned char>(text[end]) >= 0x80)) ++end;
+    return end;
+  };
+  size_t end = word(start);
+  if (end == start || (end < text.size() && text[end] == '(')) return at;
+  const auto exponent = [&] {
+    size_t from = end + (end < text.size() && text[end] == '^');
+    if (from < text.size() && text[from] == '-') ++from;
+    size_t to = from;
+    while (to < text.size() && std::isdigit(static_cast<unsigned char>(text[to]))) ++to;
+    if (to > from) end = to;
+  };
+  exponent();
+  while (end < text.size() && text[end] == '/') {
+    const size_t next = word(end + 1);
+    if (next == end + 1 || known(text.substr(end + 1, end_of_name(text, end + 1) - end - 1))) break;
+    end = next;
+    exponent();
+  }
+  return end;
+}
+
+template <class Known>
+std::vector<Piece> pieces_of(const std::string& text, const Known& known) {
+  std::vector<Piece> pieces;
+  for (size_t at = 0; at < text.size();) {
+    if (begins_name(text[at])) {
+      const size_t end = end_of_name(text, at);
+      pieces.push_back({Piece::name, text.substr(at, end - at)});
+      at = end;
+    } else if (begins_number(text, at)) {
+      const size_t end = end_of_number(text, at), unit = end_of_unit(text, end, known);
+      size_t start = end;
+      while (start < unit && text[start] == ' ') ++start;
+      pieces.push_back({Piece::number, text.substr(at, end - at), text.substr(start, unit - start)});
+      at = unit;
+    } else {
+      pieces.push_back({Piece::other, std::string(1, text[at++])});
+    }
+  }
+  return pieces;
+}
+
+// The exponents that a base unit has in numbers of a formula, by what becomes of the formula when that unit is so many times as large.
+std::optional<int> exponent_of(const Formula& formula, const std::vector<double>& values, const std::vector<int>& exponents) {
+  const double before = formula(values);
+  std::optional<int> found;
+  for (const double larger : {2.0, 3.0}) {
+    std::vector<double> scaled = values;
+    for (size_t i = 0; i < values.size(); ++i) scaled[i] /= std::pow(larger, exponents[i]);
+    const double e = -std::log(formula(scaled) / before) / std::log(larger), whole = std::round(e);
+    if (!(std::abs(e - whole) < 1e-6) || (found && *found != static_cast<int>(whole))) return std::nullopt;
+    found = static_cast<int>(whole);
+  }
+  return found;
+}
+
+}  // namespace
+
+struct Parameters::Written : std::map<std::string, const Value*> {};
+
+bool Parameters::named_in(const std::string& text) const {
+  if (numbers_.empty()) return false;
+  const auto known = [this](const std::string& name) { return numbers_.contains(name); };
+  const std::vector<Piece> pieces = pieces_of(text, known);
+  return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) { return piece.kind == Piece::name && known(piece.text); });
+}
+
+Parameters::Number Parameters::number_of(const std::string& expression) const {
+  const auto known = [this](const std::string& name) { return numbers_.contains(name); };
+  std::string text;
+  std::vector<std::string> variables;
+  std::vector<double> values;
+  std::vector<std::map<std::string, int>> dimensions;
+  const auto add = [&](const std::string& name, const Number& number) {
+    text += name;
+    if (std::find(variables.begin(), variables.end(), name) != variables.end()) return;
+    variables.push_back(name);
+    values.push_back(number.si);
+    dimensions.push_back(number.dimension);
+  };
+  for (const Piece& piece : pieces_of(expression, known)) {
+    if (piece.kind == Piece::name && known(piece.text)) add(piece.text, numbers_.at(piece.text));
+    else if (piece.kind == Piece::number && !piece.unit.empty())
+      add(fmt::format("_number_{}", variables.size()), {to_si(piece.text + " " + piece.unit, units::any), base_dimension(piece.unit)});
+    else if (piece.kind == Piece::name && !Formula::knows(piece.text))
+      throw InputError(fmt::format("'{}' is no parameter{}", piece.text, suggestion(piece.text, names(), "parameters")));
+    else text += piece.text;
+  }
+  const Formula formula(text, variables);
+  Number number{formula(values), {}};
+  if (!std::isfinite(number.si)) throw InputError(fmt::format("'{}' is {}", expression, number.si));
+
+  // Its dimension does not depend on the numbers; others tell it where these give zero.
+  if (number.si == 0)
+    for (size_t i = 0; i < values.size(); ++i) values[i] = (values[i] == 0 ? 1 : values[i]) * (1.3 + 0.17 * static_cast<double>(i));
+  for (const auto& dimension : dimensions)
+    for (const auto& [base, exponent] : dimension) number.dimension[base] = 0;
+  for (auto& [base, exponent] : number.dimension) {
+    std::vector<int> exponents;
+    for (const auto& dimension : dimensions) {
+      const auto there = dimension.find(base);
+      exponents.push_back(there == dimension.end() ? 0 : there->second);
+    }
+    const std::optional<int> found = exponent_of(formula, values, exponents);
+    if (!found)
+      throw InputError(fmt::format("'{}' has no unit: what it adds, compares or takes functions of has different ones in {}; numbers in it need their units, as in `width + 2 mm`",
+                                   expression, base));
+    exponent = *found;
+  }
+  return number;
+}
+
+std::vector<std::string> Parameters::names() const {
+  std::vector<std::string> all;
+  for (const auto& [name, number] : numbers_) all.push_back(name);
+  return all;
+}
+
+std::string Parameters::evaluated(const std::string& expression) const {
+  const Number number = number_of(expression);
+  std::string text = Value::number(number.si).text;
+  for (const auto& [base, exponent] : number.dimension)
+    if (exponent != 0) text += fmt::format(" {}{}", base, exponent == 1 ? "" : fmt::format("^{}", exponent));
+  return text;
+}
+
+std::string Parameters::inserted(const std::string& formula, const std::vector<std::string>& variables, const Value* own) const {
+  const auto taken = [&](const std::string& name) { return std::find(variables.begin(), variables.end(), name) != variables.end(); };
+  std::string text;
+  for (size_t at = 0; at < formula.size();) {
+    const bool name = begins_name(formula[at]);
+    const size_t end = name ? end_of_name(formula, at) : begins_number(formula, at) ? end_of_number(formula, at) : at + 1;
+    const std::string piece = formula.substr(at, end - at);
+    const bool ours = name && numbers_.contains(piece) && !(own && own->find(piece));
+    if (ours && taken(piece)) throw InputError(fmt::format("'{}' is a variable of this formula, and a parameter of the scene; give the parameter another name", piece));
+    text += ours ? "(" + Value::number(numbers_.at(piece).si).text + ")" : piece;
+    at = end;
+  }
+  return text;
+}
+
+Parameters Parameters::of(const Value& root) {
+  Parameters p;
+  const Value* map = root.find("parameters");
+  if (!map || map->is_null()) return p;
+  if (!map->is_map()) throw InputError(fmt::format("{}: parameters: expects names with numbers, `width: 20 mm`, got {}", map->mark.text(), map->description()));
+  Written written;
+  for (const Value::Entry& e : map->entries) {
+    const std::string where = e.mark.text() + ": parameters: ";
+    if (e.key.empty() || !begins_name(e.key[0]) || end_of_name(e.key, 0) != e.key.size())
+      throw InputError(fmt::format("{}'{}' cannot stand in an expression; names are of letters, digits and _", where, e.key));
+    if (Formula::knows(e.key)) throw InputError(fmt::format("{}'{}' is a function or a constant of formulas; take another name", where, e.key));
+    if (!e.value.is_scalar()) throw InputError(fmt::format("{}{}: expects a number with its unit, or an expression, got {}", where, e.key, e.value.description()));
+    written[e.key] = &e.value;
+  }
+  std::vector<std::string> open;
+  for (const Value::Entry& e : map->entries) p.settle(written, e.key, open);
+  return p;
+}
+
+// After those that it needs; open: who needs it.
+void Parameters::settle(const Written& written, const std::string& name, std::vector<std::string>& open) {
+  if (numbers_.contains(name)) return;
+  const Value& value = *written.at(name);
+  const std::string where = value.mark.text() + ": parameters: " + name;
+  if (const auto first = std::find(open.begin(), open.end(), name); first != open.end())
+    throw InputError(fmt::format("{}: {}; give {} as a number", where, open.end() - first > 1 ? fmt::format("{} need each other", fmt::join(first, open.end(), ", ")) : "needs itself",
+                                 open.end() - first > 1 ? "one of them" : "it"));
+  open.push_back(name);
+  const auto known = [&](const std::string& other) { return written.contains(other); };
+  for (const Piece& piece : pieces_of(value.text, known))
+    if (piece.kind == Piece::name && known(piece.text)) settle(written, piece.text, open);
+  open.pop_back();
+  try {
+    numbers_[name] = number_of(value.text);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+}  // namespace tack

@@ -1,0 +1,24 @@
+// How pictures are made up: `tack plot --style FILE`, or keys of it by --set.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/config/field.hpp"
+
+namespace tack {
+
+struct PlotLook {
+  std::string title, x_label, y_label;  // empty: those of the picture
+  bool untitled = false;
+  std::optional<double> width, height;  // m
+  std::optional<double> font_size, line_width;  // pt
+  std::string font = "Helvetica";
+  std::vector<std::string> colours;  // of CSS, for curves in their order; empty: the usual ones
+  bool legend = true, grid = true, pdf = false;
+  void fields(Fields& f);
+
+  bool sized() const { return width || height || font_size; }
+};
+
+}  // namespace tack

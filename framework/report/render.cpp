@@ -1,0 +1,111 @@
+#include "framework/report/render.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
+#include "framework/report/report.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/io/replace_file.hpp"
+#include "geometry/own_library.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_frames = 5000;              // of a run that are kept for it
+constexpr int lights_of_pictures = 48, lights_of_films = 10;
+
+// A folder that goes with whoever has it.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "tack_render_XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: no folder can be made there; set TMPDIR", name));
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code none;
+    fs::remove_all(path_, none);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+fs::path shared(const char* name) {
+  std::error_code none;
+  const fs::path share = own_root() / "share", installed = share / "tack" / name;
+  return fs::exists(installed, none) ? installed : share / name;
+}
+
+// Those of the build tree, or of an installation.
+fs::path modules() {
+  std::error_code none;
+  const fs::path installed = own_root() / "share" / "tack";
+  return fs::exists(installed / "node_modules", none) ? installed : own_root() / "report";
+}
+
+// The exit code of a program, -1 if it could not be started; quiet: what it tells is dropped, but not its errors.
+int run(std::vector<std::string> words, bool quiet) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  if (quiet) posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);  // Ctrl-C ends it
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t pid = 0;
+  const int failed = ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed) return -1;
+  int status = 0;
+  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+void render(const RenderSettings& settings, const RenderView& view) {
+  const std::string ending = settings.output.extension().string();
+  if (ending != ".png" && ending != ".mp4" && ending != ".gif")
+    throw InputError(fmt::format("{}: a picture ends in .png, a film in .mp4 or .gif; name one by -o", settings.output.string()));
+  for (const fs::path& folder : settings.folders)
+    if (kind_of(folder) != FolderKind::run) throw InputError(fmt::format("{}: only runs are drawn; give the folder of one", folder.string()));
+  const Scratch scratch;
+  ReportSettings report;
+  report.folders = settings.folders;
+  report.output = scratch.path() / "film.html";
+  report.frames = most_frames;
+  report.page = shared("film.html");
+  report.version = settings.version;
+  report.commit = settings.commit;
+  for (const std::string& note : write_report(report).notes)
+    if (!settings.quiet) fmt::print("note: {}\n", note);
+  const fs::path told = scratch.path() / "view.json";
+  replace_file(told, json_of(view, ending == ".png" ? lights_of_pictures : lights_of_films).dump());
+  if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
+  std::fflush(nullptr);
+  const int code = run({"node", shared("render.mjs").string(), modules().string(), report.output.string(), told.string(), settings.output.string()}, settings.quiet);
+  if (code < 0 || code == 127) throw InputError("there is no node to draw with; install it (Debian: nodejs), or run `./tack render`, which does");
+  if (code != 0) throw InputError(fmt::format("{} was not drawn", settings.output.string()));
+}
+
+}  // namespace tack

@@ -1,0 +1,22 @@
+// tack render: pictures and films of runs, drawn in a browser without a window by report/render.mjs.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "framework/report/render_view.hpp"
+
+namespace tack {
+
+struct RenderSettings {
+  std::vector<std::filesystem::path> folders;  // of runs, side by side
+  std::filesystem::path output;                // ends in .png, .mp4 or .gif
+  bool quiet = false;
+  std::string version, commit;  // of the program
+};
+
+// Throws InputError: no run, another ending, a view that does not fit the runs, no node, browser or ffmpeg.
+void render(const RenderSettings& settings, const RenderView& view);
+
+}  // namespace tack

@@ -1,0 +1,75 @@
+// Draws pictures and films of runs in a browser without a window:
+//   node render.mjs MODULES PAGE VIEW OUTPUT
+// MODULES: the folder that holds node_modules; PAGE: film.html with the data of the runs; VIEW: what `tack render` was told (JSON); OUTPUT: a file that ends
+// in .png, .mp4 or .gif. Tells how far it is, a line a frame: "frame 3 of 120".
+import { spawn, spawnSync } from "node:child_process";
+import { once } from "node:events";
+import { readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [modules, page, viewFile, output] = process.argv.slice(2);
+const view = JSON.parse(readFileSync(viewFile, "utf8"));
+
+function fail(message) {
+  process.stderr.write(`${message}\n`);
+  process.exit(2);
+}
+
+function browserOf() {
+  for (const name of ["chromium", "chromium-browser", "google-chrome"]) {
+    const found = spawnSync("sh", ["-c", `command -v ${name}`], { encoding: "utf8" });
+    if (found.status === 0) return found.stdout.trim();
+  }
+  return fail("there is no browser to draw with; install chromium");
+}
+
+const arguments_ = ["--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
+const { chromium } = createRequire(join(modules, "package.json"))("playwright-core");
+const browser = await chromium.launch({ executablePath: browserOf(), args: arguments_ });
+try {
+  const context = await browser.newContext({ offline: true, viewport: { width: 400, height: 300 } });
+  const tab = await context.newPage();
+  tab.on("pageerror", (error) => process.stderr.write(`${error.message}\n`));
+  await tab.goto(pathToFileURL(page).href);
+  await tab.waitForSelector("html[data-ready]", { timeout: 120000, state: "attached" });
+  const run = await tab.evaluate(async (v) => {
+    try {
+      return await window.film.open(v);
+    } catch (error) {
+      return { error: error.message };
+    }
+  }, view);
+  if (run.error) fail(run.error);
+
+  const draw = async (time) => Buffer.from(await tab.evaluate((t) => window.film.draw(t), time), "base64");
+  if (output.endsWith(".png")) {
+    const at = view.at ?? run.last;
+    writeFileSync(output, await draw(at));
+  } else {
+    const [from, to] = [view.from ?? run.times[0], view.to ?? run.last];
+    const count = view.speed === null ? run.times.filter((t) => t >= from && t <= to).length : Math.max(2, Math.round(((to - from) / view.speed) * view.fps) + 1);
+    const times = Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
+    const gif = output.endsWith(".gif");
+    const coder = spawn("ffmpeg", ["-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", String(view.fps), "-c:v", "png", "-i", "-",
+      ...(gif ? ["-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"]
+        : ["-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"]), output],
+      { stdio: ["pipe", "inherit", "inherit"] });
+    coder.on("error", () => fail("there is no ffmpeg to make films with; install it, or draw a picture (-o picture.png)"));
+    let last = null;
+    for (let i = 0; i < count; ++i) {
+      // What did not change is not drawn again.
+      const frame = run.times.reduce((best, t, k) => (Math.abs(t - times[i]) < Math.abs(run.times[best] - times[i]) ? k : best), 0);
+      if (!last || last.frame !== frame || view.time || run.kept.length > 1) last = { frame, png: await draw(times[i]) };
+      if (!coder.stdin.write(last.png)) await once(coder.stdin, "drain");
+      process.stdout.write(`frame ${i + 1} of ${count}\n`);
+    }
+    coder.stdin.end();
+    const [code] = await once(coder, "close");
+    if (code !== 0) fail(`ffmpeg ended with ${code}`);
+  }
+} finally {
+  await browser.close();
+}

@@ -1,0 +1,308 @@
+// Pictures of one frame under an even sky and a sun: the mean of many drawings, each with one light that casts shadows. What the sky reaches less is darker, edges of
+// shadows are soft, and as each drawing is shifted by a part of a pixel, edges are smooth.
+import {
+  AddEquation, AmbientLight, BufferAttribute, BufferGeometry, Color, CustomBlending, CylinderGeometry, DirectionalLight, DoubleSide, DynamicDrawUsage, FloatType,
+  HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial, NearestFilter, OneFactor,
+  OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, SRGBColorSpace, Vector3, WebGLRenderer, WebGLRenderTarget,
+} from "three";
+import { CornerNormals } from "./corner_normals.js";
+
+const usual = { roughness: 0.7, metalness: 0, opacity: 1, smooth: 40, lines: false, hide: false };
+const shadowPixels = 1024;
+const up = new Vector3(0, 1, 0);
+
+const quad = `varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }`;
+const weighed = `uniform sampler2D picture; uniform float weight; varying vec2 at; void main() { gl_FragColor = texture2D(picture, at) * weight; }`;
+const shown = `uniform sampler2D picture; varying vec2 at;
+  void main() {
+    vec4 c = texture2D(picture, at);
+    vec3 s = mix(c.rgb * 12.92, 1.055 * pow(max(c.rgb, vec3(0.0)), vec3(1.0 / 2.4)) - 0.055, step(vec3(0.0031308), c.rgb));
+    gl_FragColor = vec4(s, 1.0);
+  }`;
+
+// Numbers that fill [0, 1) evenly, however many are taken.
+function radical(i, base) {
+  let [sum, part] = [0, 1 / base];
+  for (; i > 0; i = Math.floor(i / base), part /= base) sum += part * (i % base);
+  return sum;
+}
+
+export class Studio {
+  // Throws if the browser has no WebGL. lights: drawings that a picture is the mean of.
+  constructor(width, height, { lights, background }) {
+    this.renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(1);
+    this.renderer.setSize(width, height, false);
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.autoClear = false;
+    this.width = width;
+    this.height = height;
+    this.lights = lights;
+    this.background = new Color().setStyle(background, SRGBColorSpace);
+    this.one = new WebGLRenderTarget(width, height, { type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter });
+    this.sum = new WebGLRenderTarget(width, height, { type: FloatType, minFilter: NearestFilter, magFilter: NearestFilter, depthBuffer: false });
+    const pass = (fragmentShader, uniforms, more = {}) => {
+      const scene = new Scene();
+      const material = new ShaderMaterial({ vertexShader: quad, fragmentShader, uniforms, depthTest: false, depthWrite: false, toneMapped: false, ...more });
+      scene.add(new Mesh(new PlaneGeometry(2, 2), material));
+      return scene;
+    };
+    this.flat = new OrthographicCamera(-1, 1, 1, -1, 0, 1);
+    this.adding = pass(weighed, { picture: { value: this.one.texture }, weight: { value: 1 / lights } }, {
+      blending: CustomBlending, blendEquation: AddEquation, blendSrc: OneFactor, blendDst: OneFactor,
+    });
+    this.showing = pass(shown, { picture: { value: this.sum.texture } });
+  }
+
+  get canvas() { return this.renderer.domElement; }
+
+  // A set for one run: what is drawn of it. looks: per object, over what is usual.
+  set(frames, vertical, looks, colours) {
+    return new Actors(frames, vertical, looks, colours);
+  }
+
+  // sets: [{set, camera, box: [x, y, width, height] in pixels from below}]; drawn side by side.
+  draw(views) {
+    const { renderer } = this;
+    renderer.setRenderTarget(this.sum);
+    renderer.setClearColor(0x000000, 0);
+    renderer.clear();
+    for (let i = 0; i < this.lights; ++i) {
+      renderer.setRenderTarget(this.one);
+      renderer.setClearColor(this.background, 1);
+      renderer.clear();
+      const shift = [radical(i + 1, 2) - 0.5, radical(i + 1, 3) - 0.5];
+      for (const { set, camera, box } of views) {
+        const [x, y, width, height] = box;
+        this.one.viewport.set(x, y, width, height);
+        this.one.scissor.set(x, y, width, height);
+        this.one.scissorTest = true;
+        camera.setViewOffset(width, height, ...shift, width, height);
+        set.lightUp(i, this.lights, camera);
+        renderer.setRenderTarget(this.one);
+        renderer.render(set.scene, camera);
+        camera.clearViewOffset();
+      }
+      this.one.viewport.set(0, 0, this.width, this.height);
+      this.one.scissorTest = false;
+      renderer.setRenderTarget(this.sum);
+      renderer.render(this.adding, this.flat);
+    }
+    renderer.setRenderTarget(null);
+    renderer.render(this.showing, this.flat);
+  }
+}
+
+class Actors {
+  constructor(frames, vertical, looks, colours) {
+    Object.assign(this, { frames, vertical, looks, colours });
+    this.scene = new Scene();
+    this.light = new DirectionalLight(0xffffff, 1);
+    this.light.castShadow = true;
+    this.light.shadow.mapSize.set(shadowPixels, shadowPixels);
+    this.light.shadow.bias = -0.0004;
+    this.ambient = new AmbientLight(0xffffff, 0.5);
+    this.scene.add(this.light, this.light.target, this.ambient);
+    const { low, high } = frames.box();
+    this.low = low;
+    this.high = high;
+    this.size = Math.hypot(...low.map((l, c) => high[c] - l)) || 1;
+    this.centre = low.map((l, c) => (l + high[c]) / 2);
+    this.placed = new Float32Array(3 * frames.vertices);
+    this.place(0);
+    this.parts = frames.objects.map((object, i) => this.part(object, i));
+    this.turn = new Quaternion().setFromUnitVectors(up, new Vector3(...vertical));
+  }
+
+  look(object) { return { ...usual, ...this.looks(object) }; }
+
+  place(number) {
+    const { frames, placed, centre, size } = this;
+    const codes = frames.codes[number];
+    for (let v = 0; v < frames.vertices; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (frames.place(codes[c * frames.vertices + v]) - centre[c]) / size;
+  }
+
+  part(object, i) {
+    const { frames } = this;
+    const look = this.look(object.name);
+    const part = { look, colour: new Color().setStyle(look.colour ?? this.colours[i % this.colours.length], SRGBColorSpace) };
+    if (look.hide) return part;
+    const material = (more) => new MeshStandardMaterial({
+      side: DoubleSide, shadowSide: DoubleSide, roughness: look.roughness, metalness: look.metalness, opacity: look.opacity, transparent: look.opacity < 1, depthWrite: look.opacity >= 1, ...more,
+    });
+    const add = (mesh) => {
+      mesh.castShadow = look.opacity > 0.5;
+      mesh.receiveShadow = true;
+      mesh.frustumCulled = false;
+      this.scene.add(mesh);
+      return mesh;
+    };
+    const mine = (count, from) => Array.from({ length: count }, (_, k) => k).filter((k) => frames.object[from + k] === i);
+    part.triangles = mine(frames.triangleCount, 0);
+    if (part.triangles.length > 0) {
+      part.corners = Uint32Array.from(part.triangles.flatMap((t) => [frames.triangles[3 * t], frames.triangles[3 * t + 1], frames.triangles[3 * t + 2]]));
+      part.normals = new CornerNormals(this.placed, part.corners, (look.smooth * Math.PI) / 180);
+      part.geometry = new BufferGeometry();
+      for (const name of ["position", "normal", "color"])
+        part.geometry.setAttribute(name, new BufferAttribute(new Float32Array(3 * part.corners.length), 3).setUsage(DynamicDrawUsage));
+      add(new Mesh(part.geometry, material({ vertexColors: true, polygonOffset: look.lines, polygonOffsetFactor: 1, polygonOffsetUnits: 1 })));
+      if (look.lines) {
+        part.lines = new BufferGeometry();
+        part.lines.setAttribute("position", new BufferAttribute(new Float32Array(6 * part.corners.length), 3).setUsage(DynamicDrawUsage));
+        const mesh = new LineSegments(part.lines, new LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.35 }));
+        mesh.frustumCulled = false;
+        this.scene.add(mesh);
+      }
+    }
+    const instances = (geometry, list) => {
+      const mesh = new InstancedMesh(geometry, material({}), Math.max(1, list.length));
+      mesh.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * Math.max(1, list.length)), 3);
+      mesh.count = list.length;
+      return add(mesh);
+    };
+    part.edges = mine(frames.edgeCount, frames.triangleCount);
+    if (part.edges.length > 0) {
+      part.rods = instances(new CylinderGeometry(1, 1, 1, 16, 1, true), part.edges);
+      part.joints = instances(new IcosahedronGeometry(1, 2), [...part.edges, ...part.edges]);
+    }
+    part.points = mine(frames.points.length, frames.triangleCount + frames.edgeCount);
+    if (part.points.length > 0) part.balls = instances(new IcosahedronGeometry(1, part.points.length > 3000 ? 2 : 4), part.points);
+    part.radius = object.radius === null || object.radius === undefined ? 0.003 : Math.max(0.0008, object.radius / this.size);
+    return part;
+  }
+
+  // colourOf(element, vertex) -> [r, g, b], linear, or null: that of the object.
+  setFrame(number, colourOf) {
+    this.place(number);
+    for (const part of this.parts) this.placePart(part, colourOf);
+  }
+
+  placePart(part, colourOf) {
+    const { frames, placed } = this;
+    const colour = (element, vertex) => colourOf?.(element, vertex) ?? [part.colour.r, part.colour.g, part.colour.b];
+    if (part.geometry) {
+      const { position, normal, color } = part.geometry.attributes;
+      part.corners.forEach((v, k) => {
+        for (let c = 0; c < 3; ++c) position.array[3 * k + c] = placed[3 * v + c];
+        color.array.set(colour(part.triangles[Math.floor(k / 3)], v), 3 * k);
+      });
+      part.normals.write(placed, normal.array);
+      position.needsUpdate = normal.needsUpdate = color.needsUpdate = true;
+      if (part.lines) {
+        const line = part.lines.attributes.position;
+        part.corners.forEach((v, k) => {
+          const w = part.corners[k % 3 === 2 ? k - 2 : k + 1];
+          for (let c = 0; c < 3; ++c) {
+            line.array[6 * k + c] = placed[3 * v + c];
+            line.array[6 * k + 3 + c] = placed[3 * w + c];
+          }
+        });
+        line.needsUpdate = true;
+      }
+    }
+    const [a, b, way, scale, middle, turn, matrix] = [new Vector3(), new Vector3(), new Vector3(), new Vector3(), new Vector3(), new Quaternion(), new Matrix4()];
+    const done = (mesh) => (mesh.instanceMatrix.needsUpdate = mesh.instanceColor.needsUpdate = true);
+    if (part.rods) {
+      const r = part.radius;
+      part.edges.forEach((e, k) => {
+        const ends = [frames.edges[2 * e], frames.edges[2 * e + 1]];
+        a.fromArray(placed, 3 * ends[0]);
+        b.fromArray(placed, 3 * ends[1]);
+        const length = way.subVectors(b, a).length();
+        turn.setFromUnitVectors(up, way.divideScalar(length || 1));
+        part.rods.setMatrixAt(k, matrix.compose(middle.addVectors(a, b).multiplyScalar(0.5), turn, scale.set(r, length, r)));
+        const both = ends.map((v) => colour(frames.triangleCount + e, v));
+        part.rods.instanceColor.array.set(both[0].map((x, c) => (x + both[1][c]) / 2), 3 * k);
+        [a, b].forEach((end, side) => {
+          part.joints.setMatrixAt(2 * k + side, matrix.makeScale(r, r, r).setPosition(end));
+          part.joints.instanceColor.array.set(both[side], 3 * (2 * k + side));
+        });
+      });
+      done(part.rods);
+      done(part.joints);
+    }
+    if (part.balls) {
+      const r = part.radius;
+      part.points.forEach((p, k) => {
+        const v = frames.points[p];
+        part.balls.setMatrixAt(k, matrix.makeScale(r, r, r).setPosition(placed[3 * v], placed[3 * v + 1], placed[3 * v + 2]));
+        part.balls.instanceColor.array.set(colour(frames.triangleCount + frames.edgeCount + p, v), 3 * k);
+      });
+      done(part.balls);
+    }
+  }
+
+  // A third of the drawings are the sun's, from behind the left shoulder of who looks, and wide; the others are the sky's.
+  lightUp(i, count, camera) {
+    const suns = Math.max(1, Math.round(count / 3));
+    const sun = i < suns;
+    const [k, n] = sun ? [i, suns] : [i - suns, Math.max(1, count - suns)];
+    const away = new Vector3();
+    if (sun) {
+      const back = camera.position.clone().sub(this.target).normalize();
+      const vertical = new Vector3(...this.vertical);
+      const side = new Vector3().crossVectors(vertical, back).normalize();
+      away.copy(vertical).multiplyScalar(1.1).addScaledVector(back, 0.8).addScaledVector(side, -0.55).normalize();
+      const [across, along] = [new Vector3().crossVectors(away, side).normalize(), new Vector3()];
+      along.crossVectors(away, across);
+      const [r, angle] = [0.12 * Math.sqrt((k + 0.5) / n), 2.39996 * k];
+      away.addScaledVector(across, r * Math.cos(angle)).addScaledVector(along, r * Math.sin(angle)).normalize();
+    } else {
+      // By the cosine of their height, a little of them from the side.
+      const [height, angle] = [Math.sqrt(1 - 0.97 * ((k + 0.5) / n)), 2.39996 * k];
+      const flat = Math.sqrt(1 - height * height);
+      away.set(flat * Math.cos(angle), height, flat * Math.sin(angle)).applyQuaternion(this.turn);
+    }
+    this.light.intensity = sun ? 5.2 : 2.3;
+    const reach = this.reach;
+    this.light.target.position.copy(this.middle);
+    this.light.position.copy(this.middle).addScaledVector(away, 2 * reach);
+    const shadow = this.light.shadow.camera;
+    shadow.left = shadow.bottom = -reach;
+    shadow.right = shadow.top = reach;
+    shadow.near = 0.5 * reach;
+    shadow.far = 3.5 * reach;
+    shadow.updateProjectionMatrix();
+    this.light.shadow.normalBias = (2.5 * reach) / shadowPixels;
+    this.light.shadow.needsUpdate = true;
+  }
+
+  // Where shadows matter: a box of the run, in metres.
+  focus(low, high) {
+    const place = (p) => new Vector3(...p.map((x, c) => (x - this.centre[c]) / this.size));
+    const [a, b] = [place(low), place(high)];
+    this.middle = a.clone().add(b).multiplyScalar(0.5);
+    this.reach = Math.max(1e-3, a.distanceTo(b) / 2);
+    this.target = this.middle;
+  }
+
+  // {from, to} in metres, or {look, turn, lift, zoom}: directions as of the report, degrees, and how much nearer.
+  camera(view, box, aspect) {
+    const camera = new PerspectiveCamera(view.angle, aspect, 0.01, 100);
+    const vertical = new Vector3(...this.vertical);
+    camera.up.copy(vertical);
+    const place = (p) => new Vector3(...p.map((x, c) => (x - this.centre[c]) / this.size));
+    const target = view.to ? place(view.to) : place(box.low.map((l, c) => (l + box.high[c]) / 2));
+    if (view.from) camera.position.copy(place(view.from));
+    else {
+      const along = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] }[view.look];
+      const direction = along ? new Vector3(...along)
+        : (Math.abs(vertical.y) > 0.5 ? new Vector3(0.55, 0, 1) : Math.abs(vertical.z) > 0.5 ? new Vector3(0.55, -1, 0) : new Vector3(0, 0.55, 1)).addScaledVector(vertical, 0.5);
+      direction.normalize();
+      if (Math.abs(direction.dot(vertical)) > 0.99) camera.up.copy(Math.abs(vertical.z) > 0.5 ? new Vector3(0, 1, 0) : new Vector3(0, 0, -1));
+      direction.applyAxisAngle(camera.up, (view.turn * Math.PI) / 180);
+      direction.applyAxisAngle(new Vector3().crossVectors(direction, camera.up).normalize(), (view.lift * Math.PI) / 180);
+      const extent = Math.hypot(...box.low.map((l, c) => box.high[c] - l)) / this.size || 1;
+      const away = (0.54 * extent) / Math.tan((view.angle * Math.PI) / 360) / Math.min(1, aspect) / view.zoom;
+      camera.position.copy(direction.multiplyScalar(away)).add(target);
+    }
+    camera.lookAt(target);
+    const distance = camera.position.distanceTo(target);
+    camera.near = Math.max(0.01 * distance, distance - 2);
+    camera.far = distance + 3;
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    return camera;
+  }
+}

@@ -1,0 +1,138 @@
+// Pictures and films by `tack render`: what is in them, looked at in a browser, and what is refused.
+//   node render_test.mjs TACK MODULES PAGE     ends with 77, and says why, without what it takes
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { findBrowser, launch } from "./browser.mjs";
+
+const [tack, modules, pageFile] = process.argv.slice(2);
+const skip = (why) => {
+  console.log(`skipped: ${why}`);
+  process.exit(77);
+};
+if (!existsSync(pageFile)) skip("what draws is not built: cmake --build --preset release --target tack_report (needs npm: apt-get install nodejs npm)");
+const executable = findBrowser();
+if (!executable) skip("there is no browser: apt-get install chromium");
+const { chromium } = { chromium: createRequire(join(modules, "package.json"))("playwright-core").chromium };
+const films = spawnSync("ffmpeg", ["-version"]).status === 0;
+
+const folder = mkdtempSync(join(tmpdir(), "tack_render_test_"));
+const run = (...words) => spawnSync(tack, words, { encoding: "utf8", cwd: folder });
+const done = (...words) => {
+  const result = run(...words);
+  assert.equal(result.status, 0, `${words.join(" ")}: ${result.stderr}${result.stdout}`);
+  return result.stdout;
+};
+const refused = (pattern, ...words) => {
+  const result = run(...words);
+  assert.equal(result.status, 2, `${words.join(" ")}: ${result.stdout}`);
+  assert.match(result.stderr, pattern);
+};
+
+// A cube of 1 m above a plate, a rod and particles beside it.
+writeFileSync(join(folder, "scene.yaml"), `
+name: still_life
+time: {step: 20 ms, duration: 0.2 s}
+gravity: [0, -5, 0]
+objects:
+  - {name: plate, shape: {type: box, size: [6, 0.1, 6]}, place: {translate: [0, -0.05, 0]}, motion: [fixed]}
+  - name: cube
+    shape: {type: box, size: [1, 1, 1], cells: [2, 2, 2]}
+    place: {translate: [0, 1, 0]}
+    energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3, density: 1000}]
+output: {frame_interval: 20 ms, fields: [displacement]}
+`);
+done("run", "scene.yaml", "-q", "-o", "out");
+
+const browser = await launch({ chromium }, executable);
+const tab = await browser.newPage();
+
+// {width, height, pixels: [r, g, b] at parts of width and height}
+async function looked(file, places) {
+  const base64 = readFileSync(join(folder, file)).toString("base64");
+  return tab.evaluate(async ([data, at]) => {
+    const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+    const canvas = new OffscreenCanvas(picture.width, picture.height);
+    const ctx = canvas.getContext("2d");
+    ctx.drawImage(picture, 0, 0);
+    const pixels = at.map(([x, y]) => [...ctx.getImageData(Math.floor(x * picture.width), Math.floor(y * picture.height), 1, 1).data].slice(0, 3));
+    return { width: picture.width, height: picture.height, pixels };
+  }, [base64, places]);
+}
+const grey = ([r, g, b]) => 0.3 * r + 0.6 * g + 0.1 * b;
+const above = ["--set", "size=[400, 300]", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "time=false", "lights=60",
+  "objects={plate: {colour: '#808080'}, cube: {colour: '#ff0000', smooth: 0}}"];
+
+const tests = {
+  async "from above: the cube is red, where it shades the plate it is darker, beside the plate is the background"() {
+    done("render", "out", "-o", "above.png", ...above, "background='#0000ff'");
+    const { width, height, pixels } = await looked("above.png", [[0.5, 0.5], [0.585, 0.4], [0.3, 0.2], [0.03, 0.5]]);
+    assert.deepEqual([width, height], [400, 300]);
+    const [cube, shade, open, beside] = pixels;
+    assert.ok(cube[0] > 150 && cube[1] < 60 && cube[2] < 60, `the cube: ${cube}`);
+    assert.ok(Math.max(...open) - Math.min(...open) < 12, `the plate is grey: ${open}`);
+    assert.ok(grey(open) > 90, `and lit: ${open}`);
+    assert.ok(grey(shade) < grey(open) - 3, `the cube shades it: ${shade}, ${open}`);
+    assert.deepEqual(beside, [0, 0, 255]);
+  },
+  async "what is hidden is not there, and casts no shadow"() {
+    done("render", "out", "-o", "hidden.png", ...above, "objects.cube.hide=true");
+    const { pixels: [middle, side] } = await looked("hidden.png", [[0.5, 0.5], [0.625, 0.6]]);
+    assert.ok(Math.abs(grey(middle) - grey(side)) < 4, `${middle}, ${side}`);
+  },
+  async "a field colours by its range"() {
+    done("render", "out", "-o", "field.png", ...above, "field={name: displacement, range: [0, 0.1]}", "scale_bar=false");
+    const { pixels: [cube, plate] } = await looked("field.png", [[0.5, 0.5], [0.3, 0.2]]);
+    assert.ok(cube[0] > 120 && cube[1] > 120 && cube[2] < 100, `it fell by more: yellow: ${cube}`);
+    assert.ok(plate[2] > plate[1] && plate[0] < 110, `it stood: violet: ${plate}`);
+  },
+  async "the same picture twice"() {
+    done("render", "out", "-o", "again.png", ...above, "background='#0000ff'");
+    assert.ok(readFileSync(join(folder, "above.png")).equals(readFileSync(join(folder, "again.png"))));
+  },
+  async "side by side"() {
+    done("render", "out", "out", "-o", "both.png", "--set", "size=[600, 200]", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "lights=4", "labels=[one, other]",
+      "objects={cube: {colour: '#ff0000'}}");
+    const { pixels } = await looked("both.png", [[0.25, 0.5], [0.75, 0.5]]);
+    for (const one of pixels) assert.ok(one[0] > 120 && one[1] < 90, `${one}`);
+  },
+  async "films"() {
+    if (!films) return console.log("skipped: there is no ffmpeg: apt-get install ffmpeg");
+    for (const film of ["film.mp4", "film.gif"]) {
+      const told = done("render", "out", "-o", film, "--set", "size=[160, 120]", "lights=2");
+      assert.match(told, /frame 11 of 11/);
+      assert.ok(statSync(join(folder, film)).size > 1000);
+      const probe = spawnSync("ffprobe", ["-v", "error", "-count_frames", "-select_streams", "v", "-show_entries", "stream=width,height,nb_read_frames", "-of", "csv=p=0", film],
+        { encoding: "utf8", cwd: folder });
+      assert.match(probe.stdout, /^160,120,11/);
+    }
+    assert.match(done("render", "out", "-o", "slow.mp4", "--set", "size=[160, 120]", "lights=1", "speed=0.2", "from=0.1"), /frame 16 of 16/);
+  },
+  async "what is refused"() {
+    refused(/picture\.jpg: a picture ends in \.png, a film in \.mp4 or \.gif/, "render", "out", "-o", "picture.jpg");
+    refused(/no run has an object 'cubo'; there are plate, cube/, "render", "out", "--set", "objects={cubo: {hide: true}}");
+    refused(/has no 'stress'; its frames have displacement/, "render", "out", "--set", "field={name: stress}");
+    refused(/unknown key 'colour' in/, "render", "out", "--set", "colour=red");
+    refused(/there is no such folder/, "render", "nowhere");
+  },
+};
+
+let failed = 0;
+try {
+  for (const [name, test] of Object.entries(tests)) {
+    try {
+      await test();
+      console.log(`pass  ${name}`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAIL  ${name}\n${error.stack}`);
+    }
+  }
+} finally {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+}
+process.exit(failed > 0 ? 1 : 0);
