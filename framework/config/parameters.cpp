@@ -111,6 +111,13 @@ std::optional<int> exponent_of(const Formula& formula, const std::vector<double>
   return found;
 }
 
+std::string text_of(double si, const std::map<std::string, int>& dimension) {
+  std::string text = Value::number(si).text;
+  for (const auto& [base, exponent] : dimension)
+    if (exponent != 0) text += fmt::format(" {}{}", base, exponent == 1 ? "" : fmt::format("^{}", exponent));
+  return text;
+}
+
 }  // namespace
 
 struct Parameters::Written : std::map<std::string, const Value*> {};
@@ -175,11 +182,10 @@ std::vector<std::string> Parameters::names() const {
 
 std::string Parameters::evaluated(const std::string& expression) const {
   const Number number = number_of(expression);
-  std::string text = Value::number(number.si).text;
-  for (const auto& [base, exponent] : number.dimension)
-    if (exponent != 0) text += fmt::format(" {}{}", base, exponent == 1 ? "" : fmt::format("^{}", exponent));
-  return text;
+  return text_of(number.si, number.dimension);
 }
+
+std::string Parameters::like(const std::string& name, double si) const { return text_of(si, numbers_.at(name).dimension); }
 
 std::string Parameters::inserted(const std::string& formula, const std::vector<std::string>& variables, const Value* own) const {
   const auto taken = [&](const std::string& name) { return std::find(variables.begin(), variables.end(), name) != variables.end(); };

@@ -24,6 +24,10 @@ class Parameters {
   // What an expression is, as a number in SI with its unit: "0.04 m". Throws InputError, without a place, for what has no dimension (a length and a time
   // added), or is no finite number.
   std::string evaluated(const std::string& expression) const;
+  // Another number of the same dimension as a parameter, in SI, as a file would have it: "0.03 m".
+  std::string like(const std::string& name, double si) const;
+  std::vector<std::string> names() const;
+  double si(const std::string& name) const { return numbers_.at(name).si; }
   // A formula with numbers, in SI, in the place of their names, but not of those that the formula has of its own. Throws InputError, without a place, for one
   // that is a variable of the formula as well.
   std::string inserted(const std::string& formula, const std::vector<std::string>& variables, const Value* own) const;
@@ -35,7 +39,6 @@ class Parameters {
   };
   struct Written;
   void settle(const Written& written, const std::string& name, std::vector<std::string>& open);
-  std::vector<std::string> names() const;
   Number number_of(const std::string& expression) const;
 
   std::map<std::string, Number> numbers_;

@@ -1,5 +1,6 @@
 #include "framework/experiment/experiment.hpp"
 
+#include "framework/config/parameters.hpp"
 #include "framework/plugin/plugins.hpp"
 
 namespace tack {
@@ -8,8 +9,16 @@ void Experiment::fields(Fields& f) {
   f.text("name", name, "what the results folder is called").required().line();
   f.text("about", about, "what the experiment must show");
   f.paths("plugins", plugins, plugins_doc);
+  // Kept with their units, which what is read again has to have.
   f.quantities("parameters", parameters, "numbers with names: expressions of them, `2 * width`, may stand wherever a number does, and formulas know them in SI. Each may be an "
-               "expression of others");
+               "expression of others").write = [this] {
+    Value as_written = Value::map(), kept = Value::map(), root = Value::map();
+    for (const auto& [name, quantity] : parameters) as_written.set(name, Value::scalar(quantity.written));
+    root.set("parameters", as_written);
+    const Parameters all = Parameters::of(root);
+    for (const auto& [name, quantity] : parameters) kept.set(name, Value::scalar(all.like(name, quantity.si)));
+    return kept;
+  };
   f.object("time", time, "time stepping");
   SceneConfig::fields(f);
   f.component("solver", solver, "minimiser of each step");

@@ -23,6 +23,8 @@ bool same_meshes(const World& a, const World& b) {
   return true;
 }
 
+constexpr std::string_view parameters = "parameters.";
+
 }  // namespace
 
 double scene_number(const BuiltExperiment& run, const std::string& key) {
@@ -34,6 +36,7 @@ double scene_number(const BuiltExperiment& run, const std::string& key) {
   const Value* value = value_at(resolved, key);
   if (!value) refuse(key, "is no key of the scene; scene.yaml of its results has all of them");
   if (value->is_null()) refuse(key, "has no value in the scene; give it one, or take the key that it follows from");
+  if (key.starts_with(parameters) && value->is_scalar()) return to_si(value->text, units::any);
   double number = 0;
   const char* end = value->text.data() + value->text.size();
   const auto [stop, status] = std::from_chars(value->text.data(), end, number);
@@ -43,7 +46,13 @@ double scene_number(const BuiltExperiment& run, const std::string& key) {
 
 LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, double value) {
   Value root = run.root(), number = Value::number(value), none = Value::sequence();
-  number.mark.file = none.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
+  none.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
+  // Expressions follow the units of what they name.
+  if (key.starts_with(parameters)) {
+    const Parameters all = Parameters::of(root);
+    number = Value::scalar(all.like(key.substr(parameters.size()), value));
+  }
+  number.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
   set_at(root, key, std::move(number));
   set_at(root, "output.gradients", std::move(none));
   return bound_experiment(std::move(root));

@@ -110,6 +110,7 @@ TEST_CASE("what a scene keeps of parameters runs by itself") {
   const LoadedExperiment again = parse_experiment(kept, "kept.yaml");
   CHECK(to_yaml(fields_of(again.experiment)) == kept);
   CHECK(kept.find("cells: [4, 2, 2]") != std::string::npos);
+  CHECK(kept.find("speed: 0.004 m s^-1") != std::string::npos);
 }
 
 TEST_CASE("expressions that do not fit a scene are told with their places") {
