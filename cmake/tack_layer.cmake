@@ -56,7 +56,7 @@ option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is
 set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report)
 set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report)
 set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body framework/motion framework/world framework/scene
-    framework/setup framework/checks framework/output
+    framework/setup framework/checks framework/remesh framework/output
     framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app ${TACK_STUDY_FOLDERS}
     geometry/io geometry/mesh geometry/meshing geometry/shapes)
 # Hot ones whose files have most of their headers in common, a few at a time, as a change should not take longer than it must. Neither contact nor

@@ -203,9 +203,10 @@ class FieldLoad : public Load {
   // A quarter of each tet, a third of each piece of a sheet.
   static VecX volumes(const Body& body, const VecX& rest) {
     VecX sum = VecX::Zero(rest.size() / 3);
-    for (const Tet& tet : body.tets) {
-      const auto [a, b, c, d] = tack::corners(rest, tet);
-      for (const int v : tet) sum(v) += std::abs(tet_volume(a, b, c, d)) / 4;
+    for (size_t t = 0; t < body.tets.size(); ++t) {
+      const auto [a, b, c, d] = tack::corners(rest, body.tets[t]);
+      const double volume = body.references.empty() ? std::abs(tet_volume(a, b, c, d)) : body.references[t].volume;
+      for (const int v : body.tets[t]) sum(v) += volume / 4;
     }
     for (const Triangle& t : body.sheet)
       for (const int v : t) sum(v) += body.thickness * triangle_area(rest, t) / 3;

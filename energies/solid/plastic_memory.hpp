@@ -17,6 +17,7 @@ class PlasticMemory {
   void remember(const History& history, int samples);
   Mat3 inverse(int i) const { return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]); }  // Fp^-1
   const std::vector<double>& strain() const { return strain_; }  // accumulated plastic strains
+  std::string strain_remembered_as() const { return name_ + strain_name; }
 
   // The return mapping. deformation(i): F Fp^-1 at the end of the step.
   template <class Deformation>

@@ -14,6 +14,8 @@ std::vector<TetRest<double>> tet_rest_data(const Body& body, const VecX& rest) {
                                  "none; use a tet mesh or shape", body.name));
   std::vector<TetRest<double>> data;
   data.reserve(body.tets.size());
+  for (const TetReference& r : body.references) data.push_back({r.shape, r.volume});
+  if (!data.empty()) return data;
   for (size_t t = 0; t < body.tets.size(); ++t) {
     const Tet& tet = body.tets[t];
     const Mat3 edges = edges_of(tet, rest);

@@ -12,7 +12,8 @@ template <class Base>
 class VonMisesTerm : public Base {
  public:
   template <class... Args>
-  explicit VonMisesTerm(const Body& body, Args&&... args) : Base(std::forward<Args>(args)...), memory_(body), rest_shapes_(rest_) {
+  explicit VonMisesTerm(const Body& body, Args&&... args)
+      : Base(std::forward<Args>(args)...), body_(body.elements == Elements::linear ? body.name : ""), memory_(body), rest_shapes_(rest_) {
     remember({});
   }
 
@@ -51,11 +52,27 @@ class VonMisesTerm : public Base {
     if (material_.viscosity > 0) flows.viscous = [this](const VecX& x) { return viscous(x); };
     const auto strain = [this] { return VecX(Eigen::Map<const VecX>(memory_.strain().data(), count())); };
     publish_plasticity(records, this->name(), std::move(flows), strain, &tets_);
+    if (!body_.empty()) records.add(exchangeable());
   }
 
  private:
   using Base::count, Base::deformation, Base::material_, Base::rest_, Base::rest_of, Base::tets_;
 
+  ExchangeableTets exchangeable() const {
+    const auto volumes = [this] {
+      std::vector<double> all;
+      for (int t = 0; t < count(); ++t) all.push_back(rest_of(t).volume);
+      return all;
+    };
+    const auto elastic = [this](const VecX& x) {
+      std::vector<Mat3> all;
+      for (int t = 0; t < count(); ++t) all.push_back(deformation(t, x));
+      return all;
+    };
+    return {body_, &tets_, volumes, elastic, [this] { return memory_.strain(); }, memory_.strain_remembered_as()};
+  }
+
+  std::string body_;  // whose tets may be exchanged; "": none may
   PlasticMemory memory_;
   std::vector<TetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
 };

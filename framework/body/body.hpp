@@ -16,6 +16,12 @@ namespace tack {
 
 class RodFrames;
 
+// What a tet is at rest where its own corners do not tell.
+struct TetReference {
+  Mat3 shape;     // of its edges without stress, the inverse [1/m]
+  double volume;  // without stress [m^3]
+};
+
 struct Body {
   std::string name;
   int first_vertex = 0;
@@ -24,6 +30,8 @@ struct Body {
   int energy = 0;       // which of its energies is made, from 0: what terms that remember are told apart by
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
+  std::vector<TetReference> references;  // of the tets, if it was meshed anew as it flowed (flowed_mesh.hpp); else empty
+  bool flows = false;  // it may be meshed anew: vertices inside have no lasting numbers
   Elements elements = Elements::linear;  // composite: each eight of the tets are one
   std::vector<Triangle> triangles;  // the surface: outward oriented around tets, then those of `sheet`
   std::vector<Triangle> sheet;      // explicit triangles of the mesh that are no faces of its tets: shells

@@ -139,6 +139,9 @@ class IndexSelection : public Selection {
         .required().nonnegative();
   }
   std::vector<int> choose(const SelectionContext& c) const override {
+    if (c.body.flows)
+      throw InputError(fmt::format("selection indices: object '{}' is meshed anew as it flows (remesh), and its vertices have other numbers then; choose them by "
+                                   "place, or as a group of the mesh file", c.body.name));
     for (const double v : vertices_)
       if (v >= c.body.vertex_count || v != std::floor(v))
         throw InputError(fmt::format("selection indices: vertex {} does not exist; object '{}' has 0 "

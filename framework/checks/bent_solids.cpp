@@ -151,7 +151,7 @@ double SlenderSolid::share_of_bending() const {
 BentSolids::BentSolids(const SceneConfig& scene, const World& world) : scene_(scene), world_(world) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
-    if (body.tets.empty() || body.elements == Elements::composite || !body.movable || !body.frame.empty() || !elastic(scene.objects[i])) continue;
+    if (body.tets.empty() || !body.references.empty() || body.elements == Elements::composite || !body.movable || !body.frame.empty() || !elastic(scene.objects[i])) continue;
     const double thickness = thickness_of(body, world.rest);
     if (!(thickness > 0) || extent_of(body, world.rest).diagonal().norm() < slender * thickness) continue;
     if (const int cells = cells_across(body); cells < enough_cells)

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
-#include <cmath>
+
+#include "geometry/tets/mean_ratio.hpp"
 
 namespace tack {
 namespace {
@@ -11,22 +13,20 @@ namespace {
 constexpr double poor_quality = 0.1;  // of that at rest
 constexpr double flowed = 0.1;        // plastic strain, from which on it is flow that has given it its shape
 
-}  // namespace
-
-double mean_ratio(const Tet& tet, const VecX& x) {
-  double squares = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int k = 0; k < i; ++k) squares += (vertex(x, tet[i]) - vertex(x, tet[k])).squaredNorm();
-  const Vec3 a = vertex(x, tet[1]) - vertex(x, tet[0]), b = vertex(x, tet[2]) - vertex(x, tet[0]), c = vertex(x, tet[3]) - vertex(x, tet[0]);
-  const double three_volumes = a.cross(b).dot(c) / 2;
-  return three_volumes > 0 ? 12 * std::cbrt(three_volumes * three_volumes) / squares : 0;
+double mean_ratio_without_stress(const TetReference& reference) {
+  const Mat3 edges = reference.shape.inverse();
+  return mean_ratio({Vec3::Zero(), edges.col(0), edges.col(1), edges.col(2)});
 }
+
+}  // namespace
 
 FlowQuality::FlowQuality(const World& world) : world_(world) {
   for (const FieldRecord& field : world.records.fields()) {
     if (field.name != "plastic_strain" || !field.tets || field.tets->empty()) continue;
     Flowing flowing{&field, world.body_of(field.tets->front()[0]), {}};
-    for (const Tet& tet : *field.tets) flowing.at_rest.push_back(mean_ratio(tet, world.rest));
+    const Body& body = world.bodies[flowing.body];
+    for (size_t t = 0; t < field.tets->size(); ++t)
+      flowing.at_rest.push_back(body.references.empty() ? mean_ratio((*field.tets)[t], world.rest) : mean_ratio_without_stress(body.references[t]));
     all_.push_back(std::move(flowing));
   }
 }

@@ -1,8 +1,8 @@
 // Whether the elements of solids that flow plastically still have a shape. Large flow flattens and stretches them for good, and what was a good mesh
 // at rest is none any more: flat elements are stiff where they should bend and slow where solvers have to take them, and steps are cut by those that
 // are about to invert. Of each tet that has flowed, the quality is its mean ratio now, over that which it had at rest:
-//     q = 12 (3 V)^(2/3) / sum of squared edges, 1 for a regular tet and 0 for a flat one
-// (Liu and Joe 1994). Elastic strains are small beside such flow, so that this is the shape that it would have without stress.
+//     q, 1 for a regular tet and 0 for a flat one (geometry/tets/mean_ratio.hpp).
+// Elastic strains are small beside such flow, so that this is the shape that it would have without stress.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,6 @@
 #include "framework/world/world.hpp"
 
 namespace tack {
-
-// 0 if it is inverted.
-double mean_ratio(const Tet& tet, const VecX& x);
 
 class FlowQuality {
  public:

@@ -11,6 +11,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/experiment/stored_experiment.hpp"
+#include "framework/setup/remesh_checks.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/intersections.hpp"
@@ -107,6 +108,9 @@ CompareCase experiment_case(const std::string& path, const std::vector<std::stri
   c.path = path;
   c.overrides = overrides;
   const LoadedExperiment loaded = c.load();
+  if (remeshes(loaded.experiment))
+    throw InputError(fmt::format("{}: objects that are meshed anew (remesh) have other vertices in each run, and results at vertices cannot be compared; take "
+                                 "`remesh` away (--set objects.NAME.remesh=null)", path));
   c.name = loaded.experiment.name;
   c.step_size = loaded.experiment.time.step;
   const double all = loaded.experiment.time.duration / c.step_size;

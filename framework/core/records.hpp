@@ -108,6 +108,16 @@ struct StressRecord {
   const std::vector<Tet>* tets = nullptr;  // those, in the place of the term's stencils
 };
 
+// Tets that may be exchanged for others between steps, and what those have to take over (framework/remesh).
+struct ExchangeableTets {
+  std::string body;                        // whose
+  const std::vector<Tet>* tets = nullptr;  // all that it has
+  std::function<std::vector<double>()> volumes = {};                 // without stress [m^3]
+  std::function<std::vector<Mat3>(const VecX& x)> elastic = {};      // deformations from there, of an isotropic material
+  std::function<std::vector<double>()> flow = {};                    // accumulated plastic strains
+  std::string flow_remembered_as;                                    // where the history has those
+};
+
 class Records {
  public:
   // Takes in what the term publishes.
@@ -119,6 +129,7 @@ class Records {
   void add(FlowRecord record);
   void add(FieldRecord record);
   void add(StressRecord record);
+  void add(ExchangeableTets record) { exchangeable_.push_back(std::move(record)); }
 
   // Puts it in the place of all of its name; what was the gradient of a term then is none, for reactions and the balance of energy. Throw
   // std::logic_error if there is none of the name.
@@ -133,6 +144,7 @@ class Records {
   const std::vector<FlowRecord>& flows() const { return flows_; }
   const std::vector<FieldRecord>& fields() const { return fields_; }
   const std::vector<StressRecord>& stresses() const { return stresses_; }
+  const std::vector<ExchangeableTets>& exchangeable() const { return exchangeable_; }
 
   // Sums over all forces that act so (3n) [N], zero without any; those of a part, "": all.
   void add_forces(Acting acting, const VecX& x, std::string_view part, VecX& forces) const;
@@ -147,6 +159,7 @@ class Records {
   std::vector<FlowRecord> flows_;
   std::vector<FieldRecord> fields_;
   std::vector<StressRecord> stresses_;
+  std::vector<ExchangeableTets> exchangeable_;
   std::vector<const Term*> replaced_;
   const Term* publisher_ = nullptr;
 };

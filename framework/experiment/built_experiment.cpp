@@ -5,6 +5,7 @@
 #include "framework/experiment/earlier_run.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/setup/build_world.hpp"
+#include "framework/setup/remesh_checks.hpp"
 
 namespace tack {
 namespace {
@@ -22,14 +23,30 @@ void check_damping(const Experiment& e, const Value& root, const World& world) {
 
 BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(loaded)) {
   const Experiment& e = loaded_.experiment;
+  if (remeshes(e) && !e.output.gradients.empty())
+    at_place(loaded_.root.find("output"), [] {
+      throw InputError("output.gradients follow one mesh through the run, and objects may be meshed anew (remesh); take one of the two away");
+    });
   if (e.start && !loaded_.earlier) at_place(loaded_.root.find("start"), [&] { loaded_.earlier = state_of_run(e.start->from); });
-  world_ = build_world(e, loaded_.root, e.time.step, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr);
+  build();
   loaded_.earlier.reset();
+  loaded_.experiment.solver = settled_solver(e, *world_, clock_);
+}
+
+void BuiltExperiment::build() {
+  const Experiment& e = loaded_.experiment;
+  world_ = build_world(e, loaded_.root, e.time.step, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr, loaded_.flowed);
   check_damping(e, loaded_.root, *world_);
   at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   world_->step_figures = e.time.stepper->figures();
   at_place(loaded_.root.find("solver"), [&] { e.solver->admit(world_->terms, world_->dofs.size()); });
-  loaded_.experiment.solver = settled_solver(e, *world_, clock_);
+}
+
+std::unique_ptr<World> BuiltExperiment::rebuild(FlowedMeshes flowed) {
+  loaded_.flowed = std::move(flowed);
+  std::unique_ptr<World> before = std::move(world_);
+  build();
+  return before;
 }
 
 ProbeSet probes_of(const BuiltExperiment& built) {

@@ -24,7 +24,13 @@ class BuiltExperiment {
   const World& world() const { return *world_; }
   PhaseClock& clock() { return clock_; }
 
+  // Builds its world again, with objects that have other meshes now, and returns the one before.
+  std::unique_ptr<World> rebuild(FlowedMeshes flowed);
+  const FlowedMeshes& flowed() const { return loaded_.flowed; }
+
  private:
+  void build();
+
   PhaseClock clock_;
   LoadedExperiment loaded_;
   std::unique_ptr<World> world_;

@@ -33,11 +33,11 @@ LoadedExperiment bound_experiment(Value root) {
   refuse_former_keys(root);
   refuse_names_of_probes(root);
   load_plugins(root);
-  LoadedExperiment loaded{std::move(root), {}, {}};
+  LoadedExperiment loaded{std::move(root), {}, {}, {}};
   bind(loaded.root, loaded.experiment, "the scene");
   const auto fills = [](const ObjectConfig& object) { return object.fill.has_value(); };
   if (std::none_of(loaded.experiment.objects.begin(), loaded.experiment.objects.end(), fills)) return loaded;
-  LoadedExperiment whole{filled(std::move(loaded.root), loaded.experiment), {}, {}};
+  LoadedExperiment whole{filled(std::move(loaded.root), loaded.experiment), {}, {}, {}};
   bind(whole.root, whole.experiment, "the scene");
   return whole;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "framework/body/flowed_mesh.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/setup/earlier_state.hpp"
 
@@ -14,6 +15,7 @@ struct LoadedExperiment {
   Value root;  // as parsed, for places in messages
   Experiment experiment;
   std::optional<EarlierState> earlier;  // where it starts; unset: as `start` says (earlier_run.hpp)
+  FlowedMeshes flowed;  // of objects that were meshed anew in a run that is gone on with
 };
 
 // `overrides` are "a.b=c". Throws InputError with file, line and remedy.

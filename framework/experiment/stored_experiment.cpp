@@ -34,6 +34,7 @@ LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
   for (ObjectConfig& object : loaded.experiment.objects)
     if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
       object.shape = std::make_unique<StoredMesh>(mesh->second);
+  loaded.flowed = file.flowed;
   // The start is checked where the problem is, and the file that the experiment started from may be gone.
   if (!file.objects.empty()) {
     loaded.earlier = earlier_state(file, loaded.experiment, name);

@@ -188,6 +188,47 @@ Mesh mesh_of(const Json& json) {
   return mesh;
 }
 
+Json to_json(const FlowedMesh& flowed) {
+  Json json = to_json(flowed.mesh);
+  json["surface"] = flowed.surface;
+  std::vector<double> shapes, volumes;
+  for (const TetReference& r : flowed.references) {
+    shapes.insert(shapes.end(), r.shape.data(), r.shape.data() + 9);
+    volumes.push_back(r.volume);
+  }
+  json["shapes"] = shapes;
+  json["volumes"] = volumes;
+  return json;
+}
+
+FlowedMesh flowed_of(const Json& json) {
+  FlowedMesh flowed{mesh_of(json), {}, {}};
+  read(json, "surface", flowed.surface);
+  const auto shapes = json.at("shapes").get<std::vector<double>>(), volumes = json.at("volumes").get<std::vector<double>>();
+  const size_t n = flowed.mesh.tets.size();
+  const int vertices = static_cast<int>(flowed.mesh.vertices.size());
+  const auto fits = [&](const auto& elements) {
+    return std::all_of(elements.begin(), elements.end(), [&](const auto& e) {
+      return std::all_of(e.begin(), e.end(), [&](int v) { return v >= 0 && v < vertices; });
+    });
+  };
+  if (volumes.size() != n || shapes.size() != 9 * n || !fits(flowed.mesh.tets) || !fits(flowed.surface)) throw InputError("the mesh of an object that flowed is of no shape");
+  for (size_t t = 0; t < n; ++t) flowed.references.push_back({Eigen::Map<const Mat3>(&shapes[9 * t]), volumes[t]});
+  return flowed;
+}
+
+Json to_json(const std::vector<Remeshing>& all) {
+  Json json = Json::array();
+  for (const Remeshing& r : all) json.push_back({r.object, r.step, r.time, r.before, r.after, r.tets_before, r.tets_after, r.lost});
+  return json;
+}
+
+std::vector<Remeshing> remeshings_of(const Json& json) {
+  std::vector<Remeshing> all;
+  for (const Json& r : json) all.push_back({r.at(0), r.at(1), r.at(2), r.at(3), r.at(4), r.at(5), r.at(6), r.at(7)});
+  return all;
+}
+
 Json to_json(const MeshDigest& d) {
   return {d.vertex_count, d.element_count, d.vertices, d.elements, d.groups};
 }
@@ -230,10 +271,12 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
   for (const auto& [object, mesh] : file.meshes) meshes[object] = to_json(mesh);
   for (const auto& [object, digest] : file.file_meshes) file_meshes[object] = to_json(digest);
   for (const auto& [name, object] : file.objects) objects[name] = {{"vertices", object.vertices}, {"mesh", to_json(object.mesh)}};
-  const Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
+  Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
                      {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes}, {"plugins", file.plugins}, {"objects", objects},
                      {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals},
                      {"warnings", to_json(file.warnings)}};
+  for (const auto& [object, flowed] : file.flowed) json["flowed"][object] = to_json(flowed);
+  if (!file.remeshings.empty()) json["remeshings"] = to_json(file.remeshings);
   std::string content;
   Json::to_cbor(json, content);
   replace_file(path, head_of(version, crc32_of(content.data(), content.size()), content.size()) + content);
@@ -263,6 +306,9 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     read(json, "step_size", file.step_size);
     read(json, "totals", file.totals);
     if (json.contains("warnings")) file.warnings = warnings_of(json["warnings"]);
+    if (json.contains("flowed"))
+      for (const auto& [object, flowed] : json["flowed"].items()) file.flowed[object] = flowed_of(flowed);
+    if (json.contains("remeshings")) file.remeshings = remeshings_of(json["remeshings"]);
   } catch (const Json::exception& error) {
     refuse_file(path, fmt::format("is damaged ({}); write it anew", error.what()));
   }

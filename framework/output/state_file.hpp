@@ -9,7 +9,8 @@
 // [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path: CRC-32 of the file} of a checkpoint, objects {object: {vertices: those of the
 // state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, acted_before, h_next, held, x, v,
 // a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} of a checkpoint's run
-// so far and warnings [[text, kind, times]] of it. All in SI. A field that a later program adds is absent from older files, and is then what a State
+// so far and warnings [[text, kind, times]] of it, flowed {object: {vertices, tets, tags, surface, shapes, volumes}} of objects that were meshed anew
+// (framework/body/flowed_mesh.hpp) and remeshings, what a checkpoint's run has told of that. All in SI. A field that a later program adds is absent from older files, and is then what a State
 // holds by default; the version rises when what is there changes its meaning.
 #pragma once
 
@@ -18,8 +19,10 @@
 #include <map>
 #include <string>
 
+#include "framework/body/flowed_mesh.hpp"
 #include "framework/core/state.hpp"
 #include "framework/core/warning.hpp"
+#include "framework/remesh/remeshing.hpp"
 #include "framework/setup/earlier_state.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/mesh/mesh.hpp"
@@ -39,6 +42,8 @@ struct StateFile {
   double step_size = 0;  // of a problem [s]
   std::map<std::string, double> totals;
   std::vector<WarningCount> warnings;  // of a checkpoint's run so far
+  FlowedMeshes flowed;                 // of objects that were meshed anew
+  std::vector<Remeshing> remeshings;   // of a checkpoint's run so far
 };
 
 void write_state_file(const std::filesystem::path& path, const StateFile& file);

@@ -54,6 +54,14 @@ OrderedJson warnings_json(const std::vector<WarningCount>& warnings) {
   return list;
 }
 
+OrderedJson remeshings_json(const std::vector<Remeshing>& all) {
+  OrderedJson list = OrderedJson::array();
+  for (const Remeshing& r : all)
+    list.push_back({{"object", r.object}, {"step", r.step}, {"time", r.time}, {"quality_before", finite(r.before)}, {"quality_after", finite(r.after)},
+                    {"tets_before", r.tets_before}, {"tets_after", r.tets_after}, {"lost", finite(r.lost)}});
+  return list;
+}
+
 OrderedJson totals_json(const RunSummary& s) {
   return {{"newton_iterations", s.newton_iterations},
           {"linear_solves", s.linear_solves},
@@ -107,6 +115,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"stepper", s.stepper},
           {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
+          {"remeshings", remeshings_json(s.remeshings)},
           {"warnings", warnings_json(s.warnings)},
           {"expect", expect_json(s.expect)}};
 }

@@ -21,7 +21,7 @@ constexpr double most_numbers = 16e6;  // of a page: some 15 MB
 
 using Face = std::array<int, 3>;
 
-// The cell that a face is of: the first of the tets, else the triangle itself.
+// The cell that a face is of: the first of the tets, else the triangle itself; -1: there is none.
 class FaceOwners {
  public:
   explicit FaceOwners(const Mesh& mesh) {
@@ -34,7 +34,9 @@ class FaceOwners {
     std::sort(owners_.begin(), owners_.end());
   }
   int of(const Triangle& t) const {
-    return std::lower_bound(owners_.begin(), owners_.end(), std::pair(sorted(t[0], t[1], t[2]), 0))->second;
+    const Face face = sorted(t[0], t[1], t[2]);
+    const auto found = std::lower_bound(owners_.begin(), owners_.end(), std::pair(face, 0));
+    return found != owners_.end() && found->first == face ? found->second : -1;
   }
 
  private:
@@ -47,6 +49,36 @@ class FaceOwners {
 
   std::vector<std::pair<Face, int>> owners_;
 };
+
+// The vertices of each object that it shows to the outside, ascending. Objects that were meshed anew have the same ones in the same order.
+std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surface& surface) {
+  const auto array = std::find_if(frame.of_cells.begin(), frame.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
+  std::vector<int> object(frame.mesh.vertices.size(), 0);
+  int cell = 0;
+  const auto note = [&](const auto& elements) {
+    for (const auto& element : elements) {
+      for (const int v : element) object[v] = array == frame.of_cells.end() ? 0 : static_cast<int>(array->values(cell));
+      ++cell;
+    }
+  };
+  note(frame.mesh.tets);
+  note(frame.mesh.triangles);
+  note(frame.mesh.edges);
+  for (const int v : frame.mesh.points) object[v] = array == frame.of_cells.end() ? 0 : static_cast<int>(array->values(cell++));
+  std::vector<char> outer(object.size(), 0);
+  for (const Triangle& t : surface.triangles)
+    for (const int v : t) outer[v] = 1;
+  for (const Edge& e : frame.mesh.edges)
+    for (const int v : e) outer[v] = 1;
+  for (const int v : frame.mesh.points) outer[v] = 1;
+  std::vector<std::vector<int>> all;
+  for (size_t v = 0; v < object.size(); ++v) {
+    if (!outer[v]) continue;
+    if (static_cast<size_t>(object[v]) >= all.size()) all.resize(static_cast<size_t>(object[v]) + 1);
+    all[object[v]].push_back(static_cast<int>(v));
+  }
+  return all;
+}
 
 class SeriesReader {
  public:
@@ -110,9 +142,36 @@ class SeriesReader {
     const auto object = std::find_if(first.of_cells.begin(), first.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
     for (const int c : cells_) series_.object.push_back(object == first.of_cells.end() ? 0 : static_cast<int>(object->values(c)));
     series_.origin = bounding_box(mesh_).center();
+    outer_ = outer_vertices(first, surface);
     for (const FrameArray& a : first.of_vertices) series_.fields.push_back({a.name, a.unit, a.components > 1, true, {}});
     for (const FrameArray& a : first.of_cells)
       if (a.name != "object") series_.fields.push_back({a.name, a.unit, a.components > 1, false, {}});
+  }
+
+  // Where the kept vertices and cells are in a frame whose mesh is another one inside.
+  void follow(const FrameFile& now) {
+    const auto differs = [] { throw InputError("its mesh is another one than that of the first frame"); };
+    const Surface surface = extract_surface(now.mesh);
+    const auto outer = outer_vertices(now, surface);
+    std::vector<int> number(mesh_.vertices.size(), -1);
+    if (outer.size() != outer_.size() || surface.triangles.size() != series_.triangles.size() / 3 || now.mesh.triangles.size() != mesh_.triangles.size() ||
+        now.mesh.edges.size() != mesh_.edges.size() || now.mesh.points.size() != mesh_.points.size())
+      differs();
+    for (size_t object = 0; object < outer.size(); ++object) {
+      if (outer[object].size() != outer_[object].size()) differs();
+      for (size_t i = 0; i < outer[object].size(); ++i) number[outer_[object][i]] = outer[object][i];
+    }
+    for (int& v : kept_) v = number[v];
+    const FaceOwners owners(now.mesh);
+    const size_t triangles = series_.triangles.size() / 3;
+    for (size_t t = 0; t < triangles; ++t) {
+      const Triangle on = {kept_[series_.triangles[3 * t]], kept_[series_.triangles[3 * t + 1]], kept_[series_.triangles[3 * t + 2]]};
+      cells_[t] = owners.of(on);
+      if (cells_[t] < 0) differs();
+    }
+    for (size_t c = triangles; c < cells_.size(); ++c) cells_[c] = static_cast<int>(now.mesh.tets.size() + now.mesh.triangles.size() + c - triangles);
+    outer_ = outer;
+    mesh_ = now.mesh;
   }
 
   int affordable(const FrameFile& first) {
@@ -128,7 +187,7 @@ class SeriesReader {
   void add(double time, const FrameFile& now) {
     if (now.mesh.vertices.size() != mesh_.vertices.size() || now.mesh.tets != mesh_.tets || now.mesh.triangles != mesh_.triangles ||
         now.mesh.edges != mesh_.edges || now.mesh.points != mesh_.points)
-      throw InputError("its mesh is another one than that of the first frame");
+      follow(now);
     const size_t n = kept_.size();
     std::vector<float> x(3 * n);
     for (size_t i = 0; i < n; ++i) {
@@ -160,6 +219,7 @@ class SeriesReader {
   Mesh mesh_;
   std::vector<int> kept_;   // vertices, in the order of the series
   std::vector<int> cells_;  // of elements
+  std::vector<std::vector<int>> outer_;  // by object, of the mesh that kept_ counts in
 };
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/measured_csv.hpp"
 #include "framework/output/next_due.hpp"
+#include "framework/setup/remesh_checks.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 
@@ -72,22 +73,21 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
                          std::ostream& out, const ProgressOptions& progress)
     : settings_(settings), dump_(settings.dump_problems),
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
-      probes_(probes_of(simulation_.built())), gradients_(gradients_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
-      log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress),
-      bent_(experiment_, world_), quality_(world_) {
-  summary_.flows = EnergyFlows(world_.records);
-  if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings;
-  else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world_);
+      watch_(std::in_place, simulation_.built()), gradients_(gradients_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
+      log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
+  if (settings.profile && remeshes(experiment_))
+    throw InputError("a profile is of one world, and objects may be meshed anew (remesh); take that away (--set objects.NAME.remesh=null)");
+  if (checkpoint_ && !checkpoint_->flowed.empty()) watch_.emplace(simulation_.built());
+  summary_.flows = EnergyFlows(world().records);
+  if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings, summary_.remeshings = checkpoint_->remeshings;
+  else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world());
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
   summary_.provenance = provenance;
   summary_.provenance.plugins = loaded_plugins();
-  summary_.dofs = world_.dofs.size();
-  summary_.adhesion = world_.adhesion;
-  if (!world_.adhesion.empty()) adhesion_.emplace(experiment_, world_);
-  const TimeConfig& time = experiment_.time;
-  if (world_.contact && !time.integrator->predict(world_.start, time.step).inertia) approach_.emplace(experiment_, world_);
-  if (settings.profile) profiler_.emplace(world_, *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
+  summary_.dofs = world().dofs.size();
+  summary_.adhesion = world().adhesion;
+  if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
   };
@@ -98,11 +98,19 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   simulation_.observe(std::move(observers));
 }
 
+RecordedRun::Watch::Watch(const BuiltExperiment& built)
+    : probes(probes_of(built)), bent(built.experiment(), built.world()), quality(built.world()) {
+  const Experiment& experiment = built.experiment();
+  const World& world = built.world();
+  if (!world.adhesion.empty()) adhesion.emplace(experiment, world);
+  if (world.contact && !experiment.time.integrator->predict(world.start, experiment.time.step).inertia) approach.emplace(experiment, world);
+}
+
 const RunSummary& RecordedRun::execute() {
   tell_beginning();
   std::optional<double> resumed_at;
   if (checkpoint_) resumed_at = checkpoint_->state.time;
-  Recorder recorder(experiment_.output, experiment_.time, probes_, world_, folder_, clock_, resumed_at);
+  std::optional<Recorder> recorder(std::in_place, experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, resumed_at);
   try {
     simulate(recorder);
   } catch (const SimulationError& error) {
@@ -114,7 +122,7 @@ const RunSummary& RecordedRun::execute() {
     summary_.error = fmt::format("not enough memory after {} steps; use fewer cells, or let the run have more", summary_.steps);
     progress_.warning("error: " + summary_.error);
   }
-  finish(recorder);
+  finish(recorder ? &recorder->series() : nullptr);
   return summary_;
 }
 
@@ -122,11 +130,11 @@ void RecordedRun::tell_beginning() {
   if (folder_.moved_aside())
     progress_.message(fmt::format("earlier results moved to {}", folder_.moved_aside()->string()));
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
-                                world_.bodies.size(), world_.rest.size() / 3, summary_.dofs, summary_.provenance.threads));
-  for (const std::string& line : world_.start_notes) progress_.message(line);
-  const LawCheck laws = check_laws(world_);
-  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world_), weak_wells(world_), element_warnings(experiment_, world_),
-                            resolution_warnings(experiment_, world_), doubtful_tolerances(experiment_, world_)})
+                                world().bodies.size(), world().rest.size() / 3, summary_.dofs, summary_.provenance.threads));
+  for (const std::string& line : world().start_notes) progress_.message(line);
+  const LawCheck laws = check_laws(world());
+  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world()), weak_wells(world()), element_warnings(experiment_, world()),
+                            resolution_warnings(experiment_, world()), doubtful_tolerances(experiment_, world())})
     for (const std::string& line : lines) warn(line);
 }
 
@@ -138,23 +146,24 @@ void RecordedRun::warn(const Warning& warning) {
 
 std::optional<StateFile> RecordedRun::checkpoint() {
   if (!settings_.resume) return std::nullopt;
-  StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(experiment_)), world_);
-  check_size(file, world_.rest.size() / 3, folder_.checkpoints().string());
+  StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(experiment_)), world());
+  if (!file.flowed.empty()) simulation_.rebuild(file.flowed);
+  check_size(file, world().rest.size() / 3, folder_.checkpoints().string());
   return file;
 }
 
-void RecordedRun::simulate(Recorder& recorder) {
+void RecordedRun::simulate(std::optional<Recorder>& recorder) {
   if (checkpoint_) {
     progress_.message(fmt::format("resumed at step {}, t = {:.6g} s", checkpoint_->state.step,
                                   checkpoint_->state.time));
     if (gradients_) gradients_->start_from(checkpoint_->state);
     simulation_.start_from(checkpoint_->state);
-    if (gradients_) gradients_csv_ = ProbesCsv::continued(folder_.gradients(), gradients_->columns(probes_.columns()), checkpoint_->state.time);
+    if (gradients_) gradients_csv_ = ProbesCsv::continued(folder_.gradients(), gradients_->columns(watch_->probes.columns()), checkpoint_->state.time);
   } else {
     simulation_.start();
-    recorder.start(simulation_.state());
+    recorder->start(simulation_.state());
     tell_lost_probes();
-    if (gradients_) begin_gradients(recorder);
+    if (gradients_) begin_gradients(*recorder);
   }
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
   progress_.begin(simulation_.state().time, experiment_.time.duration);
@@ -168,25 +177,59 @@ void RecordedRun::simulate(Recorder& recorder) {
     }
     if (profiler_) profiler_->step(simulation_.state(), report);
     dump_.after(report.solve.iterations);
-    recorder.step(simulation_.state(), report);
+    recorder->step(simulation_.state(), report);
     tell_lost_probes();
-    if (gradients_) gradients_->kept(simulation_.state()), add_gradients(recorder);
+    if (gradients_) gradients_->kept(simulation_.state()), add_gradients(*recorder);
     summary_.add(report);
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
-      bent_.look(simulation_.state().x);
+      watch_->bent.look(simulation_.state().x);
       look_at_quality();
-      if (adhesion_) adhesion_->look(simulation_.state().x, report.step_size);
-      if (approach_) approach_->look(simulation_.state().x);
+      if (watch_->adhesion) watch_->adhesion->look(simulation_.state().x, report.step_size);
+      if (watch_->approach) watch_->approach->look(simulation_.state().x);
     }
     tell_linear_solver();
     progress_.step(report);
+    remesh(recorder);
     write_checkpoint();
   }
 }
 
+// Where tets that have flowed are poor. What has looked at the world starts anew, as when a run is resumed.
+void RecordedRun::remesh(std::optional<Recorder>& recorder) {
+  if (!remeshes(experiment_) || simulation_.finished()) return;
+  State state = simulation_.state();
+  std::vector<NewElements> elements = remesher_.exchange(world(), state, [this](const Warning& warning) { warn(warning); });
+  simulation_.stepper().set_state(state);
+  if (elements.empty()) return;
+  std::vector<Remeshing> told;
+  for (const NewElements& e : elements) {
+    const Body& body = world().bodies[e.body];
+    told.push_back({body.name, state.step, state.time, e.before, e.after, static_cast<int>(body.tets.size()), static_cast<int>(e.mesh.mesh.tets.size()), 0});
+  }
+  look_at_quality();
+  tell_coarse();
+  recorder.reset();
+  watch_.reset();
+  double lost = 0;
+  try {
+    lost = simulation_.exchange(std::move(elements));
+    watch_.emplace(simulation_.built());
+  } catch (const InputError& error) {  // a selection that has nothing left
+    throw SimulationError(fmt::format("after objects were meshed anew (t = {:.6g} s): {}", state.time, error.what()));
+  }
+  recorder.emplace(experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, state.time);
+  for (Remeshing& r : told) {
+    r.lost = lost;
+    progress_.message(fmt::format("object '{}' meshed anew after step {}, t = {:.6g} s: lowest mean ratio {:.3g}, was {:.3g}; {} tets, were {}", r.object, r.step, r.time,
+                                  r.after, r.before, r.tets_after, r.tets_before));
+    summary_.remeshings.push_back(std::move(r));
+  }
+  summary_.dofs = world().dofs.size();
+}
+
 void RecordedRun::begin_gradients(const Recorder& recorder) {
   gradients_->start();
-  gradients_csv_.emplace(folder_.gradients(), gradients_->columns(probes_.columns()));
+  gradients_csv_.emplace(folder_.gradients(), gradients_->columns(watch_->probes.columns()));
   add_gradients(recorder);
 }
 
@@ -204,25 +247,30 @@ void RecordedRun::add_gradients(const Recorder& recorder) {
 
 // Each once.
 void RecordedRun::tell_lost_probes() {
-  for (const std::string& what : probes_.take_lost())
+  for (const std::string& what : watch_->probes.take_lost())
     warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
                      simulation_.state().time));
 }
 
 void RecordedRun::look_at_quality() {
-  quality_.look(simulation_.state().x, simulation_.state().time);
-  if (const auto lowest = quality_.lowest()) summary_.lowest_quality = std::min(summary_.lowest_quality, *lowest);
+  watch_->quality.look(simulation_.state().x, simulation_.state().time);
+  if (const auto lowest = watch_->quality.lowest()) summary_.lowest_quality = std::min(summary_.lowest_quality, *lowest);
 }
 
 // What elements turned out to be too coarse for.
 void RecordedRun::tell_resolution() {
+  if (!watch_) return;
   if (simulation_.started()) look_at_quality();
-  for (const std::string& line : quality_.poor()) warn(line);
-  for (const std::string& line : bent_.bent()) warn(line);
-  if (adhesion_)
-    for (const std::string& line : adhesion_->coarse()) warn(line);
-  if (approach_)
-    for (const std::string& line : approach_->soft()) warn(line);
+  for (const std::string& line : watch_->quality.poor()) warn(line);
+  tell_coarse();
+}
+
+void RecordedRun::tell_coarse() {
+  for (const std::string& line : watch_->bent.bent()) warn(line);
+  if (watch_->adhesion)
+    for (const std::string& line : watch_->adhesion->coarse()) warn(line);
+  if (watch_->approach)
+    for (const std::string& line : watch_->approach->soft()) warn(line);
 }
 
 // Once it has seen a system, and again when it has changed its mind.
@@ -236,7 +284,7 @@ void RecordedRun::tell_linear_solver() {
 void RecordedRun::prepare_dump() {
   if (!dump_.wants(simulation_.state().step + 1)) return;
   simulation_.start_from(simulation_.state());
-  dump_.before(world_.start, simulation_.stepper().next_step_size(),
+  dump_.before(world().start, simulation_.stepper().next_step_size(),
                [this](const State& state, double h, int iterations) { store_problem(state, h, iterations); });
 }
 
@@ -250,9 +298,10 @@ StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) cons
   StateFile file = state_file_of(kind, experiment_);
   file.program = summary_.provenance.build.version;
   file.commit = summary_.provenance.build.revision();
-  file.objects = state_objects(world_);
+  file.objects = state_objects(world());
+  file.flowed = simulation_.built().flowed();
   if (kind == StateFile::Kind::checkpoint) {
-    file.file_meshes = file_meshes_of(world_);
+    file.file_meshes = file_meshes_of(world());
     file.plugins = plugin_checksums();
   }
   file.state = state;
@@ -302,6 +351,7 @@ void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   add_up_phases();
   file.totals = totals_of(summary_);
   file.warnings = summary_.warnings;
+  file.remeshings = summary_.remeshings;
   write_state_file(path, file);
 }
 
@@ -316,14 +366,14 @@ std::string RecordedRun::profile_of_run() {
   return profile_tables(profile);
 }
 
-void RecordedRun::finish(const Recorder& recorder) {
-  const bool complete = summary_.status == RunStatus::done && settings_.steps == 0;
+void RecordedRun::finish(const ProbeSeries* series) {
+  const bool complete = series && summary_.status == RunStatus::done && settings_.steps == 0;
   if (complete) {
     for (const Expectation& expectation : experiment_.expect) {
-      summary_.expect.push_back(evaluate(expectation, recorder.series()));
+      summary_.expect.push_back(evaluate(expectation, *series));
       if (!summary_.expect.back().pass) summary_.status = RunStatus::expectation_failed;
     }
-    write_measured(folder_.measured(), experiment_.expect, recorder.series());
+    write_measured(folder_.measured(), experiment_.expect, *series);
   }
   finish_dump();
   if (gradients_)

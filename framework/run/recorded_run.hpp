@@ -16,6 +16,7 @@
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
 #include "framework/profile/profiler.hpp"
+#include "framework/remesh/remesher.hpp"
 #include "framework/run/problem_dump.hpp"
 #include "framework/run/simulation.hpp"
 #include "framework/sensitivity/gradients.hpp"
@@ -44,7 +45,8 @@ class RecordedRun {
   std::optional<StateFile> checkpoint();
   void tell_beginning();
   void warn(const Warning& warning);
-  void simulate(Recorder& recorder);
+  void simulate(std::optional<Recorder>& recorder);
+  void remesh(std::optional<Recorder>& recorder);
   void begin_gradients(const Recorder& recorder);
   void restart_gradients();
   void add_gradients(const Recorder& recorder);
@@ -52,6 +54,7 @@ class RecordedRun {
   void tell_lost_probes();
   void look_at_quality();
   void tell_resolution();
+  void tell_coarse();
   void prepare_dump();
   void finish_dump();
   StateFile state_file(StateFile::Kind kind, const State& state) const;
@@ -62,15 +65,26 @@ class RecordedRun {
   void store_checkpoint(const std::filesystem::path& path);
   void add_up_phases();
   std::string profile_of_run();
-  void finish(const Recorder& recorder);
+  void finish(const ProbeSeries* series);  // of probes; null: they were lost
 
   RunSettings settings_;
   ProblemDump dump_;
   Simulation simulation_;
   const Experiment& experiment_ = simulation_.experiment();
-  World& world_ = simulation_.world();
+  World& world() { return simulation_.world(); }
+  const World& world() const { return simulation_.world(); }
   PhaseClock& clock_ = simulation_.clock();
-  ProbeSet probes_;
+  // All that looks at the world, which is another one once objects were meshed anew.
+  struct Watch {
+    explicit Watch(const BuiltExperiment& built);
+    ProbeSet probes;
+    BentSolids bent;
+    FlowQuality quality;
+    std::optional<AdhesionResolution> adhesion;  // if anything adheres
+    std::optional<ContactApproach> approach;     // with contact, if forces are in balance
+  };
+  std::optional<Watch> watch_;
+  Remesher remesher_{experiment_};
   std::optional<Gradients> gradients_;  // if the experiment asks for any
   std::optional<ProbesCsv> gradients_csv_;
   RunFolder folder_;
@@ -80,10 +94,6 @@ class RecordedRun {
   RunSummary summary_;
   PhaseClock::Seconds phases_before_{};  // of the run that is resumed
   std::optional<Profiler> profiler_;
-  BentSolids bent_;
-  FlowQuality quality_;
-  std::optional<AdhesionResolution> adhesion_;  // if anything adheres
-  std::optional<ContactApproach> approach_;     // with contact, if forces are in balance
   double next_checkpoint_ = 0;  // s
 };
 

@@ -8,6 +8,7 @@
 
 #include "framework/core/warning.hpp"
 #include "framework/experiment/built_experiment.hpp"
+#include "framework/remesh/new_elements.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
 namespace tack {
@@ -39,6 +40,12 @@ class Simulation {
   // Who minimises from the next start on; empty: what the experiment says.
   void solve_with(std::function<std::unique_ptr<Minimizer>()> make) { make_solver_ = std::move(make); }
   TimeStepper& stepper() { return *stepper_; }  // for those who study single steps; another one after start_from()
+
+  // Goes on with other elements of some objects, which the present state has ended a step with. Whatever pointed into the world has to be made
+  // anew; the state is as that of a program which is started with it. Returns the energy that was lost [J].
+  double exchange(std::vector<NewElements> elements);
+  // Before start_from(): objects with the meshes that the state is of.
+  void rebuild(FlowedMeshes flowed) { built_.rebuild(std::move(flowed)); }
 
   // Who is told of what, from the next start on.
   void observe(StepObservers observers) { observers_ = std::move(observers); }

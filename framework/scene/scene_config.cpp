@@ -45,6 +45,7 @@ void ObjectConfig::fields(Fields& f) {
   f.component("body", body, "how it may move as a whole; unless given, its vertices are free");
   f.component_list("energies", energies, "its potential energies; one that motions hold throughout, or an affine body, needs none");
   f.optional_object("damping", damping, "resistance to motion, C = mass M + stiffness K (Rayleigh); not with quasi-static steps");
+  f.optional_object("remesh", remesh, "tets that plastic flow has made flat or long are exchanged for better ones between steps, inside the same surface; of von_mises. Unless given, they stay");
   f.component_list("motion", motion, "prescribed motion of some vertices");
   f.list("attach", attach, "vertices that follow another object; where the two touch at the start they are in no contact, then or later");
   f.component_list("loads", loads, "external forces");

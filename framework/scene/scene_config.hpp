@@ -18,6 +18,7 @@
 #include "framework/scene/fill.hpp"
 #include "framework/scene/friction_config.hpp"
 #include "framework/scene/interaction.hpp"
+#include "framework/scene/remesh_config.hpp"
 #include "framework/scene/start_config.hpp"
 #include "framework/shapes/place.hpp"
 #include "framework/shapes/shape_source.hpp"
@@ -60,6 +61,7 @@ struct ObjectConfig {
   std::unique_ptr<BodyModel> body;  // null: its vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
+  std::optional<RemeshConfig> remesh;  // none: its elements stay
   std::vector<std::unique_ptr<Motion>> motion;
   std::vector<AttachConfig> attach;
   std::vector<std::unique_ptr<Load>> loads;

@@ -21,11 +21,13 @@
 #include "framework/setup/named_selections.hpp"
 #include "framework/setup/push_out.hpp"
 #include "framework/setup/refined_surface.hpp"
+#include "framework/setup/remesh_checks.hpp"
 #include "framework/setup/rod_twists.hpp"
 #include "framework/setup/start_checks.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "framework/world/consistent_mass.hpp"
 #include "framework/world/energy_records.hpp"
+#include "framework/world/remeshed_energy.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/orientation.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -62,8 +64,16 @@ Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
   return mesh;
 }
 
+// The mesh of an object that was meshed anew; groups that the scene names are chosen again.
+Mesh mesh_of(const FlowedMesh& anew, const ObjectConfig& object, const SceneConfig& scene) {
+  Mesh mesh = anew.mesh;
+  for (const auto* names : {&object.selections, &scene.selections})
+    for (const NamedSelection& named : *names) mesh.tags.erase(named.name);
+  return mesh;
+}
+
 // Appends a mesh to the world as a body.
-void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
+void add_body(const ObjectConfig& object, const Mesh& mesh, const FlowedMesh* anew, World& world) {
   Body body;
   body.name = object.name;
   body.first_vertex = static_cast<int>(world.rest.size()) / 3;
@@ -80,7 +90,9 @@ void add_body(const ObjectConfig& object, const Mesh& mesh, World& world) {
   body.tets = shifted(mesh.tets);
   body.elements = object.elements;
   const Surface surface = extract_surface(mesh);
-  body.triangles = shifted(surface.triangles);
+  body.triangles = shifted(anew ? anew->surface : surface.triangles);
+  body.flows = object.remesh.has_value();
+  if (anew) body.references = anew->references;
   body.sheet.assign(body.triangles.begin() + surface.first_sheet, body.triangles.end());
   if (object.shell) {
     if (body.sheet.empty())
@@ -112,6 +124,7 @@ void hold_vertices(const SceneConfig& scene, int index, World& world) {
     auto carried = carried_motion(*object.motion[i], name, object.name, scene);
     const Motion& motion = carried ? *carried : *object.motion[i];
     std::vector<int> vertices = select(object.motion[i]->selection(), world.selection_context(index));
+    if (object.remesh) keep_on_surface(name, world.bodies[index], vertices);
     if (motion.partial() && object.body) {
       if (static_cast<int>(vertices.size()) != world.bodies[index].vertex_count)
         throw InputError(fmt::format("{}: holds some directions of a part of an affine body; select all of it, or hold "
@@ -234,7 +247,8 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
   return value ? value->mark.text() + ": " : "";
 }
 
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, const EarlierState* earlier) {
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, const EarlierState* earlier,
+                                   const FlowedMeshes& flowed) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
   std::vector<Mesh> meshes;
@@ -254,7 +268,9 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   });
   world->start_notes = push_out(scene, root, meshes);
   for_each_object(scene, root, [&](size_t i) {
-    add_body(scene.objects[i], meshes[i], *world);
+    const auto anew = flowed.find(scene.objects[i].name);
+    if (anew == flowed.end()) add_body(scene.objects[i], meshes[i], nullptr, *world);
+    else add_body(scene.objects[i], mesh_of(anew->second, scene.objects[i], scene), &anew->second, *world);
     world->bodies.back().digest = digests[i];
     world->bodies.back().from_file = scene.objects[i].shape->reads_files();
     world->bodies.back().notes = std::move(notes[i]);
@@ -296,7 +312,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (earlier)
     at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   build_contact(scene, root, clock, *world);
-  check_start(scene, root, *world);
+  if (flowed.empty()) check_start(scene, root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());
   for (const auto& term : world->damping_terms) world->terms.push_back(term.get());
@@ -319,7 +335,13 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   if (world->rim) world->participants.add(world->rim.get());
   if (world->bonds) world->participants.add(world->bonds.get());
   if (world->friction) world->participants.add(world->friction.get());
+  if (remeshes(scene)) {
+    world->remeshed = std::make_unique<RemeshedEnergy>();
+    world->participants.add(world->remeshed.get());
+  }
   publish(*world);
+  if (world->remeshed) world->remeshed->publish(world->records);
+  check_remeshing(scene, root, *world);
   return world;
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "framework/body/flowed_mesh.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/world/world.hpp"
@@ -15,9 +16,10 @@ struct EarlierState;
 
 // Builds the world as it is before a first step of that size [s]; it points into the scene. `root` is the parsed
 // file, for places in messages. Throws InputError for anything that does not fit together, also for a start that
-// intersects. `earlier`: the state that the scene's `start` speaks of; null without.
+// intersects. `earlier`: the state that the scene's `start` speaks of; null without. `flowed`: the meshes of objects that were meshed anew
+// in a run that is gone on with, whose start is behind it.
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock,
-                                   const EarlierState* earlier = nullptr);
+                                   const EarlierState* earlier = nullptr, const FlowedMeshes& flowed = {});
 
 // The pairs of objects and their laws (contact_setup.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);

@@ -37,7 +37,10 @@ std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, dou
 // Appends a body's surface to the collision mesh.
 SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hull, ContactSurface& all) {
   const Mesh mesh = body.surface_triangles.empty() ? local_mesh(body, rest) : surface_mesh(body, rest);
-  const Surface surface = extract_surface(mesh);
+  Surface surface = extract_surface(mesh);
+  // In the order in which the run began, by whose numbers what is remembered knows them.
+  for (size_t t = 0; !body.references.empty() && t < body.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) surface.triangles[t][i] = body.triangles[t][i] - body.first_vertex;
   const auto areas = vertex_areas(mesh, surface);
   all.rod_width.push_back(body.section ? body.section->contact_width() : 0);
   all.particle_radius.push_back(body.radius);

@@ -7,6 +7,7 @@
 
 #include "framework/config/describe.hpp"
 #include "framework/config/nearest.hpp"
+#include "framework/body/local_mesh.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
@@ -139,7 +140,10 @@ void take_interactions(const std::map<std::string, StateObject>& here, const std
 
 std::map<std::string, StateObject> state_objects(const World& world) {
   std::map<std::string, StateObject> objects;
-  for (size_t i = 0; i < world.bodies.size(); ++i) objects[world.bodies[i].name] = {world.vertices_of(static_cast<int>(i)), world.bodies[i].digest};
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    objects[body.name] = {world.vertices_of(static_cast<int>(i)), body.references.empty() ? body.digest : digest_of(local_mesh(body, world.rest))};
+  }
   for (const ActingInteraction& interaction : world.interactions) {
     std::vector<int> vertices;
     for (const UnknownGroup& group : world.unknowns)

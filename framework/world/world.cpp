@@ -11,6 +11,7 @@
 #include "framework/contact/rim_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/load/following_load.hpp"
+#include "framework/world/remeshed_energy.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {

@@ -27,6 +27,7 @@ class DampingTerm;
 class FollowingLoad;
 class FrictionTerm;
 class OrthogonalityTerm;
+class RemeshedEnergy;
 class RimTerm;
 class VolumeTerm;
 
@@ -63,6 +64,7 @@ struct World {
   std::unique_ptr<BondTerm> bonds;         // null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names
+  std::unique_ptr<RemeshedEnergy> remeshed;  // null if nothing may be meshed anew
   StepParticipants participants;  // contact and the terms
   Records records;                // what the terms publish, and a stepper instead of them
   std::vector<AdhesionSummary> adhesion;

@@ -4,6 +4,7 @@
 
 #include "framework/checks/flow_quality.hpp"
 #include "framework/stepping/time_stepper.hpp"
+#include "geometry/tets/mean_ratio.hpp"
 #include "tests/support/scene.hpp"
 
 using namespace tack;

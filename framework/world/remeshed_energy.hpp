@@ -1,0 +1,30 @@
+// What meshing objects anew between two steps changed stored energy by, on the account of the step that follows.
+#pragma once
+
+#include <string>
+
+#include "framework/core/history.hpp"
+#include "framework/core/records.hpp"
+#include "framework/core/step_participant.hpp"
+
+namespace tack {
+
+class RemeshedEnergy : public StepParticipant {
+ public:
+  static constexpr const char* name = "remeshing/lost";  // in the history: what was lost since the last step [J]
+
+  void remember(const History& history) override {
+    const auto* lost = remembered(history, name, 1, 1);
+    lost_ = lost ? lost->front() : 0;
+  }
+  void commit(const VecX&, History& history) const override { history.erase(name); }
+
+  void publish(Records& records) const {
+    records.add(FlowRecord{"remeshing", {{"dissipated_remeshing"}}, [this](const VecX&, double* amounts) { amounts[0] = lost_; }});
+  }
+
+ private:
+  double lost_ = 0;  // J
+};
+
+}  // namespace tack
