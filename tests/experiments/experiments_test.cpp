@@ -146,6 +146,8 @@ TEST_CASE("experiments hard: blocks of composite tets and of patches are pressed
 TEST_CASE("experiment plasticity/bar") { check_experiment("plasticity/bar.yaml"); }
 TEST_CASE("experiment plasticity/shear") { check_experiment("plasticity/shear.yaml"); }
 TEST_CASE("experiment plasticity/rates") { check_experiment("plasticity/rates.yaml"); }
+TEST_CASE("experiment plasticity/upset") { check_experiment("plasticity/upset.yaml"); }
+TEST_CASE("experiment plasticity/flatten") { check_experiment("plasticity/flatten.yaml"); }
 TEST_CASE("experiment plasticity/indent") { check_experiment("plasticity/indent.yaml"); }
 
 TEST_CASE("experiment rod/cantilever") { check_experiment("rod/cantilever.yaml"); }
