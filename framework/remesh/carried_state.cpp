@@ -135,26 +135,26 @@ State carried_state(const State& state, const World& was, const World& now, cons
   return carried;
 }
 
-VecX stored_gradient(const World& world, const VecX& x) {
-  VecX gradient = VecX::Zero(x.size());
+StoredInObjects stored_in_objects(const World& world, const VecX& x) {
+  StoredInObjects stored{0, VecX::Zero(x.size())};
+  for (const EnergyRecord& r : world.records.energies())
+    if (r.kind == EnergyKind::of_objects) stored.energy += r.value(x);
   for (const auto& term : world.elastic_terms)
-    if (term->stores()) add_term_gradient(*term, x, gradient);
-  return gradient;
+    if (term->stores()) add_term_gradient(*term, x, stored.gradient);
+  return stored;
 }
 
-void book_remeshed_energy(const World& now, const VecX& stored_before, State& state) {
+void book_remeshed_energy(const World& now, const StoredInObjects& before, State& state) {
   EnergyAccount& account = state.energy;
   if (!account.open) return;
+  const StoredInObjects stored = stored_in_objects(now, state.x);
   const auto [kinetic, gravity] = energies_of_free_vertices(now, state);
-  double elastic = 0;
-  for (const EnergyRecord& r : now.records.energies())
-    if (r.kind == EnergyKind::of_objects || r.kind == EnergyKind::between_objects) elastic += r.value(state.x);
-  const double lost = account.kinetic + account.gravity + account.elastic - kinetic - gravity - elastic;
+  const double of_vertices = account.kinetic + account.gravity - kinetic - gravity;
   account.kinetic = kinetic;
   account.gravity = gravity;
-  account.elastic = elastic + lost;  // until the step that follows has it on its account
-  if (account.gradient.size() > 0) account.gradient += stored_gradient(now, state.x) - stored_before;
-  state.history[RemeshedEnergy::name] = {1, {lost}, {}};
+  account.elastic += of_vertices;  // what is lost is taken off by the step that follows
+  if (account.gradient.size() > 0) account.gradient += stored.gradient - before.gradient;
+  state.history[RemeshedEnergy::name] = {1, {of_vertices + before.energy - stored.energy}, {}};
 }
 
 double lost_by_remeshing(const State& state) {

@@ -11,12 +11,15 @@ namespace tack {
 // new numbers. Steps that look back at the one before have none.
 State carried_state(const State& state, const World& was, const World& now, const std::vector<NewElements>& exchanged);
 
-// Changes the account of energy from what was stored in the state before to what is in this one, and notes the difference as lost (world/remeshed_energy.hpp).
-// `now`: with the unknowns of the step that follows. stored_before: gradient of what objects stored, at the state before, carried like one (3n) [N].
-void book_remeshed_energy(const World& now, const VecX& stored_before, State& state);
+struct StoredInObjects {
+  double energy = 0;  // J
+  VecX gradient;      // at all vertices (3n) [N]
+};
+StoredInObjects stored_in_objects(const World& world, const VecX& x);
 
-// The gradient of what is stored in objects, at all vertices (3n) [N].
-VecX stored_gradient(const World& world, const VecX& x);
+// Changes the account of energy from what there was in the state before to what is in this one, and notes the difference as lost (world/remeshed_energy.hpp).
+// `now`: with the unknowns of the step that follows. before: what objects stored then, its gradient carried like a field.
+void book_remeshed_energy(const World& now, const StoredInObjects& before, State& state);
 
 // A field at the vertices (3n) of the world before, at those of the world now.
 VecX carried_field(const VecX& field, const World& was, const World& now, const std::vector<NewElements>& exchanged);

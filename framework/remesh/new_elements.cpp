@@ -41,6 +41,48 @@ Within within(const Vec3& point, const std::vector<int>& among, const std::vecto
   return best;
 }
 
+// What the tets that went handed on to those that came.
+struct Exchange {
+  std::vector<int> gone;         // numbers of the old ones
+  std::vector<TetContent> made;  // of the new ones, in their order
+};
+
+Exchange exchanged(const ImprovedTets& improved, const std::vector<Tet>& tets, const std::vector<Vec3>& places, const ExchangeableTets& old, const std::vector<Mat3>& elastic) {
+  const std::vector<double> volumes = old.volumes(), flow = old.flow();
+  std::vector<char> stays(tets.size(), 0);
+  for (const int t : improved.kept)
+    if (t >= 0) stays[t] = 1;
+  Exchange result;
+  TetCorners from, to;
+  std::vector<TetContent> contents;
+  for (size_t t = 0; t < tets.size(); ++t) {
+    if (stays[t]) continue;
+    result.gone.push_back(static_cast<int>(t));
+    from.push_back(corners_of(tets[t], places));
+    contents.push_back({volumes[t], hencky_strain(elastic[t]), flow[t]});
+  }
+  for (size_t t = 0; t < improved.tets.size(); ++t)
+    if (improved.kept[t] < 0) to.push_back(corners_of(improved.tets[t], improved.vertices));
+  result.made = handed_on(from, contents, to);
+  return result;
+}
+
+// Where the material of a vertex was when the run began.
+Vec3 material_at(const Within& within, const std::vector<Vec3>& material) {
+  Vec3 at = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) at += within.weights[i] * material[within.vertices[i]];
+  return at;
+}
+
+std::vector<Triangle> renumbered(std::vector<Triangle> surface, const std::vector<int>& from, size_t before) {
+  std::vector<int> number(before, -1);
+  for (size_t v = 0; v < from.size(); ++v)
+    if (from[v] >= 0) number[from[v]] = static_cast<int>(v);
+  for (Triangle& t : surface)
+    for (int& v : t) v = number[v];
+  return surface;
+}
+
 // A vertex that is new belongs to the groups that all corners of the tet belong to in which it lies.
 std::map<std::string, std::vector<int>> groups(const Body& body, const NewElements& now) {
   std::map<std::string, std::vector<int>> tags;
@@ -61,55 +103,31 @@ std::map<std::string, std::vector<int>> groups(const Body& body, const NewElemen
 NewElements new_elements(int index, const Body& body, const ExchangeableTets& old, const VecX& rest, const VecX& x, double goal) {
   const std::vector<Vec3> places = local(body, x), material = local(body, rest);
   const std::vector<Tet> tets = local(body, *old.tets);
-  ImprovedTets improved = improve_tets(places, tets, goal);
-  NewElements now;
-  now.body = index;
-  now.before = improved.before;
-  now.after = improved.after;
-
   const std::vector<Mat3> elastic = old.elastic(x);
   const std::vector<double> volumes = old.volumes(), flow = old.flow();
-  std::vector<char> stays(tets.size(), 0);
-  for (const int t : improved.kept)
-    if (t >= 0) stays[t] = 1;
-  std::vector<int> gone;
-  TetCorners from, to;
-  std::vector<TetContent> contents;
-  for (size_t t = 0; t < tets.size(); ++t) {
-    if (stays[t]) continue;
-    gone.push_back(static_cast<int>(t));
-    from.push_back(corners_of(tets[t], places));
-    contents.push_back({volumes[t], hencky_strain(elastic[t]), flow[t]});
-  }
-  for (size_t t = 0; t < improved.tets.size(); ++t)
-    if (improved.kept[t] < 0) to.push_back(corners_of(improved.tets[t], improved.vertices));
-  const std::vector<TetContent> made = handed_on(from, contents, to);
+  const ImprovedTets improved = improve_tets(places, tets, goal);
+  const Exchange exchange = exchanged(improved, tets, places, old, elastic);
 
+  NewElements now{index, {}, improved.vertices, improved.from, {}, {}, improved.before, improved.after};
   for (size_t t = 0, next = 0; t < improved.tets.size(); ++t) {
     const int k = improved.kept[t];
-    const TetContent* content = k < 0 ? &made[next++] : nullptr;
-    const Mat3 f = content ? stretch_of(content->strain) : elastic[k];
-    now.mesh.references.push_back({edges_of(corners_of(improved.tets[t], improved.vertices)).inverse() * f, content ? content->volume : volumes[k]});
-    now.flow.push_back(content ? content->flow : flow[k]);
+    const Mat3 inverse = edges_of(corners_of(improved.tets[t], improved.vertices)).inverse();
+    if (k < 0) {
+      const TetContent& made = exchange.made[next++];
+      now.mesh.references.push_back({inverse * stretch_of(made.strain), made.volume});
+      now.flow.push_back(made.flow);
+    } else {
+      now.mesh.references.push_back({inverse * elastic[k], volumes[k]});
+      now.flow.push_back(flow[k]);
+    }
   }
-
   for (size_t v = 0; v < improved.vertices.size(); ++v) {
     const int w = improved.from[v];
-    now.within.push_back(w >= 0 ? Within{} : within(improved.vertices[v], gone, tets, places));
-    Vec3 at = Vec3::Zero();
-    if (w >= 0) at = material[w];
-    else for (int i = 0; i < 4; ++i) at += now.within.back().weights[i] * material[now.within.back().vertices[i]];
-    now.mesh.mesh.vertices.push_back(at);
+    now.within.push_back(w >= 0 ? Within{} : within(improved.vertices[v], exchange.gone, tets, places));
+    now.mesh.mesh.vertices.push_back(w >= 0 ? material[w] : material_at(now.within.back(), material));
   }
-  std::vector<int> number(places.size(), -1);  // of vertices before, now
-  for (size_t v = 0; v < improved.from.size(); ++v)
-    if (improved.from[v] >= 0) number[improved.from[v]] = static_cast<int>(v);
-  now.mesh.surface = local(body, body.triangles);
-  for (Triangle& t : now.mesh.surface)
-    for (int& v : t) v = number[v];
-  now.mesh.mesh.tets = std::move(improved.tets);
-  now.places = std::move(improved.vertices);
-  now.from = std::move(improved.from);
+  now.mesh.surface = renumbered(local(body, body.triangles), improved.from, places.size());
+  now.mesh.mesh.tets = improved.tets;
   now.mesh.mesh.tags = groups(body, now);
   return now;
 }

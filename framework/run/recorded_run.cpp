@@ -196,15 +196,15 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
 
 // Where tets that have flowed are poor. What has looked at the world starts anew, as when a run is resumed.
 void RecordedRun::remesh(std::optional<Recorder>& recorder) {
-  if (!remeshes(experiment_) || simulation_.finished()) return;
-  State state = simulation_.state();
-  std::vector<NewElements> elements = remesher_.exchange(world(), state, [this](const Warning& warning) { warn(warning); });
-  simulation_.stepper().set_state(state);
+  if (simulation_.finished()) return;
+  std::vector<NewElements> elements = simulation_.due_elements();
   if (elements.empty()) return;
+  const int step = simulation_.state().step;
+  const double time = simulation_.state().time;
   std::vector<Remeshing> told;
   for (const NewElements& e : elements) {
     const Body& body = world().bodies[e.body];
-    told.push_back({body.name, state.step, state.time, e.before, e.after, static_cast<int>(body.tets.size()), static_cast<int>(e.mesh.mesh.tets.size()), 0});
+    told.push_back({body.name, step, time, e.before, e.after, static_cast<int>(body.tets.size()), static_cast<int>(e.mesh.mesh.tets.size()), 0});
   }
   look_at_quality();
   tell_coarse();
@@ -215,9 +215,9 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
     lost = simulation_.exchange(std::move(elements));
     watch_.emplace(simulation_.built());
   } catch (const InputError& error) {  // a selection that has nothing left
-    throw SimulationError(fmt::format("after objects were meshed anew (t = {:.6g} s): {}", state.time, error.what()));
+    throw SimulationError(fmt::format("after objects were meshed anew (t = {:.6g} s): {}", time, error.what()));
   }
-  recorder.emplace(experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, state.time);
+  recorder.emplace(experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, time);
   for (Remeshing& r : told) {
     r.lost = lost;
     progress_.message(fmt::format("object '{}' meshed anew after step {}, t = {:.6g} s: lowest mean ratio {:.3g}, was {:.3g}; {} tets, were {}", r.object, r.step, r.time,

@@ -16,7 +16,6 @@
 #include "framework/output/recorder.hpp"
 #include "framework/output/summary.hpp"
 #include "framework/profile/profiler.hpp"
-#include "framework/remesh/remesher.hpp"
 #include "framework/run/problem_dump.hpp"
 #include "framework/run/simulation.hpp"
 #include "framework/sensitivity/gradients.hpp"
@@ -84,7 +83,6 @@ class RecordedRun {
     std::optional<ContactApproach> approach;     // with contact, if forces are in balance
   };
   std::optional<Watch> watch_;
-  Remesher remesher_{experiment_};
   std::optional<Gradients> gradients_;  // if the experiment asks for any
   std::optional<ProbesCsv> gradients_csv_;
   RunFolder folder_;

@@ -8,7 +8,7 @@
 
 #include "framework/core/warning.hpp"
 #include "framework/experiment/built_experiment.hpp"
-#include "framework/remesh/new_elements.hpp"
+#include "framework/remesh/remesher.hpp"
 #include "framework/stepping/time_stepper.hpp"
 
 namespace tack {
@@ -31,8 +31,9 @@ class Simulation {
   void start_from(State state);
   bool started() const { return stepper_.has_value(); }
 
-  // One accepted step. Throws SimulationError when no step small enough succeeds.
-  StepReport step() { return stepper_->advance(); }
+  // One accepted step. Throws SimulationError when no step small enough succeeds. Of scenes in which objects may be meshed anew, due_elements() has to
+  // be called between two steps: else std::logic_error.
+  StepReport step();
   bool finished() const { return stepper_->finished(); }
   bool interrupted() const { return stepper_->interrupted(); }
   const State& state() const { return stepper_->state(); }
@@ -41,8 +42,10 @@ class Simulation {
   void solve_with(std::function<std::unique_ptr<Minimizer>()> make) { make_solver_ = std::move(make); }
   TimeStepper& stepper() { return *stepper_; }  // for those who study single steps; another one after start_from()
 
-  // Goes on with other elements of some objects, which the present state has ended a step with. Whatever pointed into the world has to be made
-  // anew; the state is as that of a program which is started with it. Returns the energy that was lost [J].
+  // After a step, better elements of the objects whose tets are worn (`remesh`), for exchange(). Nothing has changed but that it is noted what was tried.
+  std::vector<NewElements> due_elements();
+  // Goes on with them: there is another world, and whatever pointed into the one before has to be made anew. The state is as that of a program
+  // which is started with it. Returns the energy that was lost [J].
   double exchange(std::vector<NewElements> elements);
   // Before start_from(): objects with the meshes that the state is of.
   void rebuild(FlowedMeshes flowed) { built_.rebuild(std::move(flowed)); }
@@ -56,6 +59,8 @@ class Simulation {
   WarningFunction warn_;
   StepObservers observers_;
   TimeStepper::SolvedObserver solved_;
+  Remesher remesher_;
+  bool looked_ = true;  // for worn tets, since the last step
   std::function<std::unique_ptr<Minimizer>()> make_solver_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;

@@ -11,6 +11,7 @@
 #include "framework/core/term_gradient.hpp"
 #include "framework/output/element_fields.hpp"
 #include "framework/output/frame_fields.hpp"
+#include "framework/setup/remesh_checks.hpp"
 #include "framework/setup/start_checks.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
@@ -86,6 +87,9 @@ auto Running::at_work(Work work) {
 
 Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
   arena_.execute([&] {
+    if (remeshes(loaded.experiment))
+      throw InputError("objects that are meshed anew as they flow (remesh) have vertices that come and go, and arrays in Python are of lasting ones; take `remesh` away "
+                       "(set={\"objects.NAME.remesh\": None}), or use `tack run`");
     simulation_ = std::make_unique<Simulation>(std::move(loaded), [this](const Warning& w) { warnings_.push_back(w.text); });
     probes_.emplace(probes_of(simulation_->built()));
     simulation_->start();

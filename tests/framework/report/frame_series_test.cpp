@@ -107,10 +107,50 @@ TEST_CASE("a damaged frame ends the series with a note") {
 TEST_CASE("a frame of another mesh ends the series with a note") {
   const Run run(2);
   FrameGeometry other = geometry();
-  other.tets = {{0, 1, 2, 3}, {1, 3, 2, 4}};
+  other.tets = {{0, 1, 2, 3}, {0, 2, 1, 4}};
   write_vtu(run.folder.path() / "frames/f1.vtu", other, places(0), 0.5, {{"velocity", 3, VecX::Zero(33), "m/s"}}, {{"stress", VecX::Zero(5), "Pa"}});
   const FrameSeries series = read_frames(run.folder.path(), 0);
   CHECK(series.times.size() == 1);
   REQUIRE(series.notes.size() == 1);
   CHECK(contains(series.notes[0], "another one"));
+}
+
+TEST_CASE("an object that was meshed anew inside goes on, with the same surface") {
+  // A tet of four, around a vertex inside, and a particle; then one tet alone.
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "frames");
+  PvdFile list(folder.path() / "run.pvd");
+  const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const auto write = [&](int number, const std::vector<Vec3>& inside, std::vector<Tet> tets) {
+    FrameGeometry g;
+    std::vector<Vec3> at = corners;
+    at.insert(at.end(), inside.begin(), inside.end());
+    at.push_back(Vec3(5, 0, number));
+    g.vertices = static_cast<int>(at.size());
+    g.cell_object.assign(tets.size(), 0);
+    g.cell_object.push_back(1);
+    g.tets = std::move(tets);
+    g.points = {g.vertices - 1};
+    VecX x(3 * g.vertices);
+    for (int v = 0; v < g.vertices; ++v) vertex(x, v) = at[v];
+    const std::string name = "frames/f" + std::to_string(number) + ".vtu";
+    write_vtu(folder.path() / name, g, x, number, {{"mass", 1, VecX::LinSpaced(g.vertices, 1, g.vertices), "kg"}},
+              {{"stress", VecX::LinSpaced(g.cells(), 1, g.cells()), "Pa"}});
+    list.add(number, name);
+  };
+  write(0, {Vec3(0.2, 0.2, 0.2)}, {{4, 1, 2, 3}, {0, 4, 2, 3}, {0, 1, 4, 3}, {0, 1, 2, 4}});
+  write(1, {}, {{0, 1, 2, 3}});
+  const FrameSeries series = read_frames(folder.path(), 0);
+  CHECK(series.notes.empty());
+  REQUIRE(series.times == std::vector<double>{0, 1});
+  CHECK(series.vertices() == 5);
+  CHECK(series.triangles.size() == 3 * 4);
+  const int n = series.vertices();
+  for (int v = 0; v < n - 1; ++v)
+    for (int c = 0; c < 3; ++c) CHECK(series.positions[1][c * n + v] == series.positions[0][c * n + v]);
+  CHECK(series.positions[1][2 * n + series.points[0]] - series.positions[0][2 * n + series.points[0]] == Approx(1));
+  CHECK(series.fields[0].frames[0][static_cast<size_t>(series.points[0])] == 6.0f);
+  CHECK(series.fields[0].frames[1][static_cast<size_t>(series.points[0])] == 5.0f);
+  CHECK(series.fields[1].frames[0] == std::vector<float>{1, 2, 3, 4, 5});
+  CHECK(series.fields[1].frames[1] == std::vector<float>{1, 1, 1, 1, 2});
 }
