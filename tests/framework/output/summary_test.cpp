@@ -30,7 +30,7 @@ RunSummary filled() {
   s.inverted_tets = 4;
   s.flows.amount("dissipated_friction") = 0.75;
   s.energy_gains = 2;
-  s.adhesion = {{{"tape", "desk"}, 1, {{0, 1}}, 0.5, 0.4, 1e-4, 1e3}};
+  s.adhesion = {{{"tape", "desk"}, 1, {{0, 1}}, -1, 0.5, 0.4, 1e-4, 1e3}};
   s.expect = {{"a", 1, 2, 0.5, 1.5, 2.5, false, "is 1, expected 2 within 0.5"},
               {"b", nan_value, nan_value, nan_value, -infinity, 3, false, "no samples"}};
   return s;
