@@ -35,6 +35,8 @@ json typed_value(const Value& v, const Shape& shape) {
 
 class Schema {
  public:
+  // Of a file whose `parameters` may stand in the place of numbers, if it has any.
+  explicit Schema(const Fields& root) : expressions_(root.find("parameters") != nullptr) {}
   json object(const Fields& fields) {
     json properties = json::object();
     for (const Field& f : fields.all()) properties[f.key] = property(f);
@@ -74,7 +76,7 @@ class Schema {
       case Form::number:
         return number(shape.unit, bounds);
       case Form::integer:
-        return bounded({{"type", {"integer", "string"}}, {"pattern", expression_pattern}}, bounds);
+        return bounded(expressions_ ? json{{"type", {"integer", "string"}}, {"pattern", expression_pattern}} : json{{"type", "integer"}}, bounds);
       case Form::flag:
         return {{"type", "boolean"}};
       case Form::text:
@@ -122,7 +124,7 @@ class Schema {
     std::string name = fmt::format("number.{}", unit.quantity);
     std::replace(name.begin(), name.end(), ' ', '_');
     if (definitions_.contains(name)) return name;
-    json schema{{"type", {"number", "string"}}, {"pattern", fmt::format("{}|{}", number_pattern, expression_pattern)}};
+    json schema{{"type", {"number", "string"}}, {"pattern", expressions_ ? fmt::format("{}|{}", number_pattern, expression_pattern) : number_pattern}};
     if (!unit.si.empty()) {
       definitions_["number.in_a_known_unit"] = {{"pattern", known_unit_pattern()}};
       schema["if"] = schema_reference("number.in_a_known_unit");
@@ -179,13 +181,14 @@ class Schema {
     definitions_[kind.name()] = {{"description", kind.doc()}, {"anyOf", variants}};
   }
 
+  const bool expressions_;
   json definitions_ = json::object();
 };
 
 }  // namespace
 
 std::string json_schema(const Fields& root, const std::string& title) {
-  Schema builder;
+  Schema builder(root);
   json schema = builder.object(root);
   schema["$schema"] = "http://json-schema.org/draft-07/schema#";
   schema["title"] = title;

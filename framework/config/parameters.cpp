@@ -67,13 +67,18 @@ size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
     if (to > from) end = to;
   };
   exponent();
-  while (end < text.size() && text[end] == '/') {
-    const size_t next = word(end + 1);
-    if (next == end + 1 || known(text.substr(end + 1, end_of_name(text, end + 1) - end - 1))) break;
+  // What follows behind a slash, a point or a space is of the unit unless it is a parameter.
+  for (;;) {
+    size_t from = end;
+    while (from < text.size() && text[from] == ' ') ++from;
+    if (from < text.size() && (text[from] == '/' || text[from] == '.')) ++from;
+    else if (from == end) return end;
+    while (from < text.size() && text[from] == ' ') ++from;
+    const size_t next = word(from);
+    if (next == from || known(text.substr(from, end_of_name(text, from) - from)) || (next < text.size() && text[next] == '(')) return end;
     end = next;
     exponent();
   }
-  return end;
 }
 
 template <class Known>
