@@ -125,15 +125,6 @@ const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, con
   return pairs.edge(object, other, pairs.part(object, other, a, b));
 }
 
-// Of the two areas of a pair of edges, the larger counts up to so many times the smaller: a guard stands for what its smaller side carries,
-// and the edge of a coarse floor (square metres) would stop that of a fine mesh ten thousand times too hard. An edge without width has none.
-constexpr double most_uneven = 4;
-
-double shared_area(double a, double b) {
-  const auto [least, most] = std::minmax(a, b);
-  return least > 0 ? least + std::min(most, most_uneven * least) : most;
-}
-
 // edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
                   const std::vector<int>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
@@ -149,8 +140,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     if (box_gaps(ca, cb).maxCoeff() >= role.range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
     if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    const double area_a = surface.edge_area[ia], area_b = surface.edge_area[ib];
-    const double weight = role.share * (pairs.plain_sums ? area_a + area_b : shared_area(area_a, area_b));
+    const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
   }
 }
