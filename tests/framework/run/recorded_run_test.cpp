@@ -37,8 +37,8 @@ TEST_CASE("a run is recorded without the command line", "[run]") {
 
 TEST_CASE("what a run warns of stands in its summary, also of a run that is gone on with", "[run]") {
   // With so few iterations that steps at the impact are halved.
-  std::string text = tiny_scene_with("energies:", "velocity: [0, -2, 0]\n    energies:");
-  text += "output: {checkpoint_interval: 0.02 s}\nsolver: {type: projected_newton, max_iterations: 6}\n";
+  std::string text = tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
+  text += "output: {checkpoint_interval: 0.02 s}\nsolver: {type: projected_newton, max_iterations: 8}\n";
   const TemporaryFolder folder;
   const auto recorded = [&](RunSettings settings) {
     settings.output = (folder.path() / "results").string();
