@@ -131,6 +131,11 @@ bool Parameters::named_in(const std::string& text) const {
   if (numbers_.empty()) return false;
   const auto known = [this](const std::string& name) { return numbers_.contains(name); };
   const std::vector<Piece> pieces = pieces_of(text, known);
+  try {  // what is a number with a unit stays one
+    to_si(text, units::any);
+    return false;
+  } catch (const InputError&) {
+  }
   return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) { return piece.kind == Piece::name && known(piece.text); });
 }
 
