@@ -39,4 +39,7 @@ laws=$(mktemp -d)
 for name in traction unloading; do cp "$laws/$name.svg" "$images/law_rcc_$name.svg"; done
 rm -r "$laws"
 
+[[ -d results/wax_seal ]] || "$tack" run experiments/wax_seal/seal.yaml -q -o results/wax_seal
+"$tack" render results/wax_seal -q --view docs/pictures/wax_seal.yaml -o "$images/gallery/wax_seal.png"
+
 node docs/pictures/views.mjs "$tack" build/release/report results/phases/cases "$images"
