@@ -40,6 +40,7 @@ struct Coverage::Found {
   std::vector<Share> shares;
   std::vector<ContactSample> samples;
   CoveredParts parts{};
+  std::vector<int> known;  // triangles
   std::vector<Waiting> waiting;
   std::vector<int> around;  // what those that wait refer to
 
@@ -184,6 +185,7 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
       const bool whole = covered(views, t, at) && one_law(views, t, other.object, at), small = 2 * held_.area(t) <= reach * reach;
       if (whole && (small || role.bonds || even_gap(t, at, views, role.reach()))) {
         take_covered(t, reach, role.bonds, at, views, found);
+        found.known.push_back(t);
         continue;
       }
       if (!listed) {
@@ -192,7 +194,9 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
         listed = true;
       }
       const Around around = find_around(t, other.object, near);
-      if (around.faced) divide_or_wait(t, other.object, around, division, found);
+      if (!around.faced) continue;
+      divide_or_wait(t, other.object, around, division, found);
+      found.known.push_back(t);
     }
   }
 }
@@ -259,6 +263,16 @@ bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
   return pairs_.point(a, b).covered && sides.integrates(a, b);
 }
 
+double Coverage::unknown_area(int vertex_index, int object, const Vec3& normal) const {
+  const std::array key{surface_.mesh.vertex_object[vertex_index], object};
+  const auto at = std::lower_bound(known_.begin(), known_.end(), key, [](const KnownPair& k, const std::array<int, 2>& of) { return std::array{k.a, k.b} < of; });
+  const bool any = at != known_.end() && std::array{at->a, at->b} == key;
+  double area = 0;
+  for (const int t : held_.topology().triangles_at(vertex_index))
+    if (!any || !std::binary_search(at->triangles.begin(), at->triangles.end(), t)) area += held_.area(t) / 3 * std::max(0.0, held_.cosine(t, normal));
+  return area;
+}
+
 std::vector<Aabb> Coverage::object_boxes() const {
   std::vector<Aabb> boxes(pairs_.objects());
   for_each(pairs_.objects(), [&](int a) {
@@ -295,6 +309,7 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
 void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views) {
   samples_.clear();
   parts_.clear();
+  known_.clear();
   waiting_pairs_.clear();
   waiting_.clear();
   around_.clear();
@@ -318,7 +333,9 @@ void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phas
   for_each(static_cast<int>(chunks.size()), [&](int i) { weigh_chunk(chunks[i], broad_phase, views); }, 1);
   for (size_t pair = 0; pair < near.size(); ++pair) {
     CoveredParts& parts = parts_.emplace_back(CoveredParts{near[pair][0], near[pair][1], {}, {}, {}});
+    KnownPair& known = known_.emplace_back(KnownPair{near[pair][0], near[pair][1], {}});
     for (const Found& found : all[pair]) {
+      known.triangles.insert(known.triangles.end(), found.known.begin(), found.known.end());
       parts.parts.insert(parts.parts.end(), found.parts.parts.begin(), found.parts.parts.end());
       parts.rims.insert(parts.rims.end(), found.parts.rims.begin(), found.parts.rims.end());
       parts.whole.insert(parts.whole.end(), found.parts.whole.begin(), found.parts.whole.end());

@@ -51,6 +51,11 @@ class Coverage {
   // What those areas are made of, of each pair that has any.
   const std::vector<CoveredParts>& parts() const { return parts_; }
   bool wanted() const { return wanted_; }  // whether any pair wants weights
+  // The area of a vertex towards a normal, of triangles of which it was not found, when the step began, what lies opposite them of an object: of those that
+  // came from farther away than twice the range. What is covered of others has been given out, to other points than those that see it later.
+  double unknown_area(int vertex_index, int object, const Vec3& normal) const;
+  // Whether views of an object of such a vertex have those areas.
+  bool weighs(int a, int b, const IntegrationSides& sides) const;
 
  private:
   struct Corner {
@@ -84,6 +89,11 @@ class Coverage {
     const PartOfSurface* seen() const { return part ? &*part : nullptr; }
     int number() const { return part ? part->part() : -1; }
   };
+  // Triangles of one object of which it was found what lies opposite them of another one.
+  struct KnownPair {
+    int a, b;
+    std::vector<int> triangles;  // ascending
+  };
   struct Found;
   struct Opposite;
   struct Chunk;
@@ -93,7 +103,6 @@ class Coverage {
   bool even_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) const;
   bool one_law(const std::vector<GroupView>& views, int triangle, int object, const std::array<Corner, 3>& at) const;
   bool may_face(int triangle, int other) const;
-  bool weighs(int a, int b, const IntegrationSides& sides) const;
   // Ordered pairs of objects that want weights, integrate and may be near, ascending.
   std::vector<std::array<int, 2>> near_objects(const IntegrationSides& sides, const std::vector<Aabb>& boxes) const;
   std::vector<Aabb> object_boxes() const;
@@ -115,6 +124,7 @@ class Coverage {
   bool wanted_;
   std::vector<ContactSample> samples_;
   std::vector<CoveredParts> parts_;
+  std::vector<KnownPair> known_;  // by pair
   std::vector<WaitingPair> waiting_pairs_;
   std::vector<Waiting> waiting_;
   std::vector<int> around_;  // triangles

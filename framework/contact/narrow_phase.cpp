@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
@@ -12,10 +13,9 @@
 namespace tack {
 namespace {
 
-template <size_t K>
-bool none_free(const std::vector<char>& free, const std::array<int, K>& vertices) {
-  const auto is_free = [&](int v) { return free[v] != 0; };
-  return !free.empty() && std::none_of(vertices.begin(), vertices.end(), is_free);
+// Whether any is marked; nothing is marked: all are.
+bool any_of(const std::vector<char>& marked, std::span<const int> vertices) {
+  return marked.empty() || std::any_of(vertices.begin(), vertices.end(), [&](int v) { return marked[v] != 0; });
 }
 
 using Found = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
@@ -23,13 +23,15 @@ using Found = ContactSet;  // of one chunk, without thresholds; chunks are joine
 // What looks for the stencils of points and of samples.
 class StencilSearch {
  protected:
-  StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const std::vector<char>& free, const VecX& x,
+  StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const FreeVertices& free, const VecX& x,
                 Found& found)
       : mesh_(mesh), pairs_(pairs), x_(x), found_(found), free_(free) {}
 
-  template <class Stencil>
+  // Own: the vertices of the point, before those of what it is near.
+  template <int Own, class Stencil>
   void keep(std::vector<Stencil>& stencils, const std::type_identity_t<Stencil>& stencil) {
-    if (!none_free(free_, stencil.vertices)) stencils.push_back(stencil);
+    const std::span<const int> all(stencil.vertices);
+    if (any_of(free_.free, all.first(Own)) || any_of(free_.beside, all.subspan(Own))) stencils.push_back(stencil);
   }
 
   const CollisionMesh& mesh_;
@@ -40,13 +42,13 @@ class StencilSearch {
   std::vector<Triangle> triangles_;
 
  private:
-  const std::vector<char>& free_;
+  const FreeVertices& free_;
 };
 
 class PointSearch : StencilSearch {
  public:
   PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const Strays& strays,
-              const PointPieces& pieces, const std::vector<char>& free, const VecX& x, Found& found)
+              const PointPieces& pieces, const FreeVertices& free, const VecX& x, Found& found)
       : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), strays_(strays), pieces_(pieces) {}
 
   void search(const PointPiece& piece) {
@@ -77,9 +79,9 @@ class PointSearch : StencilSearch {
   void add(int p, const PointFeature& f, int law, double weight) {
     const auto& v = f.vertices;
     switch (f.count()) {
-      case 1: keep(found_.point_point, {{p, v[0]}, law, weight}); break;
-      case 2: keep(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
-      default: keep(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
+      case 1: keep<1>(found_.point_point, {{p, v[0]}, law, weight}); break;
+      case 2: keep<1>(found_.point_edge, {{p, v[0], v[1]}, law, weight}); break;
+      default: keep<1>(found_.point_triangle, {{p, v[0], v[1], v[2]}, law, weight});
     }
   }
 
@@ -93,7 +95,7 @@ class PointSearch : StencilSearch {
 class SampleSearch : StencilSearch {
  public:
   SampleSearch(const ContactSurface& surface, const PairTable& pairs, const std::vector<ContactSample>& samples,
-               const SamplePieces& pieces, const std::vector<char>& free, const VecX& x, Found& found)
+               const SamplePieces& pieces, const FreeVertices& free, const VecX& x, Found& found)
       : StencilSearch(surface.mesh, pairs, free, x, found), samples_(samples), pieces_(pieces) {}
 
   void search(int i) {
@@ -108,9 +110,9 @@ class SampleSearch : StencilSearch {
       const auto& v = f.vertices;
       const double weight = role.share * sample.area * f.multiplicity;
       switch (f.count()) {
-        case 1: keep(found_.sample_point, {{a, b, c, v[0]}, role.law, weight, sample.inside, i}); break;
-        case 2: keep(found_.sample_edge, {{a, b, c, v[0], v[1]}, role.law, weight, sample.inside, i}); break;
-        default: keep(found_.sample_triangle, {{a, b, c, v[0], v[1], v[2]}, role.law, weight, sample.inside, i});
+        case 1: keep<3>(found_.sample_point, {{a, b, c, v[0]}, role.law, weight, sample.inside, i}); break;
+        case 2: keep<3>(found_.sample_edge, {{a, b, c, v[0], v[1]}, role.law, weight, sample.inside, i}); break;
+        default: keep<3>(found_.sample_triangle, {{a, b, c, v[0], v[1], v[2]}, role.law, weight, sample.inside, i});
       }
     }
   }
@@ -139,7 +141,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     const auto ca = corners(x, a), cb = corners(x, b);
     if (box_gaps(ca, cb).maxCoeff() >= role.range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
-    if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
+    if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
     const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
   }
@@ -154,7 +156,7 @@ void search_crossings(const CollisionMesh& mesh, const PairTable& pairs, const s
     const PairRole& role = pairs.thin(object, other, pairs.part(object, other, a, b));
     const auto ca = corners(x, a), cb = corners(x, b);
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
-    if (none_free(free, std::array{a[0], a[1], b[0], b[1]})) continue;
+    if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, area});
   }
 }
@@ -180,8 +182,8 @@ bool NarrowPhase::may_integrate(const PointGroup& group) const {
          !held_.topology().triangles_at(group.point).empty();
 }
 
-// Takes the views of the groups that have none in this step yet.
-void NarrowPhase::look(const Candidates& candidates) {
+// Takes the views of the groups that have none in this step yet. later: than what is covered was found.
+void NarrowPhase::look(const Candidates& candidates, bool later) {
   const auto by_key = [](const auto& a, const auto& b) { return a.key() < b.key(); };
   std::vector<PointGroup> wanted, unseen;
   std::copy_if(groups_.groups.begin(), groups_.groups.end(), std::back_inserter(wanted),
@@ -194,6 +196,9 @@ void NarrowPhase::look(const Candidates& candidates) {
       const PointGroup& g = unseen[i];
       seen[i] = {g.point, g.object, viewer.look(viewer.vertex_view(g.point), g.triangle_end - g.triangle_begin,
                                                 [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })};
+      if (!later || !coverage_.weighs(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
+      FacingView& view = seen[i].view;
+      for (int k = 0; k < view.count; ++k) view.pieces[k].area = coverage_.unknown_area(g.point, g.object, view.pieces[k].normal);
     }
   });
   std::vector<GroupView> all;
@@ -232,7 +237,7 @@ void NarrowPhase::set_candidates(const Candidates& candidates, const VecX& x) {
     begin_step(candidates, x);
     return;
   }
-  look(candidates);
+  look(candidates, true);
   make_lists(candidates);
 }
 
@@ -240,7 +245,7 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   held_.hold(x);
   shares_at_start_ = shares_before_;
   views_.clear();
-  look(candidates);
+  look(candidates, false);
   coverage_.capture(views_, sides_);
   if (coverage_.wanted()) {
     coverage_.weigh(sides_, broad_phase_, views_);
@@ -255,6 +260,16 @@ void NarrowPhase::make_lists(const Candidates& candidates) {
   sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
 }
 
+void NarrowPhase::set_free(std::vector<char> free) {
+  free_ = {std::move(free), {}};
+  if (free_.free.empty()) return;
+  free_.beside = free_.free;
+  for (const auto& [a, b] : surface_.mesh.edges) {
+    free_.beside[a] |= free_.free[b];
+    free_.beside[b] |= free_.free[a];
+  }
+}
+
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) {
   if (const std::vector<int> added = coverage_.approach(x); !added.empty())
     add_sample_pieces(added, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
@@ -267,10 +282,10 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
     for (int i = first; i < last; ++i) search.search(pieces_.pieces[i]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
-    search_edges(surface_, pairs_, candidates, edge_pairs_, strays, free_, x, first, last, found_edges[c]);
+    search_edges(surface_, pairs_, candidates, edge_pairs_, strays, free_.free, x, first, last, found_edges[c]);
   });
   if (!rods_.crossings().empty())
-    search_crossings(surface_.mesh, pairs_, rods_.crossings(), free_, x, found_edges.emplace_back());
+    search_crossings(surface_.mesh, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());
   const int samples = static_cast<int>(coverage_.samples().size());
   std::vector<Found> found_samples(chunk_count(samples));
   for_each_chunk(samples, [&](int c, int first, int last) {

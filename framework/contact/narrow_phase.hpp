@@ -12,6 +12,13 @@
 
 namespace tack {
 
+// Per global vertex, or empty: all are free. What a fixed point is near may be a fixed vertex of a triangle that has others: its nearest feature changes between
+// those that move and those that do not, so that these are left out only where no triangle has both.
+struct FreeVertices {
+  std::vector<char> free;
+  std::vector<char> beside;  // free, or on an edge with one that is
+};
+
 class NarrowPhase {
  public:
   // All must outlive the narrow phase. The candidates that it is given are those of the broad phase.
@@ -30,8 +37,8 @@ class NarrowPhase {
   const ShareMemory& held_shares() const { return pieces_.held; }
   const ShareMemory& shares_before() const { return shares_before_; }
   void set_shares_before(ShareMemory shares) { shares_before_ = std::move(shares); }
-  // Stencils without a free vertex (non-zero) are left out; empty: every candidate has one.
-  void set_free(std::vector<char> free) { free_ = std::move(free); }
+  // Stencils that have no free vertex (non-zero) are left out, as their potential is constant; empty: every candidate has one.
+  void set_free(std::vector<char> free);
   // The stencils closer than their law's range.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
   const RimForces& rim_forces() const { return rim_forces_; }  // of this step
@@ -41,7 +48,7 @@ class NarrowPhase {
 
  private:
   bool may_integrate(const PointGroup& group) const;
-  void look(const Candidates& candidates);
+  void look(const Candidates& candidates, bool later);
   void make_lists(const Candidates& candidates);
   void choose_edges(const Candidates& candidates);
 
@@ -52,7 +59,7 @@ class NarrowPhase {
   Coverage coverage_;
   RimForces rim_forces_;
   const BroadPhase& broad_phase_;
-  std::vector<char> free_;        // per global vertex, or empty
+  FreeVertices free_;
   PointGroups groups_;
   std::vector<GroupView> views_;  // of this step, by key
   PointPieces pieces_;
