@@ -21,6 +21,12 @@ fs::path own_file() {
 
 fs::path own_root() { return own_file().parent_path().parent_path(); }
 
+fs::path shared_file(const std::string& name) {
+  std::error_code none;
+  const fs::path share = own_root() / "share", installed = share / "tack" / name;
+  return fs::exists(installed, none) ? installed : share / name;
+}
+
 // Tests are in a folder beside that of the program.
 fs::path own_library_path(const std::string& name) {
   std::error_code none;

@@ -11,6 +11,9 @@ std::filesystem::path own_file();
 // The folder above the one that it lies in: bin/ of a program, lib/ of the library, and beside them share/.
 std::filesystem::path own_root();
 
+// What is there of that name, or in share/tack/ where tack is installed.
+std::filesystem::path shared_file(const std::string& name);
+
 std::filesystem::path own_library_path(const std::string& name);
 
 struct OwnLibrary {

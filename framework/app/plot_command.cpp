@@ -98,8 +98,7 @@ std::vector<std::string> results_in(const CsvTexts& table) {
 }
 
 PlotLook look_of(const PlotOptions& options) {
-  Value root = options.style.empty() ? Value::map() : parse_file(options.style);
-  for (const std::string& assignment : options.overrides) apply_override(root, assignment);
+  const Value root = with_overrides(options.style.empty() ? Value::map() : parse_file(options.style), options.overrides);
   PlotLook look;
   bind(root, look, "the style");
   return look;

@@ -10,8 +10,7 @@
 namespace tack {
 
 int render_command(const RenderOptions& options) {
-  Value root = options.view.empty() ? Value::map() : parse_file(options.view);
-  for (const std::string& assignment : options.overrides) apply_override(root, assignment);
+  const Value root = with_overrides(options.view.empty() ? Value::map() : parse_file(options.view), options.overrides);
   RenderView view;
   bind(root, view, "the view");
   RenderSettings settings;

@@ -99,6 +99,11 @@ void apply_override(Value& root, const std::string& assignment) {
   set_at(root, assignment.substr(0, equals), std::move(replacement));
 }
 
+Value with_overrides(Value root, const std::vector<std::string>& assignments) {
+  for (const std::string& assignment : assignments) apply_override(root, assignment);
+  return root;
+}
+
 void set_at(Value& root, const std::string& path, Value value) {
   const SourceMark origin = value.mark;
   Value* node = &root;

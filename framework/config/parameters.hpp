@@ -26,8 +26,6 @@ class Parameters {
   std::string evaluated(const std::string& expression) const;
   // Another number of the same dimension as a parameter, in SI, as a file would have it: "0.03 m".
   std::string like(const std::string& name, double si) const;
-  std::vector<std::string> names() const;
-  double si(const std::string& name) const { return numbers_.at(name).si; }
   // A formula with numbers, in SI, in the place of their names, but not of those that the formula has of its own. Throws InputError, without a place, for one
   // that is a variable of the formula as well.
   std::string inserted(const std::string& formula, const std::vector<std::string>& variables, const Value* own) const;
@@ -38,6 +36,7 @@ class Parameters {
     std::map<std::string, int> dimension;  // base_dimension
   };
   struct Written;
+  std::vector<std::string> names() const;
   void settle(const Written& written, const std::string& name, std::vector<std::string>& open);
   Number number_of(const std::string& expression) const;
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "framework/config/merge.hpp"
 
@@ -20,6 +21,8 @@ Value parse_string(const std::string& text, const std::string& name);
 // do not exist are created (binding checks them); a component written as a bare name becomes a map. One of the file's `parameters` may go by its name
 // alone, where that is no key of the file.
 void apply_override(Value& root, const std::string& assignment);
+
+Value with_overrides(Value root, const std::vector<std::string>& assignments);
 
 // The same with a value that was read elsewhere, whose marks it keeps.
 void set_at(Value& root, const std::string& path, Value value);

@@ -43,13 +43,11 @@ LoadedExperiment bound_experiment(Value root) {
 }
 
 LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
-  Value root = parse_file(path);
-  for (const std::string& assignment : overrides) apply_override(root, assignment);
-  return bound_experiment(std::move(root));
+  return bound_experiment(with_overrides(parse_file(path), overrides));
 }
 
-LoadedExperiment parse_experiment(const std::string& text, const std::string& name) {
-  return bound_experiment(parse_string(text, name));
+LoadedExperiment parse_experiment(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
+  return bound_experiment(with_overrides(parse_string(text, name), overrides));
 }
 
 }  // namespace tack

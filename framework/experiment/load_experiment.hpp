@@ -25,6 +25,6 @@ LoadedExperiment load_experiment(const std::string& path, const std::vector<std:
 LoadedExperiment bound_experiment(Value root);
 
 // The same of a text; `name` stands for the file in messages.
-LoadedExperiment parse_experiment(const std::string& text, const std::string& name);
+LoadedExperiment parse_experiment(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
 
 }  // namespace tack

@@ -2,33 +2,10 @@
 
 #include "framework/output/element_fields.hpp"
 #include "framework/output/frame_fields.hpp"
+#include "framework/output/frame_geometry.hpp"
 #include "framework/output/next_due.hpp"
 
 namespace tack {
-namespace {
-
-FrameGeometry frame_geometry(const World& world) {
-  FrameGeometry g;
-  g.vertices = world.mesh_vertex_count();
-  std::vector<int> of_tets, of_triangles, of_edges, of_points;
-  for (size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
-    const int object = static_cast<int>(i);
-    g.tets.insert(g.tets.end(), body.tets.begin(), body.tets.end());
-    of_tets.insert(of_tets.end(), body.tets.size(), object);
-    g.triangles.insert(g.triangles.end(), body.sheet.begin(), body.sheet.end());
-    of_triangles.insert(of_triangles.end(), body.sheet.size(), object);
-    g.edges.insert(g.edges.end(), body.edges.begin(), body.edges.end());
-    of_edges.insert(of_edges.end(), body.edges.size(), object);
-    g.points.insert(g.points.end(), body.points.begin(), body.points.end());
-    of_points.insert(of_points.end(), body.points.size(), object);
-  }
-  for (const auto* part : {&of_tets, &of_triangles, &of_edges, &of_points})
-    g.cell_object.insert(g.cell_object.end(), part->begin(), part->end());
-  return g;
-}
-
-}  // namespace
 
 Recorder::Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, const World& world,
                    const RunFolder& folder, PhaseClock& clock, std::optional<double> resumed_at)

@@ -1,21 +1,15 @@
 #include "framework/plot/gnuplot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
 #include <numeric>
 #include <utility>
 
 #include "framework/plot/axis_unit.hpp"
 #include "geometry/io/replace_file.hpp"
-
-extern char** environ;
+#include "geometry/run_program.hpp"
 
 namespace tack {
 namespace {
@@ -287,38 +281,12 @@ std::string script_of(const StackedBars& given, const std::string& name, const P
   return out + terminals(name, fmt::format("plot {}", fmt::join(commands, ",")), sheet_of(look, true, 0), look);
 }
 
-// The exit code of `gnuplot SCRIPT` in a folder, its messages in a file beside it; -1: it could not be started.
-int run_gnuplot(const fs::path& folder, const std::string& script, const fs::path& messages) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, 1, messages.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&actions, 1, 2);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);  // Ctrl-C ends it
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  std::string program = "gnuplot", argument = script;
-  char* argv[] = {program.data(), argument.data(), nullptr};
-  pid_t pid = 0;
-  const int failed = ::posix_spawnp(&pid, "gnuplot", &actions, &attributes, argv, environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed) return -1;
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 }  // namespace
 
 std::string draw_script(const fs::path& folder, const std::string& name) {
   const std::string script = name + ".gp";
   const fs::path messages = fs::absolute(folder / (name + ".gnuplot.txt"));
-  const int code = run_gnuplot(folder, script, messages);
+  const int code = run_program({"gnuplot", script}, {folder, messages, true});
   if (code == 0) {
     fs::remove(messages);
     return "";

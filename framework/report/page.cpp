@@ -34,12 +34,7 @@ int PageData::add(const std::string& bytes) {
   return static_cast<int>(blocks_.size()) - 1;
 }
 
-fs::path page_path() {
-  std::error_code none;
-  const fs::path share = own_root() / "share";
-  const fs::path installed = share / "tack" / "report.html";
-  return fs::exists(installed, none) ? installed : share / "report.html";
-}
+fs::path page_path() { return shared_file("report.html"); }
 
 std::string page_with(const fs::path& path, const PageData& data) {
   std::ifstream in(path, std::ios::binary);

@@ -1,19 +1,15 @@
 #include "framework/report/render.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
 
 #include "framework/report/report.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
 #include "geometry/own_library.hpp"
+#include "geometry/run_program.hpp"
 
 namespace tack {
 namespace {
@@ -43,42 +39,11 @@ class Scratch {
   fs::path path_;
 };
 
-fs::path shared(const char* name) {
-  std::error_code none;
-  const fs::path share = own_root() / "share", installed = share / "tack" / name;
-  return fs::exists(installed, none) ? installed : share / name;
-}
-
 // Those of the build tree, or of an installation.
 fs::path modules() {
   std::error_code none;
   const fs::path installed = own_root() / "share" / "tack";
   return fs::exists(installed / "node_modules", none) ? installed : own_root() / "report";
-}
-
-// The exit code of a program, -1 if it could not be started; quiet: what it tells is dropped, but not its errors.
-int run(std::vector<std::string> words, bool quiet) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  if (quiet) posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);  // Ctrl-C ends it
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t pid = 0;
-  const int failed = ::posix_spawnp(&pid, argv[0], &actions, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed) return -1;
-  int status = 0;
-  while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace
@@ -94,7 +59,7 @@ void render(const RenderSettings& settings, const RenderView& view) {
   report.folders = settings.folders;
   report.output = scratch.path() / "film.html";
   report.frames = most_frames;
-  report.page = shared("film.html");
+  report.page = shared_file("film.html");
   report.version = settings.version;
   report.commit = settings.commit;
   for (const std::string& note : write_report(report).notes)
@@ -103,7 +68,8 @@ void render(const RenderSettings& settings, const RenderView& view) {
   replace_file(told, json_of(view, ending == ".png" ? lights_of_pictures : lights_of_films).dump());
   if (settings.output.has_parent_path()) fs::create_directories(settings.output.parent_path());
   std::fflush(nullptr);
-  const int code = run({"node", shared("render.mjs").string(), modules().string(), report.output.string(), told.string(), settings.output.string()}, settings.quiet);
+  const int code = run_program({"node", shared_file("render.mjs").string(), modules().string(), report.output.string(), told.string(), settings.output.string()},
+                               {{}, settings.quiet ? "/dev/null" : ""});
   if (code < 0 || code == 127) throw InputError("there is no node to draw with; install it (Debian: nodejs), or run `./tack render`, which does");
   if (code != 0) throw InputError(fmt::format("{} was not drawn", settings.output.string()));
 }

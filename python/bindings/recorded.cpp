@@ -6,7 +6,6 @@
 #include <ostream>
 #include <streambuf>
 
-#include "framework/config/parse.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/report/report.hpp"
 #include "framework/run/recorded_run.hpp"
@@ -49,15 +48,13 @@ std::string recorded(const std::string& path, const std::string& text, const std
     Out buffer;
     std::ostream out(&buffer);
     arena.execute([&] {
-      Value root = text.empty() ? parse_file(path) : parse_string(text, path);
-      for (const std::string& assignment : set) apply_override(root, assignment);
       RunSettings settings;
       settings.output = output;
       settings.steps = steps;
       settings.resume = resume;
       ProgressOptions progress;
       if (quiet) progress.verbosity = Verbosity::quiet;
-      RecordedRun run(bound_experiment(std::move(root)), settings, provenance_of("", arena.max_concurrency()), out, progress);
+      RecordedRun run(text.empty() ? load_experiment(path, set) : parse_experiment(text, path, set), settings, provenance_of("", arena.max_concurrency()), out, progress);
       const RunSummary& summary = run.execute();
       folder = RunFolder::chosen_root(output, summary.name).string();
       status = summary.status;

@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "framework/config/describe.hpp"
-#include "framework/config/parse.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/output/element_fields.hpp"
 #include "framework/output/frame_fields.hpp"
+#include "framework/output/frame_geometry.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "framework/setup/start_checks.hpp"
 #include "framework/world/energy_records.hpp"
@@ -20,37 +20,6 @@
 
 namespace tack::python {
 namespace {
-
-LoadedExperiment opened(const std::string& path, const std::vector<std::string>& overrides) { return load_experiment(path, overrides); }
-
-LoadedExperiment parsed(const std::string& text, const std::string& name, const std::vector<std::string>& overrides) {
-  Value root = parse_string(text, name);
-  for (const std::string& assignment : overrides) apply_override(root, assignment);
-  return bound_experiment(std::move(root));
-}
-
-FrameGeometry cells_of(const World& world) {
-  FrameGeometry g;
-  g.vertices = world.mesh_vertex_count();
-  const auto add = [&](auto member, auto& list) {
-    for (size_t i = 0; i < world.bodies.size(); ++i)
-      for (const auto& cell : world.bodies[i].*member) {
-        list.push_back(cell);
-        g.cell_object.push_back(static_cast<int>(i));
-      }
-  };
-  add(&Body::tets, g.tets);
-  for (size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
-    for (const Triangle& t : body.tets.empty() ? body.triangles : body.sheet) {
-      g.triangles.push_back(t);
-      g.cell_object.push_back(static_cast<int>(i));
-    }
-  }
-  add(&Body::edges, g.edges);
-  add(&Body::points, g.points);
-  return g;
-}
 
 py::dict dict_of(const StepReport& report) {
   py::dict d;
@@ -217,7 +186,7 @@ py::dict Running::forces() {
 }
 
 py::array Running::field(const std::string& name) {
-  const FrameGeometry geometry = cells_of(world());
+  const FrameGeometry geometry = frame_geometry(world());
   for (const FrameFieldInfo& info : frame_fields()) {
     if (info.name != name) continue;
     if (info.of_elements) {
@@ -237,7 +206,7 @@ py::array Running::field(const std::string& name) {
 std::string Running::scene() const { return to_yaml(fields_of(simulation_->experiment())); }
 
 void Running::write_frame(const std::string& path) {
-  const FrameGeometry geometry = cells_of(world());
+  const FrameGeometry geometry = frame_geometry(world());
   const State& state = simulation_->state();
   const std::vector<std::string> names = {"velocity", "contact_pressure", "von_mises_stress"};
   write_vtu(path, geometry, state.x.head(3 * geometry.vertices), state.time, vertex_fields(names, world(), state, geometry), element_fields(names, world(), state.x, geometry));
@@ -281,10 +250,10 @@ void bind_running(py::module_& module) {
   };
   py::class_<Running>(module, "Running")
       .def_static("open", [loaded](const std::string& path, const std::vector<std::string>& set, int threads) {
-        return loaded([&] { return opened(path, set); }, threads);
+        return loaded([&] { return load_experiment(path, set); }, threads);
       })
       .def_static("parse", [loaded](const std::string& text, const std::string& name, const std::vector<std::string>& set, int threads) {
-        return loaded([&] { return parsed(text, name, set); }, threads);
+        return loaded([&] { return parse_experiment(text, name, set); }, threads);
       })
       .def_property_readonly("name", &Running::name)
       .def_property_readonly("time", &Running::time)

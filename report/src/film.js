@@ -1,5 +1,4 @@
 // The page of `tack render`: draws frames of runs as the view says, one at a time, when it is told to (render.mjs).
-import { interpolateViridis } from "d3-scale-chromatic";
 import * as chromatic from "d3-scale-chromatic";
 import { Color, SRGBColorSpace } from "three";
 import { ColourScale } from "./colour_scale.js";
@@ -8,7 +7,7 @@ import { Frames } from "./frames.js";
 import { Studio } from "./studio.js";
 import { surfaceColours } from "./theme.js";
 
-const maps = { viridis: interpolateViridis, magma: chromatic.interpolateMagma, cividis: chromatic.interpolateCividis, red_blue: (t) => chromatic.interpolateRdBu(1 - t) };
+const maps = { viridis: chromatic.interpolateViridis, magma: chromatic.interpolateMagma, cividis: chromatic.interpolateCividis, red_blue: (t) => chromatic.interpolateRdBu(1 - t) };
 const font = (pixels, bold) => `${bold ? "600 " : ""}${pixels}px "DejaVu Sans", "Liberation Sans", Arial, sans-serif`;
 const dark = (css) => {
   const c = new Color().setStyle(css, SRGBColorSpace);
