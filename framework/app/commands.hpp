@@ -135,13 +135,15 @@ struct LawOptions {
 int law_command(const LawOptions& options);
 
 struct MeshOptions {
-  std::string operation;            // `info`, `sdf`, or a component of kind mesh_operation
+  std::string operation;            // `info`, `convert`, `sdf`, or a component of kind mesh_operation
   std::vector<std::string> words;   // files and parameters of the operation ("edge_length=5 mm"), in any order
   std::string output;               // the file to write; empty for `info`
   std::string object;               // `sdf`: of an experiment; empty if the file is that of a level set
 };
 // What a mesh file holds and how good it is, or an operation on it.
 int mesh_command(const MeshOptions& options);
+// The same mesh in another format, by its words: the file, units and what is written of it.
+int mesh_convert(const std::string& path, const std::vector<std::string>& settings, const MeshOptions& options);
 // The surface of a level set, by its words: the file and overrides of its keys.
 int mesh_sdf(const std::string& path, const std::vector<std::string>& settings, const MeshOptions& options);
 

@@ -279,11 +279,11 @@ class CommandLine {
   }
 
   void add_mesh() {
-    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them (repair, remesh, fill with tets, unite, ...), make them of level sets");
+    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them (convert, scale, repair, remesh, fill with tets, unite, ...), make them of level sets");
     mesh->add_option("operation", mesh_.operation,
-                     "info; an operation: ./tack list mesh_operation; or sdf, the surface of a level set: ./tack list level_set")->required();
+                     "info; convert, to another format; an operation: ./tack list mesh_operation; or sdf, the surface of a level set: ./tack list level_set")->required();
     mesh->add_option("words", mesh_.words,
-                     "the mesh file (obj, msh, ply, stl, off, vtk or vtu), for union, difference and intersection another one, and "
+                     "the mesh file (obj, ply, stl, off, glb, gltf, msh, vtk or vtu), for union, difference and intersection another one, and "
                      "parameters of the operation: edge_length=5mm; for sdf a YAML file with `of` and `voxel`, and overrides of its keys");
     mesh->add_option("-o,--output", mesh_.output, "the mesh file to write");
     mesh->add_option("--object", mesh_.object, "for sdf: the file is an experiment, and this the object whose shape is written");

@@ -1,4 +1,4 @@
-// tack mesh info: what a mesh file holds and how good it is. tack mesh NAME: an operation on it. tack mesh sdf: mesh_sdf.cpp.
+// tack mesh info: what a mesh file holds and how good it is. tack mesh NAME: an operation on it. tack mesh convert: mesh_convert.cpp; sdf: mesh_sdf.cpp.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -74,8 +74,8 @@ std::unique_ptr<MeshOperation> operation_of(const std::string& name, const Words
 
 int mesh_command(const MeshOptions& o) {
   const Words words(o.words);
-  const bool sdf = o.operation == "sdf", info = o.operation == "info";
-  if (!info && !sdf) Registry<MeshOperation>::kind().entry(o.operation);
+  const bool sdf = o.operation == "sdf", info = o.operation == "info", convert = o.operation == "convert";
+  if (!info && !sdf && !convert) Registry<MeshOperation>::kind().entry(o.operation);
   if (words.files.empty())
     throw InputError(fmt::format("tack mesh {}: which {}? Give a file", o.operation, sdf ? "level set" : "mesh"));
   if (info) {
@@ -85,10 +85,11 @@ int mesh_command(const MeshOptions& o) {
     return print_info(words.files[0]);
   }
   if (!sdf && !o.object.empty()) throw InputError(fmt::format("tack mesh {}: --object is for sdf only", o.operation));
-  if (words.files.size() > (sdf ? 1 : 2))
-    throw InputError(fmt::format("tack mesh {}: at most {} of use", o.operation, sdf ? "one file is" : "two files are"));
+  if (words.files.size() > (sdf || convert ? 1 : 2))
+    throw InputError(fmt::format("tack mesh {}: at most {} of use", o.operation, sdf || convert ? "one file is" : "two files are"));
   if (o.output.empty()) throw InputError(fmt::format("tack mesh {}: where to? Give -o FILE", o.operation));
   if (sdf) return mesh_sdf(words.files[0], words.settings, o);
+  if (convert) return mesh_convert(words.files[0], words.settings, o);
   const auto operation = operation_of(o.operation, words);
   const Mesh mesh = read_mesh(words.files[0]);
   Notes notes;

@@ -207,7 +207,7 @@ class PointsShape : public ShapeSource {
 class FileShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
-    f.path("path", path_, "obj, msh, ply, stl, off, vtk or vtu; relative to the scene file").required();
+    f.path("path", path_, "obj, ply, stl, off, glb, gltf, msh, vtk or vtu; relative to the scene file").required();
   }
   Mesh make() const override { return read_mesh(path_); }
   bool reads_files() const override { return true; }

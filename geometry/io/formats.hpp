@@ -15,6 +15,7 @@ Mesh read_off(const std::filesystem::path& path);
 Mesh read_stl(const std::filesystem::path& path);
 Mesh read_vtk(const std::filesystem::path& path);
 Mesh read_vtu(const std::filesystem::path& path);
+Mesh read_gltf(const std::filesystem::path& path);
 Mesh read_msh(const std::filesystem::path& path);
 
 }  // namespace tack

@@ -16,7 +16,7 @@
 namespace tack {
 namespace {
 
-constexpr const char* supported = ".obj .ply .off .stl .vtk .vtu .msh";
+constexpr const char* supported = ".obj .ply .off .stl .glb .gltf .vtk .vtu .msh";
 
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -45,6 +45,7 @@ Mesh read_by_extension(const std::filesystem::path& path) {
   if (extension == ".ply") return read_isolated(path, read_ply);
   if (extension == ".off") return read_isolated(path, read_off);
   if (extension == ".stl") return read_isolated(path, read_stl);
+  if (extension == ".glb" || extension == ".gltf") return read_isolated(path, read_gltf);
   if (extension == ".vtk") return read_isolated(path, read_vtk);
   if (extension == ".vtu") return read_isolated(path, read_vtu);
   if (extension == ".msh") {

@@ -16,6 +16,9 @@ void precheck_stl(const std::string& name);
 // Legacy .vtk before version 5: lists of cells hold as many numbers as they announce.
 void precheck_vtk(const std::string& name);
 
+// Buffers are as long as they say, and what is read of them lies in them.
+void precheck_gltf(const std::string& name);
+
 // Version 2.2 or 4.1 (anything else Gmsh would run as a script of its geometry language); in an
 // ASCII 2.2 file, elements use nodes that exist.
 void precheck_msh(const std::string& name);

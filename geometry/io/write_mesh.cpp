@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "geometry/errors.hpp"
+#include "geometry/io/gltf.hpp"
 #include "geometry/io/replace_file.hpp"
 #include "geometry/msh_library.hpp"
 
@@ -102,13 +103,17 @@ bool write_whole_msh(const std::filesystem::path& path, const Mesh& mesh) {
 // What cannot be written is told before anything is.
 void require_place_for(const Mesh& mesh, const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  const bool all = extension == ".vtk" || extension == ".vtu" || extension == ".msh", lines = all || extension == ".obj";
+  const bool all = extension == ".vtk" || extension == ".vtu" || extension == ".msh", gltf = extension == ".glb" || extension == ".gltf", lines = all || gltf || extension == ".obj";
   if (!lines && extension != ".off" && extension != ".ply" && extension != ".stl")
-    throw InputError(fmt::format("{}: unknown mesh format \"{}\"; name the file .vtu, .vtk, .msh, .obj, .off, .ply or .stl", path.string(),
+    throw InputError(fmt::format("{}: unknown mesh format \"{}\"; name the file .vtu, .vtk, .msh, .obj, .glb, .gltf, .off, .ply or .stl", path.string(),
                                  extension));
-  if (!all && !mesh.tets.empty()) throw InputError(path.string() + ": such a file cannot hold tets; write .vtu, .vtk or .msh");
+  if (!all && !mesh.tets.empty()) throw InputError(path.string() + ": such a file cannot hold tets; write .vtu, .vtk or .msh, or their surface (`tack mesh convert FILE surface=true`)");
   if (!lines && (!mesh.edges.empty() || !mesh.points.empty()))
-    throw InputError(path.string() + ": such a file can hold triangles only; write .vtu, .vtk, .msh or .obj");
+    throw InputError(path.string() + ": such a file can hold triangles only; write .vtu, .vtk, .msh, .obj or .glb");
+  if (!gltf) return;
+  if (const auto [a, b] = merged_in_single_precision(mesh); a >= 0)
+    throw InputError(fmt::format("{}: such a file has single precision, in which the vertices {} and {} are in one place; move the mesh to the origin first "
+                                 "(`tack mesh transform`), or write .obj", path.string(), a, b));
 }
 
 }  // namespace
@@ -120,6 +125,8 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   if (extension == ".off") replace_file(path, off_text(mesh));
   if (extension == ".ply") replace_file(path, ply_text(mesh));
   if (extension == ".stl") replace_file(path, stl_text(mesh));
+  if (extension == ".glb") replace_file(path, glb_bytes(mesh));
+  if (extension == ".gltf") replace_file(path, gltf_text(mesh));
   if (extension == ".vtk") replace_file(path, grid_text<vtkUnstructuredGridWriter>(mesh));
   if (extension == ".vtu") replace_file(path, grid_text<vtkXMLUnstructuredGridWriter>(mesh));
   if (extension == ".msh") replace_file_by(path, [&](const std::filesystem::path& part) { return write_whole_msh(part, mesh); });

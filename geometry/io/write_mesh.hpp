@@ -1,9 +1,10 @@
 // Writes mesh files; the format follows from the extension.
 //   .vtu .vtk .msh (4.1, binary)   everything
-//   .obj                           all but tets
+//   .obj .glb .gltf                all but tets
 //   .off .ply .stl (ASCII)         triangles only
-// Coordinates keep every bit, but in .vtk (ASCII). Groups are not written.
-// Errors: InputError naming the file and the remedy: another extension, elements that the format does not know, a file
+// Coordinates keep every bit, but in .vtk (ASCII) and glTF (single precision). Groups are not written.
+// Errors: InputError naming the file and the remedy: another extension, elements that the format does not know, vertices
+// that glTF would put into one place, a file
 // that cannot be written.
 #pragma once
 

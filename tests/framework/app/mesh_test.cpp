@@ -6,6 +6,8 @@
 #include "geometry/io/write_mesh.hpp"
 #include "geometry/mesh/quality.hpp"
 #include "geometry/meshing/defects.hpp"
+#include "geometry/shapes/solids.hpp"
+#include "geometry/shapes/surfaces.hpp"
 #include "tests/support/broken_meshes.hpp"
 #include "tests/support/json.hpp"
 #include "tests/support/program.hpp"
@@ -88,17 +90,68 @@ TEST_CASE("an open sheet is not closed by triangles that lie on it") {
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};
   write_mesh(folder.path() / "sheet.obj", sheet);
-  const ProgramResult closed = run_tack(folder.path(), {"mesh", "repair", "sheet.obj", "-o", "a.obj"});
+  const ProgramResult closed = run_tack(folder.path(), {"mesh", "repair", "sheet.obj", "-o", "a.obj", "holes=fill"});
   CHECK(closed.exit_code == 2);
-  CHECK_THAT(closed.err, Contains("the part at (0, 0, 0) is an open sheet") && Contains("fill_holes=false"));
+  CHECK_THAT(closed.err, Contains("the part at (0, 0, 0) is an open sheet") && Contains("holes=keep"));
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.obj"));
-  CHECK(run_tack(folder.path(), {"mesh", "repair", "sheet.obj", "-o", "a.obj", "fill_holes=false"}).exit_code == 0);
-  CHECK(read_mesh(folder.path() / "a.obj").triangles.size() == 2);
+  for (const char* holes : {"holes=keep", "holes=of_solids"}) {
+    const ProgramResult open = run_tack(folder.path(), {"mesh", "repair", "sheet.obj", "-o", "a.obj", holes});
+    CHECK(open.exit_code == 0);
+    CHECK_THAT(open.out, Contains("left 1 holes open"));
+    CHECK(read_mesh(folder.path() / "a.obj").triangles.size() == 2);
+  }
+}
+
+TEST_CASE("a mesh goes from format to format, unit to unit and place to place") {
+  const TemporaryFolder folder;
+  const auto run = [&](Arguments words) {
+    words.insert(words.begin(), "mesh");
+    const ProgramResult r = run_tack(folder.path(), words);
+    INFO(r.out << r.err);
+    CHECK(r.exit_code == 0);
+    return r.out;
+  };
+  const auto refused = [&](Arguments words) {
+    words.insert(words.begin(), "mesh");
+    const ProgramResult r = run_tack(folder.path(), words);
+    CHECK(r.exit_code == 2);
+    return r.err;
+  };
+  const auto size_of = [&](const char* name) -> Vec3 { return bounding_box(read_mesh(folder.path() / name)).sizes(); };
+  write_mesh(folder.path() / "part.stl", box_surface({10, 20, 40}, {2, 2, 2}));
+  CHECK_THAT(run({"convert", "part.stl", "-o", "part.glb", "from=mm"}), Contains("triangles 48") && Contains("now 0.01 x 0.02 x 0.04 m"));
+  run({"convert", "part.glb", "-o", "back.gltf", "to=mm"});
+  run({"convert", "back.gltf", "-o", "back.ply"});
+  CHECK((size_of("back.ply") - Vec3(10, 20, 40)).norm() < 1e-5);
+  CHECK(read_mesh(folder.path() / "back.ply").triangles.size() == 48);
+  run({"scale", "part.stl", "-o", "a.obj", "from=inch", "to=mm"});
+  CHECK((size_of("a.obj") - 25.4 * Vec3(10, 20, 40)).norm() < 1e-9);
+  run({"scale", "part.stl", "-o", "a.obj", "size=8 cm"});
+  CHECK((size_of("a.obj") - Vec3(0.02, 0.04, 0.08)).norm() < 1e-12);
+  CHECK_THAT(refused({"scale", "part.stl", "-o", "b.obj"}), Contains("Give one of factor, size and from"));
+  CHECK_THAT(refused({"scale", "part.stl", "-o", "b.obj", "from=mm", "factor=2"}), Contains("Give one of factor, size and from"));
+  CHECK_THAT(refused({"convert", "part.stl", "-o", "b.obj", "from=kg"}), Contains("expects a unit of length"));
+  CHECK_THAT(refused({"transform", "part.stl", "-o", "b.obj"}), Contains("nothing is to be done"));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "b.obj"));
+
+  run({"transform", "part.stl", "-o", "turned.off", "axis=[0, 0, 1]", "angle=90 deg", "about=[5, 10, 0]", "translate=[0, 0, 1]"});
+  const Mesh turned = read_mesh(folder.path() / "turned.off");
+  CHECK((bounding_box(turned).min() - Vec3(5, 0, -19)).norm() < 1e-9);
+  CHECK((bounding_box(turned).max() - Vec3(25, 10, 21)).norm() < 1e-9);
+  CHECK(find_defects(turned).volume == Approx(8000));
+  run({"transform", "part.stl", "-o", "mirrored.off", "mirror=[1, 1, 0]", "about=[1, 0, 0]"});
+  const Mesh mirrored = read_mesh(folder.path() / "mirrored.off");
+  CHECK((bounding_box(mirrored).min() - Vec3(1 - 10, 1 - 5, -20)).norm() < 1e-9);
+  CHECK(find_defects(mirrored).volume == Approx(8000));  // normals outwards still
+
+  write_mesh(folder.path() / "solid.vtu", box_tets({1, 1, 1}, {2, 2, 2}));
+  CHECK_THAT(refused({"convert", "solid.vtu", "-o", "c.stl"}), Contains("cannot hold tets") && Contains("surface=true"));
+  CHECK_THAT(run({"convert", "solid.vtu", "-o", "c.stl", "surface=true"}), Contains("the surface of 48 tets") && Contains("triangles 48"));
 }
 
 TEST_CASE("a mesh that does not fit the disk is told, and what was there stays") {
   if (!std::filesystem::exists("/dev/full")) return;
-  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtu", "a.msh"}) {
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.glb", "a.gltf", "a.vtk", "a.vtu", "a.msh"}) {
     INFO(name);
     const TemporaryFolder folder;
     const auto path = folder.path() / name;

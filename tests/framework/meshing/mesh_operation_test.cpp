@@ -97,7 +97,7 @@ TEST_CASE("a smooth body that is remeshed coarsely neither folds nor keeps tets 
 TEST_CASE("every mesh operation is told about with its steps' keys", "[meshing]") {
   CHECK(Registry<MeshOperation>::kind().names() ==
         std::vector<std::string>{"cut", "difference", "intersection", "offset", "remesh", "repair", "scale", "simplify", "subdivide",
-                                 "tetrahedralize", "union"});
+                                 "tetrahedralize", "transform", "union"});
   CHECK_THROWS_WITH(shape("{type: processed, of: {type: box, size: [1, 1, 1]}, steps: [{type: remesh}]}"), Contains("edge_length"));
   CHECK_THROWS_WITH(shape("{type: processed, of: {type: box, size: [1, 1, 1]}, steps: []}"), Contains("steps"));
   CHECK_THROWS_WITH(shape("{type: processed, of: {type: box, size: [1, 1, 1]}, steps: [{type: remsh, edge_length: 1}]}"),

@@ -37,7 +37,7 @@ std::string garbage() {
   return bytes;
 }
 
-const char* const all[] = {"a.obj", "a.ply", "a.off", "a.stl", "a.vtk", "a.vtu", "a.msh"};
+const char* const all[] = {"a.obj", "a.ply", "a.off", "a.stl", "a.glb", "a.gltf", "a.vtk", "a.vtu", "a.msh"};
 
 }  // namespace
 
@@ -126,6 +126,26 @@ TEST_CASE("vtk, vtu and stl files that are cut or wrong are refused", "[io]") {
   stl[98] = '\xff';
   check_refused("a.stl", stl, "coordinates have to be finite");
   check_refused("a.stl", stl.substr(0, 100), "a binary .stl file of 1 triangles has 134");
+}
+
+TEST_CASE("glTF files that are cut, compressed or of another version are refused", "[io]") {
+  const auto whole = std::filesystem::path(TACK_TEST_DATA) / "meshes" / "nodes.gltf";
+  std::ifstream file(whole);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  check_refused("a.gltf", text.substr(0, 1000), "not a valid file of its format");
+  const auto with = [&](const std::string& before, const std::string& after) {
+    std::string changed = text;
+    REQUIRE(changed.find(before) != changed.npos);
+    return changed.replace(changed.find(before), before.size(), after);
+  };
+  check_refused("a.gltf", with("\"version\": \"2.0\"", "\"version\": \"1.0\""), "glTF version");
+  check_refused("a.gltf", with("\"POSITION\": 0", "\"POSITION\": 9"), "");
+  check_refused("a.gltf", with("\"byteLength\": 12", "\"byteLength\": 1200"), "view 2 goes beyond its buffer");
+  check_refused("a.gltf", with("\"byteLength\": 156", "\"byteLength\": 1200"), "buffer 0 has less than the 1200 bytes");
+  check_refused("a.gltf", with("\"count\": 3", "\"count\": 300"), "accessor 0 goes beyond its view");
+  check_refused("a.gltf", with("\"bufferView\": 2", "\"bufferView\": 7"), "");
+  check_refused("a.glb", "glTF", "it has 4 bytes");
+  check_refused("a.gltf", with("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""), "KHR_draco_mesh_compression is required");
 }
 
 TEST_CASE("gmsh files of other versions, scripts and cut files are refused", "[io]") {

@@ -56,6 +56,14 @@ TEST_CASE("ply, off: same polygons, full precision, in order", "[io]") {
   }
 }
 
+TEST_CASE("glTF: everything of the scene in its place, without the copies that normals make", "[io]") {
+  const Mesh mesh = read("nodes.gltf");
+  const std::vector<Vec3> places = {{2, 0, 0}, {2, 2, 0}, {0, 0, 0}, {0, 2, 0}};
+  REQUIRE(mesh.vertices.size() == places.size());
+  for (size_t v = 0; v < places.size(); ++v) CHECK((mesh.vertices[v] - places[v]).norm() < 1e-6);
+  CHECK(mesh.triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});
+}
+
 TEST_CASE("stl corners are merged into a closed surface", "[io]") {
   for (const char* name : {"tet_ascii.stl", "tet_binary.stl"}) {
     INFO(name);

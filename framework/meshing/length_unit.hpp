@@ -1,0 +1,21 @@
+// Mesh files do not say which unit their numbers are in.
+#pragma once
+
+#include <string>
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+struct LengthUnits {
+  std::string from = "m", to = "m";
+
+  std::string problem() const;  // "" or what is wrong with one of them
+  double factor() const;        // from numbers in the one to numbers in the other
+  bool trivial() const { return from == to; }
+};
+
+// "scaled by 0.001: now 0.1 x 0.02 x 0.02 m".
+std::string scaled_note(const Mesh& scaled, double factor, const std::string& unit = "m");
+
+}  // namespace tack
