@@ -12,14 +12,18 @@ class Repair : public MeshOperation {
  protected:
   void parameters(Fields& f) override {
     f.number("merge", options_.merge, units::length, "vertices that close become one").nonnegative();
-    f.flag("fill_holes", options_.fill_holes, "otherwise open edges stay");
+    f.choice("holes", options_.holes,
+             {{"of_solids", Holes::of_solids, "are filled where they are at most a tenth of the area of the part, which is taken for a solid; of others, sheets, they stay"},
+              {"fill", Holes::fill, "are filled; a sheet that its own filling would lie on is refused"},
+              {"keep", Holes::keep, "stay"}},
+             "what becomes of them");
   }
 
  private:
   RepairOptions options_;
 };
 TACK_REGISTER(MeshOperation, Repair, "repair",
-              "A broken surface made closed and manifold, with normals outwards, or refused with the numbers of what is broken.", "");
+              "A broken surface made manifold, and closed with normals outwards if it is a solid's, or refused with the numbers of what is broken.", "");
 
 }  // namespace
 }  // namespace tack

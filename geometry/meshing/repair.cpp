@@ -1,5 +1,6 @@
 #include "geometry/meshing/repair.hpp"
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -24,6 +25,8 @@ namespace tack {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
+
+constexpr double most_missing = 0.1;  // of the area of what is taken for a solid
 
 // Its triangles with the numbers that they had in the mesh that was given.
 struct Numbered {
@@ -161,14 +164,6 @@ CgalMesh oriented(const Numbered& s, Notes& notes) {
   return m;
 }
 
-void fill_holes(CgalMesh& m, Notes& notes) {
-  std::vector<CgalMesh::Halfedge_index> borders;
-  pmp::extract_boundary_cycles(m, std::back_inserter(borders));
-  std::vector<CgalMesh::Face_index> filled;
-  for (const auto h : borders) pmp::triangulate_hole(m, h, std::back_inserter(filled));
-  if (!borders.empty()) notes.push_back(fmt::format("filled {} holes with {} triangles", borders.size(), filled.size()));
-}
-
 std::vector<Mesh> split(const Mesh& mesh) {
   const std::vector<int> part = parts_of(mesh);
   std::vector<Mesh> parts(part.empty() ? 0 : static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1);
@@ -178,6 +173,49 @@ std::vector<Mesh> split(const Mesh& mesh) {
     drop_unused_vertices(p);
   }
   return parts;
+}
+
+struct Filled {
+  CgalMesh mesh;
+  std::size_t holes = 0, triangles = 0;
+  double area = 0, added = 0;  // of the part, of what fills its holes [m^2]
+};
+
+Filled filled(CgalMesh m) {
+  Filled result;
+  result.area = pmp::area(m);
+  std::vector<CgalMesh::Halfedge_index> borders;
+  pmp::extract_boundary_cycles(m, std::back_inserter(borders));
+  std::vector<CgalMesh::Face_index> faces;
+  for (const auto h : borders) pmp::triangulate_hole(m, h, std::back_inserter(faces));
+  result.holes = borders.size();
+  result.triangles = faces.size();
+  result.added = pmp::area(faces, m);
+  result.mesh = std::move(m);
+  return result;
+}
+
+// Part by part. Returns how many holes stay.
+std::size_t treat_holes(CgalMesh& m, Holes how, Notes& notes) {
+  if (CGAL::is_closed(m)) return 0;
+  Mesh all;
+  Filled closed, open;
+  for (const Mesh& part : split(from_cgal(m))) {
+    const CgalMesh given = to_cgal(part);
+    Filled whole = filled(given);
+    const bool fill = how == Holes::fill || (how == Holes::of_solids && whole.added <= most_missing * whole.area);
+    append(all, from_cgal(fill ? whole.mesh : given));
+    Filled& sum = fill ? closed : open;
+    sum.holes += whole.holes, sum.triangles += whole.triangles, sum.area += whole.area, sum.added += whole.added;
+  }
+  m = to_cgal(all);
+  const auto percent = [](const Filled& sum) { return 100 * sum.added / sum.area; };
+  if (closed.holes > 0)
+    notes.push_back(fmt::format("filled {} holes with {} triangles, {:.3g} % of the area", closed.holes, closed.triangles, percent(closed)));
+  if (open.holes > 0)
+    notes.push_back(fmt::format("left {} holes open, {:.3g} % of the area{}", open.holes, percent(open),
+                                how == Holes::keep ? "" : ": taken for borders of a sheet; holes=fill fills them"));
+  return open.holes;
 }
 
 // Closed parts that cross each other become one.
@@ -251,7 +289,7 @@ void refuse_flat_parts(const Mesh& mesh, const std::string& name) {
     if (std::abs(enclosed_volume_of(part)) > flat * total_area(part) * size) continue;
     const Vec3& x = part.vertices[part.triangles[0][0]];
     throw InputError(fmt::format("{}: the part at ({:.4g}, {:.4g}, {:.4g}) is an open sheet: closing its border would lay flat triangles on it that enclose "
-                                 "nothing; keep it open (fill_holes=false), as a sheet may be, or give it a thickness in a modelling program", name,
+                                 "nothing; keep it open (holes=keep), as a sheet may be, or give it a thickness in a modelling program", name,
                                  x[0], x[1], x[2]));
   }
 }
@@ -280,11 +318,11 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   pmp::remove_degenerate_faces(m);
   m.collect_garbage();
   if (m.number_of_faces() < all) notes.push_back(fmt::format("removed {} triangles without area by collapses and flips", all - m.number_of_faces()));
-  if (o.fill_holes) fill_holes(m, notes);
+  const std::size_t kept = treat_holes(m, o.holes, notes);
   Mesh result = from_cgal(m);
   drop_unused_vertices(result);
   if (result.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
-  if (o.fill_holes) refuse_flat_parts(result, name);
+  if (o.holes == Holes::fill) refuse_flat_parts(result, name);
   result = unite_crossing_parts(result, notes);
   m = to_cgal(result);
   if (!find_defects(result).crossings.empty()) {
@@ -300,9 +338,9 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   result = from_cgal(m);
   drop_unused_vertices(result);
   const SurfaceDefects after = find_defects(result);
-  const bool open_as_asked = !o.fill_holes && !after.closed() && after.degenerate.empty() && after.manifold() && after.flipped.empty() &&
+  const bool open_on_purpose = kept > 0 && !after.closed() && after.degenerate.empty() && after.manifold() && after.flipped.empty() &&
                              after.crossings.empty();
-  if (!after.bounds_volume() && !open_as_asked) refuse(given, before, after, result, name);
+  if (!after.bounds_volume() && !open_on_purpose) refuse(given, before, after, result, name);
   if (notes.empty()) notes.push_back("nothing to repair");
   return result;
 }

@@ -1,4 +1,4 @@
-// A broken surface made into the border of a solid, as far as can be: vertices merged, triangles that are degenerate,
+// A broken surface made whole: the border of a solid, or a sheet that is one. Vertices merged, triangles that are degenerate,
 // duplicated or dangle removed, neighbours turned alike, crossing parts united, triangles that cross within a part
 // replaced, holes filled, normals turned outwards (CGAL's polygon mesh processing).
 #pragma once
@@ -8,9 +8,15 @@
 
 namespace tack {
 
+enum class Holes {
+  of_solids,  // filled where what is missing is little: at most a tenth of the area of the part; other parts are sheets, whose borders stay
+  fill,       // all; a part that its own filling would lie on is refused
+  keep        // none
+};
+
 struct RepairOptions {
-  double merge = 0;           // vertices that close [m] become one
-  bool fill_holes = true;     // otherwise open edges stay
+  double merge = 0;  // vertices that close [m] become one
+  Holes holes = Holes::of_solids;
 };
 
 // Tells what it did, with the numbers of elements of the mesh that was given. What could not be repaired throws

@@ -75,8 +75,34 @@ TEST_CASE("holes are found and filled", "[meshing]") {
   CHECK_THAT(check_solid(with_hole(), 1, 1), Contains("found 3 open edges") && Contains("filled 1 holes with 1 triangles"));
   CHECK(find_defects(with_two_holes()).holes == 2);
   CHECK_THAT(check_solid(with_two_holes(), ball_volume(), 1, 0.02), Contains("filled 2 holes"));
-  const Repaired open = repaired(with_hole(), {0, false});
+  const Repaired open = repaired(with_hole(), {0, Holes::keep});
   CHECK(find_defects(open.mesh).holes == 1);
+}
+
+TEST_CASE("what is taken for a solid is closed, what is taken for a sheet is not, unless asked", "[meshing]") {
+  // Half a ball, and one of 640 triangles of a ball missing.
+  Mesh half = sphere_surface(1, 8);
+  std::erase_if(half.triangles, [&](const Triangle& t) { return (half.vertices[t[0]] + half.vertices[t[1]] + half.vertices[t[2]]).y() < 0; });
+  Mesh ball = sphere_surface(1, 8);
+  translate(ball, Vec3(3, 0, 0));
+  ball.triangles.erase(ball.triangles.begin() + 100);
+  const Repaired sheet = repaired(half);
+  CHECK(find_defects(sheet.mesh).holes == 1);
+  CHECK(sheet.mesh.triangles.size() == half.triangles.size());
+  CHECK_THAT(sheet.told, Contains("left 1 holes open") && Contains("holes=fill"));
+  const Repaired dome = repaired(half, {0, Holes::fill});
+  CHECK(find_defects(dome.mesh).bounds_volume());
+  CHECK_THAT(dome.told, Contains("filled 1 holes"));
+  Mesh both = half;
+  append(both, ball);
+  const Repaired mixed = repaired(both);
+  CHECK(find_defects(mixed.mesh).holes == 1);
+  CHECK_THAT(mixed.told, Contains("filled 1 holes with 1 triangles") && Contains("left 1 holes open"));
+  // A sheet with a hole in it is not mended either: which of its borders are meant?
+  Mesh cloth = grid({1, 1}, {6, 6});
+  cloth.triangles.erase(cloth.triangles.begin() + 31);
+  CHECK(find_defects(repaired(cloth).mesh).holes == 2);
+  CHECK_THAT(error_of(grid({1, 1}, {6, 6}), {0, Holes::fill}), Contains("is an open sheet") && Contains("holes=keep"));
 }
 
 TEST_CASE("flipped triangles are found by number and turned", "[meshing]") {
@@ -102,7 +128,7 @@ TEST_CASE("vertices at one place are merged, near ones if asked", "[meshing]") {
   CHECK_THAT(check_solid(unmerged(), 1, 1), Contains("merged 28 vertices"));
   Mesh near = unmerged();
   near.vertices[5] += Vec3(1e-7, 0, 0);
-  const Repaired r = repaired(near, {1e-6, true});
+  const Repaired r = repaired(near, {1e-6});
   CHECK(r.mesh.vertices.size() == 8);
 }
 
