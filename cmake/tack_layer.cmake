@@ -65,7 +65,7 @@ set(TACK_UNITED_FOLDERS geometry/broad_phase geometry/exact framework/assembly f
     energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers)
 # Where one file alone is enough, as CGAL or what it instantiates takes so long, what is hot beside cold ones, and what changes with every commit.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
-    geometry/meshing/distance_grid.cpp framework/assembly/psd_projection.cpp framework/output/provenance.cpp)
+    geometry/meshing/triangulate.cpp geometry/meshing/distance_grid.cpp framework/assembly/psd_projection.cpp framework/output/provenance.cpp)
 # Folders of which each sees what the one before it sees too: compiled as one.
 set(TACK_AS_ONE "body|motion|world=scene" "checks=setup")
 # tack_parts(AT_ONCE SOURCE...): sets PARTS to names of groups of them, each of one folder and at most so many, and IN_<name> to what is in one.
@@ -210,7 +210,7 @@ function(tack_meshing_library)
     list(APPEND SOURCES ${CMAKE_SOURCE_DIR}/geometry/mesh/${FILE}.cpp)
   endforeach()
   file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.hpp ${CMAKE_SOURCE_DIR}/geometry/*.hpp
-       ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/level_set/distance_grid.hpp)
+       ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/mesh/flat_mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/level_set/distance_grid.hpp)
   tack_own_library(meshing SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS CGAL::CGAL ${OPENVDB_LIBRARY})
   set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
                               COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)

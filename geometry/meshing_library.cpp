@@ -74,6 +74,9 @@ SurfaceDistance distance_from_to(const Mesh& from, const Mesh& to, double spacin
 Mesh tetrahedralize(const Mesh& mesh, const TetrahedralizeOptions& options, const std::string& name, Notes& notes) {
   return library().tetrahedralize(mesh, options, name, notes);
 }
+FlatMesh triangulate(const std::vector<Vec2>& polygon, double edge_length, const std::string& name) {
+  return library().triangulate(polygon, edge_length, name);
+}
 
 DistanceGrid DistanceGrid::of(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel) {
   return library().grid_of_function(function, box, voxel);

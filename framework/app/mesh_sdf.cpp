@@ -14,6 +14,7 @@
 #include "geometry/io/write_mesh.hpp"
 #include "geometry/mesh/mass_properties.hpp"
 #include "geometry/mesh/mesh_quality.hpp"
+#include "geometry/mesh/oriented_surface.hpp"
 
 namespace tack {
 namespace {
@@ -64,6 +65,9 @@ PlacedShape of_file(const Value& root, const std::string& path) {
   return placed;
 }
 
+// Else it is a sheet, a rod or particles, which enclose nothing.
+bool closed(const Mesh& mesh) { return !mesh.triangles.empty() && OrientedSurface(oriented_alike(mesh.triangles)).closed(); }
+
 }  // namespace
 
 int mesh_sdf(const std::string& path, const std::vector<std::string>& settings, const MeshOptions& o) {
@@ -76,7 +80,7 @@ int mesh_sdf(const std::string& path, const std::vector<std::string>& settings, 
   placed.place.apply(mesh);
   write_mesh(o.output, mesh);
   print_contents(o.output, mesh);
-  if (mesh.tets.empty()) fmt::print("  encloses {:.10g} m^3\n", mass_properties(mesh).volume);
+  if (mesh.tets.empty() && closed(mesh)) fmt::print("  encloses {:.10g} m^3\n", mass_properties(mesh).volume);
   print_lines(kept->notes);
   print_lines(quality_notes(mesh));
   print_lines({fmt::format("took {:.2g} s", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count())});

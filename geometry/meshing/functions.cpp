@@ -16,6 +16,7 @@ extern "C" __attribute__((visibility("default"))) const tack::MeshingFunctions t
     tack::subdivide,
     tack::distance_from_to,
     tack::tetrahedralize,
+    tack::triangulate,
     [](const tack::DistanceFunction& f, const Eigen::AlignedBox3d& box, double voxel) { return tack::DistanceGrid::of(f, box, voxel); },
     [](const tack::Mesh& mesh, double voxel, double band) { return tack::DistanceGrid::of(mesh, voxel, band); },
     [](const tack::DistanceGrid& grid) { return grid.lowest(); },

@@ -13,6 +13,7 @@
 #include "geometry/meshing/subdivide.hpp"
 #include "geometry/meshing/surface_distance.hpp"
 #include "geometry/meshing/tetrahedralize.hpp"
+#include "geometry/meshing/triangulate.hpp"
 
 namespace tack {
 
@@ -32,6 +33,7 @@ struct MeshingFunctions {
   decltype(&tack::subdivide) subdivide;
   decltype(&tack::distance_from_to) distance_from_to;
   decltype(&tack::tetrahedralize) tetrahedralize;
+  decltype(&tack::triangulate) triangulate;
   DistanceGrid (*grid_of_function)(const DistanceFunction&, const Eigen::AlignedBox3d&, double voxel);
   DistanceGrid (*grid_of_mesh)(const Mesh&, double voxel, double band);
   double (*grid_lowest)(const DistanceGrid&);

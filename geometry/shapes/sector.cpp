@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "geometry/errors.hpp"
+#include "geometry/shapes/prism.hpp"
 
 namespace tack {
 namespace {
@@ -54,19 +55,8 @@ class Builder {
       std::sort(t.begin(), t.end());
       std::array<int, 3> l, r;
       for (int k = 0; k < 3; ++k) l[k] = index(t[k].first, t[k].second, 0), r[k] = index(t[k].first, t[k].second, 1);
-      add_tet({l[0], l[1], l[2], r[2]});
-      add_tet({l[0], l[1], r[1], r[2]});
-      add_tet({l[0], r[0], r[1], r[2]});
+      add_prism(mesh_, l, r);
     }
-  }
-
-  void add_tet(Tet t) {
-    for (int k = 0; k < 4; ++k)
-      for (int m = 0; m < k; ++m)
-        if (t[k] == t[m]) return;  // on the axis, prisms are less
-    const auto& x = mesh_.vertices;
-    if ((x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).dot(x[t[3]] - x[t[0]]) < 0) std::swap(t[2], t[3]);
-    mesh_.tets.push_back(t);
   }
 
   const Sector& s_;

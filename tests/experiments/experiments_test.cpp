@@ -56,6 +56,7 @@ void check_experiment(const std::string& file) {
 TEST_CASE("experiment debonding/pull") { check_experiment("debonding/pull.yaml"); }
 TEST_CASE("experiment debonding/pull_squared") { check_experiment("debonding/pull_squared.yaml"); }
 TEST_CASE("experiment debonding/peel") { check_experiment("debonding/peel.yaml"); }
+TEST_CASE("experiment meshing/turned") { check_experiment("meshing/turned.yaml"); }
 TEST_CASE("experiment calibration/pull") { check_experiment("calibration/pull.yaml"); }
 TEST_CASE("experiment calibration/peel") { check_experiment("calibration/peel.yaml"); }
 TEST_CASE("experiment laws/xu_needleman") { check_experiment("laws/xu_needleman.yaml"); }

@@ -1,0 +1,12 @@
+// Prisms between two triangles, cut into tets.
+#pragma once
+
+#include "geometry/mesh/mesh.hpp"
+
+namespace tack {
+
+// Corner i of the one triangle belongs to corner i of the other. Sides are cut from the first to the second of their corners: prisms that share one fit if both
+// name its corners in the same order. Where both triangles have a corner in common, the prism is less. Tets are positive.
+void add_prism(Mesh& mesh, const std::array<int, 3>& one, const std::array<int, 3>& other);
+
+}  // namespace tack
