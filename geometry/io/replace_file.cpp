@@ -35,12 +35,16 @@ void put_in_place(const fs::path& part, const fs::path& path, bool written) {
 }  // namespace
 
 void replace_file(const fs::path& path, std::string_view content) {
-  const fs::path part = path.string() + ".part";
+  std::error_code none;
+  // /dev/stdout is a link to whatever standard output is.
+  const bool special = fs::is_other(path, none) || path.string().starts_with("/dev/");
+  const fs::path part = special ? path : fs::path(path.string() + ".part");
   errno = 0;
   std::ofstream out(part, std::ios::binary | std::ios::trunc);
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
-  put_in_place(part, path, !out.fail());
+  if (special && out.fail()) throw InputError(write_failure(path));
+  if (!special) put_in_place(part, path, !out.fail());
 }
 
 void replace_file_by(const fs::path& path, const std::function<bool(const fs::path&)>& write) {

@@ -9,7 +9,7 @@
 namespace tack {
 
 // Writes "<path>.part" beside the file and renames it. Throws InputError naming the path and the
-// system's reason.
+// system's reason. A device or a pipe, as /dev/stdout, stays, and is written to.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
 // The same with a file that `write` makes by itself: at the path that it gets, which ends as the real one does. Returns whether all of it

@@ -1,5 +1,7 @@
 #include "geometry/io/replace_file.hpp"
 
+#include <sys/stat.h>
+
 #include <catch2/catch.hpp>
 
 #include "geometry/errors.hpp"
@@ -23,6 +25,20 @@ TEST_CASE("a file is replaced as a whole and leaves nothing beside it") {
   replace_file(path, std::string_view("b\0c", 3));
   CHECK(text_of(path) == std::string("b\0c", 3));
   CHECK_FALSE(std::filesystem::exists(folder.path() / "a.txt.part"));
+}
+
+TEST_CASE("a pipe is written to, and stays one") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "pipe";
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  replace_file(path, "content");
+  char text[16] = {};
+  CHECK(::read(reader, text, sizeof text) == 7);
+  CHECK(std::string(text) == "content");
+  ::close(reader);
+  CHECK(std::filesystem::is_fifo(path));
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "pipe.part"));
 }
 
 TEST_CASE("a file that cannot be replaced is named, and the old one stays") {
