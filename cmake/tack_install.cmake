@@ -1,4 +1,4 @@
-# bin/tack and what it starts, lib/tack (what it opens itself), lib/libtack.so (all of it as a library) where that was built, include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents).
+# bin/tack and what it starts, lib/tack (what it opens itself), lib/libtack.so (all of it as a library) where that was built, include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents), completions of shells and tack(1).
 include(CMakePackageConfigHelpers)
 install(TARGETS tack_cli tack_studies RUNTIME DESTINATION bin)
 install(FILES $<TARGET_FILE:tack_library> DESTINATION lib OPTIONAL)
@@ -10,6 +10,17 @@ install(DIRECTORY experiments docs DESTINATION share/tack PATTERN results EXCLUD
 install(FILES ${CMAKE_BINARY_DIR}/share/report.html ${CMAKE_BINARY_DIR}/share/film.html ${CMAKE_BINARY_DIR}/share/render.mjs DESTINATION share/tack OPTIONAL)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/report/node_modules/playwright-core DESTINATION share/tack/node_modules OPTIONAL)
 install(FILES README.md LICENSE DESTINATION share/tack)
+# What shells complete by, and the manual page: the program writes them.
+foreach(SHELL_FILE bash=bash-completion/completions/tack zsh=zsh/site-functions/_tack fish=fish/vendor_completions.d/tack.fish)
+  string(REGEX MATCH "^(.*)=(.*)/(.*)$" UNUSED ${SHELL_FILE})
+  install(CODE "
+    file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/${CMAKE_MATCH_2}\")
+    execute_process(COMMAND \"$<TARGET_FILE:tack_cli>\" completion ${CMAKE_MATCH_1} COMMAND_ERROR_IS_FATAL ANY
+                    OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/${CMAKE_MATCH_2}/${CMAKE_MATCH_3}\")")
+endforeach()
+install(CODE "
+  file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1\")
+  execute_process(COMMAND \"$<TARGET_FILE:tack_cli>\" list --man \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/share/man/man1/tack.1\" COMMAND_ERROR_IS_FATAL ANY)")
 
 set(BINARIES bin)
 set(HEADERS include/tack)

@@ -12,8 +12,7 @@ namespace tack {
 
 int list_command(const ListOptions& o) {
   for (const std::string& plugin : o.plugins) load_plugin(std::filesystem::absolute(plugin).string());
-  if (!o.reference.empty() || !o.schema.empty() || !o.compare_schema.empty() || !o.batch_schema.empty() || !o.calibrate_schema.empty())
-    return describe_command(o);
+  if (o.writes_files()) return describe_command(o);
   if (o.kind.empty()) {
     fmt::print("{}", list_kinds());
   } else {
