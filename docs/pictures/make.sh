@@ -39,7 +39,12 @@ laws=$(mktemp -d)
 for name in traction unloading; do cp "$laws/$name.svg" "$images/law_rcc_$name.svg"; done
 rm -r "$laws"
 
-[[ -d results/wax_seal ]] || "$tack" run experiments/wax_seal/seal.yaml -q -o results/wax_seal
-"$tack" render results/wax_seal -q --view docs/pictures/wax_seal.yaml -o "$images/gallery/wax_seal.png"
+# drawn NAME SCENE: the end of a scene's run, by docs/pictures/NAME.yaml.
+drawn() {
+  [[ -d results/$1 ]] || "$tack" run "experiments/$2" -q -o "results/$1"
+  "$tack" render "results/$1" -q --view "docs/pictures/$1.yaml" -o "$images/gallery/$1.png"
+}
+drawn wax_seal wax_seal/seal.yaml
+drawn chips_bag chips_bag/chips_bag.yaml
 
 node docs/pictures/views.mjs "$tack" build/release/report results/phases/cases "$images"

@@ -1,4 +1,5 @@
 // Probes of positions and velocities.
+#include <algorithm>
 #include <tuple>
 
 #include "framework/contact/contact_system.hpp"
@@ -88,7 +89,44 @@ class Gap : public Probe {
   int a_ = -1, b_ = -1;
 };
 
+// How many objects have their centres of mass in a box.
+class ObjectsWithin : public Probe {
+ public:
+  void fields(Fields& f) override {
+    Probe::fields(f);
+    f.text("of", of_, "an object, or what copies were made of, all of which are meant").required();
+    f.vector("min", min_, units::length, "lowest corner of the box").required();
+    f.vector("max", max_, units::length, "highest corner").required();
+    f.check("max", [this]() -> std::string { return (max_.array() > min_.array()).all() ? "" : "must be beyond min, in x, y and z"; });
+  }
+  void prepare(const World& world) override {
+    objects_.clear();
+    for (size_t i = 0; i < world.bodies.size(); ++i)
+      if (world.bodies[i].name == of_ || copy(world.bodies[i].name)) objects_.push_back(static_cast<int>(i));
+    if (objects_.empty()) object_index(world, of_, name_);  // says which there are
+  }
+  Unit unit() const override { return units::none; }
+  std::vector<double> sample(const World& world, const State& state) override {
+    return {static_cast<double>(std::count_if(objects_.begin(), objects_.end(), [&](int i) {
+      const Vec3 c = world.centre_of_mass(i, state.x);
+      return (c.array() >= min_.array()).all() && (c.array() <= max_.array()).all();
+    }))};
+  }
+
+ private:
+  // NAME_12
+  bool copy(const std::string& name) const {
+    const size_t digits = of_.size() + 1;
+    return name.size() > digits && name.starts_with(of_ + "_") && name.find_first_not_of("0123456789", digits) == std::string::npos;
+  }
+
+  std::string of_;
+  Vec3 min_ = Vec3::Zero(), max_ = Vec3::Zero();
+  std::vector<int> objects_;
+};
+
 TACK_REGISTER(Probe, CentreOfMass, "centre_of_mass", "Position or velocity of an object's centre of mass.", "");
+TACK_REGISTER(Probe, ObjectsWithin, "objects_within", "How many objects, of copies of one, have their centres of mass in a box.", "");
 TACK_REGISTER(Probe, Separation, "separation",
               "Distance between two sets of vertices along a direction [m], or its relative change.", "");
 TACK_REGISTER(Probe, Gap, "gap", "Smallest distance between two objects [m].", "");
