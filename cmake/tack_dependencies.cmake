@@ -13,6 +13,7 @@ find_package(ZLIB REQUIRED)
 # Debian ships no CMake config for OpenVDB.
 find_path(OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)
 find_library(OPENVDB_LIBRARY openvdb REQUIRED)
+find_library(IMATH_LIBRARY NAMES Imath-3_1 Imath REQUIRED)  # half numbers in its headers, for processors that have none
 # Its development package, or, as that depends on 360 others for what is not used here, its libraries and the folder VTK_HEADERS, where the
 # `tack` script has put the headers. Those of the package win.
 set(VTK_PARTS CommonCore CommonDataModel CommonExecutionModel IOCore IOXML IOGeometry IOLegacy)

@@ -1,6 +1,10 @@
 # bin/tack and what it starts, lib/tack (what it opens itself), lib/libtack.so (all of it as a library) where that was built, include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents), completions of shells and tack(1).
 include(CMakePackageConfigHelpers)
-install(TARGETS tack_cli tack_studies RUNTIME DESTINATION bin)
+if(TACK_ARCHITECTURE)
+  include(tack_package)
+else()
+  install(TARGETS tack_cli tack_studies RUNTIME DESTINATION bin)
+endif()
 install(FILES $<TARGET_FILE:tack_library> DESTINATION lib OPTIONAL)
 install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)
 install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"

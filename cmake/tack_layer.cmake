@@ -9,7 +9,9 @@ if(NOT TACK_CHECK_FORMATS)
   target_compile_definitions(tack_options INTERFACE FMT_CONSTEVAL=)
 endif()
 set(TACK_CODE_OPTIONS -fno-math-errno)  # those that change what is computed; written into results
-if(TACK_NATIVE)
+if(TACK_ARCHITECTURE)
+  list(PREPEND TACK_CODE_OPTIONS -march=${TACK_ARCHITECTURE})
+elseif(TACK_NATIVE)
   list(PREPEND TACK_CODE_OPTIONS -march=native)
 endif()
 target_compile_options(tack_options INTERFACE -Wall -Wextra -Wshadow -Wpedantic ${TACK_CODE_OPTIONS}
@@ -211,7 +213,7 @@ function(tack_meshing_library)
   endforeach()
   file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.hpp ${CMAKE_SOURCE_DIR}/geometry/*.hpp
        ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/mesh/flat_mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/level_set/distance_grid.hpp)
-  tack_own_library(meshing SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS CGAL::CGAL ${OPENVDB_LIBRARY})
+  tack_own_library(meshing SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS CGAL::CGAL ${OPENVDB_LIBRARY} ${IMATH_LIBRARY})
   set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
                               COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
 endfunction()

@@ -27,6 +27,28 @@ if nm -DC --defined-only "$build/bin/tack" | grep -E '^[0-9a-f]+ . ((vtable|type
 cmake --build "$build" --target tack_library >/dev/null
 install=$(block '## Install tack' | grep '^cmake --install')
 bash -euc "${install/build\/release/\"$build\"}" >/dev/null
+for file in bin/tack bin/tack_studies lib/tack/libtack_meshing.so lib/tack/libtack_msh.so lib/libtack.so lib/cmake/tack/tackConfig.cmake include/tack/framework/plugin/headers_digest.hpp \
+  share/tack/README.md share/tack/docs/reference.md share/tack/experiments/debonding/pull.yaml share/bash-completion/completions/tack share/zsh/site-functions/_tack \
+  share/fish/vendor_completions.d/tack.fish share/man/man1/tack.1; do
+  [[ -s $HOME/tack-0.1/$file ]] || fail "not installed: $file"
+done
+cmp -s <(tack completion bash) "$HOME/tack-0.1/share/bash-completion/completions/tack" || fail "the completion that is installed is another program's"
+
+# What packages start: of several programs the best for the processor, or the one that is asked for.
+mkdir -p "$scratch/package/bin" "$scratch/package/libexec/tack/"{x86-64,x86-64-v3}/bin
+c++ -std=c++20 -Wall "$source/packaging/launcher.cpp" -o "$scratch/package/bin/tack"
+launcher() { TACK_ARCHITECTURE=$1 "$scratch/package/bin/tack" "${@:2}" 2>&1; }
+! launcher '' >/dev/null || fail "a package without programs"
+for name in x86-64 x86-64-v3; do
+  printf '#!/bin/sh\necho %s "$@"\n' "$name" >"$scratch/package/libexec/tack/$name/bin/tack"
+  chmod +x "$scratch/package/libexec/tack/$name/bin/tack"
+done
+best=x86-64
+[[ $(grep -cwE -m 1 'avx2.* bmi2|bmi2.* avx2' /proc/cpuinfo) == 0 ]] || best=x86-64-v3
+[[ $(launcher '' run 'a b') == "$best run a b" ]] || fail "the launcher started $(launcher '')"
+[[ $(launcher x86-64 run) == "x86-64 run" ]] || fail "the launcher started $(launcher x86-64)"
+[[ $(launcher x86-64-v9 || true) == *"there is no 'x86-64-v9'; installed are: x86-64-v3, x86-64" ]] || fail "an architecture that is none: $(launcher x86-64-v9 || true)"
+
 for file in CMakeLists.txt parabolic.cpp barzilai_borwein.cpp extreme.cpp pull.yaml solvers.yaml; do
   block "\`mine/$file\`" >"mine/$file"
   [[ -s mine/$file ]] || fail "docs/plugins.md does not have mine/$file"

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Makes the Debian package, unpacks it, and runs what is in it; as root, and where debootstrap is, also installs it in a clean Debian 12:
+#   test.sh SOURCE SCRATCH
+# The builds stay in SOURCE/build/package. Exits with 77 where packages cannot be made.
+set -euo pipefail
+source=$1 scratch=$2
+
+fail() {
+  echo "FAIL: $*" >&2
+  exit 1
+}
+for tool in dpkg-deb dpkg-shlibdeps cpack; do command -v "$tool" >/dev/null || { echo "skipped: there is no $tool"; exit 77; }; done
+
+rm -rf "$scratch" && mkdir -p "$scratch/work"
+"$source/packaging/deb.sh" >"$scratch/deb.log" 2>&1 || { tail -30 "$scratch/deb.log"; fail "packaging/deb.sh"; }
+package=$(ls "$source"/build/package/tack_*.deb)
+dpkg-deb -I "$package" | grep -q 'Depends:.*libc6' || fail "no dependencies"
+! dpkg-deb -I "$package" | grep -E 'Depends:.*(-dev|g\+\+|cmake)' || fail "it asks for a compiler"
+dpkg-deb -x "$package" "$scratch/root"
+for file in bin/tack lib/tack/libtack_meshing.so lib/tack/libtack_msh.so share/man/man1/tack.1 share/bash-completion/completions/tack share/tack/experiments/debonding/pull.yaml \
+  share/doc/tack/copyright include/tack/geometry/types.hpp lib/cmake/tack/tackConfig.cmake libexec/tack/x86-64{,-v3,-v4}/bin/{tack,tack_studies}; do
+  [[ -s $scratch/root/usr/$file ]] || fail "the package does not have $file"
+done
+
+# used COMMAND...: what the README shows, a mesh by CGAL, one by Gmsh, a study, and what the results say of the program.
+cat >"$scratch/use.sh" <<'END'
+set -euo pipefail
+tack=$1 share=$2 architecture=$3
+export TACK_ARCHITECTURE=$architecture
+"$tack" --version | grep -q -e "-march=$architecture " || { "$tack" --version; exit 1; }
+"$tack" run "$share/experiments/debonding/pull.yaml" -q -o "pull_$architecture"
+grep -q -e "\"flags\": \".*-march=$architecture " "pull_$architecture/summary.json"
+"$tack" mesh sdf "$share/experiments/meshing/turned.yaml" --object ring -o ring.msh
+"$tack" mesh tetrahedralize ring.msh -o ring.vtu edge_length=2mm
+"$tack" law --type fang peak_traction=10kPa work_of_adhesion=15J/m^2 --young 1MPa >law.txt
+"$tack" completion bash | bash -n
+END
+cd "$scratch/work"
+here=(x86-64)
+for level in x86-64-v3 x86-64-v4; do TACK_ARCHITECTURE=$level "$scratch/root/usr/bin/tack" --version >/dev/null 2>&1 && here+=("$level"); done
+for architecture in "${here[@]}"; do
+  bash "$scratch/use.sh" "$scratch/root/usr/bin/tack" "$scratch/root/usr/share/tack" "$architecture" >use.log 2>&1 || { tail -20 use.log; fail "of $architecture"; }
+done
+"$scratch/root/usr/bin/tack" --version | grep -q -e "-march=${here[-1]} " || fail "the best for this processor is not what is started"
+echo "ran: ${here[*]}"
+
+if ((EUID == 0)) && command -v debootstrap >/dev/null; then
+  clean=$scratch/clean
+  debootstrap --variant=minbase bookworm "$clean" "${DEBIAN_MIRROR:-http://deb.debian.org/debian}" >"$scratch/debootstrap.log" 2>&1 || { tail -3 "$scratch/debootstrap.log"; echo "no clean Debian: skipped"; exit 0; }
+  mount -t proc proc "$clean/proc"
+  trap 'umount "$clean/proc"' EXIT
+  cp "$package" "$scratch/use.sh" "$clean/tmp/"
+  chroot "$clean" sh -euc "export DEBIAN_FRONTEND=noninteractive; apt-get update -qq; apt-get install -qq -y --no-install-recommends /tmp/$(basename "$package"); ! command -v c++ g++ gcc" >"$scratch/install.log" 2>&1 ||
+    { tail -20 "$scratch/install.log"; fail "apt-get in a clean Debian"; }
+  chroot "$clean" bash -euc "mkdir /tmp/use; cd /tmp/use; bash /tmp/use.sh tack /usr/share/tack ${here[-1]}" >"$scratch/use.log" 2>&1 || { tail -20 "$scratch/use.log"; fail "in a clean Debian"; }
+  echo "ran in a clean Debian 12, without a compiler"
+else
+  echo "not root, or no debootstrap: not installed in a clean Debian"
+fi
+rm -rf "$scratch/root" "$scratch/work"
