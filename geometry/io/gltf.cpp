@@ -13,6 +13,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
 #include "geometry/io/precheck.hpp"
+#include "geometry/io/printable.hpp"
 #include "geometry/io/quiet_vtk.hpp"
 #include "geometry/io/vtk_cells.hpp"
 #include "geometry/mesh/cleanup.hpp"
@@ -140,7 +141,7 @@ Mesh read_gltf(const std::filesystem::path& path) {
   vtkMultiBlockDataSet* scene = reader->GetOutput();
   if (const std::string message = quiet.first_message(); !scene || !message.empty() || reader->GetErrorCode() != 0)
     throw InputError(fmt::format("{}: not a valid file of its format{}: export it again, or as one of .obj .ply .off .stl", name,
-                                 message.empty() ? "" : " (" + message + ")"));
+                                 message.empty() ? "" : " (" + printable(message, 200) + ")"));
   Mesh mesh;
   const auto parts = vtkSmartPointer<vtkCompositeDataIterator>::Take(scene->NewIterator());
   for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())

@@ -13,6 +13,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/io/formats.hpp"
 #include "geometry/io/polygon.hpp"
+#include "geometry/io/printable.hpp"
 
 namespace tack {
 namespace {
@@ -133,13 +134,6 @@ class ObjReader {
       fail(fmt::format("\"{}\" is no finite number", printable(text)));
     }
     return value;
-  }
-
-  // Garbage must not reach the terminal as control characters.
-  static std::string printable(std::string_view text) {
-    std::string clean(text.substr(0, 20));
-    for (char& c : clean) c = (c >= ' ' && c <= '~') ? c : '?';
-    return clean;
   }
 
   std::string where() const { return fmt::format("{}:{}", path_, line_); }

@@ -11,6 +11,7 @@
 
 #include "geometry/errors.hpp"
 #include "geometry/io/precheck.hpp"
+#include "geometry/io/printable.hpp"
 
 namespace tack {
 namespace {
@@ -100,7 +101,7 @@ void precheck_gltf(const std::string& name) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {  // no JSON, or numbers of what is not there
-    throw damaged(name, error.what());
+    throw damaged(name, printable(error.what(), 200));
   }
 }
 

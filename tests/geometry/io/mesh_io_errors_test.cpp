@@ -145,6 +145,7 @@ TEST_CASE("glTF files that are cut, compressed or of another version are refused
   check_refused("a.gltf", with("\"count\": 3", "\"count\": 300"), "accessor 0 goes beyond its view");
   check_refused("a.gltf", with("\"bufferView\": 2", "\"bufferView\": 7"), "");
   check_refused("a.glb", "glTF", "it has 4 bytes");
+  check_refused("a.gltf", with("\"asset\"", "\"\xd4\x1b[31m"), "last read: '\"?");  // not to the terminal
   check_refused("a.gltf", with("\"asset\"", "\"extensionsRequired\": [\"KHR_draco_mesh_compression\"], \"asset\""), "KHR_draco_mesh_compression is required");
 }
 

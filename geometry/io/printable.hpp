@@ -1,0 +1,15 @@
+// What stands in a file, for messages: garbage must not reach the terminal as control characters.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace tack {
+
+inline std::string printable(std::string_view text, std::size_t most = 20) {
+  std::string clean(text.substr(0, most));
+  for (char& c : clean) c = (c >= ' ' && c <= '~') ? c : '?';
+  return clean;
+}
+
+}  // namespace tack
