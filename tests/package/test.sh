@@ -53,6 +53,9 @@ if ((EUID == 0)) && command -v debootstrap >/dev/null; then
   chroot "$clean" sh -euc "export DEBIAN_FRONTEND=noninteractive; apt-get update -qq; apt-get install -qq -y --no-install-recommends /tmp/$(basename "$package"); ! command -v c++ g++ gcc" >"$scratch/install.log" 2>&1 ||
     { tail -20 "$scratch/install.log"; fail "apt-get in a clean Debian"; }
   chroot "$clean" bash -euc "mkdir /tmp/use; cd /tmp/use; bash /tmp/use.sh tack /usr/share/tack ${here[-1]}" >"$scratch/use.log" 2>&1 || { tail -20 "$scratch/use.log"; fail "in a clean Debian"; }
+  umount "$clean/proc"
+  trap - EXIT
+  rm -rf --one-file-system "$clean"
   echo "ran in a clean Debian 12, without a compiler"
 else
   echo "not root, or no debootstrap: not installed in a clean Debian"
