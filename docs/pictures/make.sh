@@ -46,5 +46,6 @@ drawn() {
 }
 drawn wax_seal wax_seal/seal.yaml
 drawn chips_bag chips_bag/chips_bag.yaml
+drawn sushi sushi/roll.yaml
 
 node docs/pictures/views.mjs "$tack" build/release/report results/phases/cases "$images"
