@@ -39,26 +39,6 @@ bool formula(std::string_view text) {
   return begin != text.npos && std::string_view("=+-@\t").find(text[begin]) != std::string_view::npos;
 }
 
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool inside = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool pair = inside && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
-    if (pair) {
-      cells.back() += line[i++];
-    } else if (line[i] == '"') {
-      inside = !inside;
-    } else if (line[i] == ',' && !inside) {
-      cells.emplace_back();
-    } else {
-      cells.back() += line[i];
-    }
-  }
-  for (std::string& cell : cells)
-    if (cell.starts_with('\'') && formula(cell)) cell.erase(0, 1);
-  return cells;
-}
-
 // Calls act(cells, where) for the header and each row.
 template <class Act>
 void for_each_line(const fs::path& path, const Act& act) {
@@ -75,7 +55,7 @@ void for_each_line(const fs::path& path, const Act& act) {
       line += "\n" + more;
     }
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    std::vector<std::string> cells = split(line);
+    std::vector<std::string> cells = csv_cells(line);
     if (columns == 0) columns = cells.size();
     if (cells.size() != columns) {
       throw InputError(
@@ -99,6 +79,26 @@ std::vector<double> numbers(const std::vector<std::string>& cells, const std::st
 }
 
 }  // namespace
+
+std::vector<std::string> csv_cells(std::string_view line) {
+  std::vector<std::string> cells(1);
+  bool inside = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool pair = inside && line[i] == '"' && i + 1 < line.size() && line[i + 1] == '"';
+    if (pair) {
+      cells.back() += line[i++];
+    } else if (line[i] == '"') {
+      inside = !inside;
+    } else if (line[i] == ',' && !inside) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
+  for (std::string& cell : cells)
+    if (cell.starts_with('\'') && formula(cell)) cell.erase(0, 1);
+  return cells;
+}
 
 std::string csv_cell(const std::string& given) {
   const std::string text = (formula(given) && !csv_number(given) ? "'" : "") + given;

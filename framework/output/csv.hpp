@@ -35,6 +35,9 @@ std::string csv_cell(const std::string& text);
 CsvTable read_csv(const std::filesystem::path& path);
 CsvTexts read_csv_texts(const std::filesystem::path& path);
 
+// The cells of a line, without its end.
+std::vector<std::string> csv_cells(std::string_view line);
+
 // The number that is all of a text, in the form of the files; nothing for anything else.
 std::optional<double> csv_number(std::string_view text);
 

@@ -29,6 +29,11 @@ std::string owner(int file) {
   return at == words.npos ? "" : " (" + words.substr(at, words.find_first_of(".\n", at) - at) + ")";
 }
 
+// How often a lock is tried again that may be only that of one who looks.
+constexpr int looks = 3;
+
+bool lock(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
+
 // Between opening and locking it, another process may have moved the folder aside.
 bool still_there(int file, const fs::path& path) {
   struct stat open = {}, named = {};
@@ -40,12 +45,24 @@ bool still_there(int file, const fs::path& path) {
 
 bool FolderLock::marked(const fs::path& folder) { return fs::is_regular_file(folder / marker); }
 
+bool FolderLock::held(const fs::path& folder) {
+  const int file = ::open((folder / marker).c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool free = ::flock(file, LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  ::close(file);
+  return !free;
+}
+
 FolderLock::FolderLock(const fs::path& folder) {
   const fs::path path = folder / marker;
   errno = 0;
   file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file_ < 0) throw InputError(write_failure(path));
-  const bool locked = ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  bool locked = lock(file_);
+  for (int again = 0; !locked && again < looks; ++again) {
+    ::usleep(1000);
+    locked = lock(file_);
+  }
   if (!locked || !still_there(file_, path)) {
     const std::string who = owner(file_);
     ::close(file_);

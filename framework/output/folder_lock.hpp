@@ -17,6 +17,8 @@ class FolderLock {
 
   // Whether a folder has been one of a run.
   static bool marked(const std::filesystem::path& folder);
+  // Whether somebody writes into it at present. Who locks it at the same moment waits for microseconds.
+  static bool held(const std::filesystem::path& folder);
 
  private:
   int file_ = -1;

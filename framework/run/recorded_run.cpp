@@ -6,16 +6,14 @@
 #include <cmath>
 #include <limits>
 
-#include "framework/checks/element_warnings.hpp"
-#include "framework/checks/law_check.hpp"
-#include "framework/checks/resolution.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/config/words.hpp"
 #include "framework/experiment/stored_experiment.hpp"
-#include "framework/experiment/tolerances.hpp"
 #include "framework/output/laws_csv.hpp"
 #include "framework/output/measured_csv.hpp"
 #include "framework/output/next_due.hpp"
+#include "framework/run/run_control.hpp"
+#include "framework/run/scene_warnings.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/io/replace_file.hpp"
@@ -25,30 +23,6 @@ namespace {
 
 // Whether elements are fine enough is judged in the end, by what is much the same from one step to the next.
 constexpr int looks_at_first = 16, look_interval = 4;  // steps
-
-std::vector<std::string> weak_wells(const World& world) {
-  std::vector<std::string> lines;
-  for (const AdhesionSummary& a : world.adhesion)
-    if (a.loss() > AdhesionSummary::tolerated_loss)
-      lines.push_back(fmt::format(
-          "adhesion {}: the barrier's stiffness takes {:.0f}% of the work of adhesion "
-          "({:.4g} of {:.4g} J/m^2 remain); lower contact.barrier.stiffness",
-          a.names(), 100 * a.loss(), a.effective, a.work_of_adhesion));
-  return lines;
-}
-
-// What making the meshes had to warn of, of copies (fill.hpp) once.
-std::vector<std::string> doubtful_meshes(const World& world) {
-  constexpr std::string_view prefix = "warning: ";  // geometry/meshing/notes.hpp
-  std::vector<std::string> lines, told;
-  for (const Body& body : world.bodies)
-    for (const std::string& note : body.notes) {
-      if (!note.starts_with(prefix) || std::find(told.begin(), told.end(), note) != told.end()) continue;
-      told.push_back(note);
-      lines.push_back(fmt::format("object '{}': {}", body.name, note.substr(prefix.size())));
-    }
-  return lines;
-}
 
 // Of different objects, if any came near each other.
 std::string smallest_gap_of(const RunSummary& s) {
@@ -90,6 +64,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
+    if (settings_.control) settings_.control->iteration(iteration, residual);
   };
   StepObservers observers{tell, tell, {}};
   if (gradients_) simulation_.observe_solved([this](const SolvedStep& step) { gradients_->solved(step); });
@@ -132,10 +107,7 @@ void RecordedRun::tell_beginning() {
   progress_.message(fmt::format("{}: {} objects, {} vertices, {} unknowns, {} threads", summary_.name,
                                 world().bodies.size(), world().rest.size() / 3, summary_.dofs, summary_.provenance.threads));
   for (const std::string& line : world().start_notes) progress_.message(line);
-  const LawCheck laws = check_laws(world());
-  for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world()), weak_wells(world()), element_warnings(experiment_, world()),
-                            resolution_warnings(experiment_, world()), doubtful_tolerances(experiment_, world())})
-    for (const std::string& line : lines) warn(line);
+  for (const std::string& line : scene_warnings(experiment_, world())) warn(line);
 }
 
 // Whatever is warned of also stands in the summary.
@@ -167,7 +139,9 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
   }
   next_checkpoint_ = next_checkpoint_after(simulation_.state().time);
   progress_.begin(simulation_.state().time, experiment_.time.duration);
+  if (settings_.control) settings_.control->begin(simulation_.state().time, experiment_.time.duration, simulation_.state().step);
   while (!simulation_.finished() && (settings_.steps == 0 || summary_.steps < settings_.steps)) {
+    hold();
     prepare_dump();
     const StepReport report = simulation_.step();
     if (simulation_.interrupted()) {
@@ -189,6 +163,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     }
     tell_linear_solver();
     progress_.step(report);
+    if (settings_.control) settings_.control->step(report);
     remesh(recorder);
     write_checkpoint();
   }
@@ -225,6 +200,13 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
     summary_.remeshings.push_back(std::move(r));
   }
   summary_.dofs = world().dofs.size();
+}
+
+// What others let it wait is no time of the run.
+void RecordedRun::hold() {
+  if (!settings_.control) return;
+  const ClockPause pause(clock_);
+  settings_.control->hold();
 }
 
 void RecordedRun::begin_gradients(const Recorder& recorder) {

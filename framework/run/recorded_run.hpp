@@ -22,12 +22,15 @@
 
 namespace tack {
 
+class RunControl;
+
 struct RunSettings {
   std::string output;                      // the folder; empty: results/<name>
   int steps = 0;                           // 0: to the end
   bool resume = false;                     // from the newest checkpoint of the folder
   std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
   bool profile = false;                    // tell what the run cost
+  RunControl* control = nullptr;           // who looks on and may hold it; null: nobody
 };
 
 class RecordedRun {
@@ -39,6 +42,7 @@ class RecordedRun {
   // To the end, or as far as it gets: a step that fails is told of in the summary. Throws InputError for results
   // that cannot be written.
   const RunSummary& execute();
+  const std::filesystem::path& folder() const { return folder_.root(); }
 
  private:
   std::optional<StateFile> checkpoint();
@@ -46,6 +50,7 @@ class RecordedRun {
   void warn(const Warning& warning);
   void simulate(std::optional<Recorder>& recorder);
   void remesh(std::optional<Recorder>& recorder);
+  void hold();
   void begin_gradients(const Recorder& recorder);
   void restart_gradients();
   void add_gradients(const Recorder& recorder);
