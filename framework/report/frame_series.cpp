@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "framework/output/pvd.hpp"
 #include "geometry/errors.hpp"
-#include "geometry/io/frame_file.hpp"
 #include "geometry/mesh/surface.hpp"
 
 namespace tack {
@@ -80,150 +78,137 @@ std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surfa
   return all;
 }
 
-class SeriesReader {
- public:
-  explicit SeriesReader(fs::path run) : run_(std::move(run)) {}
+}  // namespace
 
-  FrameSeries read(int frames) {
-    const auto list = PvdFile::continued(run_ / "run.pvd", std::numeric_limits<double>::infinity()).list();
-    series_.written = static_cast<int>(list.size());
-    if (list.empty()) return std::move(series_);
-    FrameFile first = frame(list[0].file);
-    begin(first);
-    const int wanted = frames > 0 ? frames : affordable(first);
-    for (const int i : chosen(static_cast<int>(list.size()), wanted)) {
-      try {
-        add(list[i].time, i == 0 ? std::move(first) : frame(list[i].file));
-      } catch (const InputError& error) {
-        series_.notes.push_back(fmt::format("The frames end at {:g} s: {}", list[i].time, error.what()));
-        break;
-      }
+FrameFollower::FrameFollower(const FrameFile& first) {
+  mesh_ = first.mesh;
+  const Surface surface = extract_surface(mesh_);
+  const FaceOwners owners(mesh_);
+  std::vector<int> number(mesh_.vertices.size(), -1);
+  const auto keep = [&](int v, std::vector<int>& elements) {
+    if (number[v] < 0) {
+      number[v] = static_cast<int>(kept_.size());
+      kept_.push_back(v);
     }
-    return std::move(series_);
+    elements.push_back(number[v]);
+  };
+  for (const Triangle& t : surface.triangles) {
+    for (const int v : t) keep(v, series_.triangles);
+    cells_.push_back(owners.of(t));
   }
-
- private:
-  FrameFile frame(const std::string& file) const { return read_frame(run_ / file); }
-
-  // Evenly spread, both ends included.
-  static std::vector<int> chosen(int count, int wanted) {
-    std::vector<int> numbers;
-    const int kept = std::min(count, std::max(1, wanted));
-    for (int i = 0; i < kept; ++i)
-      numbers.push_back(kept == 1 ? count - 1 : static_cast<int>((static_cast<long>(i) * (count - 1) + (kept - 1) / 2) / (kept - 1)));
-    return numbers;
+  int cell = static_cast<int>(mesh_.tets.size() + mesh_.triangles.size());
+  for (const Edge& e : mesh_.edges) {
+    for (const int v : e) keep(v, series_.edges);
+    cells_.push_back(cell++);
   }
-
-  void begin(const FrameFile& first) {
-    mesh_ = first.mesh;
-    const Surface surface = extract_surface(mesh_);
-    const FaceOwners owners(mesh_);
-    std::vector<int> number(mesh_.vertices.size(), -1);
-    const auto keep = [&](int v, std::vector<int>& elements) {
-      if (number[v] < 0) {
-        number[v] = static_cast<int>(kept_.size());
-        kept_.push_back(v);
-      }
-      elements.push_back(number[v]);
-    };
-    for (const Triangle& t : surface.triangles) {
-      for (const int v : t) keep(v, series_.triangles);
-      cells_.push_back(owners.of(t));
-    }
-    int cell = static_cast<int>(mesh_.tets.size() + mesh_.triangles.size());
-    for (const Edge& e : mesh_.edges) {
-      for (const int v : e) keep(v, series_.edges);
-      cells_.push_back(cell++);
-    }
-    for (const int v : mesh_.points) {
-      keep(v, series_.points);
-      cells_.push_back(cell++);
-    }
-    const auto object = std::find_if(first.of_cells.begin(), first.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
-    for (const int c : cells_) series_.object.push_back(object == first.of_cells.end() ? 0 : static_cast<int>(object->values(c)));
-    series_.origin = bounding_box(mesh_).center();
-    outer_ = outer_vertices(first, surface);
-    for (const FrameArray& a : first.of_vertices) series_.fields.push_back({a.name, a.unit, a.components > 1, true, {}});
-    for (const FrameArray& a : first.of_cells)
-      if (a.name != "object") series_.fields.push_back({a.name, a.unit, a.components > 1, false, {}});
+  for (const int v : mesh_.points) {
+    keep(v, series_.points);
+    cells_.push_back(cell++);
   }
+  const auto object = std::find_if(first.of_cells.begin(), first.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
+  for (const int c : cells_) series_.object.push_back(object == first.of_cells.end() ? 0 : static_cast<int>(object->values(c)));
+  series_.origin = bounding_box(mesh_).center();
+  series_.shown = static_cast<int>(kept_.size());
+  outer_ = outer_vertices(first, surface);
+  for (const FrameArray& a : first.of_vertices) series_.fields.push_back({a.name, a.unit, a.components > 1, true, {}});
+  for (const FrameArray& a : first.of_cells)
+    if (a.name != "object") series_.fields.push_back({a.name, a.unit, a.components > 1, false, {}});
+}
 
-  // Where the kept vertices and cells are in a frame whose mesh is another one inside.
-  void follow(const FrameFile& now) {
-    const auto differs = [] { throw InputError("its mesh is another one than that of the first frame"); };
-    const Surface surface = extract_surface(now.mesh);
-    const auto outer = outer_vertices(now, surface);
-    std::vector<int> number(mesh_.vertices.size(), -1);
-    if (outer.size() != outer_.size() || surface.triangles.size() != series_.triangles.size() / 3 || now.mesh.triangles.size() != mesh_.triangles.size() ||
-        now.mesh.edges.size() != mesh_.edges.size() || now.mesh.points.size() != mesh_.points.size())
-      differs();
-    for (size_t object = 0; object < outer.size(); ++object) {
-      if (outer[object].size() != outer_[object].size()) differs();
-      for (size_t i = 0; i < outer[object].size(); ++i) number[outer_[object][i]] = outer[object][i];
-    }
-    for (int& v : kept_) v = number[v];
-    const FaceOwners owners(now.mesh);
-    const size_t triangles = series_.triangles.size() / 3;
-    for (size_t t = 0; t < triangles; ++t) {
-      const Triangle on = {kept_[series_.triangles[3 * t]], kept_[series_.triangles[3 * t + 1]], kept_[series_.triangles[3 * t + 2]]};
-      cells_[t] = owners.of(on);
-      if (cells_[t] < 0) differs();
-    }
-    for (size_t c = triangles; c < cells_.size(); ++c) cells_[c] = static_cast<int>(now.mesh.tets.size() + now.mesh.triangles.size() + c - triangles);
-    outer_ = outer;
-    mesh_ = now.mesh;
+// Where the kept vertices and cells are in a frame whose mesh is another one inside.
+void FrameFollower::follow(const FrameFile& now) {
+  const auto differs = [] { throw InputError("its mesh is another one than that of the first frame"); };
+  const Surface surface = extract_surface(now.mesh);
+  const auto outer = outer_vertices(now, surface);
+  std::vector<int> number(mesh_.vertices.size(), -1);
+  if (outer.size() != outer_.size() || surface.triangles.size() != series_.triangles.size() / 3 || now.mesh.triangles.size() != mesh_.triangles.size() ||
+      now.mesh.edges.size() != mesh_.edges.size() || now.mesh.points.size() != mesh_.points.size())
+    differs();
+  for (size_t object = 0; object < outer.size(); ++object) {
+    if (outer[object].size() != outer_[object].size()) differs();
+    for (size_t i = 0; i < outer[object].size(); ++i) number[outer_[object][i]] = outer[object][i];
   }
-
-  int affordable(const FrameFile& first) {
-    double numbers = 3.0 * static_cast<double>(kept_.size());
-    for (const auto& field : series_.fields) numbers += static_cast<double>(field.of_vertices ? kept_.size() : cells_.size());
-    const int most = std::max(2, static_cast<int>(std::min(1e9, most_numbers / numbers)));
-    if (most < std::min(usual_frames, series_.written))
-      series_.notes.push_back(fmt::format("{} of {} frames are kept: with {} vertices, more would make the page too large. `--frames N` "
-                                          "keeps as many as it says.", most, series_.written, first.mesh.vertices.size()));
-    return std::min(usual_frames, most);
+  for (int& v : kept_) v = number[v];
+  const FaceOwners owners(now.mesh);
+  const size_t triangles = series_.triangles.size() / 3;
+  for (size_t t = 0; t < triangles; ++t) {
+    const Triangle on = {kept_[series_.triangles[3 * t]], kept_[series_.triangles[3 * t + 1]], kept_[series_.triangles[3 * t + 2]]};
+    cells_[t] = owners.of(on);
+    if (cells_[t] < 0) differs();
   }
+  for (size_t c = triangles; c < cells_.size(); ++c) cells_[c] = static_cast<int>(now.mesh.tets.size() + now.mesh.triangles.size() + c - triangles);
+  outer_ = outer;
+  mesh_ = now.mesh;
+}
 
-  void add(double time, const FrameFile& now) {
-    if (now.mesh.vertices.size() != mesh_.vertices.size() || now.mesh.tets != mesh_.tets || now.mesh.triangles != mesh_.triangles ||
-        now.mesh.edges != mesh_.edges || now.mesh.points != mesh_.points)
-      follow(now);
-    const size_t n = kept_.size();
-    std::vector<float> x(3 * n);
-    for (size_t i = 0; i < n; ++i) {
-      const Vec3 place = mesh_place(now, kept_[i]);
-      for (int c = 0; c < 3; ++c) x[c * n + i] = static_cast<float>(place(c));
-    }
-    std::vector<std::vector<float>> values;
-    for (const auto& field : series_.fields) values.push_back(values_of(field, field.of_vertices ? now.of_vertices : now.of_cells));
-    series_.times.push_back(time);
-    series_.positions.push_back(std::move(x));
-    for (size_t f = 0; f < values.size(); ++f) series_.fields[f].frames.push_back(std::move(values[f]));
+void FrameFollower::add(double time, const FrameFile& now) {
+  if (now.mesh.vertices.size() != mesh_.vertices.size() || now.mesh.tets != mesh_.tets || now.mesh.triangles != mesh_.triangles ||
+      now.mesh.edges != mesh_.edges || now.mesh.points != mesh_.points)
+    follow(now);
+  const size_t n = kept_.size();
+  std::vector<float> x(3 * n);
+  for (size_t i = 0; i < n; ++i) {
+    const Vec3 place = now.mesh.vertices[kept_[i]] - series_.origin;
+    for (int c = 0; c < 3; ++c) x[c * n + i] = static_cast<float>(place(c));
   }
+  std::vector<std::vector<float>> values;
+  for (const auto& field : series_.fields) values.push_back(values_of(field, field.of_vertices ? now.of_vertices : now.of_cells));
+  series_.times.push_back(time);
+  series_.positions.push_back(std::move(x));
+  for (size_t f = 0; f < values.size(); ++f) series_.fields[f].frames.push_back(std::move(values[f]));
+}
 
-  Vec3 mesh_place(const FrameFile& now, int v) const { return now.mesh.vertices[v] - series_.origin; }
-
-  std::vector<float> values_of(const FrameSeries::Field& field, const std::vector<FrameArray>& arrays) const {
-    const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const FrameArray& a) { return a.name == field.name; });
-    if (array == arrays.end()) throw InputError(fmt::format("it has no field '{}', as the first frame has", field.name));
-    std::vector<float> values;
-    for (const int i : field.of_vertices ? kept_ : cells_) {
-      const auto entry = array->values.segment(static_cast<Eigen::Index>(array->components) * i, array->components);
-      values.push_back(static_cast<float>(array->components > 1 ? entry.norm() : entry(0)));
-    }
-    return values;
+std::vector<float> FrameFollower::values_of(const FrameSeries::Field& field, const std::vector<FrameArray>& arrays) const {
+  const auto array = std::find_if(arrays.begin(), arrays.end(), [&](const FrameArray& a) { return a.name == field.name; });
+  if (array == arrays.end()) throw InputError(fmt::format("it has no field '{}', as the first frame has", field.name));
+  std::vector<float> values;
+  for (const int i : field.of_vertices ? kept_ : cells_) {
+    const auto entry = array->values.segment(static_cast<Eigen::Index>(array->components) * i, array->components);
+    values.push_back(static_cast<float>(array->components > 1 ? entry.norm() : entry(0)));
   }
+  return values;
+}
 
-  fs::path run_;
-  FrameSeries series_;
-  Mesh mesh_;
-  std::vector<int> kept_;   // vertices, in the order of the series
-  std::vector<int> cells_;  // of elements
-  std::vector<std::vector<int>> outer_;  // by object, of the mesh that kept_ counts in
-};
+std::vector<int> evenly(int count, int wanted) {
+  std::vector<int> numbers;
+  const int kept = std::min(count, std::max(1, wanted));
+  for (int i = 0; i < kept; ++i)
+    numbers.push_back(kept == 1 ? count - 1 : static_cast<int>((static_cast<long>(i) * (count - 1) + (kept - 1) / 2) / (kept - 1)));
+  return numbers;
+}
+
+namespace {
+
+// As many as a page should carry.
+int affordable(FrameSeries& series, size_t vertices) {
+  double numbers = 3.0 * static_cast<double>(series.vertices());
+  for (const auto& field : series.fields) numbers += static_cast<double>(field.of_vertices ? series.vertices() : series.elements());
+  const int most = std::max(2, static_cast<int>(std::min(1e9, most_numbers / numbers)));
+  if (most < std::min(usual_frames, series.written))
+    series.notes.push_back(fmt::format("{} of {} frames are kept: with {} vertices, more would make the page too large. `--frames N` "
+                                       "keeps as many as it says.", most, series.written, vertices));
+  return std::min(usual_frames, most);
+}
 
 }  // namespace
 
-FrameSeries read_frames(const fs::path& run, int frames) { return SeriesReader(run).read(frames); }
+FrameSeries read_frames(const fs::path& run, int frames) {
+  const auto list = PvdFile::continued(run / "run.pvd", std::numeric_limits<double>::infinity()).list();
+  if (list.empty()) return {};
+  FrameFile first = read_frame(run / list[0].file);
+  FrameFollower follower(first);
+  FrameSeries& series = follower.series();
+  series.written = static_cast<int>(list.size());
+  const int wanted = frames > 0 ? frames : affordable(series, first.mesh.vertices.size());
+  for (const int i : evenly(static_cast<int>(list.size()), wanted)) {
+    try {
+      follower.add(list[i].time, i == 0 ? std::move(first) : read_frame(run / list[i].file));
+    } catch (const InputError& error) {
+      series.notes.push_back(fmt::format("The frames end at {:g} s: {}", list[i].time, error.what()));
+      break;
+    }
+  }
+  return std::move(series);
+}
 
 }  // namespace tack

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/io/frame_file.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -29,9 +30,38 @@ struct FrameSeries {
   int written = 0;             // frames that the run wrote; fewer are kept
   std::vector<std::string> notes;  // about what is left out
 
-  int vertices() const { return positions.empty() ? 0 : static_cast<int>(positions[0].size() / 3); }
+  int shown = 0;               // vertices
+
+  int vertices() const { return shown; }
   int elements() const { return static_cast<int>(object.size()); }
 };
+
+// A series that grows frame by frame. Objects that are meshed anew inside have the same outer faces in all of them.
+class FrameFollower {
+ public:
+  // What is shown is that of the first frame, which is not in the series yet.
+  explicit FrameFollower(const FrameFile& first);
+  // Throws InputError, and adds nothing, if its outer faces or its fields are others.
+  void add(double time, const FrameFile& now);
+
+  FrameSeries& series() { return series_; }
+  const FrameSeries& series() const { return series_; }
+  // Of the frame that was added last: the vertices that are shown, in the order of the series.
+  const std::vector<int>& kept() const { return kept_; }
+
+ private:
+  void follow(const FrameFile& now);
+  std::vector<float> values_of(const FrameSeries::Field& field, const std::vector<FrameArray>& arrays) const;
+
+  FrameSeries series_;
+  Mesh mesh_;
+  std::vector<int> kept_;
+  std::vector<int> cells_;  // of elements
+  std::vector<std::vector<int>> outer_;  // by object, of the mesh that kept_ counts in
+};
+
+// So many of a number of things, evenly spread, both ends among them; one: the last.
+std::vector<int> evenly(int count, int wanted);
 
 // At most `frames` of those that run.pvd lists, the first and the last among them; 0: 200, or fewer of a run with more numbers
 // than a page should carry. A frame that cannot be read ends the series, with a note.

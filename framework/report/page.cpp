@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view place = "<!--data of the report-->";
+constexpr std::string_view no_requests = "connect-src 'none'", own_requests = "connect-src 'self'";
 
 // In JSON, < stands in strings only.
 std::string within_script(const std::string& json) {
@@ -29,20 +30,24 @@ std::string within_script(const std::string& json) {
 
 }  // namespace
 
-int PageData::add(const std::string& bytes) {
-  blocks_.push_back(base64(deflated(bytes)));
+nlohmann::ordered_json PageData::add(const std::string& bytes) {
+  std::string block = base64(deflated(bytes));
+  if (where_ == Blocks::inside) return block;
+  blocks_.push_back(std::move(block));
   return static_cast<int>(blocks_.size()) - 1;
 }
 
 fs::path page_path() { return shared_file("report.html"); }
 
-std::string page_with(const fs::path& path, const PageData& data) {
+std::string page_with(const fs::path& path, const PageData& data, Requests requests) {
   std::ifstream in(path, std::ios::binary);
   std::stringstream text;
   text << in.rdbuf();
-  const std::string page = text.str();
+  std::string page = text.str();
+  const size_t rule = page.find(no_requests);
+  if (requests == Requests::own && rule != page.npos) page.replace(rule, no_requests.size(), own_requests);
   const size_t at = page.find(place);
-  if (!in || at == page.npos)
+  if (!in || at == page.npos || (requests == Requests::own && rule == page.npos))
     throw InputError(fmt::format("{}: the page of reports is not built; run `./tack report`, which builds it, or `cmake --build --preset "
                                  "release --target tack_report` (needs npm: apt-get install nodejs npm)", path.string()));
   // A name or a path need not be UTF-8.

@@ -31,7 +31,7 @@ void RenderField::fields(Fields& f) {
   f.text("name", name, "what colours: a field of frames (`output.fields`)").required();
   f.numbers("range", limits, units::none, "from and to, in SI; unless given, the least and the largest of the runs");
   f.flag("log", log, "a logarithmic scale");
-  f.choice("map", map, {{"viridis", "viridis", "even to the eye, also of the colour-blind"}, {"magma", "magma", "from black"}, {"cividis", "cividis", "blue to yellow"},
+  f.choice("map", map, {{"automatic", "automatic", "`red_blue` of what has both signs, else `viridis`"}, {"viridis", "viridis", "even to the eye, also of the colour-blind"}, {"magma", "magma", "from black"}, {"cividis", "cividis", "blue to yellow"},
                         {"red_blue", "red_blue", "of what has a sign: its middle is zero"}},
            "colours");
   f.check("range", [this]() -> std::string {

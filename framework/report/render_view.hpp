@@ -25,7 +25,7 @@ struct RenderField {
   std::string name;
   std::vector<double> limits;  // none, or two
   bool log = false;
-  std::string map = "viridis";
+  std::string map = "automatic";
   void fields(Fields& f);
 };
 

@@ -64,7 +64,7 @@ FolderKind kind_of(const fs::path& folder) {
                                "`tack run`, `tack compare`, `tack batch` or `tack calibrate`", folder.string()));
 }
 
-WrittenReport write_report(const ReportSettings& s) {
+PageData report_data(const ReportSettings& s) {
   std::vector<FolderKind> kinds;
   for (const fs::path& folder : s.folders) kinds.push_back(kind_of(folder));
   const bool runs = std::all_of(kinds.begin(), kinds.end(), [](FolderKind kind) { return kind == FolderKind::run; });
@@ -94,12 +94,23 @@ WrittenReport write_report(const ReportSettings& s) {
   document["runs"] = Json::array();
   for (const auto& [folder, label] : shown) document["runs"].push_back(run_data(folder, label, s.frames, page));
 
-  WrittenReport written{output_of(s), {}};
-  for (const Json& run : document["runs"])
-    for (const Json& note : run["notes"]) written.notes.push_back(note.get<std::string>());
+  return page;
+}
+
+std::vector<std::string> notes_of(const PageData& page) {
+  std::vector<std::string> notes;
+  const auto take = [&](const Json& of) {
+    for (const Json& note : of["notes"]) notes.push_back(note.get<std::string>());
+  };
+  for (const Json& run : page.document["runs"]) take(run);
   for (const char* kind : {"batch", "calibration"})
-    if (document.contains(kind))
-      for (const Json& note : document[kind]["notes"]) written.notes.push_back(note.get<std::string>());
+    if (page.document.contains(kind)) take(page.document[kind]);
+  return notes;
+}
+
+WrittenReport write_report(const ReportSettings& s) {
+  const PageData page = report_data(s);
+  WrittenReport written{output_of(s), notes_of(page)};
   replace_file(written.path, page_with(s.page.empty() ? page_path() : s.page, page));
   return written;
 }

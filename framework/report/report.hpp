@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "framework/report/page.hpp"
+
 namespace tack {
 
 enum class FolderKind { run, comparison, batch, calibration };
@@ -24,6 +26,11 @@ struct WrittenReport {
   std::filesystem::path path;
   std::vector<std::string> notes;  // what could not be read
 };
+
+// What the page of them holds. Throws InputError for folders that do not go together.
+PageData report_data(const ReportSettings& settings);
+// Texts of it about what could not be read.
+std::vector<std::string> notes_of(const PageData& page);
 
 // Throws InputError for folders that do not go together and a file that cannot be written.
 WrittenReport write_report(const ReportSettings& settings);

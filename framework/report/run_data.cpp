@@ -21,10 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int place_levels = 65535, field_levels = 1023;
 
-std::string bytes_of(const std::vector<int>& numbers) {
-  return planes(std::span<const float>(std::vector<float>(numbers.begin(), numbers.end())));
-}
-
 // Of what is finite; {0, 0} of nothing.
 Quantizer range_of(const std::vector<std::vector<float>>& frames, int levels) {
   Quantizer q{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), levels};
@@ -51,27 +47,33 @@ Json field_data(const FrameSeries::Field& field, PageData& page) {
           {"block", page.add(delta_planes(codes_of(field.frames, q)))}};
 }
 
-Json frame_data(const FrameSeries& series, PageData& page) {
+}  // namespace
+
+std::string number_bytes(const std::vector<int>& numbers) {
+  return planes(std::span<const float>(std::vector<float>(numbers.begin(), numbers.end())));
+}
+
+Json frame_data(const FrameSeries& series, PageData& page, bool elements) {
   // One range for all directions, so that a step is as long in each.
   const Quantizer q = range_of(series.positions, place_levels);
   Json fields = Json::array();
   for (const auto& field : series.fields) fields.push_back(field_data(field, page));
-  return {{"times", series.times},
-          {"written", series.written},
-          {"origin", {series.origin.x(), series.origin.y(), series.origin.z()}},
-          {"lowest", q.lowest},
-          {"highest", q.highest},
-          {"levels", q.levels},
-          {"vertices", series.vertices()},
-          {"triangles", page.add(bytes_of(series.triangles))},
-          {"edges", page.add(bytes_of(series.edges))},
-          {"points", page.add(bytes_of(series.points))},
-          {"object", page.add(bytes_of(series.object))},
-          {"positions", page.add(delta_planes(codes_of(series.positions, q)))},
-          {"fields", std::move(fields)}};
+  Json data = {{"times", series.times},
+               {"written", series.written},
+               {"origin", {series.origin.x(), series.origin.y(), series.origin.z()}},
+               {"lowest", q.lowest},
+               {"highest", q.highest},
+               {"levels", q.levels},
+               {"vertices", series.vertices()},
+               {"positions", page.add(delta_planes(codes_of(series.positions, q)))},
+               {"fields", std::move(fields)}};
+  if (!elements) return data;
+  data["triangles"] = page.add(number_bytes(series.triangles));
+  data["edges"] = page.add(number_bytes(series.edges));
+  data["points"] = page.add(number_bytes(series.points));
+  data["object"] = page.add(number_bytes(series.object));
+  return data;
 }
-
-}  // namespace
 
 Json run_data(const fs::path& folder, const std::string& label, int frames, PageData& page) {
   Json notes = Json::array();
@@ -89,14 +91,14 @@ Json run_data(const fs::path& folder, const std::string& label, int frames, Page
     return Json();
   };
   Json summary = part("summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
-  Json scene = part("scene.yaml", scene_data);
+  Json scene = part("scene.yaml", [](const fs::path& path) { return scene_data(path); });
   const auto numbers = [&](const fs::path& path) { return number_table(read_csv(path), page); };
   Json steps = part("steps.csv", numbers), probes = part("probes.csv", numbers);
   Json laws = part("laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); });
   Json shown = part("run.pvd", [&](const fs::path&) {
     const FrameSeries series = read_frames(folder, frames);
     for (const std::string& note : series.notes) notes.push_back(note);
-    return series.times.empty() ? Json() : frame_data(series, page);
+    return series.times.empty() ? Json() : frame_data(series, page, true);
   });
   const std::string status = summary.is_object() ? summary.value("status", "") : "";
   return {{"label", label},

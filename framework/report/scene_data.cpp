@@ -1,5 +1,7 @@
 #include "framework/report/scene_data.hpp"
 
+#include <cmath>
+
 #include "framework/body/rod_section.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/experiment/load_experiment.hpp"
@@ -32,15 +34,43 @@ Json up_of(const Experiment& e) {
   return {up.x(), up.y(), up.z()};
 }
 
-Json probes_of(const LoadedExperiment& loaded) {
+Json probes_of(const Experiment& e, const Value& root) {
   Json list = Json::array();
-  const Value* written = loaded.root.find("probes");
-  for (size_t i = 0; i < loaded.experiment.probes.size(); ++i) {
-    const Probe& probe = *loaded.experiment.probes[i];
+  const Value* written = root.find("probes");
+  for (size_t i = 0; i < e.probes.size(); ++i) {
+    const Probe& probe = *e.probes[i];
     const Value& keys = written->items[i];
     for (const std::string& column : probe.columns())
       list.push_back({{"column", column}, {"type", json_of(keys.find("type"))}, {"unit", probe.unit().si}, {"on", json_of(keys.find("on"))},
                       {"from", json_of(keys.find("from"))}, {"between", json_of(keys.find("between"))}});
+  }
+  return list;
+}
+
+// Half of the distance at which it begins, so that it does where those of two bodies meet [m].
+Json reach_of(const ObjectConfig& object, const Experiment& e) {
+  if (!e.contact) return Json();
+  return object.contact_offset + e.contact->contact_distance / 2;
+}
+
+Json number_or_null(double number) { return std::isfinite(number) ? Json(number) : Json(); }
+
+Json expectations_of(const Experiment& e) {
+  std::map<std::string, Unit> units = {{"time", units::time}};
+  ProbeSeries none{{"time"}, {}};
+  for (const auto& probe : e.probes)
+    for (const std::string& column : probe->columns()) {
+      units[column] = probe->unit();
+      none.columns.push_back(column);
+    }
+  Json list = Json::array();
+  for (const Expectation& one : e.expect) {
+    if (!units.contains(one.query.probe) || !units.contains(one.query.along)) continue;  // of a scene that cannot be run
+    const ExpectationResult wanted = evaluate(one, none);
+    list.push_back({{"name", wanted.name}, {"unit", unit_of(one.query.statistic, units[one.query.probe], units[one.query.along])},
+                    {"probe", one.query.probe}, {"along", one.query.along},
+                    {"wanted", {{"target", number_or_null(wanted.target)}, {"tolerance", number_or_null(wanted.tolerance)},
+                                {"at_least", number_or_null(wanted.at_least)}, {"at_most", number_or_null(wanted.at_most)}}}});
   }
   return list;
 }
@@ -50,12 +80,14 @@ Json probes_of(const LoadedExperiment& loaded) {
 Json scene_data(const std::filesystem::path& scene) {
   const std::string text = read_file(scene, largest_text);
   const LoadedExperiment loaded = parse_experiment(text, scene.string());
-  const Experiment& e = loaded.experiment;
-  Json objects = Json::array(), expect = Json::array();
-  for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", radius_of(object)}});
-  for (const Expectation& one : e.expect) expect.push_back(name_of(one));
-  return {{"name", e.name}, {"about", e.about}, {"text", text}, {"up", up_of(e)}, {"objects", std::move(objects)}, {"probes", probes_of(loaded)},
-          {"expect", std::move(expect)}};
+  return scene_data(loaded.experiment, loaded.root, text);
+}
+
+Json scene_data(const Experiment& e, const Value& root, const std::string& text) {
+  Json objects = Json::array();
+  for (const ObjectConfig& object : e.objects) objects.push_back({{"name", object.name}, {"radius", radius_of(object)}, {"reach", reach_of(object, e)}});
+  return {{"name", e.name}, {"about", e.about}, {"text", text}, {"up", up_of(e)}, {"duration", e.time.duration}, {"objects", std::move(objects)},
+          {"probes", probes_of(e, root)}, {"expect", expectations_of(e)}};
 }
 
 std::map<std::string, std::string> probe_units(const std::filesystem::path& scene) {

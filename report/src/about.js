@@ -1,6 +1,6 @@
 // What a run is and what became of it: facts, expectations, provenance, its scene.
-import { h, lazyDetails, plainTable, section } from "./dom.js";
-import { duration, format, words } from "./format.js";
+import { button, h, lazyDetails, plainTable, section } from "./dom.js";
+import { byName, duration, format, scaledNumber, words } from "./format.js";
 
 const open = new Set(["unfinished", "interrupted", "waiting", "running"]);
 
@@ -8,19 +8,31 @@ export function statusBadge(status) {
   return h("span", { class: `badge ${status === "done" ? "good" : open.has(status) ? "open" : "bad"}` }, status);
 }
 
-export function head(title, about, badges) {
-  return h("header", {}, h("p", { class: "kind" }, "tack report"), h("h1", {}, title, " ", ...badges), about && h("p", { class: "about" }, about));
+export function head(title, about, badges, kind = "tack report") {
+  return h("header", {}, h("p", { class: "kind" }, kind), h("h1", {}, title, " ", ...badges), about && h("p", { class: "about" }, about));
 }
 
 export function notesOf(notes) {
   return notes.length > 0 && h("div", { class: "notice", role: "note" }, h("p", {}, "Not everything could be read:"), h("ul", {}, notes.map((note) => h("li", {}, note))));
 }
 
+// The name of an object, which can be pressed: the 3D view goes there (view.js).
+export const objectButton = (name, text = name) => button(text, () => document.dispatchEvent(new CustomEvent("tack-object", { detail: name })), { class: "object", title: `show '${name}' in the 3D view` });
+
+// A text with those of the objects that it names.
+export function withObjects(text, scene) {
+  const names = new Set(scene?.objects.map(({ name }) => name) ?? []);
+  return text.split(/('[^']+')/).map((part) => {
+    const name = part.slice(1, -1);
+    return part.startsWith("'") && names.has(name) ? objectButton(name, part) : part;
+  });
+}
+
 // What the runs warned of: it is told before what they show.
 export function warnings(runs) {
-  const lines = runs.flatMap((run) => (run.summary?.warnings ?? []).map(({ text, times }) => [runs.length > 1 ? `${run.label}: ` : "", text, times]));
-  return lines.length > 0 && h("div", { class: "notice warnings", role: "note" }, h("p", {}, runs.length > 1 ? "The runs warned:" : "The run warned:"),
-    h("ul", {}, lines.map(([label, text, times]) => h("li", {}, label, text, times > 1 && ` (and ${times - 1} more of the kind)`))));
+  const lines = runs.flatMap((run) => (run.summary?.warnings ?? []).map(({ text, times }) =>
+    h("li", {}, runs.length > 1 && `${run.label}: `, run.frames ? withObjects(text, run.scene) : text, times > 1 && ` (and ${times - 1} more of the kind)`)));
+  return lines.length > 0 && section("warnings", runs.length > 1 ? "What they warned of" : "What it warned of", h("div", { class: "notice warnings" }, h("ul", {}, lines)));
 }
 
 function factsOf({ summary: s, scene, steps, frames }) {
@@ -51,18 +63,35 @@ const mark = (pass) => h("span", { class: `mark ${pass === null ? "open" : pass 
 
 // Unfinished runs know what they must show, but not whether they do.
 function expectationsOf(run) {
+  const units = byName(Object.fromEntries((run.scene?.expect ?? []).map(({ name, unit }) => [name, unit])));
   const judged = run.summary?.expect ?? [];
-  if (judged.length > 0) return judged;
-  return (run.scene?.expect ?? []).map((name) => ({ name, pass: null, text: "the run is not finished" }));
+  if (judged.length > 0) return judged.map((e) => ({ ...e, ...told(e, units[e.name]) }));
+  return (run.scene?.expect ?? []).map(({ name, wanted }) => ({ name, pass: null, is: "the run is not finished", wanted: criterion(wanted, units[name]) }));
+}
+
+// What is accepted: around a target, or between bounds of which one may be open.
+function criterion({ target, tolerance, at_least: least, at_most: most }, unit) {
+  const number = (n) => scaledNumber(n, unit);
+  if (typeof target === "number") return `${number(target)} within ${number(tolerance)}`;
+  if (typeof most !== "number") return `at least ${number(least)}`;
+  return typeof least === "number" ? `from ${number(least)} to ${number(most)}` : `at most ${number(most)}`;
+}
+
+// Without a number, the text says why; else it may say more than the number, in brackets.
+function told(e, unit) {
+  if (typeof e.value !== "number") return { is: e.text.replace(/, expected [^,]*$/, ""), wanted: criterion(e, unit) };
+  const more = /^is \S+ (\(.*\)), expected/.exec(e.text);
+  return { is: `${scaledNumber(e.value, unit)}${more ? ` ${more[1]}` : ""}`, wanted: criterion(e, unit) };
 }
 
 export function expectations(runs) {
-  const rows = runs.flatMap((run) => expectationsOf(run).map((e) => [...(runs.length > 1 ? [run.label] : []), e.name, mark(e.pass), e.text]));
-  const failed = runs.flatMap(expectationsOf).filter((e) => e.pass === false).length;
+  const all = runs.flatMap((run) => expectationsOf(run).map((e) => ({ run, ...e })));
+  const rows = all.map((e) => [...(runs.length > 1 ? [e.run.label] : []), e.name, mark(e.pass), e.is, e.wanted]);
+  const failed = all.filter((e) => e.pass === false).length;
   if (rows.length === 0) return section("expectations", "What it must show", h("p", { class: "note" }, "The scene says nothing of what its run must show."));
   return section("expectations", "What it must show",
     failed > 0 && h("p", { class: "notice bad" }, failed === 1 ? "One expectation failed." : `${failed} expectations failed.`),
-    plainTable([...(runs.length > 1 ? ["run"] : []), "expectation", "result", "value"], rows, "Expectations", { class: "expectations" }));
+    plainTable([...(runs.length > 1 ? ["run"] : []), "expectation", "result", "value", "expected"], rows, "Expectations", { class: "expectations" }));
 }
 
 function textOf(value) {

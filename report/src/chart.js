@@ -3,7 +3,7 @@
 import uPlot from "uplot";
 import { button, freshId, h, lazyDetails, plainTable } from "./dom.js";
 import { axisTitle, format, powerOfTen, scaled } from "./format.js";
-import { colour, dash, onThemeChange, style } from "./theme.js";
+import { colour, dash, onEnd, onThemeChange, style } from "./theme.js";
 
 const tableRows = 200;
 
@@ -222,7 +222,9 @@ export function chart(options) {
     if (!options.group) return zoomTo(range);
     for (const other of group) other(si);
   };
-  group.add((si) => zoomTo(si && [si[0] * unitX.factor, si[1] * unitX.factor]));
+  const follow = (si) => zoomTo(si && [si[0] * unitX.factor, si[1] * unitX.factor]);
+  group.add(follow);
+  onEnd(() => group.delete(follow));
   const reset = button("Show all", () => zoomAll(null), { class: "reset", hidden: true });
 
   const draw = () => {
@@ -267,14 +269,21 @@ export function chart(options) {
     }, data, holder);
     plot.root.querySelector("canvas").setAttribute("aria-hidden", "true");
   };
-  new ResizeObserver(() => {
+  const sizes = new ResizeObserver(() => {
     if (holder.clientWidth === 0) return;
     if (!plot) draw();
     else if (Math.abs(plot.width - holder.clientWidth) > 1) plot.setSize({ width: holder.clientWidth, height: plot.height });
-  }).observe(holder);
-  onThemeChange(() => plot?.redraw(true, true));
+  });
+  sizes.observe(holder);
+  const redraw = () => plot?.redraw(true, true);
+  onThemeChange(redraw);
   // A canvas does not shrink by itself to the width of paper.
-  addEventListener("beforeprint", () => plot?.redraw(true, true));
+  addEventListener("beforeprint", redraw);
+  onEnd(() => {
+    sizes.disconnect();
+    removeEventListener("beforeprint", redraw);
+    plot?.destroy();
+  });
 
   holder.addEventListener("keydown", (event) => {
     if (!plot || event.ctrlKey || event.metaKey || event.altKey) return;

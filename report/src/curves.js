@@ -44,20 +44,33 @@ function probesByUnit(run, columns, units) {
   }));
 }
 
+// Axes that the scene names: of what it expects along another probe than time. Else a force over a gap, or the first two.
+function axesOf(runs, columns, units) {
+  const named = runs.flatMap((run) => run.scene?.expect ?? []).find(({ probe, along }) => along !== "time" && columns.includes(along) && columns.includes(probe));
+  if (named) return [named.along, named.probe];
+  const gap = columns.find((name) => /gap|separation|displacement/.test(name));
+  return gap ? [gap, columns.find((name) => units[name] === "N") ?? columns.find((name) => name !== gap)] : [columns[0], columns[1]];
+}
+
+let chosen = null; // by hand; of a run under way the chart is made again and again
+
 // Any probe against any other.
 function against(runs, columns, units) {
   const all = ["time", ...columns];
   const of = byName(units, { time: "s" });
-  const gap = columns.find((name) => /gap|separation|displacement/.test(name));
-  let [x, y] = gap ? [gap, columns.find((name) => units[name] === "N") ?? columns.find((name) => name !== gap)] : [columns[0], columns[1]];
+  let [x, y] = chosen?.every((name) => all.includes(name)) ? chosen : axesOf(runs, columns, units);
   const place = h("div", { class: "charts wide" });
   const draw = () => place.replaceChildren(chart({
     title: `${words(y)} over ${words(x)}`, x: { name: words(x), unit: of[x], loose: x !== "time" }, y: { name: words(y), unit: of[y] }, height: 300, series: linesOf(runs, "probes", x, y),
   }));
   const options = all.map((name) => [name, words(name)]);
+  const choose = () => {
+    chosen = [x, y];
+    draw();
+  };
   draw();
   return h("div", { id: "against" }, h("h3", {}, "One probe over another"),
-    h("div", { class: "bar" }, labelled("Vertical", select(options, y, (name) => { y = name; draw(); })), labelled("Horizontal", select(options, x, (name) => { x = name; draw(); }))), place);
+    h("div", { class: "bar" }, labelled("Vertical", select(options, y, (name) => { y = name; choose(); })), labelled("Horizontal", select(options, x, (name) => { x = name; choose(); }))), place);
 }
 
 // Laws in closed form, beside what was measured between the same objects.

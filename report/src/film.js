@@ -1,13 +1,11 @@
 // The page of `tack render`: draws frames of runs as the view says, one at a time, when it is told to (render.mjs).
-import * as chromatic from "d3-scale-chromatic";
 import { Color, SRGBColorSpace } from "three";
-import { ColourScale } from "./colour_scale.js";
+import { ColourScale, centred, mapOf } from "./colour_scale.js";
 import { format, scaled } from "./format.js";
 import { Frames } from "./frames.js";
 import { Studio } from "./studio.js";
 import { surfaceColours } from "./theme.js";
 
-const maps = { viridis: chromatic.interpolateViridis, magma: chromatic.interpolateMagma, cividis: chromatic.interpolateCividis, red_blue: (t) => chromatic.interpolateRdBu(1 - t) };
 const font = (pixels, bold) => `${bold ? "600 " : ""}${pixels}px "DejaVu Sans", "Liberation Sans", Arial, sans-serif`;
 const dark = (css) => {
   const c = new Color().setStyle(css, SRGBColorSpace);
@@ -39,9 +37,6 @@ class Film {
   }
 
   async openField({ name, range, log, map }) {
-    const interpolate = maps[map];
-    const steps = 512;
-    const table = Array.from({ length: steps }, (_, i) => new Color().setStyle(interpolate(i / (steps - 1)), SRGBColorSpace).toArray());
     let [low, high] = [Infinity, -Infinity];
     for (const run of this.runs) {
       const field = run.frames.fields.find((one) => one.name === name || one.label === name);
@@ -51,14 +46,8 @@ class Film {
       low = Math.min(low, field.lowest);
       high = Math.max(high, field.highest);
     }
-    // Diverging colours have their middle at zero.
-    if (map === "red_blue" && !range) [low, high] = [-1, 1].map((sign) => sign * Math.max(Math.abs(low), Math.abs(high)));
-    this.scale = new ColourScale(...(range ?? [low, high]), log);
-    this.colour = (number) => {
-      const part = this.scale.part(number);
-      return Number.isNaN(part) ? null : table[Math.round(part * (steps - 1))];
-    };
-    this.gradient = interpolate;
+    const chosen = mapOf(map, ...(range ?? [low, high]), log);
+    this.scale = new ColourScale(...(range ?? centred(chosen, [low, high])), log, chosen);
   }
 
   // Of all runs at a time [s], the frame that is nearest; a PNG, as base64.
@@ -71,8 +60,14 @@ class Film {
       const number = times.reduce((best, t, k) => (Math.abs(t - time) < Math.abs(times[best] - time) ? k : best), 0);
       let colourOf = null;
       if (run.field) {
-        const codes = run.values.codes[number];
-        colourOf = (element, vertex) => this.colour(run.values.number(codes[run.field.ofVertices ? vertex : element]));
+        const { codes, number: of } = run.values[number];
+        colourOf = (element, vertex) => {
+          const value = of(codes[run.field.ofVertices ? vertex : element]);
+          if (Number.isNaN(value)) return null;
+          const rgb = [0, 0, 0];
+          this.scale.write(value, rgb, 0);
+          return rgb;
+        };
       }
       run.set.setFrame(number, colourOf);
       const box = view.camera.fit === "run" ? { low: run.set.low, high: run.set.high } : this.boxOf(run, view.camera.fit === "frame" ? number : view.camera.fit === "first" ? 0 : run.frames.count - 1);
@@ -95,15 +90,7 @@ class Film {
       part.edges?.forEach((e) => [frames.edges[2 * e], frames.edges[2 * e + 1]].forEach(take));
       part.points?.forEach((p) => take(frames.points[p]));
     });
-    const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
-    const codes = frames.codes[number];
-    for (const v of shown)
-      for (let c = 0; c < 3; ++c) {
-        const x = frames.place(codes[c * frames.vertices + v]);
-        low[c] = Math.min(low[c], x);
-        high[c] = Math.max(high[c], x);
-      }
-    return { low, high };
+    return frames.box([number], shown);
   }
 
   compose(time, wide) {
@@ -133,7 +120,7 @@ class Film {
     const [x, y] = [width - long - 32 * unit, height - 52 * unit];
     for (let i = 0; i < long; ++i) {
       const ink = ctx.fillStyle;
-      ctx.fillStyle = this.gradient(i / long);
+      ctx.fillStyle = this.scale.css(i / long);
       ctx.fillRect(x + i, y, 1.5, thick);
       ctx.fillStyle = ink;
     }

@@ -1,4 +1,5 @@
-// A report from its data: a run, several runs, a comparison, a batch or a calibration.
+// A report from its data: a run, several runs, a comparison, a batch, a calibration, or a scene that was not run yet. Of a run that is served, also while it is
+// under way (live.js).
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { expectations, facts, head, notesOf, provenance, statusBadge, warnings } from "./about.js";
@@ -7,6 +8,8 @@ import { calibrationSections, calibrationWarnings } from "./calibration.js";
 import { comparisonSections } from "./comparison.js";
 import { contactSection, costSection, energySection, lawSection, probeSection } from "./curves.js";
 import { h } from "./dom.js";
+import { Live } from "./live.js";
+import { previewSections } from "./preview.js";
 import { numberTable } from "./unpack.js";
 import { viewSection } from "./view.js";
 
@@ -23,6 +26,10 @@ const runSections = (runs) => [warnings(runs), expectations(runs), viewSection(r
 const nameOf = (run) => run.summary?.name ?? run.scene?.name ?? run.label;
 
 async function contentOf(data, runs) {
+  if (data.kind === "preview") {
+    const [run] = runs;
+    return { title: nameOf(run), about: run.scene?.about, badges: [h("span", { class: "badge open" }, "not run yet")], parts: previewSections(data.preview, run) };
+  }
   if (data.kind === "comparison") return { title: data.comparison.name || data.title, parts: comparisonSections(data.comparison) };
   if (data.kind === "batch") {
     const { batch, notes } = data.batch;
@@ -41,15 +48,15 @@ async function contentOf(data, runs) {
   }
   if (runs.length === 1) {
     const [run] = runs;
-    return { title: nameOf(run), about: run.scene?.about, badges: [statusBadge(run.status)], parts: [facts(runs), ...runSections(runs)] };
+    const live = data.live && new Live(data.live, run);
+    return { title: nameOf(run), about: run.scene?.about, badges: live ? [] : [statusBadge(run.status)], parts: live ? live.parts : [facts(runs), ...runSections(runs)], live };
   }
   return { title: runs.map((run) => run.label).join(", "), about: `${runs.length} runs over each other`, parts: [facts(runs), ...runSections(runs)] };
 }
 
-function contents(parts) {
-  const links = parts.flatMap((part) => [...(part.matches("section") ? [part] : part.querySelectorAll("section"))])
+function linksOf(parts) {
+  return parts.flatMap((part) => [...(part.matches("section") ? [part] : part.querySelectorAll("section"))])
     .map((one) => h("a", { href: `#${one.id}` }, one.querySelector("h2").textContent));
-  return h("nav", { "aria-label": "Contents" }, links);
 }
 
 async function main() {
@@ -60,11 +67,14 @@ async function main() {
     return;
   }
   const runs = await Promise.all(data.runs.map(loaded));
-  const { title, about, notes = [], badges = [], parts } = await contentOf(data, runs);
-  document.title = `${title} – tack report`;
+  const { title, about, notes = [], badges = [], parts, live } = await contentOf(data, runs);
+  document.title = `${title} – tack ${data.kind === "preview" ? "view" : "report"}`;
   const shown = parts.filter(Boolean);
-  place.append(...[head(title, about, badges), contents(shown), notesOf([...notes, ...runs.flatMap((run) => run.notes)]), ...shown].filter(Boolean));
+  const contents = h("nav", { "aria-label": "Contents" }, linksOf(shown));
+  const notice = notesOf([...notes, ...runs.flatMap((run) => run.notes)]);
+  place.append(...[head(title, about, badges, data.kind === "preview" || live ? "tack view" : "tack report"), live && live.bar, contents, notice, ...shown].filter(Boolean));
   document.getElementById("made").textContent = `Made by tack ${data.made.version}${data.made.commit ? ` (${data.made.commit})` : ""}.`;
+  live?.begin(() => contents.replaceChildren(...linksOf(shown)));
   document.documentElement.dataset.ready = "true";
 }
 

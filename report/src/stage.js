@@ -38,9 +38,7 @@ export class Stage {
     this.scene = new Scene();
     this.light = new DirectionalLight(0xffffff, 1.5);
     this.scene.add(this.camera, new AmbientLight(0xffffff, 1.9), this.light, this.light.target);
-    const { low, high } = frames.box();
-    this.low = low;
-    this.high = high;
+    const { low, high } = Object.assign(this, frames.box());
     this.size = diagonal(low, high) || 1;
     this.centre = low.map((l, c) => (l + high[c]) / 2);
     const first = frames.box([0]);
@@ -49,15 +47,25 @@ export class Stage {
     this.makeSurface();
     this.makeRods();
     this.makeBalls();
+    this.makeShells();
     this.fit(this.firstSize < 0.5 ? 0 : null);
     this.look("corner");
   }
 
+  // By frames that came later.
+  grow(numbers) {
+    const { low, high } = this.frames.box(numbers);
+    this.low = this.low.map((x, c) => Math.min(x, low[c]));
+    this.high = this.high.map((x, c) => Math.max(x, high[c]));
+  }
+
   // What the camera looks at from here on: a frame, or, without a number, the whole run.
-  fit(frame) {
-    const { low, high } = frame === null ? this : this.frames.box([frame]);
+  fit(frame) { this.fitBox(frame === null ? this : this.frames.box([frame])); }
+  // Or a box, with some of what is around it, but no more than there is.
+  fitBox({ low, high }, within = null) {
     this.target = low.map((l, c) => ((l + high[c]) / 2 - this.centre[c]) / this.size);
-    this.extent = diagonal(low, high) / this.size || 1;
+    const own = diagonal(low, high);
+    this.extent = (within ? Math.min(2.5 * own, Math.max(own, diagonal(within.low, within.high))) : own) / this.size || 1;
   }
 
   material(Kind, more) {
@@ -83,6 +91,78 @@ export class Stage {
     }
   }
 
+  // How far contact reaches from each surface: where two of these meet, it begins.
+  makeShells() {
+    const { frames } = this;
+    this.shelled = frames.objects.some((object) => object.reach > 0);
+    if (!this.shelled) return;
+    this.shell = new BufferGeometry();
+    this.shell.setAttribute("position", new BufferAttribute(new Float32Array(18 * frames.triangleCount), 3).setUsage(DynamicDrawUsage));
+    const mesh = new Mesh(this.shell, this.material(MeshBasicMaterial, { color: 0x2a7fff, transparent: true, opacity: 0.22, depthWrite: false }));
+    mesh.frustumCulled = false;
+    this.shells = [mesh, ...[this.rods, this.balls].map((of) => {
+      const other = new InstancedMesh(of.geometry, mesh.material, Math.max(1, of.instanceMatrix.count));
+      other.frustumCulled = false;
+      return other;
+    })];
+    for (const one of this.shells) {
+      one.visible = this.withShells ?? false;
+      this.scene.add(one);
+    }
+  }
+
+  setShells(shown) {
+    this.withShells = shown;
+    for (const one of this.shells ?? []) one.visible = shown;
+    if (shown && this.shelled) this.placeShells();
+    this.request();
+  }
+
+  placeShells() {
+    const { frames, placed, hidden, size } = this;
+    const normals = new Float32Array(3 * frames.vertices);
+    const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+    for (let t = 0; t < frames.triangleCount; ++t) {
+      const v = [0, 1, 2].map((corner) => frames.triangles[3 * t + corner]);
+      a.fromArray(placed, 3 * v[0]);
+      b.fromArray(placed, 3 * v[1]).sub(a);
+      c.fromArray(placed, 3 * v[2]).sub(a);
+      b.cross(c);
+      for (const one of v) for (let k = 0; k < 3; ++k) normals[3 * one + k] += b.getComponent(k);
+    }
+    const out = this.shell.attributes.position;
+    let at = 0;
+    for (let t = 0; t < frames.triangleCount; ++t) {
+      const { reach = 0 } = frames.objects[frames.object[t]];
+      if (hidden.has(frames.object[t]) || !(reach > 0)) continue;
+      for (const side of [1, -1])
+        for (let corner = 0; corner < 3; ++corner, at += 3) {
+          const v = frames.triangles[3 * t + corner];
+          a.fromArray(normals, 3 * v).normalize().multiplyScalar((side * reach) / size);
+          for (let k = 0; k < 3; ++k) out.array[at + k] = placed[3 * v + k] + a.getComponent(k);
+        }
+    }
+    out.needsUpdate = true;
+    this.shell.setDrawRange(0, at / 3);
+    const grown = (mesh, of, first, radial) => {
+      const [matrix, place, turn, scale] = [new Matrix4(), new Vector3(), new Quaternion(), new Vector3()];
+      const elements = Array.from({ length: frames.object.length - first }, (_, i) => frames.object[first + i]).filter((object) => !hidden.has(object));
+      for (let i = 0; i < of.count; ++i) {
+        of.getMatrixAt(i, matrix);
+        matrix.decompose(place, turn, scale);
+        const more = (frames.objects[elements[i]].reach ?? 0) / size;
+        scale.x += more;
+        scale.z += more;
+        if (radial) scale.y += more;
+        mesh.setMatrixAt(i, matrix.compose(place, turn, scale));
+      }
+      mesh.count = of.count;
+      mesh.instanceMatrix.needsUpdate = true;
+    };
+    grown(this.shells[1], this.rods, frames.triangleCount, false);
+    grown(this.shells[2], this.balls, frames.triangleCount + frames.edgeCount, true);
+  }
+
   instances(geometry, count) {
     const mesh = new InstancedMesh(geometry, this.material(MeshLambertMaterial, {}), Math.max(1, count));
     mesh.count = count;
@@ -105,12 +185,13 @@ export class Stage {
   // colourOf(element, vertex, out, at) writes the colour of a corner.
   setFrame(number, colourOf) {
     const { frames, placed, centre, size } = this;
-    const codes = frames.codes[number];
+    const [codes, place] = [frames.codes(number), frames.place(number)];
     const n = frames.vertices;
-    for (let v = 0; v < n; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (frames.place(codes[c * n + v]) - centre[c]) / size;
+    for (let v = 0; v < n; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (place(codes[c * n + v]) - centre[c]) / size;
     this.placeSurface(colourOf);
     this.placeRods(colourOf);
     this.placeBalls(colourOf);
+    if (this.shelled && this.withShells) this.placeShells();
     this.request();
   }
 

@@ -119,8 +119,8 @@ class Actors {
 
   place(number) {
     const { frames, placed, centre, size } = this;
-    const codes = frames.codes[number];
-    for (let v = 0; v < frames.vertices; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (frames.place(codes[c * frames.vertices + v]) - centre[c]) / size;
+    const [codes, at] = [frames.codes(number), frames.place(number)];
+    for (let v = 0; v < frames.vertices; ++v) for (let c = 0; c < 3; ++c) placed[3 * v + c] = (at(codes[c * frames.vertices + v]) - centre[c]) / size;
   }
 
   part(object, i) {

@@ -22,8 +22,24 @@ export const surfaceColours = ["#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B
 export const dash = (i) => dashes[i % dashes.length];
 export const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
+// What a part of the page has begun ends with it, where it is replaced by a newer one: [what make() makes, a function that ends it].
+let ends = null;
+export function scoped(make) {
+  const outer = ends;
+  const own = (ends = []);
+  try {
+    return [make(), () => own.forEach((end) => end())];
+  } finally {
+    ends = outer;
+  }
+}
+export const onEnd = (end) => ends?.push(end);
+
 const redraws = new Set();
-export const onThemeChange = (redraw) => redraws.add(redraw);
+export function onThemeChange(redraw) {
+  redraws.add(redraw);
+  onEnd(() => redraws.delete(redraw));
+}
 const redrawAll = () => redraws.forEach((redraw) => redraw());
 dark.addEventListener("change", redrawAll);
 // Paper is light.

@@ -1,8 +1,8 @@
 // The numbers of a report: the other side of framework/report/packing.hpp.
 
+// block: the number of one in the page, or what came by itself.
 async function bytesOf(block) {
-  const element = document.getElementById(`block-${block}`);
-  const text = atob(element.textContent);
+  const text = atob(typeof block === "string" ? block : document.getElementById(`block-${block}`).textContent);
   const packed = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) packed[i] = text.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));

@@ -1,29 +1,44 @@
 // The section with the 3D view: its controls, the colour scale, playing and pictures.
 import { button, checkbox, freshId, h, labelled, section, select } from "./dom.js";
-import { ColourScale, cssColour, cssGradient } from "./colour_scale.js";
+import { ColourScale, centred, mapOf } from "./colour_scale.js";
 import { format, scaled } from "./format.js";
 import { Frames } from "./frames.js";
 import { Stage } from "./stage.js";
 import { onThemeChange, style, surfaceColours } from "./theme.js";
+import { wholeNumbers } from "./unpack.js";
 
 const listed = 24; // objects with a box of their own before the list scrolls
 
-export function viewSection(runs) {
+const mostFrames = 400;           // of a run under way
+const marked = [0.9, 0.12, 0.02]; // linear; what is highlighted of objects
+const faded = [0.32, 0.32, 0.32]; // all the rest
+
+const views = new WeakMap();
+
+// newest: it begins with the last frame.
+export function viewSection(runs, { title = "Motion", newest = false } = {}) {
   const shown = runs.filter((run) => run.frames);
-  if (shown.length === 0) return section("view", "Motion", h("p", { class: "note" }, "There are no frames to show."));
-  const view = new View(shown);
-  return section("view", "Motion", view.element);
+  if (shown.length === 0) return section("view", title, h("p", { class: "note" }, "There are no frames to show."));
+  const view = new View(shown, newest);
+  const element = section("view", title, view.element);
+  views.set(element, view);
+  return element;
 }
 
+// What a section that viewSection() has made shows; undefined if it has no frames.
+export const viewOf = (element) => views.get(element);
+
 class View {
-  constructor(runs) {
+  constructor(runs, newest) {
     this.runs = runs;
     this.cache = new Map();
     this.colours = Stage.objectColours();
-    this.frame = 0;
+    this.frame = newest ? Infinity : 0;
     this.field = null; // objects
     this.range = "run";
     this.log = false;
+    this.wantedMap = "automatic";
+    this.mark = null; // what is highlighted: {object} or {vertices: a set}
     this.cutAxis = null;
     this.build();
     this.start();
@@ -46,10 +61,17 @@ class View {
       this.log = on;
       this.colour();
     });
-    this.scaleBar = h("div", { class: "scale-bar", style: `background:${cssGradient}` });
+    this.mapSelect = select([["automatic", "by sign"], ["viridis", "viridis"], ["magma", "magma"], ["cividis", "cividis"], ["red_blue", "red – blue"]], "automatic", (map) => {
+      this.wantedMap = map;
+      this.colour();
+    });
+    this.markSelect = h("select", { onchange: () => this.highlight(this.markSelect.value) });
+    this.shellBox = checkbox("contact distance", false, (on) => this.stage.setShells(on));
+    this.shellBox.hidden = true;
+    this.scaleBar = h("div", { class: "scale-bar" });
     this.scaleTicks = h("div", { class: "scale-ticks" });
     this.scaleTitle = h("div", { class: "scale-title" });
-    this.scale = h("div", { class: "scale", role: "img" }, this.scaleTitle, this.scaleBar, this.scaleTicks);
+    this.scale = h("div", { class: "scale", role: "img", hidden: true }, this.scaleTitle, this.scaleBar, this.scaleTicks);
     this.cutSelect = select([["", "none"], ["0", "across x"], ["1", "across y"], ["2", "across z"]], "", () => this.cut());
     this.cutSlider = h("input", { type: "range", min: 0, max: 1, step: 0.005, value: 0.5, oninput: () => this.cut() });
     this.cutFlip = checkbox("other side", false, () => this.cut());
@@ -63,17 +85,21 @@ class View {
       h("div", { class: "controls" },
         runSelect,
         labelled("Colour", this.fieldSelect),
-        h("div", { class: "of-field" }, labelled("Scale", this.rangeSelect), this.logBox),
+        h("div", { class: "of-field" }, labelled("Scale", this.rangeSelect), labelled("Colours", this.mapSelect), this.logBox),
+        labelled("Highlight", this.markSelect),
         labelled("Cut", this.cutSelect),
         h("div", { class: "of-cut" }, labelled("Place of the cut", this.cutSlider), this.cutFlip),
         labelled("View from", (this.lookSelect = select([["corner", "corner"], ["x", "x"], ["y", "y"], ["z", "z"]], "corner", (from) => this.stage.look(from)))),
         h("div", { class: "bar" }, button("Fit frame", () => this.fit(this.frame)), button("Fit run", () => this.fit(null))),
         checkbox("mesh lines", false, (on) => this.stage?.setLines(on)),
+        this.shellBox,
         button("Save picture", () => this.save()),
         (this.copyButton = button("Copy camera", () => this.copyCamera())),
         h("fieldset", {}, h("legend", {}, "Objects"), this.objects)),
       this.keys);
     this.canvas.addEventListener("keydown", (event) => this.key(event));
+    // Who speaks of an object elsewhere on the page lets it be shown.
+    document.addEventListener("tack-object", (event) => this.showObject(event.detail));
   }
 
   start() {
@@ -89,7 +115,7 @@ class View {
     new ResizeObserver(() => this.resize()).observe(this.screen);
     // Printers take what was drawn last.
     addEventListener("beforeprint", () => this.stage.render());
-    this.showRun(this.runs[0]);
+    this.shown = this.showRun(this.runs[0]);
   }
 
   resize() {
@@ -117,11 +143,63 @@ class View {
     const same = frames.fields.findIndex((f) => f.name === before);
     this.fieldSelect.value = same < 0 ? "" : String(same);
     this.listObjects();
+    await this.listMarks();
+    this.shellBox.hidden = !frames.objects.some((object) => object.reach > 0);
     this.frame = Math.min(this.frame, frames.count - 1);
     this.canvas.setAttribute("aria-label", `3D view of ${run.label}: ${frames.objects.length} objects, ${frames.triangleCount} triangles, ${frames.edgeCount} edges, ${frames.points.length} points`);
     this.cut();
     await this.setField(this.fieldSelect.value);
     this.element.dataset.ready = "true";
+  }
+
+  // What can be highlighted: objects, and of previews selections.
+  async listMarks() {
+    const { run, frames } = this;
+    this.marks = new Map(frames.objects.map((object, i) => [`object ${i}`, { text: object.name, object: i }]));
+    for (const [i, one] of (run.selections ?? []).entries())
+      this.marks.set(`selection ${i}`, { text: `${one.name} (${one.count})`, vertices: new Set(await wholeNumbers(one.block)) });
+    const options = (kind) => [...this.marks].filter(([value]) => value.startsWith(kind)).map(([value, { text }]) => h("option", { value }, text));
+    const groups = [["Selections", options("selection")], ["Objects", options("object")]].filter(([, list]) => list.length > 0);
+    this.mark = null;
+    this.markSelect.replaceChildren(h("option", { value: "" }, "nothing"), ...groups.map(([label, list]) => h("optgroup", { label }, list)));
+  }
+
+  highlight(value) {
+    this.mark = this.marks.get(value) ?? null;
+    this.markSelect.value = this.mark ? value : "";
+    this.element.dataset.mark = this.mark ? this.mark.text : "";
+    this.place();
+  }
+
+  // Highlights an object and goes near it; again: as before.
+  showObject(name) {
+    const i = this.frames?.objects.findIndex((object) => object.name === name) ?? -1;
+    if (i < 0) return;
+    const value = this.markSelect.value === `object ${i}` ? "" : `object ${i}`;
+    this.highlight(value);
+    if (value === "") this.fit(this.frame);
+    else {
+      this.stage.fitBox(this.frames.box([this.frame], this.frames.verticesOf(i)), this.frames.box([this.frame]));
+      this.stage.look(this.lookSelect.value);
+    }
+    this.element.scrollIntoView({ block: "nearest" });
+  }
+
+  // More frames of the run that is shown. Whoever looks at the last one goes on to the new last one.
+  async append(data) {
+    await this.shown;
+    const { frames } = this;
+    if (!frames) return; // no WebGL
+    await frames.append(data);
+    const last = this.frame >= frames.count - data.times.length - 1;
+    const { time } = frames.list[this.frame];
+    this.stage.grow(data.times.map((_, i) => frames.count - 1 - i));
+    if (frames.count > mostFrames) frames.thin();
+    if (this.field) this.values = await frames.values(this.field);
+    this.slider.max = frames.count - 1;
+    this.slider.disabled = this.playButton.disabled = frames.count < 2;
+    this.frame = last ? frames.count - 1 : Math.max(0, frames.list.findLastIndex((one) => one.time <= time));
+    this.colour();
   }
 
   listObjects() {
@@ -154,22 +232,28 @@ class View {
     const { field, values } = this;
     if (this.range === "run") return [field.lowest, field.highest];
     const all = [];
-    const frames = this.range === "frame" ? [values.codes[this.frame]] : values.codes;
-    const total = frames.length * frames[0].length;
+    const frames = this.range === "frame" ? [values[this.frame]] : values;
+    const total = frames.length * frames[0].codes.length;
     const stride = Math.max(1, Math.floor(total / 200000));
     let k = 0;
-    for (const codes of frames) for (const code of codes) if (code > 0 && (k++ % stride === 0 || this.range === "frame")) all.push(code);
+    for (const { codes, number } of frames) for (const code of codes) if (code > 0 && (k++ % stride === 0 || this.range === "frame")) all.push(number(code));
     if (all.length === 0) return [0, 0];
     all.sort((a, b) => a - b);
     const top = this.range === "frame" ? all.length - 1 : Math.floor(0.99 * (all.length - 1));
-    return [values.number(all[0]), values.number(all[top])];
+    return [all[0], all[top]];
   }
 
   colour() {
     this.element.classList.toggle("with-field", this.field !== null);
-    this.map = this.field ? new ColourScale(...this.limits(), this.log) : null;
+    this.map = this.field ? this.scaleOf(this.field) : null;
     this.drawScale();
     this.place();
+  }
+
+  // Which colours: by the whole run, so that they stay the same from frame to frame.
+  scaleOf(field) {
+    const map = mapOf(this.wantedMap, field.lowest, field.highest, this.log);
+    return new ColourScale(...centred(map, this.limits()), this.log, map);
   }
 
   drawScale() {
@@ -182,7 +266,10 @@ class View {
     this.scaleTitle.textContent = this.scaleText;
     this.ticks = [0, 0.25, 0.5, 0.75, 1].map((part) => [part, number(part)]);
     this.scaleTicks.replaceChildren(...this.ticks.map(([, text]) => h("span", {}, text)));
-    this.scale.setAttribute("aria-label", `Colours of ${this.scaleText}: dark is ${number(0)}, light is ${number(1)}; grey has no number`);
+    this.scaleBar.style.background = map.gradient();
+    this.element.dataset.map = map.map;
+    const [from, to] = map.diverging ? ["blue", "white is zero, red"] : ["dark", "light"];
+    this.scale.setAttribute("aria-label", `Colours of ${this.scaleText}: ${from} is ${number(0)}, ${to} is ${number(1)}; grey has no number`);
   }
 
   place() {
@@ -190,16 +277,24 @@ class View {
     let colourOf;
     if (!map) colourOf = (element, vertex, out, at) => out.set(colours[frames.object[element] % colours.length], at);
     else {
-      const codes = values.codes[this.frame];
+      const { codes, number } = values[this.frame];
       colourOf = field.ofVertices
-        ? (element, vertex, out, at) => map.write(values.number(codes[vertex]), out, at)
-        : (element, vertex, out, at) => map.write(values.number(codes[element]), out, at);
+        ? (element, vertex, out, at) => map.write(number(codes[vertex]), out, at)
+        : (element, vertex, out, at) => map.write(number(codes[element]), out, at);
     }
-    this.stage.setFrame(this.frame, colourOf);
-    const time = frames.times[this.frame];
+    this.stage.setFrame(this.frame, this.withMark(colourOf));
+    const { time } = frames.list[this.frame];
     this.slider.value = this.frame;
     this.caption.textContent = `t = ${format(time, 4)} s`;
     this.slider.setAttribute("aria-valuetext", `frame ${this.frame + 1} of ${frames.count}, ${format(time, 4)} seconds`);
+  }
+
+  // What is highlighted stands out from all else.
+  withMark(colourOf) {
+    const { mark, frames } = this;
+    if (!mark) return colourOf;
+    if (mark.vertices) return (element, vertex, out, at) => out.set(mark.vertices.has(vertex) ? marked : faded, at);
+    return (element, vertex, out, at) => (frames.object[element] === mark.object ? colourOf(element, vertex, out, at) : out.set(faded, at));
   }
 
   go(frame) {
@@ -301,7 +396,7 @@ class View {
       ctx.textAlign = "center";
       ctx.fillText(this.scaleText, left + wide / 2, line);
       for (let i = 0; i < 64; ++i) {
-        ctx.fillStyle = cssColour(i / 63);
+        ctx.fillStyle = this.map.css(i / 63);
         ctx.fillRect(left + (wide * i) / 64, line + 12 * unit, wide / 64 + 1, 10 * unit);
       }
       ctx.fillStyle = style("--ink");

@@ -1,5 +1,5 @@
-// A browser without a window, and what tests look at in it. Every page is loaded from a file; any word on the console and any
-// request but that for the page itself counts.
+// A browser without a window, and what tests look at in it. Pages are loaded from files, or from the address that serves them; any word on the console and any
+// request but that for the page itself, or below its address, counts.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { pathToFileURL } from "node:url";
@@ -25,7 +25,8 @@ export async function launch(playwright, executablePath) {
 export class Page {
   static async open(browser, file, { width = 1280, colorScheme = "light" } = {}) {
     const one = new Page();
-    one.context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, offline: true, acceptDownloads: true });
+    one.served = file.startsWith("http:");
+    one.context = await browser.newContext({ viewport: { width, height: 900 }, colorScheme, offline: !one.served, acceptDownloads: true });
     one.page = await one.context.newPage();
     one.said = [];
     one.requests = [];
@@ -35,7 +36,7 @@ export class Page {
     one.page.on("pageerror", (error) => one.said.push(`error: ${error.stack}`));
     one.page.on("dialog", (dialog) => one.said.push(`dialog: ${dialog.message()}`));
     one.page.on("request", (request) => one.requests.push(request.url()));
-    one.url = pathToFileURL(file).href;
+    one.url = one.served ? file : pathToFileURL(file).href;
     await one.page.goto(one.url);
     await one.page.waitForSelector("html[data-ready]", { timeout: 60000 });
     // Another page, without our own's rules, to take pictures apart.
@@ -147,7 +148,8 @@ export class Page {
 
   async close() {
     assert.deepEqual(this.said, [], "the console stays silent");
-    assert.deepEqual(this.requests.filter((url) => url !== this.url && !url.startsWith("blob:")), [], "nothing is fetched");
+    const own = (url) => (this.served ? url.startsWith(this.url) : url === this.url) || url.startsWith("blob:");
+    assert.deepEqual(this.requests.filter((url) => !own(url)), [], "nothing is fetched");
     // No control without a name.
     const nameless = await this.page.evaluate(() => [...document.querySelectorAll("button, input, select, [role=application], [role=img]")]
       .filter((e) => e.offsetParent && !(e.getAttribute("aria-label") || e.labels?.[0]?.textContent.trim() || e.textContent.trim())).map((e) => e.outerHTML.slice(0, 120)));

@@ -27,10 +27,11 @@ probes:
   - {name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}
   - {name: push, type: contact_force, on: block, from: floor, direction: [0, 1, 0]}
   - {name: gap, type: gap, between: [block, floor]}
-${probes}output: {fields: [velocity, contact_force, von_mises_stress]}
+${probes}output: {fields: [velocity, contact_force, von_mises_stress, contact_pressure]}
 expect:
   - {name: it stays above the floor, probe: height, statistic: min, at_least: 0.05}
-${expect}`;
+${expect}  - {name: work of the push, probe: push, statistic: integral, along: height, at_least: -10, at_most: 10}
+`;
 
 // Names that every object of JavaScript has.
 const objectsHave = "  - {name: __proto__, type: energy, term: kinetic}\n  - {name: constructor, type: energy, term: gravity}\n";
@@ -49,7 +50,7 @@ export function makeFixtures(tack, folder) {
   run("soft", scene("soft", { about: `${evil} falls`, expect: failing, young: "0.1 MPa" }));
   run("stiff", scene("stiff"));
   const warned = JSON.parse(readFileSync(join(folder, "soft", "summary.json"), "utf8"));
-  warned.warnings = [{ text: `object '${evil}' is coarse`, times: 1 }, { text: "step 3: rolled back", times: 12 }];
+  warned.warnings = [{ text: `object '${evil}' is coarse, 'block' is not`, times: 1 }, { text: "step 3: rolled back", times: 12 }];
   writeFileSync(join(folder, "soft", "summary.json"), JSON.stringify(warned));
   run("evil", scene(evil, { probes: objectsHave }), ["--steps", "3"]);
   cpSync(join(folder, "stiff"), join(folder, "unfinished"), { recursive: true });

@@ -89,6 +89,15 @@ const tests = {
     assert.ok(cube[0] > 120 && cube[1] > 120 && cube[2] < 100, `it fell by more: yellow: ${cube}`);
     assert.ok(plate[2] > plate[1] && plate[0] < 110, `it stood: violet: ${plate}`);
   },
+  async "a range with both signs is white at zero, red above it, also where it reaches farther to one side"() {
+    done("render", "out", "-o", "signed.png", ...above, "field={name: displacement, range: [-0.02, 0.1]}", "scale_bar=false");
+    const { pixels: [cube, plate] } = await looked("signed.png", [[0.5, 0.5], [0.3, 0.2]]);
+    assert.ok(cube[0] > 90 && cube[0] > 1.7 * cube[1] && cube[0] > 1.7 * cube[2], `it fell: red: ${cube}`);
+    assert.ok(Math.max(...plate) - Math.min(...plate) < 25, `it stood: white: ${plate}`);
+    done("render", "out", "-o", "told.png", ...above, "field={name: displacement, range: [-0.02, 0.1], map: viridis}", "scale_bar=false");
+    const { pixels: [, told] } = await looked("told.png", [[0.5, 0.5], [0.3, 0.2]]);
+    assert.ok(told[2] > told[0] + 30, `what is told is done: ${told}`);
+  },
   async "the same picture twice"() {
     done("render", "out", "-o", "again.png", ...above, "background='#0000ff'");
     assert.ok(readFileSync(join(folder, "above.png")).equals(readFileSync(join(folder, "again.png"))));

@@ -33,17 +33,19 @@ const tests = {
     assert.deepEqual(await one.text(".about"), ["</script><b>bold</b> falls"], "a text of the scene is a text");
     const warnings = await one.text(".warnings li");
     assert.equal(warnings.length, 2);
-    assert.match(warnings[0], /'<\/script><b>bold<\/b>' is coarse$/);
+    assert.match(warnings[0], /'<\/script><b>bold<\/b>' is coarse, 'block' is not$/);
     assert.match(warnings[1], /^step 3: rolled back \(and 11 more of the kind\)$/);
     const rows = await one.text(".expectations tbody tr");
-    assert.equal(rows.length, 2);
-    assert.match(rows[0], /stays above.*✓ pass/s);
-    assert.match(rows[1], /it flies.*✗ fail.*expected at least 10/s);
+    assert.equal(rows.length, 3);
+    assert.match(rows[0], /stays above.*✓ pass\s+[\d.]+ mm\s+at least 50 mm/s, "numbers have their units");
+    assert.match(rows[1], /it flies.*✗ fail\s+[\d.]+ m?m\s+at least 10 m/s);
+    assert.match(rows[2], /work of the push.*✓ pass\s+\S+ m?N m\s+from −10 N m to 10 N m/s);
     assert.match((await one.text("#expectations .notice"))[0], /One expectation failed/);
     assert.match((await one.text("#provenance"))[0], /commit/);
-    assert.deepEqual(await one.text("nav a"), ["What it must show", "Motion", "Probes", "Laws of adhesion", "Energies", "Contact", "What the steps cost", "Where it comes from"]);
+    assert.deepEqual(await one.text("nav a"), ["What it warned of", "What it must show", "Motion", "Probes", "Laws of adhesion", "Energies", "Contact", "What the steps cost", "Where it comes from"]);
     assert.equal(await one.page.locator("main b").count(), 0);
     assert.match(await one.page.locator("#licences").textContent(), /three .*MIT.*uplot .*MIT/s);
+    assert.deepEqual(await one.text("#against figure h3"), ["push over height"], "the axes that the scene names in what it expects");
     await one.checkCharts(8);
     assert.deepEqual(await one.text("#cost .legend li span:nth-child(2)").then((all) => all.includes("assembly")), true);
     await one.page.locator("#probes details summary").first().click();
@@ -64,7 +66,7 @@ const tests = {
     const later = await one.other(stage, first, "another frame moves the mesh");
     assert.deepEqual(await one.text(".time"), ["t = 0.15 s"]);
 
-    assert.deepEqual(await one.text(".controls select >> nth=0").then(([all]) => all.split("\n")), ["object", "speed", "contact force (magnitude)", "von mises stress"]);
+    assert.deepEqual(await one.text(".controls select >> nth=0").then(([all]) => all.split("\n")), ["object", "speed", "contact force (magnitude)", "contact pressure", "von mises stress"]);
     assert.equal(await page.locator(".scale").isVisible(), false);
     await page.getByLabel("Colour", { exact: true }).selectOption({ label: "speed" });
     const speed = await one.other(stage, later, "another field changes the colours");
@@ -116,6 +118,30 @@ const tests = {
     assert.match(saved.suggestedFilename(), /^soft_\d{4}\.png$/);
     const picture = await one.analyse(readFileSync(await saved.path()));
     assert.ok(picture.colours > 20 && picture.ink > 0.05, "the saved picture is not blank");
+    await one.close();
+  },
+
+  async "a field with both signs is white at zero, and objects that are spoken of are shown"(browser) {
+    const one = await Page.open(browser, join(folder, "run.html"));
+    await one.ready();
+    const { page } = one;
+    await page.getByLabel("Colour", { exact: true }).selectOption({ label: "von mises stress" });
+    await page.waitForSelector(".view[data-map=viridis]");
+    await page.getByLabel("Colour", { exact: true }).selectOption({ label: "contact pressure" });
+    await page.waitForSelector(".view[data-map=red_blue]");
+    const ticks = (await one.text(".scale-ticks")).join(" ").split(/\s+/);
+    assert.equal(ticks[2], "0", `zero is in the middle: ${ticks}`);
+    assert.equal(ticks[0], `−${ticks[4]}`);
+    await page.getByLabel("Colours", { exact: true }).selectOption("magma");
+    await page.waitForSelector(".view[data-map=magma]");
+    await page.getByLabel("Colour", { exact: true }).selectOption({ label: "object" });
+    await page.evaluate(() => document.activeElement.blur());
+    const all = await one.picture(".screen");
+    await page.locator("#warnings").getByRole("button", { name: "'block'" }).click();
+    assert.equal(await page.getByLabel("Highlight").inputValue(), "object 1");
+    const near = await one.other(".screen", all, "the block stands out, and is near");
+    await page.getByLabel("Highlight").selectOption({ label: "floor" });
+    await one.other(".screen", near);
     await one.close();
   },
 
@@ -189,7 +215,7 @@ const tests = {
     await one.page.getByLabel("Run", { exact: true }).selectOption({ label: "stiff" });
     await one.page.waitForFunction(() => document.querySelector(".screen canvas").getAttribute("aria-label").includes("stiff"));
     await one.other(".screen", soft);
-    assert.equal((await one.text(".expectations tbody tr")).length, 3);
+    assert.equal((await one.text(".expectations tbody tr")).length, 5);
     await one.close();
   },
 
