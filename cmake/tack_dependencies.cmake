@@ -9,6 +9,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(CGAL REQUIRED)
+find_package(Boost 1.70 REQUIRED)
 find_package(ZLIB REQUIRED)
 # Debian ships no CMake config for OpenVDB.
 find_path(OPENVDB_INCLUDE openvdb/openvdb.h REQUIRED)

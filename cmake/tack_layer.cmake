@@ -55,8 +55,8 @@ endfunction()
 # first copy for all: hot objects are linked before cold ones.
 option(TACK_UNITY "Compile each folder that is not hot at once: a clean build is shorter, a single change takes longer" ON)
 # Commands that start from runs, or from laws: a program of their own, tack_studies, has them, so that a first run need not wait for them.
-set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report)
-set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report)
+set(TACK_STUDY_FOLDERS framework/batch framework/calibrate framework/compare framework/law framework/plot framework/report framework/view)
+set(TACK_STUDY_COMMANDS batch calibrate compare describe law plot render report view)
 set(TACK_COLD_FOLDERS framework/config framework/plugin framework/measured framework/shapes framework/level_set framework/meshing framework/body framework/motion framework/world framework/scene
     framework/setup framework/checks framework/remesh framework/output
     framework/experiment framework/probes framework/profile framework/sensitivity framework/run framework/app ${TACK_STUDY_FOLDERS}
@@ -67,7 +67,7 @@ set(TACK_UNITED_FOLDERS geometry/broad_phase geometry/exact framework/assembly f
     energies/adhesion solvers/filters solvers/lcp solvers/linear solvers/minimizers)
 # Where one file alone is enough, as CGAL or what it instantiates takes so long, what is hot beside cold ones, and what changes with every commit.
 set(TACK_ALONE geometry/meshing/booleans.cpp geometry/meshing/repair.cpp geometry/meshing/tetrahedralize.cpp
-    geometry/meshing/triangulate.cpp geometry/meshing/distance_grid.cpp framework/assembly/psd_projection.cpp framework/output/provenance.cpp)
+    geometry/meshing/triangulate.cpp geometry/meshing/distance_grid.cpp framework/assembly/psd_projection.cpp framework/output/provenance.cpp framework/view/http_server.cpp)
 # Folders of which each sees what the one before it sees too: compiled as one.
 set(TACK_AS_ONE "body|motion|world=scene" "checks=setup")
 # tack_parts(AT_ONCE SOURCE...): sets PARTS to names of groups of them, each of one folder and at most so many, and IN_<name> to what is in one.

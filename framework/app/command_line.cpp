@@ -71,6 +71,7 @@ class CommandLine {
     app_.require_subcommand(1);
     app_.footer("`./tack test` runs the tests.");
     add_run();
+    add_view();
     add_profile();
     add_compare();
     add_batch();
@@ -86,7 +87,7 @@ class CommandLine {
   }
 
   int execute(int argc, char** argv) {
-    run_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = calibrate_.command_line =
+    run_.command_line = view_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = calibrate_.command_line =
         shell_line({argv, argv + argc});
     try {
       app_.parse(argc, argv);
@@ -136,6 +137,22 @@ class CommandLine {
     run->callback([this] {
       settle(run_.scene);
       exit_code_ = run_command(run_);
+    });
+  }
+
+  void add_view() {
+    CLI::App* view = app_.add_subcommand("view", "Look at a scene before or while it is run, or at results, in a browser on this machine");
+    add_run_options(*view, view_);
+    view->get_option("file")->description("the experiment (YAML), or a folder of results; required");
+    view->get_option("--output")
+        ->description("of a scene or of results: the file (.html) to write, and nothing is served; with --run: results folder (default: results/NAME)")->type_name("FILE");
+    CLI::Option* run = view->add_flag("--run", view_.run, "run it, and show frames and curves as they come, with buttons to pause and to stop");
+    for (const char* name : {"--threads", "--steps", "--quiet", "--verbose"}) view->get_option(name)->needs(run);
+    view->add_flag("--resume", view_.resume, "with --run: go on from the newest checkpoint of the results folder")->needs(run);
+    view->add_flag("--no-browser", view_.no_browser, "print the address only");
+    view->callback([this] {
+      settle(view_.scene);
+      exit_code_ = view_command(view_);
     });
   }
 
@@ -357,6 +374,7 @@ class CommandLine {
 
   CLI::App app_{"tack: adhesive contact of deformable solids by incremental potentials"};
   RunOptions run_, profile_;
+  ViewOptions view_;
   CompareOptions compare_;
   BatchOptions batch_;
   CalibrateOptions calibrate_;

@@ -33,6 +33,8 @@ struct RunOptions : RunSettings {
 };
 // Simulates an experiment. Throws InputError before anything is written.
 int run_command(const RunOptions& options);
+ProgressOptions progress_options(const RunOptions& options);
+int exit_code(RunStatus status);
 
 struct CompareOptions {
   SceneOptions file;
@@ -90,6 +92,14 @@ struct RenderOptions {
 };
 // A picture or a film of runs, side by side.
 int render_command(const RenderOptions& options);
+
+// A scene; with `run` it is run, and the folder is that of the results; or a folder of results instead of a scene.
+struct ViewOptions : RunOptions {
+  bool run = false;
+  bool no_browser = false;
+};
+// Pages about them, served to this machine until Ctrl-C; of a scene that is not run or of results, with an output, one file instead.
+int view_command(const ViewOptions& options);
 
 struct PlotOptions {
   std::vector<std::string> folders;  // runs, or one batch, or one comparison

@@ -9,7 +9,6 @@
 #include "framework/app/thread_limit.hpp"
 
 namespace tack {
-namespace {
 
 ProgressOptions progress_options(const RunOptions& options) {
   ProgressOptions p;
@@ -17,13 +16,6 @@ ProgressOptions progress_options(const RunOptions& options) {
   if (options.verbose) p.verbosity = Verbosity::verbose;
   p.live_width = terminal_width(STDOUT_FILENO);
   return p;
-}
-
-// What is to be measured writes no frames, unless it is told to.
-std::vector<std::string> overrides_of(const RunOptions& options) {
-  std::vector<std::string> overrides = options.scene.overrides;
-  if (options.profile) overrides.insert(overrides.begin(), "output.frames=false");
-  return overrides;
 }
 
 int exit_code(RunStatus status) {
@@ -34,6 +26,15 @@ int exit_code(RunStatus status) {
     case RunStatus::interrupted: return exit_interrupted;
   }
   return exit_done;
+}
+
+namespace {
+
+// What is to be measured writes no frames, unless it is told to.
+std::vector<std::string> overrides_of(const RunOptions& options) {
+  std::vector<std::string> overrides = options.scene.overrides;
+  if (options.profile) overrides.insert(overrides.begin(), "output.frames=false");
+  return overrides;
 }
 
 }  // namespace

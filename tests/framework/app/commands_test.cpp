@@ -27,7 +27,7 @@ TEST_CASE("without the program that has it, a command says what to build, and th
   const fs::path alone = folder.path() / "tack";
   fs::copy_file(TACK_PROGRAM, alone);
   const std::vector<Arguments> in_studies = {{"batch", "b.yaml"},   {"calibrate", "c.yaml"}, {"compare", "c.yaml"}, {"list", "--schema", "s.json"},
-                                             {"law", "--type", "fang"}, {"plot", "results"},     {"report", "results"}};
+                                             {"law", "--type", "fang"}, {"plot", "results"},     {"report", "results"},     {"view", "scene.yaml"}};
   for (const Arguments& arguments : in_studies) {
     CAPTURE(arguments);
     const ProgramResult missing = run_tack(folder.path(), arguments, alone);
@@ -75,6 +75,6 @@ TEST_CASE("help and version end with 0") {
   CHECK(run_tack(folder.path(), {"--version"}).exit_code == 0);
   const ProgramResult help = run_tack(folder.path(), {"--help"});
   CHECK(help.exit_code == 0);
-  for (const char* command : {"run", "check", "compare", "batch", "calibrate", "list", "law", "mesh", "tack test"})
+  for (const char* command : {"run", "view", "check", "compare", "batch", "calibrate", "list", "law", "mesh", "tack test"})
     CHECK(contains(help.out, command));
 }

@@ -103,7 +103,7 @@ TEST_CASE("the index of docs names every page and schema") {
 TEST_CASE("the documents tell every exit code and command") {
   const std::string results = file_text(source / "docs/results.md"), readme = file_text(source / "README.md");
   for (const char* code : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 130 |"}) CHECK(contains(results, code));
-  for (const char* command : {"tack run", "tack check", "tack profile", "tack compare", "tack batch", "tack calibrate", "tack plot", "tack report", "tack list", "tack law",
+  for (const char* command : {"tack run", "tack check", "tack profile", "tack compare", "tack batch", "tack calibrate", "tack plot", "tack report", "tack view", "tack list", "tack law",
                               "tack mesh info", "tack completion", "tack test", "tack bench"})
     CHECK(contains(readme, command));
 }

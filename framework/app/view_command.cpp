@@ -1,0 +1,130 @@
+// tack view: pages about a scene, a run or results, served to a browser on this machine.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "framework/app/commands.hpp"
+#include "framework/app/interrupt_signals.hpp"
+#include "framework/app/thread_limit.hpp"
+#include "framework/output/provenance.hpp"
+#include "framework/run/run_control.hpp"
+#include "framework/view/preview.hpp"
+#include "framework/view/run_view.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/interrupt.hpp"
+#include "geometry/io/replace_file.hpp"
+#include "geometry/run_program.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds signal_interval{50};
+
+bool has_display() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && *value;
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
+
+// Printed in any case: a browser elsewhere may be let in through a tunnel.
+void announce(const std::string& address, const ViewOptions& options) {
+  fmt::print("{}\n", address);
+  std::fflush(stdout);
+  if (options.no_browser || !has_display()) return;
+  std::thread([address] { run_program({"xdg-open", address}, {{}, "/dev/null", true}); }).detach();
+}
+
+void wait_for_interrupt() {
+  while (!interrupt_requested) std::this_thread::sleep_for(signal_interval);
+}
+
+// Without it a run would have no page to be looked at.
+void need_page() { page_with(page_path(), PageData(), Requests::own); }
+
+PageData preview_of(const ViewOptions& options) {
+  return preview_data({options.scene.file, options.scene.overrides, this_build().version, this_build().revision()});
+}
+
+int write_preview(const ViewOptions& options) {
+  replace_file(options.output, page_with(page_path(), preview_of(options)));
+  fmt::print("{}\n", options.output);
+  return exit_done;
+}
+
+// The scene is read again whenever the page is loaded.
+int serve_preview(const ViewOptions& options) {
+  need_page();
+  std::mutex making;
+  std::optional<std::string> ready = page_with(page_path(), preview_of(options));
+  const HttpServer server([&](const HttpRequest& request) -> HttpAnswer {
+    if (request.post || !request.path.empty()) return {404, "text/plain", ""};
+    const std::lock_guard lock(making);
+    HttpAnswer answer{200, "text/html; charset=utf-8", ready ? std::move(*ready) : page_with(page_path(), preview_of(options))};
+    ready.reset();
+    return answer;
+  });
+  announce(server.address(), options);
+  wait_for_interrupt();
+  return exit_done;
+}
+
+int show_results(const ViewOptions& options) {
+  if (!options.scene.overrides.empty()) throw InputError(fmt::format("{}: is a folder of results, and --set is for a scene; leave it out", options.scene.file));
+  if (!options.output.empty()) {
+    ReportSettings report;
+    report.folders = {options.scene.file};
+    report.output = options.output;
+    report.version = this_build().version;
+    report.commit = this_build().revision();
+    fmt::print("{}\n", write_report(report).path.string());
+    return exit_done;
+  }
+  need_page();
+  RunView view(options.scene.file, this_build().version, this_build().revision());
+  const HttpServer server([&](const HttpRequest& request) { return view.answer(request); });
+  announce(server.address(), options);
+  wait_for_interrupt();
+  return exit_done;
+}
+
+int run_and_show(const ViewOptions& options) {
+  if (fs::path(options.output).extension() == ".html") throw InputError(fmt::format("{}: with --run, -o is the folder of the results; leave --run out for a page of the scene", options.output));
+  need_page();
+  const ThreadLimit threads(options.threads);
+  RunControl control;
+  RunSettings settings = options;
+  settings.control = &control;
+  RecordedRun run(load_experiment(options.scene.file, options.scene.overrides), settings, provenance_of(options.command_line, threads.count()), std::cout,
+                  progress_options(options));
+  RunView view(run.folder(), this_build().version, this_build().revision(), &control);
+  const HttpServer server([&](const HttpRequest& request) { return view.answer(request); });
+  announce(server.address(), options);
+  const int code = exit_code(run.execute().status);
+  control.end();
+  if (control.progress().stopped) interrupt_requested = false;  // that was from the page, which goes on
+  if (!interrupt_requested) fmt::print("served until Ctrl-C: {}\n", server.address());
+  std::fflush(stdout);
+  wait_for_interrupt();
+  return code;
+}
+
+}  // namespace
+
+int view_command(const ViewOptions& options) {
+  let_signals_interrupt();
+  if (options.run) return run_and_show(options);
+  if (fs::is_directory(options.scene.file)) return show_results(options);
+  return options.output.empty() ? serve_preview(options) : write_preview(options);
+}
+
+}  // namespace tack

@@ -1,0 +1,189 @@
+// The one file that knows Boost.Beast.
+#include "framework/view/http_server.hpp"
+
+#include <fmt/format.h>
+#include <sys/random.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/strand.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/http.hpp>
+#include <chrono>
+#include <optional>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using Tcp = asio::ip::tcp;
+using Request = http::request<http::string_body>;
+using Response = http::response<http::string_body>;
+
+constexpr int threads = 2;  // so that a page that takes long to make does not keep from stopping a run
+constexpr std::chrono::seconds patience{30};
+constexpr std::size_t largest_header = 8192, largest_body = 1024;
+
+std::string fresh_token() {
+  std::array<unsigned char, 16> bytes{};
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) throw InputError("the system has no random numbers to make an address of");
+  std::string token;
+  for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+// Takes as long whatever differs.
+bool same(std::string_view a, std::string_view b) {
+  if (a.size() != b.size()) return false;
+  unsigned char different = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) different = static_cast<unsigned char>(different | (a[i] ^ b[i]));
+  return different == 0;
+}
+
+// "a=1&b=2": numbers and plain words, as the page asks; nothing of them is encoded.
+std::map<std::string, std::string> query_of(std::string_view text) {
+  std::map<std::string, std::string> query;
+  while (!text.empty()) {
+    const std::string_view one = text.substr(0, text.find('&'));
+    const std::size_t at = one.find('=');
+    query[std::string(one.substr(0, at))] = at == one.npos ? "" : std::string(one.substr(at + 1));
+    text.remove_prefix(std::min(text.size(), one.size() + 1));
+  }
+  return query;
+}
+
+struct Site {
+  HttpServer::Handler handler;
+  std::string token;
+  std::vector<std::string> hosts;  // by which this machine calls itself
+
+  HttpAnswer answer(const Request& request) const {
+    const auto text = [&](http::field field) { return std::string(request[field]); };
+    const std::string host = text(http::field::host), origin = text(http::field::origin);
+    // A page from elsewhere whose name was made to mean this machine has another host; one that lets the browser send orders has another origin.
+    const auto ours = [&](const std::string& name) { return std::find(hosts.begin(), hosts.end(), name) != hosts.end(); };
+    if (!ours(host) || (!origin.empty() && origin != "null" && !ours(origin.substr(std::min(origin.size(), std::string_view("http://").size())))))
+      return {403, "text/plain", ""};
+    const std::string target(request.target());
+    const std::string path = target.substr(0, target.find('?'));
+    if (path.size() < token.size() + 2 || path[0] != '/' || path[token.size() + 1] != '/' || !same(std::string_view(path).substr(1, token.size()), token))
+      return {404, "text/plain", ""};
+    const bool post = request.method() == http::verb::post;
+    if (!post && request.method() != http::verb::get) return {405, "text/plain", ""};
+    if (post && origin == "null") return {403, "text/plain", ""};
+    HttpRequest asked{post, path.substr(token.size() + 2), {}};
+    if (const std::size_t at = target.find('?'); at != target.npos) asked.query = query_of(std::string_view(target).substr(at + 1));
+    try {
+      return handler(asked);
+    } catch (const std::exception& error) {
+      return {500, "text/plain; charset=utf-8", error.what()};
+    }
+  }
+};
+
+Response response_of(const Request& request, HttpAnswer answer) {
+  Response response(static_cast<http::status>(answer.status), request.version());
+  response.set(http::field::content_type, answer.type);
+  response.set(http::field::cache_control, "no-store");
+  response.set("X-Content-Type-Options", "nosniff");
+  response.set("Referrer-Policy", "no-referrer");
+  response.set("Cross-Origin-Resource-Policy", "same-origin");
+  response.set("X-Frame-Options", "DENY");
+  response.keep_alive(request.keep_alive());
+  response.body() = std::move(answer.body);
+  response.prepare_payload();
+  return response;
+}
+
+// One browser's connection: a request, its answer, the next request.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(Tcp::socket socket, const Site& site) : stream_(std::move(socket)), site_(site) {}
+
+  void read() {
+    parser_.emplace();
+    parser_->header_limit(largest_header);
+    parser_->body_limit(largest_body);
+    stream_.expires_after(patience);
+    http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error) self->close();
+      else self->write();
+    });
+  }
+
+ private:
+  void write() {
+    const Request request = parser_->release();
+    response_ = response_of(request, site_.answer(request));
+    stream_.expires_after(patience);
+    http::async_write(stream_, *response_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+      if (error || self->response_->need_eof()) self->close();
+      else self->read();
+    });
+  }
+  void close() {
+    beast::error_code none;
+    stream_.socket().shutdown(Tcp::socket::shutdown_send, none);
+  }
+
+  beast::tcp_stream stream_;
+  const Site& site_;
+  beast::flat_buffer buffer_;
+  std::optional<http::request_parser<http::string_body>> parser_;
+  std::optional<Response> response_;
+};
+
+}  // namespace
+
+class HttpServer::Listener {
+ public:
+  explicit Listener(Handler handler) : site_{std::move(handler), fresh_token(), {}} {
+    try {
+      const Tcp::endpoint loopback(asio::ip::address_v4::loopback(), 0);
+      acceptor_.open(loopback.protocol());
+      acceptor_.bind(loopback);
+      acceptor_.listen();
+    } catch (const boost::system::system_error& error) {
+      throw InputError(fmt::format("no port of this machine (127.0.0.1) can be served from: {}", error.what()));
+    }
+    const auto port = acceptor_.local_endpoint().port();
+    site_.hosts = {fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)};
+    address_ = fmt::format("http://127.0.0.1:{}/{}/", port, site_.token);
+    accept();
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { context_.run(); });
+  }
+  ~Listener() {
+    context_.stop();
+    for (std::thread& thread : threads_) thread.join();
+  }
+  const std::string& address() const { return address_; }
+
+ private:
+  void accept() {
+    acceptor_.async_accept(asio::make_strand(context_), [this](beast::error_code error, Tcp::socket socket) {
+      if (!error) std::make_shared<Connection>(std::move(socket), site_)->read();
+      if (error != asio::error::operation_aborted) accept();
+    });
+  }
+
+  Site site_;
+  asio::io_context context_{threads};
+  Tcp::acceptor acceptor_{context_};
+  std::string address_;
+  std::vector<std::thread> threads_;
+};
+
+HttpServer::HttpServer(Handler handler) : listener_(std::make_unique<Listener>(std::move(handler))) {}
+HttpServer::~HttpServer() = default;
+const std::string& HttpServer::address() const { return listener_->address(); }
+
+}  // namespace tack

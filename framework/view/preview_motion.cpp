@@ -1,0 +1,55 @@
+#include "framework/view/preview_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "framework/stepping/held_vertices.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+bool anything_moves(const World& world) {
+  const auto& holds = world.script.holds();
+  return std::any_of(holds.begin(), holds.end(), [](const Script::Hold& hold) { return hold.motion->moves(); });
+}
+
+// Frames, and when holds begin and end: a motion is counted from where its vertices are then.
+std::vector<double> stops_of(const World& world, const std::vector<double>& frames) {
+  std::vector<double> stops = frames;
+  for (const Script::Hold& hold : world.script.holds())
+    for (const double t : {hold.motion->from(), hold.motion->until()})
+      if (t > 0 && t < frames.back()) stops.push_back(t);
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  return stops;
+}
+
+}  // namespace
+
+ScriptedFrames scripted_frames(const World& world, double duration, int frames) {
+  ScriptedFrames shown{{0.0}, {world.start.x}, ""};
+  if (!(duration > 0) || frames < 2 || !anything_moves(world)) return shown;
+  std::vector<double> times;
+  for (int i = 0; i < frames; ++i) times.push_back(duration * i / (frames - 1));
+  HeldVertices held(world.script, world.bindings, world.rest);
+  State state = world.start;
+  double before = 0;
+  try {
+    for (const double t : stops_of(world, times)) {
+      if (t <= 0) continue;
+      held.change(state, (before + t) / 2);
+      held.place(t, state.x);
+      state.time = before = t;
+      held.commit(state);
+      if (!std::binary_search(times.begin(), times.end(), t)) continue;
+      shown.times.push_back(t);
+      shown.places.push_back(state.x);
+    }
+  } catch (const SimulationError& error) {
+    shown.problem = error.what();
+  }
+  return shown;
+}
+
+}  // namespace tack

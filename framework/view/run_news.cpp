@@ -1,0 +1,116 @@
+#include "framework/view/run_news.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "framework/config/read_file.hpp"
+#include "framework/report/run_data.hpp"
+#include "framework/report/table_data.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int most_rows = 2000, most_frames = 60;
+constexpr double most_seconds = 0.3;  // for the frames of one answer
+
+Json rows_since(const GrowingCsv& table, int known) {
+  if (table.columns().empty() || known >= table.rows()) return Json();
+  return {{"columns", table.columns()}, {"next", table.rows()}, {"rows", table.rows(known, most_rows)}};
+}
+
+// Null if the file is not there or being written.
+template <class Read>
+Json part(const fs::path& path, const Read& read) {
+  if (!fs::exists(path)) return Json();
+  try {
+    return read(path);
+  } catch (const InputError&) {
+  } catch (const Json::exception&) {
+  }
+  return Json();
+}
+
+}  // namespace
+
+RunNews::RunNews(fs::path folder) : folder_(std::move(folder)), steps_(folder_ / "steps.csv"), probes_(folder_ / "probes.csv") {}
+
+int RunNews::generation() {
+  look();
+  return generation_;
+}
+
+void RunNews::look() {
+  steps_.look();
+  probes_.look();
+  look_at_frames();
+  if (generation_ == steps_.generation() + probes_.generation()) return;
+  generation_ = steps_.generation() + probes_.generation();
+  follower_.reset();
+}
+
+void RunNews::look_at_frames() {
+  std::error_code none;
+  const auto written = fs::last_write_time(folder_ / "run.pvd", none);
+  const std::uintmax_t bytes = none ? 0 : fs::file_size(folder_ / "run.pvd", none);
+  if (none) return list_.clear();
+  if (written == listed_ && bytes == list_bytes_) return;
+  try {
+    list_ = PvdFile::continued(folder_ / "run.pvd", std::numeric_limits<double>::infinity()).list();
+    listed_ = written;
+    list_bytes_ = bytes;
+  } catch (const InputError&) {
+    list_.clear();
+  }
+}
+
+Json RunNews::since(const Known& known, bool running) {
+  look();
+  Json news = {{"generation", generation_}};
+  if (Json rows = rows_since(steps_, known.steps); !rows.is_null()) news["steps"] = std::move(rows);
+  if (Json rows = rows_since(probes_, known.probes); !rows.is_null()) news["probes"] = std::move(rows);
+  if (Json frames = frames_since(known.frames); !frames.is_null()) news["frames"] = std::move(frames);
+  if (running || known.end) return news;
+  Json summary = part(folder_ / "summary.json", [](const fs::path& path) { return Json::parse(read_file(path, largest_text)); });
+  const std::string status = summary.is_object() ? summary.value("status", "") : "";
+  news["end"] = {{"status", status.empty() ? "unfinished" : status}, {"summary", std::move(summary)},
+                 {"laws", part(folder_ / "laws.csv", [](const fs::path& path) { return text_table(read_csv_texts(path)); })}};
+  return news;
+}
+
+// As many as can be read in a moment, the newest among them; what cannot be read is left out.
+Json RunNews::frames_since(int known) {
+  const int count = static_cast<int>(list_.size());
+  if (known >= count) return Json();
+  try {
+    if (!follower_) follower_.emplace(read_frame(folder_ / list_[0].file));
+  } catch (const InputError&) {
+    return Json();
+  }
+  FrameSeries& series = follower_->series();
+  const auto begun = std::chrono::steady_clock::now();
+  const std::vector<int> chosen = evenly(count - known, std::clamp(static_cast<int>(most_seconds / seconds_per_frame_), 1, most_frames));
+  for (const int i : chosen) {
+    const PvdFile::Frame& frame = list_[static_cast<size_t>(known + i)];
+    try {
+      follower_->add(frame.time, read_frame(folder_ / frame.file));
+    } catch (const InputError&) {
+    }
+  }
+  seconds_per_frame_ = std::max(1e-4, std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count() / static_cast<double>(chosen.size()));
+  if (series.times.empty()) return Json();
+  series.written = count;
+  PageData page(PageData::Blocks::inside);
+  Json data = frame_data(series, page, known == 0);
+  series.times.clear();
+  series.positions.clear();
+  for (auto& field : series.fields) field.frames.clear();
+  return data;
+}
+
+}  // namespace tack

@@ -1,0 +1,38 @@
+// A folder of results as a page that is served. The page of a run fetches what comes to it while it is looked at; if the run is one of this program, it can
+// be held and ended from there.
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <string>
+
+#include "framework/report/report.hpp"
+#include "framework/run/run_control.hpp"
+#include "framework/view/http_server.hpp"
+#include "framework/view/run_news.hpp"
+
+namespace tack {
+
+class RunView {
+ public:
+  // version, commit: of the program; control: of the run that writes into the folder, null if that is not of this program.
+  RunView(std::filesystem::path folder, std::string version, std::string commit, RunControl* control = nullptr);
+
+  // GET "": the page, of a run with `live` {generation, controlled} in its data. GET "news?steps=&probes=&frames=&ended=": RunNews::since, with running and progress
+  // {start, end, time, step, iterations, contacts, min_gap, iteration, residual, paused, holding, stopped}. POST "pause", "resume", "stop".
+  HttpAnswer answer(const HttpRequest& request);
+
+ private:
+  HttpAnswer page();
+  HttpAnswer news(const HttpRequest& request);
+  HttpAnswer order(const std::string& what);
+  bool running() const;
+
+  ReportSettings report_;
+  FolderKind kind_;
+  RunControl* control_;
+  std::mutex reading_;
+  RunNews news_;
+};
+
+}  // namespace tack
