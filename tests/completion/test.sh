@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The scripts of `tack completion`, in the shells that are there, and the manual page: test.sh PROGRAM SCRATCH
+# The scripts of `tack completion`, in the shells that are there, and the manual page: test.sh PROGRAM FOLDER, in which it has one of its own
 set -euo pipefail
-program=$1 scratch=$2
+program=$1 scratch=$2/completion_test
 rm -rf "$scratch" && mkdir -p "$scratch/results/pull" && cd "$scratch"
 touch scene.yaml other.YML notes.txt part.stl part.glb probes.csv libmine.so 'with space.yaml'
 
