@@ -3,7 +3,7 @@
 #   test.sh SOURCE SCRATCH
 # The builds stay in SOURCE/build/package. Exits with 77 where packages cannot be made.
 set -euo pipefail
-source=$1 scratch=$2
+source=$1 scratch=$2/package_test
 
 fail() {
   echo "FAIL: $*" >&2
