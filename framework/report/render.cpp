@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_frames = 5000;              // of a run that are kept for it
-constexpr int lights_of_pictures = 48, lights_of_films = 10;
+constexpr int lights_of_pictures = 48, lights_of_films = 8;
 
 // A folder that goes with whoever has it.
 class Scratch {

@@ -59,7 +59,7 @@ void RenderView::fields(Fields& f) {
   f.optional_number("at", at, units::time, "when, of pictures; unless given, at the end");
   f.optional_number("from", from, units::time, "of films: where they begin");
   f.optional_number("to", to, units::time, "of films: where they end");
-  f.optional_integer("lights", lights, "drawings with a light each, of which a picture is the mean: more are smoother, and take longer; unless given 48, of films 10").at_least(1).at_most(1000);
+  f.optional_integer("lights", lights, "drawings with a light each, of which a picture is the mean: more are smoother, and take longer; unless given 48, of films 8").at_least(1).at_most(1000);
   f.text("background", background, "a colour of CSS");
   f.flag("time", time, "the time is written into a corner");
   f.flag("scale_bar", scale_bar, "colours of a field are explained");
