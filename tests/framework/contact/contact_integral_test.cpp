@@ -5,10 +5,9 @@
 
 #include <cmath>
 
-#include "framework/config/bind.hpp"
-#include "framework/config/parse.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/coverage.hpp"
+#include "tests/framework/contact/barrier_and_fang.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/tet_body.hpp"
@@ -16,8 +15,6 @@
 using namespace tack;
 
 namespace {
-
-constexpr double dhat = 1e-3, gap = 1.3e-3;  // m; adhesion reaches to 2 dhat
 
 struct Box {
   Vec3 size;
@@ -37,31 +34,8 @@ struct Box {
 
 const char* material = "energies: [{type: neo_hookean, young: 1e5}]";
 
-std::string contact(const std::string& pair) {
-  return fmt::format("contact:\n  distance: {}\n  barrier: {{type: clamped_log, stiffness: 3e3}}\n  pairs: [{{{}}}]\n",
-                     dhat, pair);
-}
-
-const std::string sticks = ", adhesion: {type: fang, young: 1e4, critical_strain: 0.2}";
-
 // phi' of barrier and adhesion at a distance [Pa].
-double traction(double distance, bool adhesive = true) {
-  const auto barrier = bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t"));
-  const auto fang = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
-  auto* const adhesion = dynamic_cast<NormalLaw*>(fang.get());
-  for (NormalLaw* law : {static_cast<NormalLaw*>(barrier.get()), adhesion})
-    law->prepare({dhat, 1e5, 0});
-  return barrier->at(distance).slope + (adhesive ? adhesion->at(distance).slope : 0);
-}
-
-// phi of both there [J/m^2].
-double potential(double distance) {
-  const auto barrier = bind_component<BarrierLaw>(parse_string("{type: clamped_log, stiffness: 3e3}", "t"));
-  const auto fang = bind_component<AdhesionLaw>(parse_string("{type: fang, young: 1e4, critical_strain: 0.2}", "t"));
-  auto* const adhesion = dynamic_cast<NormalLaw*>(fang.get());
-  for (NormalLaw* law : {static_cast<NormalLaw*>(barrier.get()), adhesion}) law->prepare({dhat, 1e5, 0});
-  return barrier->at(distance).value + adhesion->at(distance).value;
-}
+double traction(double distance, bool adhesive = true) { return laws_at(distance, adhesive).slope; }
 
 // The force of the lower body on the upper one [N], downwards positive.
 Vec3 force_between(const Box& upper, const Box& lower, const std::string& pair) {
@@ -417,74 +391,4 @@ TEST_CASE("contact integral: points inside triangles have the derivatives of the
     for_each_stencil_hessian(term, x, projection, [](const MatX& h, const int*) {
       REQUIRE(smallest_eigenvalue(h) >= -1e-12 * h.cwiseAbs().maxCoeff());
     });
-}
-
-TEST_CASE("contact integral: within a step the energy is one function, whoever comes near when", "[contact]") {
-  // A sheet, tilted about its left edge, comes down on another one, across whose mesh its own lies.
-  const double side = 0.04, height = 1.2e-3;
-  for (const auto& [cells, other] : {std::pair(8, 11), std::pair(20, 13), std::pair(7, 30)})
-    for (const double opening : {0.08, 0.3})
-      for (const char* integrates : {"upper", "lower", "automatic", "both"}) {
-        const auto sheet = [&](const char* name, int n, double y) {
-          return fmt::format("  - {{name: {0}, shape: {{type: grid, size: [{1}, {1}], cells: [{2}, {2}]}}, shell: {{thickness: 0.1 mm}},\n"
-                             "     place: {{translate: [0, {3}, 0]}}, energies: [{{type: neo_hookean_membrane, young: 1e5}}]}}\n", name, side, n, y);
-        };
-        TestScene scene("objects:\n" + sheet("upper", cells, height) + sheet("lower", other, 0) +
-                        contact(fmt::format("between: [upper, lower], integrate: {}{}", integrates, sticks)));
-        World& world = *scene.world;
-        const auto at = [&](double angle) {
-          VecX x = world.rest;
-          for (int v = 0; v < world.bodies[0].vertex_count; ++v) {
-            const double along = world.rest[3 * v] + side / 2;
-            vertex(x, v) = Vec3(along * std::cos(angle) - side / 2, height + along * std::sin(angle), world.rest[3 * v + 2]);
-          }
-          return x;
-        };
-        world.contact->begin_step({at(opening)});
-        const int n = 400;
-        double before = 0, slope_before = 0, least = 0, worst = 0;
-        for (int i = 0; i <= n; ++i) {
-          const double angle = opening * (1 - i / static_cast<double>(n));
-          const VecX x = at(angle);
-          world.contact->move_to(x);
-          const double value = world.contact_term->value(x);
-          const double slope = dense_gradient(*world.contact_term, x).dot((at(angle - 1e-6) - at(angle + 1e-6)) / 2e-6) * opening / n;
-          if (i > 0) worst = std::max(worst, std::abs(value - before - (slope + slope_before) / 2));
-          before = value;
-          slope_before = slope;
-          least = std::min(least, value);
-        }
-        INFO(cells << " cells on " << other << ", opening " << opening << ", integrates: " << integrates << ": " << worst / -least);
-        CHECK(worst <= 2e-3 * -least);
-        // What comes near later has its area once, not from samples and from its corners both: that of the sheet as the step found it.
-        const double all = side * side * std::cos(opening) * potential(height);
-        CHECK(before == Approx(all).epsilon(std::string(integrates) == "upper" && opening < 0.1 ? 1e-6 : 0.12));
-      }
-}
-
-TEST_CASE("contact integral: what is near a held part of a sheet changes nothing suddenly when the rest moves", "[contact]") {
-  // Two equal sheets, vertex over vertex, the left halves held: what a held vertex is nearest to is now an edge that moves at its other end, now the held
-  // vertex itself.
-  const auto sheet = [](const char* name, double y) {
-    return fmt::format("  - {{name: {}, shape: {{type: grid, size: [0.04, 0.04], cells: [4, 4], jitter: 0.2, seed: 3}}, shell: {{thickness: 0.1 mm}},\n"
-                       "     place: {{translate: [0, {}, 0]}}, energies: [{{type: neo_hookean_membrane, young: 1e5}}]}}\n", name, y);
-  };
-  TestScene scene("objects:\n" + sheet("upper", gap) + sheet("lower", 0) + contact("between: [upper, lower], integrate: both" + sticks));
-  World& world = *scene.world;
-  std::vector<char> free(world.rest.size() / 3);
-  for (size_t v = 0; v < free.size(); ++v) free[v] = world.rest[3 * v] > 1e-3;
-  world.contact->set_free(free);
-  world.contact->begin_step({world.rest});
-  RandomMotions random(11);
-  for (int k = 0; k < 30; ++k) {
-    VecX p = 1e-9 * random.vectors(world.rest.size());
-    for (size_t v = 0; v < free.size(); ++v)
-      if (!free[v]) vertex(p, v).setZero();
-    const auto value = [&](double s) {
-      world.contact->move_to(world.rest + s * p);
-      return world.contact_term->value(world.rest + s * p);
-    };
-    const double before = value(-1), after = value(1);
-    CHECK(after == Approx(before).epsilon(1e-5));
-  }
 }
