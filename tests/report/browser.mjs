@@ -2,6 +2,9 @@
 // request but that for the page itself, or below its address, counts.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { existsSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const noticeable = 2e-4; // of the pixels: a browser may round an edge in another way
@@ -20,6 +23,34 @@ export async function launch(playwright, executablePath) {
     args: ["--no-sandbox", "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
       "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"],
   });
+}
+
+// What a test needs to start a browser: what `page` is the file of, and a browser. Ends the test with 77, and says why, without them. Returns how one is started.
+export function needBrowser(modules, page, what = "the page of reports") {
+  const skip = (why) => {
+    console.log(`skipped: ${why}`);
+    process.exit(77);
+  };
+  if (!existsSync(page)) skip(`${what} is not built: cmake --build --preset release --target tack_report (needs npm: apt-get install nodejs npm)`);
+  const executable = findBrowser();
+  if (!executable) skip("there is no browser: apt-get install chromium");
+  const playwright = createRequire(join(modules, "package.json"))("playwright-core");
+  return () => launch(playwright, executable);
+}
+
+// Runs all tests, by their names, and tells of each. Returns how many failed.
+export async function runTests(tests, browser) {
+  let failures = 0;
+  for (const [name, test] of Object.entries(tests)) {
+    try {
+      await test(browser);
+      console.log(`pass  ${name}`);
+    } catch (error) {
+      ++failures;
+      console.log(`FAIL  ${name}\n${error.stack}`);
+    }
+  }
+  return failures;
 }
 
 export class Page {

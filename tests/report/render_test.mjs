@@ -2,21 +2,13 @@
 //   node render_test.mjs TACK MODULES PAGE     ends with 77, and says why, without what it takes
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
+import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { findBrowser, launch } from "./browser.mjs";
+import { needBrowser, runTests } from "./browser.mjs";
 
 const [tack, modules, pageFile] = process.argv.slice(2);
-const skip = (why) => {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-};
-if (!existsSync(pageFile)) skip("what draws is not built: cmake --build --preset release --target tack_report (needs npm: apt-get install nodejs npm)");
-const executable = findBrowser();
-if (!executable) skip("there is no browser: apt-get install chromium");
-const { chromium } = { chromium: createRequire(join(modules, "package.json"))("playwright-core").chromium };
+const start = needBrowser(modules, pageFile, "what draws");
 const films = spawnSync("ffmpeg", ["-version"]).status === 0;
 
 const folder = mkdtempSync(join(tmpdir(), "tack_render_test_"));
@@ -47,7 +39,7 @@ output: {frame_interval: 20 ms, fields: [displacement]}
 `);
 done("run", "scene.yaml", "-q", "-o", "out");
 
-const browser = await launch({ chromium }, executable);
+const browser = await start();
 const tab = await browser.newPage();
 
 // {width, height, pixels: [r, g, b] at parts of width and height}
@@ -129,19 +121,11 @@ const tests = {
   },
 };
 
-let failed = 0;
+let failures = 0;
 try {
-  for (const [name, test] of Object.entries(tests)) {
-    try {
-      await test();
-      console.log(`pass  ${name}`);
-    } catch (error) {
-      ++failed;
-      console.log(`FAIL  ${name}\n${error.stack}`);
-    }
-  }
+  failures = await runTests(tests, browser);
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true });
 }
-process.exit(failed > 0 ? 1 : 0);
+process.exit(failures > 0 ? 1 : 0);

@@ -1,22 +1,14 @@
 // The reports of a run, several runs, an unfinished run, a comparison, a calibration and a batch, in a browser from the file system.
 //   node report_test.mjs TACK MODULES PAGE     MODULES: where playwright-core is; ends with 77, and says why, without what it takes
 import assert from "node:assert/strict";
-import { existsSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
-import { createRequire } from "node:module";
+import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { Page, findBrowser, launch } from "./browser.mjs";
+import { Page, needBrowser, runTests } from "./browser.mjs";
 import { makeCalibration, makeFixtures, makeReport } from "./fixtures.mjs";
 
 const [tack, modules, pageFile] = process.argv.slice(2);
-const skip = (why) => {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-};
-if (!existsSync(pageFile)) skip("the page of reports is not built: cmake --build --preset release --target tack_report (needs npm: apt-get install nodejs npm)");
-const executable = findBrowser();
-if (!executable) skip("there is no browser: apt-get install chromium");
-const playwright = createRequire(join(modules, "package.json"))("playwright-core");
+const start = needBrowser(modules, pageFile);
 
 const folder = mkdtempSync(join(tmpdir(), "tack_report_"));
 const setSlider = (page, selector, value) => page.locator(selector).evaluate((slider, v) => {
@@ -313,18 +305,9 @@ const tests = {
   },
 };
 
-let failures = 0;
 makeFixtures(tack, folder);
-const browser = await launch(playwright, executable);
-for (const [name, test] of Object.entries(tests)) {
-  try {
-    await test(browser);
-    console.log(`pass  ${name}`);
-  } catch (error) {
-    ++failures;
-    console.log(`FAIL  ${name}\n${error.stack}`);
-  }
-}
+const browser = await start();
+const failures = await runTests(tests, browser);
 await browser.close();
 rmSync(folder, { recursive: true, force: true });
 process.exit(failures > 0 ? 1 : 0);

@@ -5,21 +5,13 @@ import { execFileSync, spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { request } from "node:http";
-import { createRequire } from "node:module";
 import { connect } from "node:net";
 import { networkInterfaces, tmpdir } from "node:os";
 import { join } from "node:path";
-import { Page, findBrowser, launch } from "./browser.mjs";
+import { Page, needBrowser, runTests } from "./browser.mjs";
 
 const [tack, modules, pageFile] = process.argv.slice(2);
-const skip = (why) => {
-  console.log(`skipped: ${why}`);
-  process.exit(77);
-};
-if (!existsSync(pageFile)) skip("the page of reports is not built: cmake --build --preset release --target tack_report (needs npm: apt-get install nodejs npm)");
-const executable = findBrowser();
-if (!executable) skip("there is no browser: apt-get install chromium");
-const playwright = createRequire(join(modules, "package.json"))("playwright-core");
+const start = needBrowser(modules, pageFile);
 
 const folder = mkdtempSync(join(tmpdir(), "tack_view_test_"));
 const patience = 60000; // ms
@@ -331,18 +323,10 @@ const tests = {
   },
 };
 
+const browser = await start();
 let failures = 0;
-const browser = await launch(playwright, executable);
 try {
-  for (const [name, test] of Object.entries(tests)) {
-    try {
-      await test(browser);
-      console.log(`pass  ${name}`);
-    } catch (error) {
-      ++failures;
-      console.log(`FAIL  ${name}\n${error.stack}`);
-    }
-  }
+  failures = await runTests(tests, browser);
 } finally {
   await browser.close();
   for (const program of running) program.kill("SIGKILL");
