@@ -10,7 +10,7 @@
 #include "framework/body/extent.hpp"
 #include "framework/body/local_mesh.hpp"
 #include "framework/setup/build_world.hpp"
-#include "framework/setup/reachable_speed.hpp"
+#include "framework/setup/loading.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -56,18 +56,6 @@ void add_frame(const ObjectConfig& object, int index, World& world) {
   } catch (const InputError& error) {
     throw InputError(fmt::format("object '{}' (body: affine) {}", object.name, error.what()));
   }
-}
-
-// What all that moves may press with.
-struct Loading {
-  double speed = 0, weight = 0;  // m/s, N
-};
-
-Loading loading_of(const SceneConfig& scene, const World& world) {
-  double mass = 0;
-  for (int v = 0; v < static_cast<int>(world.mass.size()); ++v)
-    if (world.script.ever_free(v)) mass += world.weighing_mass(v);
-  return {reachable_speed(scene, world), mass * scene.gravity.norm()};
 }
 
 double default_stiffness(const ObjectConfig& object, const Body& body, const Loading& loading, const VecX& rest, double step) {

@@ -311,7 +311,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   start_state(scene, *world);
   if (earlier)
     at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
-  build_contact(scene, root, clock, *world);
+  build_contact(scene, root, first_step, clock, *world);
   if (flowed.empty()) check_start(scene, root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());

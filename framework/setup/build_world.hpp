@@ -22,7 +22,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
                                    const EarlierState* earlier = nullptr, const FlowedMeshes& flowed = {});
 
 // The pairs of objects and their laws (contact_setup.cpp).
-void build_contact(const SceneConfig& scene, const Value& root, PhaseClock& clock, World& world);
+void build_contact(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, World& world);
 
 // Entry i of a list as it stands in the file; null if the list is not there.
 const Value* entry_of(const Value* list, size_t i);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "framework/setup/dynamic_pressure.hpp"
+#include "framework/setup/sheet_stiffness.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -22,13 +23,13 @@ constexpr double guard_range = 0.5, guard_range_of_fast = 1;  // contact distanc
 
 // Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
 // attached to the same ones.
-ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures) {
+ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures, const std::vector<double>& sheets) {
   std::set<std::string> names;
   for (const PairConfig& pair : scene.contact->pairs)
     for (const PairSide& side : pair.between) names.insert(side.object);
   std::vector<std::set<int>> attached(world.bodies.size());
   for (const auto& [a, b] : world.attached) attached[a].insert(b), attached[b].insert(a);
-  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double>;
+  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double, double>;
   std::map<Key, int> known;
   std::vector<int> classes;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -36,7 +37,7 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
     const Body& body = world.bodies[i];
     std::vector<NamedAs> named;
     for (const std::string& name : names) named.push_back(named_as(object, name));
-    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i]};
+    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i], sheets[i]};
     classes.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
   }
   return ObjectClasses(std::move(classes));
@@ -44,9 +45,9 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
 
 }  // namespace
 
-PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, World& world)
+PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, double step, World& world)
     : scene_(scene), contact_(*scene.contact), root_(root), world_(world), pressures_(dynamic_pressures(scene, world)),
-      classes_(classes_of(scene, world, pressures_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
+      sheets_(sheet_stiffnesses(scene, world, step)), classes_(classes_of(scene, world, pressures_, sheets_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
       colliding_(classes_), bonds_(classes_) {
   table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   if (parts_.any()) table_.set_parts(parts_.of_vertices());
@@ -119,6 +120,7 @@ PairMaterials PairBuilder::materials_of(int a, int b) const {
   for (const int object : {a, b}) {
     lower(m.softer_young, softest_young(scene_.objects[object]));
     lower(m.softer_stiffness, affine_modulus * world_.bodies[object].stiffness);
+    lower(m.softer_stiffness, sheets_[object]);
   }
   lower(m.softer_stiffness, m.softer_young);
   const double dynamic = std::max(pressures_[a], pressures_[b]);

@@ -18,8 +18,8 @@ namespace tack {
 
 class PairBuilder {
  public:
-  // cells: per object, the area of its surface that a vertex has in the mean [m^2].
-  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, World& world);
+  // cells: per object, the area of its surface that a vertex has in the mean [m^2]; step: the first [s].
+  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, double step, World& world);
 
   void build();
 
@@ -68,6 +68,7 @@ class PairBuilder {
   const Value& root_;
   World& world_;
   const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
+  const std::vector<double> sheets_;     // stiffnesses of sheets, of objects [Pa]; 0: no sheet
   ObjectClasses classes_;
   PairConfigs configs_;
   SurfaceParts parts_;

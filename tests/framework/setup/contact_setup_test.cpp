@@ -22,13 +22,29 @@ std::string flying(double young, double speed, double turned = 0, const std::str
       gravity, turned, -speed, young, contact);
 }
 
+// A sheet of 0.2 x 0.1 m and 1 kg/m^2 that flies at a floor in steps of 10 ms.
+std::string sheet(const char* young, double speed, const std::string& rest = "") {
+  return fmt::format(
+      "{2}time: {{step: 10 ms}}\n"
+      "objects:\n"
+      "  - {{name: sheet, shape: {{type: grid, size: [0.2, 0.1], cells: [2, 2]}}, place: {{translate: [0, 0.2, 0]}}, shell: {{thickness: 1 mm}},\n"
+      "     velocity: [0, {1}, 0], energies: [{{type: neo_hookean_membrane, young: {0}, poisson: 0.3, density: 1000}}]}}\n"
+      "  - {{name: floor, shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, -0.05, 0]}}, motion: [fixed]}}\n"
+      "contact: {{distance: 1 mm}}\n",
+      young, -speed, rest);
+}
+
 // Inverted from the barrier's traction at half the contact distance of 1 mm.
-template <class... Of>
-double stiffness(const Of&... of) {
-  const TestScene scene(flying(of...));
+double barrier_of(const std::string& text) {
+  const TestScene scene(text);
   const PairTable& pairs = scene.world->contact->pairs();
   const double traction = -pairs.laws()[pairs.point(0, 1).law].at(0.5e-3).slope;
   return traction / (std::log(2.0) + 0.5);
+}
+
+template <class... Of>
+double stiffness(const Of&... of) {
+  return barrier_of(flying(of...));
 }
 
 // In contact distances: of pairs of edges, and of points beside what they face.
@@ -64,4 +80,26 @@ TEST_CASE("what is faster than its waves is guarded against over the whole range
   CHECK(guards(1e4, 0, 0, "gravity: [0, -200, 0]\n") == Ranges{1, 1});
   CHECK(guards(1e4, 6, 0, "", ", guard: 0.25") == Ranges{0.25, 0.25});
   CHECK(guards(1e4, 6, 0, "", ", barrier: {stiffness: 3 kPa}") == Ranges{1, 1});
+}
+
+TEST_CASE("a sheet's barrier is as stiff as what presses the sheet, not as its material", "[contact][barrier][shell]") {
+  CHECK(barrier_of(sheet("10 kPa", 2)) == Approx(1e3));  // a soft one presses with what its material can
+  // 1 kg/m^2 that 10 ms stop at 2 m/s press with 200 Pa; a strain of 1e-3 around a tenth of sqrt(0.02) m with 71 Pa per MPa.
+  CHECK(barrier_of(sheet("100 MPa", 2)) == Approx(100 * 200 + 7071).epsilon(0.02));
+  CHECK(barrier_of(sheet("1 GPa", 2)) == Approx(100 * 200 + 70711).epsilon(0.02));
+  CHECK(barrier_of(sheet("100 MPa", 20)) == Approx(100 * 2000 + 7071).epsilon(0.02));
+  // In a field, what falls over the 0.5 m of the scene, and weighs 10 Pa.
+  const double fall = std::sqrt(2 * 10 * (0.2 + 0.1));
+  CHECK(barrier_of(sheet("100 MPa", 0, "gravity: [0, -10, 0]\n")) == Approx(100 * (100 * fall + 10) + 7071).epsilon(0.02));
+}
+
+TEST_CASE("copies of a sheet have one barrier, however they are turned", "[contact][barrier][shell]") {
+  const TestScene scene("gravity: [0, -10, 0]\n"
+                        "objects:\n"
+                        "  - {name: sheet, shape: {type: grid, size: [4 cm, 3 cm], cells: [2, 2]}, shell: {thickness: 0.1 mm}, place: {axis: [1, 2, 3], angle: 33 deg},\n"
+                        "     energies: [{type: neo_hookean_membrane, young: 3 GPa, poisson: 0.3, density: 800}],\n"
+                        "     fill: {region: {type: box, size: [0.4, 0.4, 0.4]}, count: 6, clearance: 5 mm}}\n"
+                        "contact: {distance: 1 mm}\n");
+  const PairTable& pairs = scene.world->contact->pairs();
+  for (int other = 2; other < 6; ++other) CHECK(pairs.point(0, other).law == pairs.point(0, 1).law);
 }

@@ -1,0 +1,42 @@
+#include "framework/setup/sheet_stiffness.hpp"
+
+#include <cmath>
+
+#include "framework/setup/dynamic_pressure.hpp"
+#include "framework/setup/loading.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double of_pressing = 1000;               // the barrier is a tenth of the modulus: a gap of 0.94 ranges under what is expected
+constexpr double of_tension = 10;
+constexpr double strain = 1e-3, radius = 0.1;      // of tension; in sizes of the sheet
+
+double to_two_digits(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::round(value / digit) * digit;
+}
+
+double sheet_stiffness(const ObjectConfig& object, const Body& body, const Loading& loading, const World& world, double step) {
+  if (!body.movable || body.sheet.empty() || !body.tets.empty() || !body.frame.empty()) return 0;
+  const auto rest = [&](int v) { return Vec3(vertex(world.rest, v)); };
+  double area = 0, mass = 0;
+  for (const Triangle& t : body.sheet) area += (rest(t[1]) - rest(t[0])).cross(rest(t[2]) - rest(t[0])).norm() / 2;
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) mass += world.mass(v);
+  const double pressing = (loading.weight + mass * loading.speed / step) / area;
+  const double tension = softest_young(object) * body.thickness * strain / (radius * std::sqrt(area));
+  const double stiffness = of_pressing * pressing + of_tension * tension;
+  return stiffness > 0 ? to_two_digits(stiffness) : 0;
+}
+
+}  // namespace
+
+std::vector<double> sheet_stiffnesses(const SceneConfig& scene, const World& world, double step) {
+  const Loading loading = loading_of(scene, world);
+  std::vector<double> stiffnesses;
+  for (size_t i = 0; i < world.bodies.size(); ++i)
+    stiffnesses.push_back(sheet_stiffness(scene.objects[i], world.bodies[i], loading, world, step));
+  return stiffnesses;
+}
+
+}  // namespace tack
