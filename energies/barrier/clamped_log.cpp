@@ -18,8 +18,9 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
              "the argument of the barrier");
     f.optional_number("stiffness", given_stiffness_, units::pressure,
                       "kappa; by default a tenth of the softer Young's modulus (of an affine body: a hundredth of its stiffness; of a soft body that "
-                      "may fly or fall faster than waves run in it: density times that speed squared, up to ten times the modulus; of a sheet, at most a "
-                      "thousand times what presses it: the weight of all that moves, its own mass stopped within a step, its tension), or a twentieth "
+                      "may fly or fall faster than waves run in it: density times that speed squared, up to ten times the modulus; of a sheet that "
+                      "nothing but weight and contact act on, at most a thousand times what presses it: the weight of all that moves, its own mass "
+                      "stopped within a step, its tension), or a twentieth "
                       "of the pair's peak adhesive traction if that is less")
         .positive();
   }

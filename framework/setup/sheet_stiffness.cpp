@@ -17,6 +17,11 @@ double to_two_digits(double value) {
   return std::round(value / digit) * digit;
 }
 
+// What a script stretches, or a load or a spring pulls, presses with what its material can.
+bool is_left_alone(const ObjectConfig& object, const SceneConfig& scene) {
+  return object.motion.empty() && object.attach.empty() && object.loads.empty() && scene.interactions.empty();
+}
+
 double sheet_stiffness(const ObjectConfig& object, const Body& body, const Loading& loading, const World& world, double step) {
   if (!body.movable || body.sheet.empty() || !body.tets.empty() || !body.frame.empty()) return 0;
   const auto rest = [&](int v) { return Vec3(vertex(world.rest, v)); };
@@ -35,7 +40,7 @@ std::vector<double> sheet_stiffnesses(const SceneConfig& scene, const World& wor
   const Loading loading = loading_of(scene, world);
   std::vector<double> stiffnesses;
   for (size_t i = 0; i < world.bodies.size(); ++i)
-    stiffnesses.push_back(sheet_stiffness(scene.objects[i], world.bodies[i], loading, world, step));
+    stiffnesses.push_back(is_left_alone(scene.objects[i], scene) ? sheet_stiffness(scene.objects[i], world.bodies[i], loading, world, step) : 0);
   return stiffnesses;
 }
 

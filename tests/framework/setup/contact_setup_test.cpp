@@ -23,15 +23,15 @@ std::string flying(double young, double speed, double turned = 0, const std::str
 }
 
 // A sheet of 0.2 x 0.1 m and 1 kg/m^2 that flies at a floor in steps of 10 ms.
-std::string sheet(const char* young, double speed, const std::string& rest = "") {
+std::string sheet(const char* young, double speed, const std::string& rest = "", const char* pulled = "") {
   return fmt::format(
       "{2}time: {{step: 10 ms}}\n"
       "objects:\n"
       "  - {{name: sheet, shape: {{type: grid, size: [0.2, 0.1], cells: [2, 2]}}, place: {{translate: [0, 0.2, 0]}}, shell: {{thickness: 1 mm}},\n"
-      "     velocity: [0, {1}, 0], energies: [{{type: neo_hookean_membrane, young: {0}, poisson: 0.3, density: 1000}}]}}\n"
+      "     velocity: [0, {1}, 0], energies: [{{type: neo_hookean_membrane, young: {0}, poisson: 0.3, density: 1000}}]{3}}}\n"
       "  - {{name: floor, shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, -0.05, 0]}}, motion: [fixed]}}\n"
       "contact: {{distance: 1 mm}}\n",
-      young, -speed, rest);
+      young, -speed, rest, pulled);
 }
 
 // Inverted from the barrier's traction at half the contact distance of 1 mm.
@@ -91,6 +91,12 @@ TEST_CASE("a sheet's barrier is as stiff as what presses the sheet, not as its m
   // In a field, what falls over the 0.5 m of the scene, and weighs 10 Pa.
   const double fall = std::sqrt(2 * 10 * (0.2 + 0.1));
   CHECK(barrier_of(sheet("100 MPa", 0, "gravity: [0, -10, 0]\n")) == Approx(100 * (100 * fall + 10) + 7071).epsilon(0.02));
+}
+
+TEST_CASE("a sheet that a script, a load or a spring may stretch keeps a barrier like its material", "[contact][barrier][shell]") {
+  CHECK(barrier_of(sheet("100 MPa", 2, "", ",\n     motion: [{type: fixed, until: 1 s, select: {type: face, direction: [1, 0, 0]}}]")) == Approx(1e7));
+  CHECK(barrier_of(sheet("100 MPa", 2, "", ",\n     loads: [{type: pressure, value: 1 kPa}]")) == Approx(1e7));
+  CHECK(barrier_of(sheet("100 MPa", 2, "interactions:\n  - {type: spring, from: {object: sheet, select: {type: indices, vertices: [0]}}, to: {object: floor}, stiffness: 1 N/m}\n")) == Approx(1e7));
 }
 
 TEST_CASE("copies of a sheet have one barrier, however they are turned", "[contact][barrier][shell]") {
