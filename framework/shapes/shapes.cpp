@@ -5,6 +5,7 @@
 #include "framework/shapes/shape_source.hpp"
 #include "geometry/io/mesh_io.hpp"
 #include "geometry/shapes/lines.hpp"
+#include "geometry/shapes/rounded_box.hpp"
 #include "geometry/shapes/sector.hpp"
 #include "geometry/shapes/solids.hpp"
 #include "geometry/shapes/surfaces.hpp"
@@ -17,13 +18,19 @@ class BoxShape : public ShapeSource {
   void fields(Fields& f) override {
     f.vector("size", size_, units::length, "edge lengths; centred at the origin").required().positive();
     f.vector("cells", cells_, "cells along each edge, six tets each").at_least(1);
+    f.number("rounding", rounding_, units::length, "radius of its edges and corners; cells are not longer").at_least(0);
     f.flag("surface", surface_, "triangles of the boundary only, no tets");
   }
-  Mesh make() const override { return surface_ ? box_surface(size_, cells_) : box_tets(size_, cells_); }
+  Mesh make() const override {
+    Mesh mesh = surface_ ? box_surface(size_, cells_) : box_tets(size_, cells_);
+    round_box(mesh, size_, cells_, rounding_);
+    return mesh;
+  }
 
  private:
   Vec3 size_ = Vec3::Ones();  // m
   std::array<int, 3> cells_ = {1, 1, 1};
+  double rounding_ = 0;  // m
   bool surface_ = false;
 };
 
