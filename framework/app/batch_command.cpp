@@ -1,5 +1,6 @@
 // tack batch: many experiments, side by side on this machine or as a job array of Slurm, and one table of them.
 #include <fmt/format.h>
+#include <fnmatch.h>
 #include <tbb/parallel_for.h>
 #include <unistd.h>
 
@@ -88,6 +89,17 @@ void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& ope
   if (!errors.empty()) throw InputError(fmt::format("{}", fmt::join(errors, "\n")));
 }
 
+bool is_named(const std::vector<std::string>& patterns, const BatchCase& one) {
+  return patterns.empty() || std::any_of(patterns.begin(), patterns.end(), [&](const std::string& p) { return fnmatch(p.c_str(), one.name.c_str(), 0) == 0; });
+}
+
+void check_names(const BatchPlan& plan, const std::vector<std::string>& patterns) {
+  for (const std::string& pattern : patterns)
+    if (std::none_of(plan.cases.begin(), plan.cases.end(), [&](const BatchCase& one) { return is_named({pattern}, one); }))
+      throw InputError(fmt::format("--only {}: no case has such a name; the first is '{}', --dry-run shows {}", pattern, plan.cases.front().name,
+                                   plan.cases.size() > most_cases_shown ? "more" : "all"));
+}
+
 // The table and the description as things stand, and how many cases ended how.
 std::map<CaseStatus, size_t> collect(const BatchFolder& folder, const BatchDescription& description) {
   write_description(folder, description);
@@ -97,12 +109,15 @@ std::map<CaseStatus, size_t> collect(const BatchFolder& folder, const BatchDescr
   return counts;
 }
 
-int report(const BatchFolder& folder, const BatchDescription& description, bool quiet) {
+// The code is that of the cases that are named `only`.
+int report(const BatchFolder& folder, const BatchDescription& description, bool quiet, const std::vector<std::string>& only = {}) {
   const std::map<CaseStatus, size_t> counts = collect(folder, description);
   std::vector<std::string> parts;
+  for (const auto& [status, count] : counts) parts.push_back(fmt::format("{} {}", count, to_string(status)));
   bool all_done = true, expectations_only = true;
-  for (const auto& [status, count] : counts) {
-    parts.push_back(fmt::format("{} {}", count, to_string(status)));
+  for (const BatchCase& one : description.plan.cases) {
+    if (!is_named(only, one)) continue;
+    const CaseStatus status = state_of(folder, one).status;
     all_done = all_done && status == CaseStatus::done;
     expectations_only = expectations_only && (status == CaseStatus::done || status == CaseStatus::expectation_failed);
   }
@@ -169,7 +184,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
     fmt::print("job {} goes on (`scancel {}` ends it); {}\n", job.id, job.id, later);
     return exit_interrupted;
   }
-  return report(folder, d, options.quiet);
+  return report(folder, d, options.quiet, options.only);
 }
 
 // One case, in a job array.
@@ -214,7 +229,10 @@ int batch_command(const BatchOptions& options) {
   const bool other = is_other_batch(BatchFolder{std::filesystem::weakly_canonical(root), nullptr}, d);
   const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root, other);
   if (folder.moved_aside && !options.quiet) fmt::print("another batch that was there is moved to {}\n", folder.moved_aside->string());
-  const std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);
+  check_names(d.plan, options.only);
+  std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);
+  const size_t done = d.plan.cases.size() - open.size();
+  std::erase_if(open, [&](const BatchCase* one) { return !is_named(options.only, *one); });
   {
     Preparation preparation("checked", terminal_width(STDOUT_FILENO), options.quiet);
     check_cases(d.plan, open, preparation);
@@ -224,14 +242,13 @@ int batch_command(const BatchOptions& options) {
     return exit_done;
   }
   write_description(folder, d);
-  if (open.size() < d.plan.cases.size() && !options.quiet)
-    fmt::print("{} of {} are done already\n", d.plan.cases.size() - open.size(), counted(d.plan.cases.size(), "case"));
+  if (done > 0 && !options.quiet) fmt::print("{} of {} are done already\n", done, counted(d.plan.cases.size(), "case"));
   if (options.slurm && !open.empty()) return run_by_slurm(options, config, folder, d, open);
   {
-    BatchProgress progress(std::cout, d.plan.cases.size(), open.size(), d.limits.jobs, terminal_width(STDOUT_FILENO), options.quiet);
+    BatchProgress progress(std::cout, done + open.size(), open.size(), d.limits.jobs, terminal_width(STDOUT_FILENO), options.quiet);
     run_cases(this_program(), folder, d.limits, open, progress.observer());
   }
-  const int code = report(folder, d, options.quiet);
+  const int code = report(folder, d, options.quiet, options.only);
   return interrupt_requested ? exit_interrupted : code;
 }
 

@@ -184,6 +184,7 @@ class CommandLine {
     batch->add_option("--jobs", batch_.jobs, "cases side by side (default: as many as cores allow)")->check(whole_number_above_zero);
     batch->add_flag("--dry-run", batch_.dry_run, "check all cases, show them and how long they will take");
     batch->add_flag("--failed", batch_.failed, "run those again that failed");
+    batch->add_option("--only", batch_.only, "run these cases alone, by their names as --dry-run shows them; * is any text")->type_name("CASE");
     CLI::Option* slurm = batch->add_flag("--slurm", batch_.slurm, "run the cases as a job array of Slurm");
     batch->add_flag("--no-wait", batch_.no_wait, "with --slurm: do not wait for the end")->needs(slurm);
     batch->add_option("--collect", batch_.collect, "make the table of a batch's folder again, and run nothing")->type_name("FOLDER");

@@ -53,6 +53,7 @@ struct BatchOptions {
   int jobs = 0, threads = 0;  // 0: as the file says
   bool dry_run = false;       // show the plan and what it will take
   bool failed = false;        // run those again that failed
+  std::vector<std::string> only;  // names of cases, with * and ?; none: all
   bool slurm = false, no_wait = false;
   std::string collect;        // the folder of a batch, to make its table again
   std::optional<int> task;    // only that case of the batch in `output`, as a task of a job array
@@ -68,6 +69,7 @@ struct CalibrateOptions {
   int jobs = 0, threads = 0;  // 0: as the file says
   bool dry_run = false;       // check everything, and say how long it will take
   bool failed = false;        // run those again that failed
+  std::vector<std::string> only;  // names of cases, with * and ?; none: all
   bool slurm = false;
   bool quiet = false;
 };

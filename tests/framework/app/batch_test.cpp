@@ -234,6 +234,26 @@ vary:
   CHECK(fs::last_write_time(files.path / "b" / "state" / "variant=right.json") == right);
 }
 
+TEST_CASE("cases that are named run alone, and the others stay as they are", "[batch]") {
+  const Files files("name: some\nbase: tiny.yaml\nset: [output.frames=false]\n"
+                    "vary: [{type: cases, cases: [{name: wrong, set: {expect: [{probe: height, statistic: final, at_least: 1 m}]}}, {name: right}, {name: rest}]}]\n");
+  const ProgramResult unknown = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--only", "left"});
+  CHECK(unknown.exit_code == 2);
+  CHECK(contains(unknown.err, "--only left: no case has such a name; the first is 'variant=wrong', --dry-run shows all"));
+  const ProgramResult right = run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--only", "variant=ri*"});
+  INFO(right.out << right.err);
+  CHECK(right.exit_code == 0);
+  CHECK(contains(right.out, "[1/1] variant=right"));
+  CHECK(done_states(files.path / "b").size() == 1);
+  const auto written = done_states(files.path / "b");
+  CHECK(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--only", "variant=right", "--only", "variant=wrong"}).exit_code == 1);
+  CHECK(run_tack(files.path, {"batch", "batch.yaml", "-o", "b", "--only", "variant=right"}).exit_code == 0);
+  CHECK(status_of(files.path / "b", "variant=rest").empty());
+  CHECK(done_states(files.path / "b") == written);
+  CHECK(run_tack(files.path, {"batch", "batch.yaml", "-o", "b"}).exit_code == 1);
+  CHECK(done_states(files.path / "b").size() == 2);
+}
+
 TEST_CASE("a case that wants more memory than it may have fails alone", "[batch]") {
 #ifndef __SANITIZE_ADDRESS__
   const Files files("name: memory\nbase: tiny.yaml\nset: [output.frames=false]\nmemory: 0.6\njobs: 1\n"
