@@ -5,6 +5,7 @@ import {
   HalfFloatType, IcosahedronGeometry, InstancedBufferAttribute, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshStandardMaterial, NearestFilter, OneFactor,
   OrthographicCamera, PCFShadowMap, PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, SRGBColorSpace, Vector3, WebGLRenderer, WebGLRenderTarget,
 } from "three";
+import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 import { CornerNormals } from "./corner_normals.js";
 
 const usual = { roughness: 0.7, metalness: 0, opacity: 1, smooth: 40, lines: false, hide: false };
@@ -25,6 +26,13 @@ function radical(i, base) {
   let [sum, part] = [0, 1 / base];
   for (; i > 0; i = Math.floor(i / base), part /= base) sum += part * (i % base);
   return sum;
+}
+
+// Each corner once: of the triangles of three.js, which share none, it has six, and drawing many balls is the time of their corners.
+function ball(detail) {
+  const geometry = new IcosahedronGeometry(1, detail);
+  geometry.deleteAttribute("uv");
+  return mergeVertices(geometry);
 }
 
 export class Studio {
@@ -164,10 +172,12 @@ class Actors {
     part.edges = mine(frames.edgeCount, frames.triangleCount);
     if (part.edges.length > 0) {
       part.rods = instances(new CylinderGeometry(1, 1, 1, 16, 1, true), part.edges);
-      part.joints = instances(new IcosahedronGeometry(1, 2), [...part.edges, ...part.edges]);
+      const ends = new Map(part.edges.flatMap((e) => [[frames.edges[2 * e], e], [frames.edges[2 * e + 1], e]]));
+      part.ends = [...ends]; // [vertex, an edge of it]
+      part.joints = instances(ball(2), part.ends);
     }
     part.points = mine(frames.points.length, frames.triangleCount + frames.edgeCount);
-    if (part.points.length > 0) part.balls = instances(new IcosahedronGeometry(1, part.points.length > 3000 ? 2 : 4), part.points);
+    if (part.points.length > 0) part.balls = instances(ball(part.points.length > 3000 ? 2 : 4), part.points);
     part.radius = object.radius === null || object.radius === undefined ? 0.003 : Math.max(0.0008, object.radius / this.size);
     return part;
   }
@@ -214,10 +224,10 @@ class Actors {
         part.rods.setMatrixAt(k, matrix.compose(middle.addVectors(a, b).multiplyScalar(0.5), turn, scale.set(r, length, r)));
         const both = ends.map((v) => colour(frames.triangleCount + e, v));
         part.rods.instanceColor.array.set(both[0].map((x, c) => (x + both[1][c]) / 2), 3 * k);
-        [a, b].forEach((end, side) => {
-          part.joints.setMatrixAt(2 * k + side, matrix.makeScale(r, r, r).setPosition(end));
-          part.joints.instanceColor.array.set(both[side], 3 * (2 * k + side));
-        });
+      });
+      part.ends.forEach(([v, e], k) => {
+        part.joints.setMatrixAt(k, matrix.makeScale(r, r, r).setPosition(a.fromArray(placed, 3 * v)));
+        part.joints.instanceColor.array.set(colour(frames.triangleCount + e, v), 3 * k);
       });
       done(part.rods);
       done(part.joints);
