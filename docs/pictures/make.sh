@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the pictures of README.md and docs/ anew, from the project's own runs: docs/pictures/make.sh
-# Runs experiments/batches/{phases,distances,strengths,jkr_dmt,paper_figures}.yaml and the comparison of solvers into results/ (two hours on two cores; what is
+# Runs experiments/batches/{phases,distances,strengths,jkr_dmt,paper_figures,gallery}.yaml and the comparison of solvers into results/ (two and a half hours on two cores; what is
 # done there already is not run again), then draws. Needs what `./tack report` and its test need: npm, node, Chromium.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -39,13 +39,6 @@ laws=$(mktemp -d)
 for name in traction unloading; do cp "$laws/$name.svg" "$images/law_rcc_$name.svg"; done
 rm -r "$laws"
 
-# drawn NAME SCENE: the end of a scene's run, by docs/pictures/NAME.yaml.
-drawn() {
-  [[ -d results/$1 ]] || "$tack" run "experiments/$2" -q -o "results/$1"
-  "$tack" render "results/$1" -q --view "docs/pictures/$1.yaml" -o "$images/gallery/$1.png"
-}
-drawn wax_seal wax_seal/seal.yaml
-drawn chips_bag chips_bag/chips_bag.yaml
-drawn sushi sushi/roll.yaml
+docs/pictures/gallery.sh
 
 node docs/pictures/views.mjs "$tack" build/release/report results/phases/cases "$images"
