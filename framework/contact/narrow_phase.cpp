@@ -127,6 +127,12 @@ const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, con
   return pairs.edge(object, other, pairs.part(object, other, a, b));
 }
 
+// Of two edges. One without width has none, and counts for nothing here.
+double shared_area(double a, double b, double most_uneven) {
+  const auto [least, most] = std::minmax(a, b);
+  return least > 0 ? least + std::min(most, most_uneven * least) : most;
+}
+
 // edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
                   const std::vector<int>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
@@ -142,7 +148,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     if (box_gaps(ca, cb).maxCoeff() >= role.range) continue;  // their boxes are too far apart already
     if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
     if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    const double weight = role.share * (surface.edge_area[ia] + surface.edge_area[ib]);
+    const double weight = role.share * shared_area(surface.edge_area[ia], surface.edge_area[ib], role.most_uneven);
     found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
   }
 }

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "framework/contact/pair_law.hpp"
@@ -45,6 +46,7 @@ struct PairRole {
   bool bonds = false;        // what is covered bonds (framework/bond), or some of it
   bool pulls_too = false;    // then: other parts of it adhere by a law of the gap
   double range_of_parts = 0;  // the largest of laws between parts of the two objects [m]
+  double most_uneven = std::numeric_limits<double>::infinity();  // of two edges' areas the larger counts up to so many times the smaller
 
   double reach() const { return std::max(range, range_of_parts); }
 };

@@ -20,6 +20,9 @@ constexpr double affine_modulus = 0.01;
 constexpr double most_times = 10;
 // Such a body is crushed on edges and tips, and guards are what stops it there: they act over the whole range then.
 constexpr double guard_range = 0.5, guard_range_of_fast = 1;  // contact distances
+// A pair of edges stands for what its smaller side carries: the diagonal of a coarse floor (square metres) would stop the edge of a fine
+// mat ten thousand times too hard. Not where the two adhere: there it has to resist to what is pulled against a rim by all around it.
+constexpr double most_uneven = 16;
 
 // Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
 // attached to the same ones.
@@ -255,6 +258,7 @@ PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const 
   Roles roles;
   // An edge pair's area is half the mean of its two edges' (they count the surface twice).
   roles.edge = {ids.guard, 0.25, range_of_guard, false};
+  if (!integral.adheres && !table_.plain_sums) roles.edge.most_uneven = most_uneven;
   roles.thin = {ids.pressure, 1, range};
   roles.thin.range_of_parts = integral.range_of_parts;
   if (table_.plain_sums) {
@@ -282,6 +286,7 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& pa
   for (const int entry : parts) of_parts.push_back(laws_of(a, b, entry, static_cast<int>(of_parts.size()) * (a == b ? 2 : 1)));
   Integral integral{side_of(a, b, config, parts)};
   // Seams are rims: parts are told apart by what is covered of them.
+  integral.adheres = adheres(config) || std::any_of(parts.begin(), parts.end(), adheres);
   integral.covered = a != b && (adheres(config) || !parts.empty());
   integral.bonds = whole.bond >= 0;
   integral.pulls_too = adheres(config) && whole.bond < 0;

@@ -38,7 +38,7 @@ class PairBuilder {
   // What holds for two objects whatever the part.
   struct Integral {
     Side side = Side::automatic;
-    bool covered = false, bonds = false, pulls_too = false;
+    bool adheres = false, covered = false, bonds = false, pulls_too = false;
     double range_of_parts = 0;
   };
   struct Roles {

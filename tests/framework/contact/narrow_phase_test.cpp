@@ -1,6 +1,7 @@
 #include "framework/contact/narrow_phase.hpp"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/stencil_kinds.hpp"
@@ -102,4 +103,29 @@ TEST_CASE("the smallest gap of different objects leaves out what an object has t
   contact.move_to(x);
   CHECK(contact.smallest_gaps(x).of_all < 0.4001e-3);
   CHECK(std::isinf(contact.smallest_gaps(x).between_objects));
+}
+
+// A mat of fine edges over a floor of two triangles.
+TEST_CASE("pairs of edges that do not adhere guard as what the smaller side carries, however coarse the other is", "[contact]") {
+  const auto [contact_keys, most_uneven] = GENERATE(table<std::string, double>(
+      {{"", 16}, {", weights: pair", 1e99}, {", pairs: [{between: [floor, mat], adhesion: {type: fang, peak_traction: 1 kPa}}]", 1e99}, {", pairs: [{between: [mat, mat], adhesion: {type: fang, peak_traction: 1 kPa}}]", 16}}));
+  CAPTURE(contact_keys);
+  TestScene scene("objects:\n  - {name: floor, shape: {type: box, size: [4, 0.5, 4]}, place: {translate: [0, -0.2505, 0]}, motion: [fixed]}\n"
+                  "  - {name: mat, shape: {type: box, size: [0.3, 0.02, 0.3], cells: [8, 1, 8]}, place: {translate: [0, 0.01, 0]},\n"
+                  "    energies: [{type: neo_hookean, young: 10 kPa}]}\n"
+                  "contact: {distance: 2 mm, guard: 1" + contact_keys + "}\n");
+  ContactSystem& contact = *scene.world->contact;
+  contact.move_to(scene.world->rest);
+  const ContactSurface& surface = contact.surface();
+  std::map<std::array<int, 2>, double> areas;
+  for (size_t e = 0; e < surface.mesh.edges.size(); ++e) areas[surface.mesh.edges[e]] = surface.edge_area[e];
+  int coarse = 0;
+  for (const auto& s : contact.contacts().edge_edge) {
+    const double a = areas.at({s.vertices[0], s.vertices[1]}), b = areas.at({s.vertices[2], s.vertices[3]});
+    const double least = std::min(a, b), most = std::max(a, b);
+    coarse += most > 16 * least;
+    CHECK(s.weight == Approx(0.25 * (least + std::min(most, most_uneven * least))));
+    CHECK(s.weight > 0);
+  }
+  CHECK(coarse > 10);
 }
