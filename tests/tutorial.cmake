@@ -4,7 +4,7 @@
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 file(READ ${SOURCE}/docs/tutorial.md TEXT)
-foreach(NAME stamp stamps solvers)
+foreach(NAME stamp stamps solvers column)
   string(FIND "${TEXT}" "```yaml\n" START)
   math(EXPR START "${START} + 8")
   string(SUBSTRING "${TEXT}" ${START} -1 TEXT)
@@ -33,7 +33,7 @@ foreach(COMMAND ${COMMANDS})
   message("${COMMAND}")
   execute_process(COMMAND ${PROGRAM} ${ARGUMENTS} WORKING_DIRECTORY ${SCRATCH} COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 endforeach()
-foreach(FILE results/stamp/summary.json results/stamps/results.csv results/stamp_solvers/compare.md figure/pull_off_by_young.svg
+foreach(FILE results/stamp/summary.json results/stamps/results.csv results/stamp_solvers/compare.md figure/pull_off_by_young.pdf
         plots/probe_force.svg)
   if(NOT EXISTS ${SCRATCH}/${FILE})
     message(FATAL_ERROR "docs/tutorial.md's commands did not make ${FILE}")
