@@ -107,3 +107,16 @@ TEST_CASE("the documents tell every exit code and command") {
                               "tack mesh info", "tack completion", "tack test", "tack bench"})
     CHECK(contains(readme, command));
 }
+
+TEST_CASE("the batch in docs/batches.md runs as it stands there") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "first");
+  fs::create_directories(folder.path() / "batches");
+  fs::copy(source / "experiments/first/hang.yaml", folder.path() / "first/hang.yaml");
+  write_file(folder.path() / "batches/cubes.yaml", blocks(file_text(source / "docs/batches.md"), "yaml").front());
+  const ProgramResult result = run_tack(folder.path(), {"batch", "batches/cubes.yaml", "-o", "out"});
+  INFO(result.out << result.err);
+  CHECK(result.exit_code == 0);
+  CHECK(contains(result.out, "cubes: 8 cases: 8 done"));
+  CHECK(contains(file_text(folder.path() / "out/results.csv").substr(0, 60), "young"));
+}
