@@ -273,6 +273,7 @@ class CommandLine {
     list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`")->type_name("FILE");
     list->add_option("--batch-schema", list_.batch_schema, "the same for the files of `tack batch`")->type_name("FILE");
     list->add_option("--calibrate-schema", list_.calibrate_schema, "the same for the files of `tack calibrate`")->type_name("FILE");
+    list->add_option("--plot-schema", list_.plot_schema, "the same for the files of `tack plot --style`")->type_name("FILE");
     list->add_option("--plugin", list_.plugins, "list (and describe) what a plugin adds as well (repeatable)")
         ->type_name("LIBRARY")->take_all()->allow_extra_args(false);
     list->add_option("--man", man_, "write the manual page (roff, for man) to a file")->type_name("FILE");

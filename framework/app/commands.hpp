@@ -128,11 +128,11 @@ int check_command(const CheckOptions& options);
 
 struct ListOptions {
   std::string kind, name;                         // empty: all
-  std::string reference, schema, compare_schema, batch_schema, calibrate_schema;  // files to write instead
+  std::string reference, schema, compare_schema, batch_schema, calibrate_schema, plot_schema;  // files to write instead
   std::vector<std::string> plugins;                             // whose components are listed too
 
   bool writes_files() const {
-    return !(reference.empty() && schema.empty() && compare_schema.empty() && batch_schema.empty() && calibrate_schema.empty());
+    return !(reference.empty() && schema.empty() && compare_schema.empty() && batch_schema.empty() && calibrate_schema.empty() && plot_schema.empty());
   }
 };
 // What can be named in a scene file; describe_command if files are to be written.

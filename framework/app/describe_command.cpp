@@ -5,6 +5,7 @@
 #include "framework/compare/compare_config.hpp"
 #include "framework/config/describe.hpp"
 #include "framework/experiment/experiment.hpp"
+#include "framework/plot/plot_look.hpp"
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {
@@ -27,6 +28,8 @@ int describe_command(const ListOptions& o) {
     replace_file(o.batch_schema, json_schema(prototype<BatchConfig>(), "tack batch") + "\n");
   if (!o.calibrate_schema.empty())
     replace_file(o.calibrate_schema, json_schema(prototype<CalibrateConfig>(), "tack calibration") + "\n");
+  if (!o.plot_schema.empty())
+    replace_file(o.plot_schema, json_schema(prototype<PlotLook>(), "tack plot style") + "\n");
   return exit_done;
 }
 

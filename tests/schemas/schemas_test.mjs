@@ -16,8 +16,8 @@ const { parse } = require("yaml");
 
 const ajv = new Ajv({ strict: true, strictTypes: false, strictTuples: false, strictRequired: false, allowUnionTypes: true });
 const schemas = {};
-for (const kind of ["scene", "compare", "batch", "calibrate"]) schemas[kind] = ajv.compile(JSON.parse(readFileSync(join(source, "docs", `${kind}.schema.json`), "utf8")));
-const kindOf = (file) => ("fit" in file ? "calibrate" : "solvers" in file ? "compare" : "vary" in file || "bases" in file ? "batch" : "scene");
+for (const kind of ["scene", "compare", "batch", "calibrate", "plot"]) schemas[kind] = ajv.compile(JSON.parse(readFileSync(join(source, "docs", `${kind}.schema.json`), "utf8")));
+const kindOf = (file) => ("fit" in file ? "calibrate" : "solvers" in file ? "compare" : "vary" in file || "bases" in file ? "batch" : "width" in file ? "plot" : "scene");
 const problems = (validate) => (validate.errors ?? []).map((e) => `${e.instancePath} ${e.message}`).join("\n  ");
 
 function yamlFiles(folder) {
@@ -28,7 +28,7 @@ function yamlFiles(folder) {
 }
 
 let refused = 0;
-const count = { scene: 0, compare: 0, batch: 0, calibrate: 0 };
+const count = { scene: 0, compare: 0, batch: 0, calibrate: 0, plot: 0 };
 for (const path of yamlFiles(join(source, "experiments"))) {
   const file = parse(readFileSync(path, "utf8"));
   const kind = kindOf(file);
@@ -38,7 +38,7 @@ for (const path of yamlFiles(join(source, "experiments"))) {
   console.log(`${relative(source, path)}: refused\n  ${problems(schemas[kind])}`);
 }
 assert.equal(refused, 0, `${refused} shipped files are refused`);
-assert.ok(count.scene > 150 && count.compare >= 4 && count.batch >= 4 && count.calibrate >= 4, `files of each kind: ${JSON.stringify(count)}`);
+assert.ok(count.scene > 150 && count.compare >= 4 && count.batch >= 4 && count.calibrate >= 4 && count.plot >= 1, `files of each kind: ${JSON.stringify(count)}`);
 
 // Of one scene that is right.
 const scene = () => parse(readFileSync(join(source, "experiments/first/hang.yaml"), "utf8"));

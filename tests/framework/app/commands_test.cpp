@@ -12,14 +12,15 @@ TEST_CASE("the committed reference page and schema are those of the program") {
   const TemporaryFolder folder;
   const fs::path docs = fs::path(TACK_SOURCE_DIR) / "docs";
   REQUIRE(run_tack(folder.path(), {"list", "--reference", "page.md", "--schema", "schema.json", "--compare-schema",
-                                    "compare.json", "--batch-schema", "batch.json", "--calibrate-schema", "calibrate.json"}).exit_code == 0);
+                                    "compare.json", "--batch-schema", "batch.json", "--calibrate-schema", "calibrate.json", "--plot-schema", "plot.json"}).exit_code == 0);
   INFO("regenerate: ./tack list --reference docs/reference.md --schema docs/scene.schema.json --compare-schema "
-       "docs/compare.schema.json --batch-schema docs/batch.schema.json --calibrate-schema docs/calibrate.schema.json");
+       "docs/compare.schema.json --batch-schema docs/batch.schema.json --calibrate-schema docs/calibrate.schema.json --plot-schema docs/plot.schema.json");
   CHECK((file_text(folder.path() / "page.md") == file_text(docs / "reference.md")));
   CHECK((file_text(folder.path() / "schema.json") == file_text(docs / "scene.schema.json")));
   CHECK((file_text(folder.path() / "compare.json") == file_text(docs / "compare.schema.json")));
   CHECK((file_text(folder.path() / "batch.json") == file_text(docs / "batch.schema.json")));
   CHECK((file_text(folder.path() / "calibrate.json") == file_text(docs / "calibrate.schema.json")));
+  CHECK((file_text(folder.path() / "plot.json") == file_text(docs / "plot.schema.json")));
 }
 
 TEST_CASE("without the program that has it, a command says what to build, and the others work") {
