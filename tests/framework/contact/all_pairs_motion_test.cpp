@@ -110,18 +110,28 @@ constexpr const char* pull_times = "time: {step: 50 ms, duration: 9}\n";
 
 }  // namespace
 
+namespace {
+
+void check_pull_off_between(ObjectKind a, ObjectKind b, int m, int n) {
+  INFO(name_of(b) << " on " << name_of(a) << ", " << m << " and " << n << " cells");
+  const Stack stack{a, b, m, n};
+  TestRun run(pull_times + stack.objects(1e-3, pulled(stack)) +
+              fmt::format("contact:\n  distance: {}\n  pairs: [{{between: [lower, upper], adhesion: {{type: fang, young: 1e4, critical_strain: "
+                          "0.1}}}}]\n", dhat));
+  const int upper = run.world->bodies[run.world->body_index("upper")].first_vertex;
+  check_pull_off(run, upper, run.rest(upper).y() - 1e-3);
+}
+
+}  // namespace
+
 TEST_CASE("forces pull off what adhesion holds, between all kinds of objects", "[contact][all_pairs]") {
   for (const ObjectKind a : kinds)
-    for (const ObjectKind b : kinds)
-      for (const auto& [m, n] : {std::pair{3, 4}, std::pair{6, 5}}) {
-        INFO(name_of(b) << " on " << name_of(a) << ", " << m << " and " << n << " cells");
-        const Stack stack{a, b, m, n};
-        TestRun run(pull_times + stack.objects(1e-3, pulled(stack)) +
-                    fmt::format("contact:\n  distance: {}\n  pairs: [{{between: [lower, upper], adhesion: {{type: fang, young: 1e4, critical_strain: "
-                                "0.1}}}}]\n", dhat));
-        const int upper = run.world->bodies[run.world->body_index("upper")].first_vertex;
-        check_pull_off(run, upper, run.rest(upper).y() - 1e-3);
-      }
+    for (const ObjectKind b : kinds) check_pull_off_between(a, b, 3, 4);
+}
+
+TEST_CASE("forces pull off what adhesion holds, between all kinds of objects, with finer cells", "[contact][all_pairs][.][nightly]") {
+  for (const ObjectKind a : kinds)
+    for (const ObjectKind b : kinds) check_pull_off_between(a, b, 6, 5);
 }
 
 TEST_CASE("forces pull off what adhesion holds, within one object of each kind", "[contact][all_pairs]") {
