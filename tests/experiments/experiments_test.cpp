@@ -172,6 +172,11 @@ TEST_CASE("the force of peeling depends neither on the cells nor on the form of 
   CHECK(value_of(squared, "the force of Kendall") == Approx(0.48871 * 0.003).epsilon(0.05));
 }
 
+TEST_CASE("experiment soft/mats") { check_experiment("soft/mats.yaml"); }
+TEST_CASE("experiment soft/points") { check_experiment("soft/points.yaml"); }
+TEST_CASE("experiment soft/squares") { check_experiment("soft/squares.yaml"); }
+TEST_CASE("experiment soft/wires") { check_experiment("soft/wires.yaml"); }
+
 TEST_CASE("experiment squash/block") { check_experiment("squash/block.yaml"); }
 TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.yaml"); }
 
