@@ -180,7 +180,7 @@ TEST_CASE("experiment soft/wires") { check_experiment("soft/wires.yaml"); }
 TEST_CASE("experiment squash/block") { check_experiment("squash/block.yaml"); }
 TEST_CASE("experiment squash/six_blocks") { check_experiment("squash/six_blocks.yaml"); }
 
-// The whole runs, which the nightly tests have, take from ten seconds to minutes; these end when the first folds lie on each other, and the
+// The whole runs, most of which the nightly tests have, take from ten seconds to minutes; these end when the first folds lie on each other, and the
 // cubes on the floor and on each other.
 TEST_CASE("experiments that take long, their beginnings") {
   const auto [file, steps] =

@@ -108,10 +108,6 @@ void check_pull_off(TestRun& run, int upper_vertex, double contact) {
 
 constexpr const char* pull_times = "time: {step: 50 ms, duration: 9}\n";
 
-}  // namespace
-
-namespace {
-
 void check_pull_off_between(ObjectKind a, ObjectKind b, int m, int n) {
   INFO(name_of(b) << " on " << name_of(a) << ", " << m << " and " << n << " cells");
   const Stack stack{a, b, m, n};
@@ -129,7 +125,7 @@ TEST_CASE("forces pull off what adhesion holds, between all kinds of objects", "
     for (const ObjectKind b : kinds) check_pull_off_between(a, b, 3, 4);
 }
 
-TEST_CASE("forces pull off what adhesion holds, between all kinds of objects, with finer cells", "[contact][all_pairs][.][nightly]") {
+TEST_CASE("forces pull off what adhesion holds, between all kinds of objects, with finer cells", "[contact][all_pairs][nightly]") {
   for (const ObjectKind a : kinds)
     for (const ObjectKind b : kinds) check_pull_off_between(a, b, 6, 5);
 }
