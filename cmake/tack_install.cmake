@@ -1,9 +1,9 @@
-# bin/tack and what it starts, lib/tack (what it opens itself), lib/libtack.so (all of it as a library) where that was built, include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents), completions of shells and tack(1).
+# bin/tack and what it starts, lib/tack (what these open themselves), lib/libtack.so (all of it as a library) where that was built, include/tack, lib/cmake/tack (find_package(tack)), share/tack (experiments, documents), completions of shells and tack(1).
 include(CMakePackageConfigHelpers)
 if(TACK_ARCHITECTURE)
   include(tack_package)
 else()
-  install(TARGETS tack_cli tack_studies RUNTIME DESTINATION bin)
+  install(TARGETS tack_cli tack_studies tack_further RUNTIME DESTINATION bin LIBRARY DESTINATION lib/tack)
 endif()
 install(FILES $<TARGET_FILE:tack_library> DESTINATION lib OPTIONAL)
 install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)

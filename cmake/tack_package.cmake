@@ -1,6 +1,6 @@
 # What packages are made of: packaging/deb.sh configures a build for each TACK_ARCHITECTURE, and puts them into one. All but programs is the same in all, and
 # comes from the first.
-install(TARGETS tack_cli tack_studies RUNTIME DESTINATION libexec/tack/${TACK_ARCHITECTURE}/bin COMPONENT program)
+install(TARGETS tack_cli tack_studies tack_further RUNTIME DESTINATION libexec/tack/${TACK_ARCHITECTURE}/bin LIBRARY DESTINATION libexec/tack/${TACK_ARCHITECTURE}/bin COMPONENT program)
 # They look for the rest beside themselves.
 foreach(LINK lib share)
   install(CODE "file(CREATE_LINK ../../../${LINK} \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/libexec/tack/${TACK_ARCHITECTURE}/${LINK}\" SYMBOLIC)" COMPONENT program)

@@ -16,7 +16,7 @@ for a in "${architectures[@]}"; do
   fi
   cmake -S . -B "$root/$a" -G Ninja -DCMAKE_BUILD_TYPE=Release "-DTACK_ARCHITECTURE=$a" -DTACK_TESTS=OFF -DTACK_BENCH=OFF \
     "-DTACK_PACKAGED=$(IFS=';'; echo "${others[*]}")" >"$root/$a.log" || { cat "$root/$a.log"; exit 2; }
-  targets=(tack_cli tack_studies)
+  targets=(tack_cli tack_studies tack_further)
   [[ $a != "${architectures[0]}" ]] || targets+=(tack_meshing tack_msh tack_launcher)
   cmake --build "$root/$a" -j "$jobs" --target "${targets[@]}"
 done

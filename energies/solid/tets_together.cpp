@@ -1,4 +1,4 @@
-// Last but those of von_mises in the order in which files are linked: of what several have, the linker keeps the first, that of linear tets.
+// Last in the order in which files are linked: of what several have, the linker keeps the first, that of linear tets.
 #include "energies/solid/grouped_solid.hpp"
 
 #include "energies/solid/fixed_corotated.hpp"

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -10,6 +11,7 @@
 
 #include "framework/app/command_line.hpp"
 #include "framework/app/commands.hpp"
+#include "framework/plugin/further_components.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/interrupt.hpp"
@@ -18,12 +20,28 @@
 namespace tack {
 namespace {
 
-// Started by the script `tack` before the library was built: it builds it, and starts the program again.
-void let_script_build_library(char** argv) {
+// What this process let only its own thread take: programs that it becomes would be deaf to it.
+void let_signals_through() {
+  sigset_t none;
+  ::sigemptyset(&none);
+  ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
+}
+
+// Started by the script `tack` before a library was built: it builds that, and starts the program again.
+void let_script_build_libraries(char** argv) {
   const char* script = std::getenv("TACK_SCRIPT");
-  if (!script || !meshing_library_failed()) return;
+  if (!script) return;
+  bool missing = false;
+  const auto ask_for = [&](const char* library, bool failed) {
+    if (!failed || std::getenv(library)) return;  // once
+    ::setenv(library, "1", 1);
+    missing = true;
+  };
+  ask_for("TACK_MESHING", meshing_library_failed());
+  ask_for("TACK_FURTHER", further_components_failed());
+  if (!missing) return;
   std::fflush(nullptr);
-  ::setenv("TACK_MESHING", "1", 1);
+  let_signals_through();
   ::execv(script, argv);
 }
 
@@ -33,6 +51,7 @@ int go_on_in_studies(char** argv) {
   std::error_code none;
   const std::string program = (fs::read_symlink("/proc/self/exe", none).parent_path() / "tack_studies").string();
   std::fflush(nullptr);
+  let_signals_through();
   ::execv(program.c_str(), argv);
   fmt::print(stderr, "error: the program with this command, {}, cannot be started ({}); run `./tack`, which builds it, or "
                      "`cmake --build --preset release --target tack_studies`\n", program, std::strerror(errno));
@@ -44,12 +63,13 @@ int go_on_in_studies(char** argv) {
 
 int main(int argc, char** argv) {
   try {
+    tack::note_further_components();
     tack::keep_meshes_in(tack::usual_mesh_folder());
     return tack::execute_command_line(argc, argv);
   } catch (const tack::InStudies&) {
     return tack::go_on_in_studies(argv);
   } catch (const tack::InputError& error) {
-    tack::let_script_build_library(argv);
+    tack::let_script_build_libraries(argv);
     fmt::print(stderr, "error: {}\n", error.what());
     return tack::exit_bad_input;
   } catch (const tack::Interrupted&) {

@@ -74,6 +74,7 @@ std::string list_kinds() {
 
 std::string list_kind(const std::string& name) {
   const Kind& kind = kind_called(name);
+  kind.complete();
   std::vector<std::pair<std::string, std::string>> table;
   for (const auto& [key, entry] : kind.entries()) {
     table.emplace_back(key, entry.doc);

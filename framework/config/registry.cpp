@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "framework/config/field.hpp"
@@ -30,6 +32,19 @@ std::map<std::type_index, std::string>& names_by_class() {
   return names;
 }
 
+ComponentsElsewhere& elsewhere() {
+  static ComponentsElsewhere noted;
+  return noted;
+}
+
+const std::vector<std::string>& names_elsewhere(const std::string& kind) {
+  static const std::vector<std::string> none;
+  const auto found = elsewhere().names.find(kind);
+  return found == elsewhere().names.end() ? none : found->second;
+}
+
+bool among(const std::vector<std::string>& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
+
 // Compilers are called with absolute paths; this file knows where the source tree begins.
 std::string relative_to_tree(std::string file) {
   const std::string_view here = __FILE__;
@@ -55,16 +70,25 @@ Kind& Kind::named(const char* name, const char* doc, std::type_index base) {
 }
 
 std::vector<std::string> Kind::names() const {
-  std::vector<std::string> names;
-  for (const auto& [name, entry] : entries_) names.push_back(name);
-  return names;
+  const std::vector<std::string>& others = names_elsewhere(name_);
+  std::set<std::string> names(others.begin(), others.end());
+  for (const auto& [name, entry] : entries_) names.insert(name);
+  return {names.begin(), names.end()};
 }
 
 const Kind::Entry& Kind::entry(std::string_view name) const {
-  const auto found = entries_.find(name);
+  auto found = entries_.find(name);
+  if (found == entries_.end() && among(names_elsewhere(name_), name)) {
+    elsewhere().load();
+    found = entries_.find(name);
+  }
   if (found != entries_.end()) return found->second;
   throw InputError(
       fmt::format("unknown {} '{}'{}", name_, name, suggestion(name, names(), plural(name_))));
+}
+
+void Kind::complete() const {
+  for (const std::string& name : names_elsewhere(name_)) entry(name);
 }
 
 Fields Kind::prototype(std::string_view name) const {
@@ -86,6 +110,8 @@ void Kind::add(Entry entry, std::type_index type) {
     return refuse(fmt::format("{} '{}' is registered in {} and again in {}", name_, entry.name, present->second.file,
                               entry.file));
   }
+  if (loading && among(names_elsewhere(name_), entry.name))
+    return refuse(fmt::format("{} '{}' is one of tack's own, and registered again in {}", name_, entry.name, entry.file));
   const auto [known, is_new] = names_by_class().emplace(type, entry.name);
   if (!is_new) {
     return refuse(fmt::format("the class of {} '{}' ({}) is already registered as '{}'", name_, entry.name, entry.file,
@@ -107,6 +133,8 @@ PluginRegistrations::~PluginRegistrations() {
     names_by_class().erase(a.type);
   }
 }
+
+void note_components_elsewhere(ComponentsElsewhere components) { elsewhere() = std::move(components); }
 
 std::vector<const Kind*> registered_kinds() {
   std::vector<const Kind*> kinds;

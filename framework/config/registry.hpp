@@ -58,18 +58,21 @@ class Kind {
 
   const std::string& name() const { return name_; }
   const std::string& doc() const { return doc_; }
-  std::vector<std::string> names() const;  // sorted
+  std::vector<std::string> names() const;  // sorted, with those that are elsewhere
   const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
 
-  // Throws InputError, without a place: "unknown energy 'neo_hokean'; did you mean 'neo_hookean'?
-  // (...)".
+  // Of one that is elsewhere, after what has it is loaded. Throws InputError, without a place: "unknown energy 'neo_hokean'; did you
+  // mean 'neo_hookean'? (...)", or what loading threw.
   const Entry& entry(std::string_view name) const;
+
+  // Afterwards none of its components is elsewhere. Throws what loading threw.
+  void complete() const;
 
   // The fields of a fresh instance, which the result keeps alive: its defaults.
   Fields prototype(std::string_view name) const;
 
   // Throws std::logic_error if the name or the class is registered already; while a plugin is loaded, keeps that for
-  // its PluginRegistrations.
+  // its PluginRegistrations, for which the names of what is elsewhere are taken too.
   void add(Entry entry, std::type_index type);
 
  private:
@@ -78,6 +81,13 @@ class Kind {
   std::string doc_;
   std::map<std::string, Entry, std::less<>> entries_;
 };
+
+// Components that register themselves when a library is loaded, which is done once one of them is named.
+struct ComponentsElsewhere {
+  std::map<std::string, std::vector<std::string>, std::less<>> names;  // of each kind
+  std::function<void()> load;                                         // registers them; throws InputError, without a place
+};
+void note_components_elsewhere(ComponentsElsewhere components);
 
 // All kinds that are used or have components, sorted by name.
 std::vector<const Kind*> registered_kinds();

@@ -10,13 +10,12 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <sstream>
 
 #include "framework/config/parse.hpp"
 #include "framework/config/reader.hpp"
 #include "framework/config/registry.hpp"
-#include "framework/plugin/interface.hpp"
-#include "framework/plugin/shared_library.hpp"
+#include "framework/plugin/built_against.hpp"
+#include "framework/plugin/further_components.hpp"
 #include "geometry/checksum.hpp"
 #include "geometry/errors.hpp"
 
@@ -30,23 +29,8 @@ std::vector<Plugin>& plugins() {
   return loaded;
 }
 
-// The first line that differs; "" if none does.
-std::string difference(const std::string& theirs, const std::string& ours) {
-  std::istringstream plugin(theirs), program(ours);
-  std::string a, b;
-  while (std::getline(program, b)) {
-    if (!std::getline(plugin, a)) a = "nothing";
-    if (a != b) return fmt::format("it was built for {}, this program is {}", a, b);
-  }
-  return "";
-}
-
 void check_interface(const std::string& path) {
-  std::optional<std::string> note = library_section(path, TACK_PLUGIN_SECTION);
-  if (!note)
-    throw InputError(fmt::format("'{}' is no plugin of tack; link it with the CMake target tack::plugin (docs/plugins.md)", path));
-  note->resize(std::min(note->find('\0'), note->size()));
-  if (const std::string what = difference(*note, TACK_PLUGIN_INTERFACE); !what.empty())
+  if (const std::string what = built_against_another(path); !what.empty())
     throw InputError(fmt::format("'{}' is a plugin for another tack: {}; build it anew against this one, with the compiler "
                                  "that built it", path, what));
 }
@@ -62,6 +46,11 @@ std::string readable(std::string message) {
   return name ? message.replace(begin, end - begin, name.get()) : message;
 }
 
+// It calls something of tack that this program has not, or not yet.
+struct Undefined : InputError {
+  using InputError::InputError;
+};
+
 // Closes the library unless it is kept.
 class Library {
  public:
@@ -72,7 +61,9 @@ class Library {
     const char* remedy = "it must be linked with what it calls, and may call of tack what its headers declare";
     if (why.find("::packs_of_") != std::string::npos)
       remedy = "materials of solids need the instruction set of the program: link tack::native as well (docs/plugins.md)";
-    throw InputError(fmt::format("cannot load the plugin: {}; {}", why, remedy));
+    const std::string what = fmt::format("cannot load the plugin: {}; {}", why, remedy);
+    if (why.find("undefined symbol") != std::string::npos) throw Undefined(what);
+    throw InputError(what);
   }
   ~Library() {
     if (handle_) ::dlclose(handle_);
@@ -91,6 +82,18 @@ std::uint32_t checksum_of(const std::string& path) {
   return crc32_of(bytes.data(), bytes.size());
 }
 
+void open(const std::string& path) {
+  std::unique_ptr<Library> library;  // goes after what it registered
+  PluginRegistrations registrations(path);
+  library = std::make_unique<Library>(path);
+  if (!registrations.errors().empty())
+    throw InputError(fmt::format("plugin '{}': {}; choose another name", path, registrations.errors().front()));
+  if (registrations.empty())
+    throw InputError(fmt::format("plugin '{}' registers no component; write TACK_REGISTER in its sources", path));
+  registrations.keep();
+  library->keep();
+}
+
 }  // namespace
 
 const std::vector<Plugin>& loaded_plugins() { return plugins(); }
@@ -104,15 +107,12 @@ void load_plugin(const std::string& given) {
   if (std::any_of(plugins().begin(), plugins().end(), same)) return;
 
   check_interface(path);
-  std::unique_ptr<Library> library;  // goes after what it registered
-  PluginRegistrations registrations(path);
-  library = std::make_unique<Library>(path);
-  if (!registrations.errors().empty())
-    throw InputError(fmt::format("plugin '{}': {}; choose another name", path, registrations.errors().front()));
-  if (registrations.empty())
-    throw InputError(fmt::format("plugin '{}' registers no component; write TACK_REGISTER in its sources", path));
-  registrations.keep();
-  library->keep();
+  try {
+    open(path);
+  } catch (const Undefined&) {
+    if (!load_further_components()) throw;
+    open(path);
+  }
   plugins().push_back({path, checksum_of(path)});
 }
 

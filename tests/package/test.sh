@@ -18,7 +18,7 @@ dpkg-deb -I "$package" | grep -q 'Depends:.*libc6' || fail "no dependencies"
 ! dpkg-deb -I "$package" | grep -E 'Depends:.*(-dev|g\+\+|cmake)' || fail "it asks for a compiler"
 dpkg-deb -x "$package" "$scratch/root"
 for file in bin/tack lib/tack/libtack_meshing.so lib/tack/libtack_msh.so share/man/man1/tack.1 share/bash-completion/completions/tack share/tack/experiments/debonding/pull.yaml \
-  share/doc/tack/copyright include/tack/geometry/types.hpp lib/cmake/tack/tackConfig.cmake libexec/tack/x86-64{,-v3,-v4}/bin/{tack,tack_studies}; do
+  share/doc/tack/copyright include/tack/geometry/types.hpp lib/cmake/tack/tackConfig.cmake libexec/tack/x86-64{,-v3,-v4}/bin/{tack,tack_studies,libtack_further.so}; do
   [[ -s $scratch/root/usr/$file ]] || fail "the package does not have $file"
 done
 

@@ -1,5 +1,6 @@
 // The other commands, and what is generated from the program.
 #include <catch2/catch.hpp>
+#include <cstdlib>
 
 #include "framework/output/provenance.hpp"
 #include "tests/support/program.hpp"
@@ -37,6 +38,53 @@ TEST_CASE("without the program that has it, a command says what to build, and th
     CHECK(contains(missing.err, "--target tack_studies"));
   }
   CHECK(run_tack(folder.path(), {"list", "adhesion"}, alone).exit_code == 0);
+}
+
+TEST_CASE("components that the program lacks at its start are loaded once one is named") {
+  const TemporaryFolder folder;
+  const fs::path alone = folder.path() / "bin" / "tack", studies = fs::path(TACK_PROGRAM).parent_path() / "tack_studies";
+  fs::create_directories(alone.parent_path());
+  fs::copy_file(TACK_PROGRAM, alone);
+  // It knows their names without the library, and all of them.
+  CHECK(run_tack(folder.path(), {"completion", "bash"}, alone).out == run_tack(folder.path(), {"completion", "bash"}, studies).out);
+  CHECK(contains(run_tack(folder.path(), {"list", "energy", "von_mise"}, alone).err, "unknown energy 'von_mise'; did you mean 'von_mises'?"));
+  CHECK(run_tack(folder.path(), {"list", "energy", "neo_hookean"}, alone).exit_code == 0);
+  for (const Arguments& arguments : {Arguments{"list", "energy", "von_mises"}, {"list", "energy"}}) {
+    CAPTURE(arguments);
+    const ProgramResult missing = run_tack(folder.path(), arguments, alone);
+    CHECK(missing.exit_code == 2);
+    CHECK(contains(missing.err, (folder.path() / "bin" / "libtack_further.so").string() + " is not there"));
+    CHECK(contains(missing.err, "--target tack_further"));
+  }
+  write_file(alone.parent_path() / "libtack_further.so", "none");
+  CHECK(contains(run_tack(folder.path(), {"list", "energy", "von_mises"}, alone).err, "is no shared library"));
+  for (const char* kind : {"energy", "field", "filling", "interaction", "load", "probe", "stepper"}) {
+    CAPTURE(kind);
+    const ProgramResult listed = run_tack(folder.path(), {"list", kind});
+    CHECK(listed.exit_code == 0);
+    CHECK(listed.out == run_tack(folder.path(), {"list", kind}, studies).out);
+  }
+}
+
+TEST_CASE("the script that started the program builds what it lacks, and can be ended meanwhile") {
+  const TemporaryFolder folder;
+  const fs::path alone = folder.path() / "tack", script = folder.path() / "script";
+  fs::copy_file(TACK_PROGRAM, alone);
+  write_file(script, "#!/bin/sh\necho \"asked for: $TACK_FURTHER$TACK_MESHING with $*\"\ngrep SigBlk /proc/self/status\n");
+  fs::permissions(script, fs::perms::owner_all);
+  write_file(folder.path() / "scene.yaml", tiny_scene_with("type: neo_hookean", "type: von_mises, yield_stress: 1 MPa"));
+  ::setenv("TACK_SCRIPT", script.c_str(), 1);
+  const ProgramResult asked = run_tack(folder.path(), {"run", "scene.yaml"}, alone);
+  ::setenv("TACK_FURTHER", "1", 1);
+  const ProgramResult again = run_tack(folder.path(), {"run", "scene.yaml"}, alone);
+  ::unsetenv("TACK_FURTHER");
+  ::unsetenv("TACK_SCRIPT");
+  CHECK(contains(asked.out, "asked for: 1 with run scene.yaml"));
+  CHECK(contains(asked.out, "SigBlk:\t0000000000000000"));
+  CHECK(again.exit_code == 2);  // not for ever
+  CHECK(contains(again.err, "scene.yaml:"));
+  CHECK(contains(again.err, "libtack_further.so is not there"));
+  CHECK_FALSE(fs::exists(folder.path() / "results"));
 }
 
 TEST_CASE("tack check validates without running") {

@@ -1,6 +1,6 @@
-#include "energies/solid/von_mises_composite.hpp"
+#include "energies/plasticity/von_mises_composite.hpp"
 #include "energies/solid/patch_term.hpp"
-#include "energies/solid/von_mises_term.hpp"
+#include "energies/plasticity/von_mises_term.hpp"
 
 namespace tack {
 

@@ -1,4 +1,4 @@
-#include "energies/solid/von_mises_composite.hpp"
+#include "energies/plasticity/von_mises_composite.hpp"
 
 #include "energies/plasticity/plastic_records.hpp"
 

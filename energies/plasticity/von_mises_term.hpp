@@ -1,8 +1,8 @@
 // Plastic flow of tets, each of which has its own.
 #pragma once
 
+#include "energies/plasticity/plastic_memory.hpp"
 #include "energies/plasticity/plastic_records.hpp"
-#include "energies/solid/plastic_memory.hpp"
 #include "energies/solid/solid_term.hpp"
 
 namespace tack {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "energies/solid/composite_term.hpp"
-#include "energies/solid/plastic_memory.hpp"
+#include "energies/plasticity/plastic_memory.hpp"
 
 namespace tack {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "energies/solid/svd3.hpp"
-#include "energies/solid/von_mises.hpp"
+#include "energies/plasticity/von_mises.hpp"
 #include "framework/core/history.hpp"
 #include "geometry/parallel.hpp"
 

@@ -1,4 +1,4 @@
-#include "energies/solid/plastic_memory.hpp"
+#include "energies/plasticity/plastic_memory.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,67 @@
+#include "framework/plugin/further_components.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "framework/config/registry.hpp"
+#include "framework/plugin/built_against.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/own_library.hpp"
+
+namespace tack {
+namespace {
+
+enum class Further { here, elsewhere, failed };
+Further further = Further::here;
+
+const std::map<std::string, std::vector<std::string>, std::less<>> names = {
+    {"energy", {"elastic_rod", "hinge_bending", "neo_hookean_membrane", "particle", "string", "stvk_membrane", "von_mises", "von_mises_membrane"}},
+    {"field", {"plastic_strain"}},
+    {"filling", {"gas", "liquid"}},
+    {"interaction", {"ball", "chamber", "hinge", "rope", "slider", "spring", "weld"}},
+    {"load", {"chamber", "field", "torque", "wind"}},
+    {"probe", {"intact_springs", "joint_angle", "joint_way", "motor_force", "motor_torque", "rope_force", "spring_force"}},
+    {"stepper", {"lcp_pgs"}}};
+
+bool linked() {
+  for (const Kind* kind : registered_kinds())
+    if (const auto found = names.find(kind->name()); found != names.end() && kind->entries().contains(found->second.front())) return true;
+  return false;
+}
+
+void load_from(const std::string& path) {
+  if (std::error_code none; !std::filesystem::exists(path, none)) throw InputError(path + " is not there");
+  if (const std::string what = built_against_another(path); !what.empty()) throw InputError(fmt::format("{}: {}", path, what));
+  // Plugins may call what is in it.
+  if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) throw InputError(::dlerror());
+}
+
+}  // namespace
+
+bool load_further_components() {
+  if (further == Further::here) return false;
+  further = Further::failed;
+  try {
+    load_from(own_library_path("libtack_further.so").string());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("the library that has it cannot be loaded ({}); run `./tack`, which builds it, or `cmake --build --preset release "
+                                 "--target tack_further`", error.what()));
+  }
+  further = Further::here;
+  return true;
+}
+
+bool further_components_failed() { return further == Further::failed; }
+
+void note_further_components() {
+  if (linked()) return;
+  further = Further::elsewhere;
+  note_components_elsewhere({names, [] { load_further_components(); }});
+}
+
+}  // namespace tack
