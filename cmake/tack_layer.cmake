@@ -158,6 +158,7 @@ function(tack_layer NAME)
   if(FURTHER)
     add_library(tack_${NAME}_further OBJECT ${FURTHER})
     tack_unite(tack_${NAME}_further 10)
+    target_compile_options(tack_${NAME}_further PRIVATE -Wno-subobject-linkage)  # of what is compiled with others, whose unnamed namespaces are no header's
     target_precompile_headers(tack_${NAME}_further REUSE_FROM tack_precompiled)
     set_property(GLOBAL APPEND PROPERTY TACK_FURTHER_LAYERS tack_${NAME}_further)
     list(APPEND TARGETS tack_${NAME}_further)

@@ -6,6 +6,9 @@
 
 namespace tack {
 
+// Listed though the program may have none of its own.
+[[maybe_unused]] static const Kind& interactions = Registry<Interaction>::kind();
+
 void NamedSelection::fields(Fields& f) {
   f.text("name", name, "what selections of type tag call it").required().line();
   f.component("select", select, "its vertices").required();

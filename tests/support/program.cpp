@@ -65,7 +65,7 @@ ProgramResult Program::wait() {
   using namespace std::chrono_literals;
   int status = 0;
   pid_t ended = 0;
-  const auto deadline = std::chrono::steady_clock::now() + TACK_PATIENCE * 2min;
+  const auto deadline = std::chrono::steady_clock::now() + TACK_PATIENCE * 4min;
   while ((ended = ::waitpid(pid_, &status, WNOHANG)) == 0) {
     if (std::chrono::steady_clock::now() > deadline) ::kill(pid_, SIGKILL);
     std::this_thread::sleep_for(1ms);

@@ -32,7 +32,7 @@ class Program {
   bool has_child() const;  // whether it has forked a process that runs
   int threads_open_to(int signal) const;  // that do not block it
   void kill();           // as `kill -9` does
-  ProgramResult wait();  // kills it after two minutes, with sanitizers after forty
+  ProgramResult wait();  // kills it after four minutes, with sanitizers after eighty
 
  private:
   TemporaryFolder printed_;

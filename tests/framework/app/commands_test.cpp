@@ -46,7 +46,13 @@ TEST_CASE("components that the program lacks at its start are loaded once one is
   fs::create_directories(alone.parent_path());
   fs::copy_file(TACK_PROGRAM, alone);
   // It knows their names without the library, and all of them.
-  CHECK(run_tack(folder.path(), {"completion", "bash"}, alone).out == run_tack(folder.path(), {"completion", "bash"}, studies).out);
+  const std::string known = run_tack(folder.path(), {"completion", "bash"}, alone).out, all = run_tack(folder.path(), {"completion", "bash"}, studies).out;
+  for (const char* kind : {"energy", "field", "filling", "interaction", "load", "probe", "stepper"}) {
+    CAPTURE(kind);
+    const size_t at = all.find(std::string("    ") + kind + ") _tack_words ");
+    REQUIRE(at != all.npos);
+    CHECK(contains(known, all.substr(at, all.find('\n', at) + 1 - at)));
+  }
   CHECK(contains(run_tack(folder.path(), {"list", "energy", "von_mise"}, alone).err, "unknown energy 'von_mise'; did you mean 'von_mises'?"));
   CHECK(run_tack(folder.path(), {"list", "energy", "neo_hookean"}, alone).exit_code == 0);
   for (const Arguments& arguments : {Arguments{"list", "energy", "von_mises"}, {"list", "energy"}}) {
