@@ -1,6 +1,7 @@
 #include "framework/stepping/moving_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "framework/contact/contact_system.hpp"
@@ -18,7 +19,8 @@ struct Passing {
 
   bool accept(int a, int b) const {
     const MovingPart &one = parts[a], &other = parts[b];
-    return one.way_against(other) > fraction * smaller_size(one, other, least) &&
+    const double size = smaller_size(one, other, least);
+    return one.way_against(other, size) > fraction * size &&
            colliding.allows(one.object, other.object);
   }
   std::array<int, 2> pair(int a, int b) const { return {a, b}; }
@@ -49,12 +51,21 @@ MovingParts::MovingParts(const World& world) : world_(world), part_of_(static_ca
 }
 
 void MovingParts::move(const VecX& x, const VecX& y) {
-  for (MovingPart& part : parts_) part.place = part.way = {};
-  for (const int v : world_.contact->surface().mesh.vertices) {
+  for (MovingPart& part : parts_) part = {part.object, part.width, {}, {}};
+  std::vector<int> count(parts_.size(), 0);
+  const std::vector<int>& vertices = world_.contact->surface().mesh.vertices;
+  for (const int v : vertices) {
     MovingPart& part = parts_[part_of_[v]];
+    const Vec3 way = vertex(y, v) - vertex(x, v);
     part.place.include(Vec3(vertex(x, v)));
-    part.way.include(vertex(y, v) - vertex(x, v));
+    part.way.include(way);
+    part.mean += (way - part.mean) / ++count[part_of_[v]];
   }
+  for (const int v : vertices) {
+    MovingPart& part = parts_[part_of_[v]];
+    part.deviation += (vertex(y, v) - vertex(x, v) - part.mean).squaredNorm() / count[part_of_[v]];
+  }
+  for (MovingPart& part : parts_) part.deviation = std::sqrt(part.deviation);
 }
 
 // Whether anything may have moved that far against anything else.

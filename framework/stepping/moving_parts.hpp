@@ -1,6 +1,7 @@
-// The connected parts of what contact sees, and how they moved in a step: of each a box around where it was, and a box
-// around the displacements of its vertices. All of one part has moved against all of another one by at least what these
-// boxes are apart: by nothing, if they move together, or if one of them is taken along where the other one hits it.
+// The connected parts of what contact sees, and how they moved in a step: of each a box around where it was, and of the displacements of its
+// vertices a box, their mean and how far they are from it. All of one part has moved against all of another one by at least what those boxes are
+// apart: by nothing, if they move together, or if one of them is taken along where the other one hits it. Of parts of about the same size, which a hit deforms
+// all over, but not as far as they move, most has moved by what the means are apart beyond these deviations.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +17,15 @@ struct MovingPart {
   int object = 0;
   double width = 0;  // of a particle: its diameter [m]
   Aabb place, way;   // before the step, and in it [m]
+  Vec3 mean = Vec3::Zero();  // of the ways of its vertices [m]
+  double deviation = 0;      // of them, root mean square [m]
 
   // The longest side; for a particle, its diameter [m].
   double size() const { return (place.hi - place.lo).maxCoeff() + width; }
-  // How far any point of one has moved against any of the other, at least [m].
-  double way_against(const MovingPart& other) const {
-    return (other.way.lo - way.hi).cwiseMax(way.lo - other.way.hi).cwiseMax(0.0).norm();
+  // How far one has moved against the other, as wholes; `size` is that of the smaller one [m].
+  double way_against(const MovingPart& other, double size) const {
+    const double all = (other.way.lo - way.hi).cwiseMax(way.lo - other.way.hi).cwiseMax(0.0).norm(), differ = deviation + other.deviation;
+    return std::max(differ, std::max(this->size(), other.size()) / 2) > size ? all : std::max(all, (mean - other.mean).norm() - differ);
   }
   Aabb swept() const {
     Aabb box = place;

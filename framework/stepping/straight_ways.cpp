@@ -49,10 +49,15 @@ Vec3 mean(const std::array<Vec3, N>& ways) {
   return sum / static_cast<double>(N);
 }
 
-// Whether two primitives meet in the stage before they have moved by `approach` against each other [m].
+// On what part of their way whatever two parts meet is passed, and by how much they have to go on from there [m].
+struct Pass {
+  double approach = 0, rest = 0;
+};
+
+// Whether two primitives meet in the stage, and pass.
 template <size_t A, size_t B>
-bool meet(const std::array<int, A>& va, const std::array<int, B>& vb, const Stage& stage, double approach) {
-  const double way = (mean(corners(stage.way, va)) - mean(corners(stage.way, vb))).norm();
+bool meet(const std::array<int, A>& va, const std::array<int, B>& vb, const Stage& stage, const Pass& pass) {
+  const double way = (mean(corners(stage.way, va)) - mean(corners(stage.way, vb))).norm(), approach = std::min(pass.approach, way - pass.rest);
   if (way * stage.begin >= approach) return false;
   const auto a = corners(stage.x, va);
   const auto b = corners(stage.x, vb);
@@ -83,11 +88,12 @@ struct StraightWays::Search {
 
   const double least;                             // the size of what has none [m]
 
-  // On what part of their way whatever they meet is passed: the rest of it is what is tolerated [m]. 0: they are not looked at.
-  double approach(int part, int other) const {
-    const bool passing = std::binary_search(pairs.begin(), pairs.end(), std::array{std::min(part, other), std::max(part, other)});
+  // What they go on by is what is tolerated. Approach 0: they are not looked at.
+  Pass pass(int part, int other) const {
+    if (!std::binary_search(pairs.begin(), pairs.end(), std::array{std::min(part, other), std::max(part, other)})) return {};
     const MovingPart &a = parts[part], &b = parts[other];
-    return passing ? a.way_against(b) - StraightWays::tolerated * smaller_size(a, b, least) : 0;
+    const double size = smaller_size(a, b, least), rest = StraightWays::tolerated * size;
+    return {a.way_against(b, size) - rest, rest};
   }
 
   // The parts of the first of the candidates that meet.
@@ -98,7 +104,7 @@ struct StraightWays::Search {
     const double first = min_chunks(n, n, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) {
         const auto [a, b] = primitives(candidates[i]);
-        if (meet(a, b, stage, approach(parts.part_of(a[0]), parts.part_of(b[0])))) return double(i);
+        if (meet(a, b, stage, pass(parts.part_of(a[0]), parts.part_of(b[0])))) return double(i);
       }
       return double(n);
     });
@@ -154,7 +160,8 @@ std::optional<BlockedWay> StraightWays::blocked(const VecX& x, const VecX& y) {
   const MovingPart &a = parts_[(*found)[0]], &b = parts_[(*found)[1]];
   const auto furthest = [](const MovingPart& part) { return part.way.lo.cwiseAbs().cwiseMax(part.way.hi.cwiseAbs()).norm(); };
   const bool first = furthest(a) >= furthest(b);
-  BlockedWay blocked{first ? a.object : b.object, first ? b.object : a.object, a.way_against(b), smaller_size(a, b, least)};
+  const double size = smaller_size(a, b, least);
+  BlockedWay blocked{first ? a.object : b.object, first ? b.object : a.object, a.way_against(b, size), size};
   while (blocked.way > blocked.parts * tolerated * blocked.size) blocked.parts *= 2;
   return blocked;
 }

@@ -16,7 +16,7 @@ class CandidateFinder;
 
 struct BlockedWay {
   int body = 0, obstacle = 0;  // of the world; the body is the one that moved further
-  double way = 0;              // of all of the one against all of the other, at least [m]
+  double way = 0;              // of the one against the other [m]
   double size = 0;             // of the smaller one [m]
   // Into how many parts the step must be cut so that none of them is longer than half of that; a power of two.
   int parts = 2;

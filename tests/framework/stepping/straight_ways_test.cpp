@@ -102,6 +102,17 @@ TEST_CASE("what passes beside an obstacle, goes along with it or slides on it is
     CHECK(centre(run, 1) == Approx(0.9).epsilon(1e-3));
     CHECK(run.warnings.empty());
   }
+  SECTION("into what gives way") {
+    const double speed = GENERATE(10, 30, 100);
+    CAPTURE(speed);
+    TestRun run(scene(0.01, fmt::format("  - {{name: sheet, shape: {{type: box, size: [0.004, 1, 1], cells: [1, 20, 20]}}, place: {{translate: [0.0535, 0, 0]}},\n"
+                                        "     energies: [{{type: neo_hookean, young: 1e5, poisson: 0.3, density: 1000}}],\n"
+                                        "     motion: [{{type: fixed, select: {{type: face, direction: [0, 1, 0]}}}}, {{type: fixed, select: {{type: face, direction: [0, -1, 0]}}}}]}}\n") +
+                                block("a", origin, speed)));
+    CHECK(WholeStep(run, 0.01).steps == 1);
+    CHECK(centre(run, 1) > 0.5 * 0.01 * speed);
+    CHECK(run.warnings.empty());
+  }
   SECTION("spinning beside it") {
     TestRun run(scene(0.01, block("a", origin, 0, 1e7, ", spin: [0, 0, 60]") + block("b", {0.16, 0, 0})));
     WholeStep(run, 0.01);
