@@ -1,4 +1,4 @@
-// Compiled into every plugin by the target tack::plugin: what the plugin was built against, read before it is loaded.
+// Compiled into every plugin by the target tack::plugin, and into libtack_further.so: what it was built against, read before it is loaded.
 #include "framework/plugin/interface.hpp"
 
 extern "C" {

@@ -179,20 +179,24 @@ function(tack_layer NAME)
   set_property(GLOBAL APPEND PROPERTY TACK_LINKS ${L_PRIVATE_LINKS})
 endfunction()
 
-# Everything an executable needs: the layers' objects, hot ones first, and the libraries they use. tack_link_all adds those of further components and of
-# studies.
-function(tack_link_layers TARGET)
+# tack_take_layers(TARGET KIND...): their objects, of which others may call what is tack's own.
+function(tack_take_layers TARGET)
   set_target_properties(${TARGET} PROPERTIES LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
   target_link_options(${TARGET} PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exports.map)
-  get_property(LINKS GLOBAL PROPERTY TACK_LINKS)
   foreach(KIND ${ARGN})
     get_property(LAYERS GLOBAL PROPERTY TACK_${KIND}_LAYERS)
     foreach(LAYER ${LAYERS})
       target_sources(${TARGET} PRIVATE $<TARGET_OBJECTS:${LAYER}>)
     endforeach()
   endforeach()
-  target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt
-                        CLI11::CLI11 Threads::Threads ${LINKS})
+  target_link_libraries(${TARGET} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)
+endfunction()
+# Everything an executable needs: the layers' objects, hot ones first, and the libraries they use. tack_link_all adds those of further components and of
+# studies.
+function(tack_link_layers TARGET)
+  tack_take_layers(${TARGET} ${ARGN})
+  get_property(LINKS GLOBAL PROPERTY TACK_LINKS)
+  target_link_libraries(${TARGET} PRIVATE CLI11::CLI11 Threads::Threads ${LINKS})
 endfunction()
 function(tack_link TARGET)
   tack_link_layers(${TARGET} HOT COLD)
@@ -247,17 +251,11 @@ endfunction()
 
 # Further components, as a library that calls the program that loads it, like a plugin.
 function(tack_further_library)
-  add_library(tack_further MODULE ${CMAKE_SOURCE_DIR}/cmake/further_note.cpp)
-  get_property(LAYERS GLOBAL PROPERTY TACK_FURTHER_LAYERS)
-  foreach(LAYER ${LAYERS})
-    target_sources(tack_further PRIVATE $<TARGET_OBJECTS:${LAYER}>)
-  endforeach()
+  add_library(tack_further MODULE ${CMAKE_SOURCE_DIR}/cmake/plugin_note.cpp)
+  tack_take_layers(tack_further FURTHER)
   set_target_properties(tack_further PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
-  target_link_libraries(tack_further PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt)
   target_include_directories(tack_further PRIVATE ${CMAKE_BINARY_DIR}/generated)
   add_dependencies(tack_further tack_build_info)
-  set_target_properties(tack_further PROPERTIES LINK_DEPENDS ${CMAKE_SOURCE_DIR}/cmake/exports.map)
-  target_link_options(tack_further PRIVATE -Wl,--version-script=${CMAKE_SOURCE_DIR}/cmake/exports.map)
 endfunction()
 
 # What it was built from goes into every summary.json; it is read again at each build.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "energies/plasticity/flow_parameters.hpp"
 #include "energies/plasticity/plastic_records.hpp"
 
 namespace tack {
@@ -107,25 +108,17 @@ class VonMisesMembraneEnergy : public MembraneEnergy {
  public:
   void fields(Fields& f) override {
     MembraneEnergy::fields(f);
-    f.number("yield_stress", yield_stress_, units::pressure, "stress at which a strip in tension begins to flow").required().positive();
-    f.number("hardening", hardening_, units::pressure,
-             "H: what the yield stress grows by per accumulated plastic strain (equivalent, that of a strip); a strip in tension "
-             "then has the tangent modulus E H / (E + H). 0: perfect plasticity").nonnegative();
-    f.number("viscosity", viscosity_, units::viscosity,
-             "eta: by what the stress exceeds the yield stress per rate of plastic strain (equivalent, that of a strip): sigma = yield_stress + "
-             "hardening a + viscosity da/dt, of Perzyna. 0: flow as fast as it is led").nonnegative();
+    flow_.fields(f, "strip");
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     Fibres along = fibres(body, rest);
     return std::make_unique<VonMisesMembraneTerm>(std::string(type()),
-                                                  VonMisesMembrane(plane_stress(young_, poisson_), yield_stress_, hardening_, viscosity_), body,
+                                                  VonMisesMembrane(plane_stress(young_, poisson_), flow_.yield_stress, flow_.hardening, flow_.viscosity), body,
                                                   rest, std::move(along));
   }
 
  private:
-  double yield_stress_ = 1e3;  // Pa
-  double hardening_ = 0;       // Pa
-  double viscosity_ = 0;       // Pa s
+  FlowParameters flow_;
 };
 
 TACK_REGISTER(Energy, VonMisesMembraneEnergy, "von_mises_membrane",

@@ -19,7 +19,7 @@ namespace {
 enum class Further { here, elsewhere, failed };
 Further further = Further::here;
 
-const std::map<std::string, std::vector<std::string>, std::less<>> names = {
+const std::map<std::string, std::vector<std::string>, std::less<>> further_names = {
     {"energy", {"elastic_rod", "hinge_bending", "neo_hookean_membrane", "particle", "string", "stvk_membrane", "von_mises", "von_mises_membrane"}},
     {"field", {"plastic_strain"}},
     {"filling", {"gas", "liquid"}},
@@ -30,7 +30,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>> names = {
 
 bool linked() {
   for (const Kind* kind : registered_kinds())
-    if (const auto found = names.find(kind->name()); found != names.end() && kind->entries().contains(found->second.front())) return true;
+    if (const auto found = further_names.find(kind->name()); found != further_names.end() && kind->entries().contains(found->second.front())) return true;
   return false;
 }
 
@@ -61,7 +61,7 @@ bool further_components_failed() { return further == Further::failed; }
 void note_further_components() {
   if (linked()) return;
   further = Further::elsewhere;
-  note_components_elsewhere({names, [] { load_further_components(); }});
+  note_components_elsewhere({further_names, [] { load_further_components(); }});
 }
 
 }  // namespace tack

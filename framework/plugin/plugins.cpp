@@ -82,7 +82,7 @@ std::uint32_t checksum_of(const std::string& path) {
   return crc32_of(bytes.data(), bytes.size());
 }
 
-void open(const std::string& path) {
+void open_plugin(const std::string& path) {
   std::unique_ptr<Library> library;  // goes after what it registered
   PluginRegistrations registrations(path);
   library = std::make_unique<Library>(path);
@@ -108,10 +108,10 @@ void load_plugin(const std::string& given) {
 
   check_interface(path);
   try {
-    open(path);
+    open_plugin(path);
   } catch (const Undefined&) {
     if (!load_further_components()) throw;
-    open(path);
+    open_plugin(path);
   }
   plugins().push_back({path, checksum_of(path)});
 }

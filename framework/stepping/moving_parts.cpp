@@ -53,19 +53,21 @@ MovingParts::MovingParts(const World& world) : world_(world), part_of_(static_ca
 void MovingParts::move(const VecX& x, const VecX& y) {
   for (MovingPart& part : parts_) part = {part.object, part.width, {}, {}};
   std::vector<int> count(parts_.size(), 0);
-  const std::vector<int>& vertices = world_.contact->surface().mesh.vertices;
-  for (const int v : vertices) {
+  // First the sums of ways, and of their squares.
+  for (const int v : world_.contact->surface().mesh.vertices) {
     MovingPart& part = parts_[part_of_[v]];
     const Vec3 way = vertex(y, v) - vertex(x, v);
     part.place.include(Vec3(vertex(x, v)));
     part.way.include(way);
-    part.mean += (way - part.mean) / ++count[part_of_[v]];
+    part.mean += way;
+    part.deviation += way.squaredNorm();
+    ++count[part_of_[v]];
   }
-  for (const int v : vertices) {
-    MovingPart& part = parts_[part_of_[v]];
-    part.deviation += (vertex(y, v) - vertex(x, v) - part.mean).squaredNorm() / count[part_of_[v]];
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    MovingPart& part = parts_[i];
+    part.mean /= count[i];
+    part.deviation = std::sqrt(std::max(0.0, part.deviation / count[i] - part.mean.squaredNorm()));
   }
-  for (MovingPart& part : parts_) part.deviation = std::sqrt(part.deviation);
 }
 
 // Whether anything may have moved that far against anything else.

@@ -45,9 +45,10 @@ TEST_CASE("components that the program lacks at its start are loaded once one is
   const fs::path alone = folder.path() / "bin" / "tack", studies = fs::path(TACK_PROGRAM).parent_path() / "tack_studies";
   fs::create_directories(alone.parent_path());
   fs::copy_file(TACK_PROGRAM, alone);
+  const auto kinds = {"energy", "field", "filling", "interaction", "load", "probe", "stepper"};
   // It knows their names without the library, and all of them.
   const std::string known = run_tack(folder.path(), {"completion", "bash"}, alone).out, all = run_tack(folder.path(), {"completion", "bash"}, studies).out;
-  for (const char* kind : {"energy", "field", "filling", "interaction", "load", "probe", "stepper"}) {
+  for (const char* kind : kinds) {
     CAPTURE(kind);
     const size_t at = all.find(std::string("    ") + kind + ") _tack_words ");
     REQUIRE(at != all.npos);
@@ -64,7 +65,7 @@ TEST_CASE("components that the program lacks at its start are loaded once one is
   }
   write_file(alone.parent_path() / "libtack_further.so", "none");
   CHECK(contains(run_tack(folder.path(), {"list", "energy", "von_mises"}, alone).err, "is no shared library"));
-  for (const char* kind : {"energy", "field", "filling", "interaction", "load", "probe", "stepper"}) {
+  for (const char* kind : kinds) {
     CAPTURE(kind);
     const ProgramResult listed = run_tack(folder.path(), {"list", kind});
     CHECK(listed.exit_code == 0);

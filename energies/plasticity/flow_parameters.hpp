@@ -1,0 +1,17 @@
+// What a scene says of plastic flow, of solids and of sheets.
+#pragma once
+
+namespace tack {
+
+class Fields;
+
+struct FlowParameters {
+  double yield_stress = 1e3;  // Pa
+  double hardening = 0;       // Pa
+  double viscosity = 0;       // Pa s
+
+  // `drawn`: what is in tension where they are measured, "bar" or "strip".
+  void fields(Fields& f, const char* drawn);
+};
+
+}  // namespace tack
