@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "framework/contact/narrow_phase.hpp"
+#include "framework/contact/pair_reaches.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/distance/point_triangle.hpp"
 
 namespace tack {
 namespace {
-
-// Skin of the candidates: twice as far as vertices may move before they are searched anew. A tenth of an
-// edge adds few candidates to what the extent of the primitives brings along already.
-double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
 
 // By the first vertex of the side that integrates, and the other object.
 const std::string sides_name = "contact/integrating_sides";
@@ -37,11 +34,8 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
     : surface_(std::move(surface)), pairs_(std::move(pairs)), colliding_(colliding), clock_(clock) {
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   range_ = std::max(range_, pairs_.bond_reach());
-  edge_range_ = pairs_.largest_edge_range();
-  for (const auto& [a, b] : pairs_.classes().examples())
-    if (surface_.rod_width[a] > 0 && surface_.rod_width[b] > 0) edge_range_ = std::max(edge_range_, pairs_.thin(a, b).reach());
   const double mean_edge = mean_edge_of(surface_);
-  skin_ = skin_of(mean_edge, range_);
+  reaches_ = pair_reaches(surface_, pairs_, mean_edge);
   stride_ = std::max(2 * mean_edge, range_);
   forget();
 }
@@ -145,7 +139,7 @@ void ContactSystem::move_to(const VecX& x) {
 
 bool ContactSystem::renew_candidates(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  return broad_phase_->update(x, p, range_, edge_range_, skin_);
+  return broad_phase_->update(x, p, reaches_);
 }
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {

@@ -9,6 +9,7 @@
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_participant.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
+#include "geometry/broad_phase/reaches.hpp"
 
 namespace tack {
 
@@ -69,10 +70,9 @@ class ContactSystem : public StepParticipant {
   PairTable pairs_;
   CollidingObjects colliding_;
   PhaseClock& clock_;
-  double range_ = 0;       // the largest of all laws [m]
-  double edge_range_ = 0;  // the largest of those between edges [m]
-  double skin_ = 0;        // of the candidates [m]
-  double stride_ = 0;      // m
+  double range_ = 0;   // the largest of all laws [m]
+  double stride_ = 0;  // m
+  Reaches reaches_;    // of the candidates
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   std::optional<IntegrationSides::Pairs> turned_before_;

@@ -215,7 +215,8 @@ void NarrowPhase::look(const Candidates& candidates, bool later) {
 // Edges of one object that are close at rest are neighbours: they are watched, but do not press.
 void NarrowPhase::choose_edges(const Candidates& candidates) {
   const CollisionMesh& mesh = surface_.mesh;
-  const auto presses = [&](int i) {
+  const auto presses = [&, largest = pairs_.largest_edge_range()](int i) {
+    if (candidates.clearances.edge_edge[i] >= largest) return false;
     const auto [ia, ib] = candidates.edge_edge[i];
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];

@@ -52,38 +52,42 @@ void check_finite(const VecX& values, const char* name) {
 }  // namespace
 
 BroadPhase::BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding)
-    : mesh_(mesh), finder_(mesh, std::move(colliding)) {}
+    : mesh_(mesh), objects_(object_count(mesh)), finder_(mesh, std::move(colliding)) {}
 
-bool BroadPhase::update(const VecX& x, const VecX& p, double range, double edge_range,
-                        double skin) {
-  check(x, p, range, skin);
-  if (range <= range_ && edge_range <= edge_range_ && covers(x) && inside(safe_boxes_, x, p))
-    return renew_clearances(x, p, skin) || (renew_distances(x, p, range), false);
+bool BroadPhase::update(const VecX& x, const VecX& p, const Reaches& reaches) {
+  check(x, p, reaches);
+  const bool known = builds_ > 0 && !stale_ && reaches.within(reaches_);
+  if (known && covers(x) && inside(safe_boxes_, x, p)) return renew_clearances(x, p) || (renew_distances(x, p), false);
 
-  const double reach = largest(x) + largest(p) + range + skin;
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * reach;
-  std::vector<Aabb> boxes = boxes_around(x, p, 0.5 * skin + rounding);
   std::vector<char> changed;
-  if (builds_ > 0 && range <= range_ && edge_range <= edge_range_) changed = strayed(x, p);
+  if (known) changed = strayed(x, p);
+  if (changed.empty()) reaches_ = reaches;  // else those of the other candidates
+  const double size = largest(x) + largest(p) + reaches_.largest_range() + reaches_.largest_skin();
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * size;
+  inflate_reaches(rounding);
+  std::vector<Aabb> boxes = boxes_around(x, p, 0.5, rounding);
   if (changed.empty()) {
     safe_boxes_ = std::move(boxes);
-    inflation_ = 0.5 * range + rounding;
-    finder_.find(safe_boxes_, inflation_, 0.5 * edge_range + rounding, candidates_);
+    finder_.find(safe_boxes_, inflation_, candidates_);
+    find_clearances(mesh_, safe_boxes_, candidates_);
   } else {
     for (const int v : mesh_.vertices)
       if (changed[mesh_.vertex_object[v]]) safe_boxes_[v] = boxes[v];
-    range = range_;  // that of the other candidates
-    edge_range = edge_range_;
-    inflation_ = 0.5 * range + rounding;
-    finder_.find_again(safe_boxes_, inflation_, 0.5 * edge_range + rounding, changed, candidates_);
+    finder_.find_again(safe_boxes_, inflation_, changed, candidates_);
+    if (tight_boxes_.empty()) find_unknown_clearances(mesh_, safe_boxes_, changed, candidates_);
+    else find_clearances(mesh_, safe_boxes_, candidates_);
   }
-  find_clearances(mesh_, safe_boxes_, candidates_);
   tight_boxes_.clear();
   served_ = 0;
-  range_ = range;
-  edge_range_ = edge_range;
+  stale_ = false;
   ++builds_;
   return true;
+}
+
+void BroadPhase::inflate_reaches(double rounding) {
+  inflation_ = reaches_;
+  for (double& reach : inflation_.surface) reach += rounding;
+  for (double& reach : inflation_.edge) reach += rounding;
 }
 
 // A flag for each object that has left its safe boxes; empty if they are so many, or such, that all should be searched.
@@ -115,20 +119,19 @@ std::vector<char> BroadPhase::strayed(const VecX& x, const VecX& p) const {
 }
 
 // Distances are found anew where vertices have come to rest far from where they were found.
-void BroadPhase::renew_distances(const VecX& x, const VecX& p, double range) {
-  if (largest(p) > 0 || largest(x - candidates_.reference) < range) return;
+void BroadPhase::renew_distances(const VecX& x, const VecX& p) {
+  if (largest(p) > 0 || largest(x - candidates_.reference) < reaches_.largest_range()) return;
   find_distances(mesh_, x, candidates_);
 }
 
 // After a while in which the safe boxes served, clearances are found in tight ones; where those are left too soon,
 // that takes longer the next time.
-bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double skin) {
-  const double stray = kTight * skin;
-  const bool tighten = ++served_ >= patience_ && largest(p) <= stray;
+bool BroadPhase::renew_clearances(const VecX& x, const VecX& p) {
+  const bool tighten = ++served_ >= patience_ && largest(p) <= kTight * reaches_.smallest_skin();
   if (tight_boxes_.empty() ? !tighten : inside(tight_boxes_, x, p)) return false;
   if (!tight_boxes_.empty() && !tighten) patience_ *= 4;
   tight_boxes_.clear();
-  if (tighten) tight_boxes_ = boxes_around(x, p, stray);
+  if (tighten) tight_boxes_ = boxes_around(x, p, kTight, 0);
   find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, candidates_);
   served_ = 0;
   return true;
@@ -145,7 +148,7 @@ void BroadPhase::dissolve_groups(bool dissolved) {
   if (dissolved == dissolved_) return;
   dissolved_ = dissolved;
   finder_.dissolve_groups(dissolved);
-  range_ = edge_range_ = -1;  // the candidates are not those that are wanted
+  stale_ = true;
 }
 
 bool BroadPhase::covers(const VecX& x) const {
@@ -170,53 +173,58 @@ Aabb BroadPhase::box_of(const Triangle& triangle, const Vec3& inside) const {
 }
 
 // Half of the range, and rounding.
-void BroadPhase::reach_out(Aabb& box) const {
-  box.inflate(0.5 * range_ + 4.0 * std::numeric_limits<double>::epsilon() * (box.hi.cwiseAbs().maxCoeff() + range_));
+void BroadPhase::reach_out(int object, Aabb& box) const {
+  const double reach = reaches_.surface[object];
+  box.inflate(reach + 4.0 * std::numeric_limits<double>::epsilon() * (box.hi.cwiseAbs().maxCoeff() + 2 * reach));
 }
 
 void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::vector<int>& out) const {
   Aabb box = box_of(triangle, inside);
-  reach_out(box);
+  reach_out(mesh_.vertex_object[triangle[0]], box);
   finder_.triangles_in(box, -1, out);
 }
 
 void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const {
   Aabb box = box_of(triangle, inside);
-  reach_out(box);
+  reach_out(mesh_.vertex_object[triangle[0]], box);
   for (const int t : among) {
     Aabb other = box_of(mesh_.triangles[t]);
-    other.inflate(inflation_);
+    other.inflate(inflation_.surface[mesh_.vertex_object[mesh_.triangles[t][0]]]);
     if (other.overlaps(box)) out.push_back(t);
   }
 }
 
 void BroadPhase::others_near(const Triangle& triangle, std::vector<int>& out) const {
+  const int object = mesh_.vertex_object[triangle[0]];
   Aabb box = box_of(triangle);
-  reach_out(box);
-  finder_.triangles_in(box, mesh_.vertex_object[triangle[0]], out);
+  reach_out(object, box);
+  finder_.triangles_in(box, object, out);
 }
 
-void BroadPhase::check(const VecX& x, const VecX& p, double range, double skin) const {
+void BroadPhase::check(const VecX& x, const VecX& p, const Reaches& reaches) const {
   const auto size = 3 * static_cast<Eigen::Index>(mesh_.vertex_object.size());
   if (x.size() != size || (p.size() != 0 && p.size() != size))
     throw InputError(fmt::format(
         "broad phase: x has {} and p {} coordinates; the mesh has {} (3 a vertex; p may be empty)",
         x.size(), p.size(), size));
-  if (!(range >= 0.0) || !(skin >= 0.0))
-    throw InputError(
-        fmt::format("broad phase: range {} m and skin {} m must not be negative", range, skin));
+  for (const auto* lengths : {&reaches.surface, &reaches.edge, &reaches.skin}) {
+    if (static_cast<int>(lengths->size()) < objects_)
+      throw InputError(fmt::format("broad phase: reaches of {} objects; the mesh has {}", lengths->size(), objects_));
+    for (const double length : *lengths)
+      if (!(length >= 0.0)) throw InputError(fmt::format("broad phase: a reach or skin of {} m must not be negative", length));
+  }
   check_finite(x, "the position");
   check_finite(p, "the displacement");
 }
 
-std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double inflation) const {
+std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double part, double rounding) const {
   std::vector<Aabb> boxes(mesh_.vertex_object.size());
   for_each(static_cast<int>(mesh_.vertices.size()), [&](int i) {
     const int v = mesh_.vertices[i];
     Aabb box;
     box.include(Vec3(vertex(x, v)));
     if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
-    box.inflate(inflation);
+    box.inflate(part * reaches_.skin[mesh_.vertex_object[v]] + rounding);
     boxes[v] = box;
   }, kGrain);
   return boxes;

@@ -4,11 +4,11 @@
 // Key idea: when candidates are built, each vertex v gets a *safe box*
 //   B_v = box(x_v, x_v + p_v) inflated by skin/2.
 // Candidates are all pairs whose primitive boxes (the union of the safe boxes of their vertices),
-// inflated by range/2 each, overlap. A primitive whose vertices lie in their safe boxes lies in its
+// inflated by the reach of their object each, overlap. A primitive whose vertices lie in their safe boxes lies in its
 // primitive box, by convexity; hence, as long as every vertex lies in its safe box, every pair
-// closer than `range` is among the candidates, during minimisation, line search and CCD alike. (All
+// closer than the reaches of both is among the candidates, during minimisation, line search and CCD alike. (All
 // boxes are a few rounding errors larger than said, so that this holds in floating point.)
-// Where only few objects have left their safe boxes, those alone get new ones and are searched.
+// Where only few objects have left their safe boxes, those alone get new ones and are searched; what is known of other pairs stays.
 // Most candidates are far apart all the same, so each has a clearance (clearances.hpp). It holds in the safe boxes,
 // or, where vertices hardly moved for a while, in much smaller ones, and is found anew when a vertex leaves those. Their distances are those in the middle of these
 // boxes, and found anew where vertices have come to rest far from there.
@@ -26,15 +26,15 @@ class BroadPhase {
   // The mesh must outlive the broad phase and not change.
   BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding);
 
-  // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if range grew since
+  // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if a reach grew since
   // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty
-  // (zero). range, skin: [m], >= 0. Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
-  // negative range or skin, SimulationError if a coordinate is not finite.
+  // (zero). Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
+  // negative reach or skin, SimulationError if a coordinate is not finite.
+  bool update(const VecX& x, const VecX& p, const Reaches& reaches);
+  // The same reach for all objects: pairs within `range`, of edges within edge_range.
   bool update(const VecX& x, const VecX& p, double range, double skin) {
-    return update(x, p, range, range, skin);
+    return update(x, p, Reaches::uniform(mesh_, range, range, skin));
   }
-  // Pairs of edges are only wanted within edge_range <= range.
-  bool update(const VecX& x, const VecX& p, double range, double edge_range, double skin);
 
   // Whether pairs of one rigid group are searched too: for when its vertices move against each other.
   void dissolve_groups(bool dissolved);
@@ -54,27 +54,31 @@ class BroadPhase {
   int builds() const { return builds_; }
 
  private:
-  void check(const VecX& x, const VecX& p, double range, double skin) const;
-  std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double inflation) const;
+  void check(const VecX& x, const VecX& p, const Reaches& reaches) const;
+  // parts: of the skin of each object; rounding: [m].
+  std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double part, double rounding) const;
+  void inflate_reaches(double rounding);
   bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
   Aabb box_of(const Triangle& triangle) const;
   Aabb box_of(const Triangle& triangle, const Vec3& inside) const;
-  void reach_out(Aabb& box) const;
-  void renew_distances(const VecX& x, const VecX& p, double range);
-  bool renew_clearances(const VecX& x, const VecX& p, double skin);
+  void reach_out(int object, Aabb& box) const;
+  void renew_distances(const VecX& x, const VecX& p);
+  bool renew_clearances(const VecX& x, const VecX& p);
   std::vector<char> strayed(const VecX& x, const VecX& p) const;
 
   const CollisionMesh& mesh_;
+  int objects_;
   CandidateFinder finder_;
   std::vector<Aabb> safe_boxes_;  // by global vertex; empty boxes for interior vertices
   std::vector<Aabb> tight_boxes_;  // likewise, in which clearances hold; empty: they hold in the safe boxes
   Candidates candidates_;
   int served_ = 0;     // updates since clearances were found
   int patience_ = 16;  // updates before boxes are tightened
-  double range_ = 0.0, edge_range_ = 0.0;
-  double inflation_ = 0.0;  // of primitives' boxes
+  Reaches reaches_;    // of the last build
+  Reaches inflation_;  // of primitives' boxes: the same, and rounding
   int builds_ = 0;
   bool dissolved_ = false;
+  bool stale_ = false;  // the candidates are not those that are wanted
 };
 
 }  // namespace tack

@@ -38,20 +38,37 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
   return order;
 }
 
-// found <- what it holds and the pairs of `kept` that touch nothing that changed, in the order of `key`.
-template <class Key, class Changed>
-void merge_kept(const std::vector<std::array<int, 2>>& kept, const Changed& changed, const Key& key,
-                std::vector<std::array<int, 2>>& found) {
+// found <- what it holds and the pairs of `kept` that touch nothing that changed, in the order of `key`, of one kind of candidates.
+template <class Changed, class Key>
+void merge_kept(const Candidates& kept, std::vector<std::array<int, 2>> Candidates::* list, std::vector<double> Clearances::* lengths,
+                const Changed& changed, const Key& key, Candidates& found) {
+  const std::vector<std::array<int, 2>> fresh = std::move(found.*list);
+  const std::vector<std::array<int, 2>>& old = kept.*list;
   std::vector<std::array<int, 2>> all;
-  all.reserve(kept.size() + found.size());
-  auto next = found.begin();
-  for (const auto& pair : kept) {
-    if (changed(pair)) continue;
-    for (; next != found.end() && key(*next) < key(pair); ++next) all.push_back(*next);
-    all.push_back(pair);
+  std::vector<double> clearances, distances;
+  const size_t most = old.size() + fresh.size();
+  all.reserve(most);
+  clearances.reserve(most);
+  distances.reserve(most);
+  auto next = fresh.begin();
+  const auto take_fresh = [&](auto end) {
+    all.insert(all.end(), next, end);
+    clearances.resize(all.size(), unknown_length);
+    distances.resize(all.size(), unknown_length);
+    next = end;
+  };
+  for (size_t i = 0; i < old.size(); ++i) {
+    if (changed(old[i])) continue;
+    if (next != fresh.end() && key(*next) < key(old[i]))
+      take_fresh(std::find_if(next, fresh.end(), [&](const auto& pair) { return !(key(pair) < key(old[i])); }));
+    all.push_back(old[i]);
+    clearances.push_back((kept.clearances.*lengths)[i]);
+    distances.push_back((kept.distances.*lengths)[i]);
   }
-  all.insert(all.end(), next, found.end());
-  found = std::move(all);
+  take_fresh(fresh.end());
+  found.*list = std::move(all);
+  found.clearances.*lengths = std::move(clearances);
+  found.distances.*lengths = std::move(distances);
 }
 
 }  // namespace
@@ -65,36 +82,38 @@ CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects col
   for (const int t : triangles_by_object(mesh)) triangles_.add(mesh.triangles[t], t, mesh);
 }
 
-void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, double inflation,
-                           double edge_inflation, Candidates& candidates) {
-  search(vertex_boxes, inflation, edge_inflation, {}, candidates);
+void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, Candidates& candidates) {
+  search(vertex_boxes, reaches, {}, candidates);
 }
 
-void CandidateFinder::find_again(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
-                                 const std::vector<char>& changed, Candidates& candidates) {
+void CandidateFinder::find_again(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& changed,
+                                 Candidates& candidates) {
   Candidates found;
-  search(vertex_boxes, inflation, edge_inflation, changed, found);
+  search(vertex_boxes, reaches, changed, found);
+  found.reference = std::move(candidates.reference);
   const auto of_vertex = [&](int v) { return changed[mesh_.vertex_object[v]] != 0; };
   const auto of_edge = [&](int e) { return of_vertex(mesh_.edges[e][0]); };
   const auto of_triangle = [&](int t) { return of_vertex(mesh_.triangles[t][0]); };
   const auto same = [](const std::array<int, 2>& pair) { return pair; };
-  merge_kept(candidates.point_triangle, [&](const auto& pair) { return of_vertex(pair[0]) || of_triangle(pair[1]); },
-             [&](const auto& pair) { return std::array{pair[0], mesh_.vertex_object[mesh_.triangles[pair[1]][0]], pair[1]}; },
-             found.point_triangle);
-  merge_kept(candidates.edge_edge, [&](const auto& pair) { return of_edge(pair[0]) || of_edge(pair[1]); }, same, found.edge_edge);
-  merge_kept(candidates.point_edge, [&](const auto& pair) { return of_vertex(pair[0]) || of_edge(pair[1]); }, same,
-             found.point_edge);
-  merge_kept(candidates.point_point, [&](const auto& pair) { return of_vertex(pair[0]) || of_vertex(pair[1]); }, same,
-             found.point_point);
+  const auto merge = [&](auto list, auto lengths, const auto& first, const auto& second, const auto& key) {
+    merge_kept(candidates, list, lengths, [&](const auto& pair) { return first(pair[0]) || second(pair[1]); }, key, found);
+  };
+  merge(&Candidates::point_triangle, &Clearances::point_triangle, of_vertex, of_triangle,
+        [&](const auto& pair) { return std::array{pair[0], mesh_.vertex_object[mesh_.triangles[pair[1]][0]], pair[1]}; });
+  merge(&Candidates::edge_edge, &Clearances::edge_edge, of_edge, of_edge, same);
+  merge(&Candidates::point_edge, &Clearances::point_edge, of_vertex, of_edge, same);
+  merge(&Candidates::point_point, &Clearances::point_point, of_vertex, of_vertex, same);
   candidates = std::move(found);
 }
 
-void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
-                             const std::vector<char>& active_objects, Candidates& candidates) {
-  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, inflation, active_objects), ...); };
+void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& active_objects,
+                             Candidates& candidates) {
+  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, reaches.surface, active_objects), ...); };
   refresh(points_, codim_points_, codim_edges_, triangles_);
-  edges_.refresh_tree(vertex_boxes, edge_inflation, active_objects);
-  rivals_.find(vertex_boxes, std::max(inflation, edge_inflation));
+  edges_.refresh_tree(vertex_boxes, reaches.edge, active_objects);
+  std::vector<double> furthest = reaches.surface;
+  for (size_t i = 0; i < furthest.size(); ++i) furthest[i] = std::max(furthest[i], reaches.edge[i]);
+  rivals_.find(vertex_boxes, furthest);
   overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, dissolved_, rivals_},
                 candidates.point_triangle);
   overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, dissolved_, rivals_}, candidates.edge_edge);

@@ -4,6 +4,7 @@
 #include "geometry/broad_phase/candidates.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
 #include "geometry/broad_phase/primitives.hpp"
+#include "geometry/broad_phase/reaches.hpp"
 #include "geometry/broad_phase/rivals.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
 
@@ -15,12 +16,11 @@ class CandidateFinder {
   CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding);
 
   // All pairs whose boxes overlap: a primitive's box is the union of its vertices' boxes (by global
-  // id; finite and not empty for surface vertices), inflated [m].
-  void find(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
-            Candidates& candidates);
-  // The same where the boxes of these movable objects alone (a flag for each) have changed since `candidates` were found.
-  void find_again(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
-                  const std::vector<char>& changed, Candidates& candidates);
+  // id; finite and not empty for surface vertices), inflated by the reach of its object.
+  void find(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, Candidates& candidates);
+  // The same where the boxes of these movable objects alone (a flag for each) have changed since `candidates` were found, with their clearances and
+  // distances: other pairs keep those, new ones have the distance `unknown_length`, and none of their clearances is known.
+  void find_again(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& changed, Candidates& candidates);
   // Whether pairs of one rigid group are searched too.
   void dissolve_groups(bool dissolved) { dissolved_ = dissolved; }
 
@@ -28,8 +28,7 @@ class CandidateFinder {
   void triangles_in(const Aabb& box, int without, std::vector<int>& out) const;
 
  private:
-  void search(const std::vector<Aabb>& vertex_boxes, double inflation, double edge_inflation,
-              const std::vector<char>& active_objects, Candidates& candidates);
+  void search(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& active_objects, Candidates& candidates);
 
   const CollisionMesh& mesh_;
   CollidingObjects colliding_;

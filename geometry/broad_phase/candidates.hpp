@@ -16,6 +16,8 @@ struct Clearances {
   std::vector<double> point_triangle, edge_edge, point_edge, point_point;
 };
 
+constexpr double unknown_length = -1;
+
 struct Candidates {
   // (global vertex, triangle), by vertex, then by the triangle's object, then by triangle.
   std::vector<std::array<int, 2>> point_triangle;

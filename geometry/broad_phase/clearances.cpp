@@ -39,51 +39,93 @@ void for_each_kind(const CollisionMesh& mesh, const Candidates& c, const Visit& 
   visit(c.point_point, point, point, &Clearances::point_point);
 }
 
-}  // namespace
+// Half diagonals of boxes around the places that distances are of, so that vertices in the boxes are no further from there [m].
+std::vector<double> radii_around(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const VecX& places) {
+  std::vector<double> radii(vertex_boxes.size());
+  for (const int v : mesh.vertices) {
+    const Aabb& box = vertex_boxes[v];
+    const double error = rounding * (box.lo.cwiseAbs().maxCoeff() + box.hi.cwiseAbs().maxCoeff());
+    const Vec3 place = vertex(places, v);
+    radii[v] = (box.hi - place).cwiseMax(place - box.lo).norm() * (1 + accuracy) + error;
+  }
+  return radii;
+}
 
-void find_distances(const CollisionMesh& mesh, const VecX& x, Candidates& candidates) {
-  candidates.reference = x;
+void set_centre(const std::vector<Aabb>& vertex_boxes, int v, VecX& places) {
+  vertex(places, v) = 0.5 * (vertex_boxes[v].lo + vertex_boxes[v].hi);
+}
+
+// Calls visit(n, numbers of n <= pack_width candidates) for those that are wanted of [begin, end).
+template <class Wanted, class Visit>
+void for_packs(int begin, int end, const Wanted& wanted, const Visit& visit) {
+  std::array<int, pack_width> numbers;
+  int n = 0;
+  for (int i = begin; i < end; ++i) {
+    if (!wanted(i)) continue;
+    numbers[n++] = i;
+    if (n < pack_width) continue;
+    visit(n, numbers);
+    n = 0;
+  }
+  if (n > 0) visit(n, numbers);
+}
+
+// The distances, where vertices are at the reference, of all candidates or of those that have none.
+void find_distances(const CollisionMesh& mesh, bool all, Candidates& candidates) {
+  const VecX& x = candidates.reference;
   for_each_kind(mesh, candidates, [&](const auto& pairs, const auto& first, const auto& second, auto member) {
     std::vector<double>& distances = candidates.distances.*member;
     distances.resize(pairs.size());
     for_each_chunk(static_cast<int>(pairs.size()), [&](int, int begin, int end) {
       std::array<PackVec3, std::tuple_size_v<decltype(first(0))>> a;
       std::array<PackVec3, std::tuple_size_v<decltype(second(0))>> b;
-      for (int i = begin; i < end; i += pack_width) {
-        const int n = std::min(pack_width, end - i);
+      for_packs(begin, end, [&](int i) { return all || distances[i] == unknown_length; }, [&](int n, const auto& numbers) {
         for (int l = 0; l < pack_width; ++l) {
-          const auto& pair = pairs[i + std::min(l, n - 1)];
+          const auto& pair = pairs[numbers[std::min(l, n - 1)]];
           const auto va = first(pair[0]);
           const Vec3 origin = vertex(x, va[0]);
           set_places(x, va, origin, l, a);
           set_places(x, second(pair[1]), origin, l, b);
         }
         const Pack apart = slab_bound(a, b);
-        for (int l = 0; l < n; ++l) distances[i + l] = std::max(0.0, (1 - accuracy) * apart[l]);
-      }
+        for (int l = 0; l < n; ++l) distances[numbers[l]] = std::max(0.0, (1 - accuracy) * apart[l]);
+      });
     }, 512);
   });
 }
 
-void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates) {
-  // A vertex moves in the ball around the centre of its box.
-  VecX centres = VecX::Zero(3 * static_cast<Eigen::Index>(vertex_boxes.size()));
-  std::vector<double> radii(vertex_boxes.size());
-  for (const int v : mesh.vertices) {
-    const Aabb& box = vertex_boxes[v];
-    const double error = rounding * (box.lo.cwiseAbs().maxCoeff() + box.hi.cwiseAbs().maxCoeff());
-    vertex(centres, v) = 0.5 * (box.lo + box.hi);
-    radii[v] = 0.5 * (box.hi - box.lo).norm() * (1 + accuracy) + error;
-  }
-  find_distances(mesh, centres, candidates);
+// From the distances: of all candidates, or of those that have none.
+void set_clearances(const CollisionMesh& mesh, const std::vector<double>& radii, bool all, Candidates& candidates) {
   for_each_kind(mesh, candidates, [&](const auto& pairs, const auto& first, const auto& second, auto member) {
     std::vector<double>& clearances = candidates.clearances.*member;
     clearances.resize(pairs.size());
     for_each(static_cast<int>(pairs.size()), [&](int i) {
+      if (!all && clearances[i] != unknown_length) return;
       const double motion = largest_radius(radii, first(pairs[i][0])) + largest_radius(radii, second(pairs[i][1]));
       clearances[i] = std::max(0.0, (candidates.distances.*member)[i] - motion);
     }, 2048);
   });
+}
+
+}  // namespace
+
+void find_distances(const CollisionMesh& mesh, const VecX& x, Candidates& candidates) {
+  candidates.reference = x;
+  find_distances(mesh, true, candidates);
+}
+
+void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates) {
+  candidates.reference = VecX::Zero(3 * static_cast<Eigen::Index>(vertex_boxes.size()));
+  for (const int v : mesh.vertices) set_centre(vertex_boxes, v, candidates.reference);
+  find_distances(mesh, true, candidates);
+  set_clearances(mesh, radii_around(mesh, vertex_boxes, candidates.reference), true, candidates);
+}
+
+void find_unknown_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const std::vector<char>& changed, Candidates& candidates) {
+  for (const int v : mesh.vertices)
+    if (changed[mesh.vertex_object[v]]) set_centre(vertex_boxes, v, candidates.reference);
+  find_distances(mesh, false, candidates);
+  set_clearances(mesh, radii_around(mesh, vertex_boxes, candidates.reference), false, candidates);
 }
 
 }  // namespace tack

@@ -32,13 +32,13 @@ struct Primitives {
       if (groups.back() >= 0 && mesh.vertex_group[v] != groups.back()) groups.back() = -1;
   }
 
-  // Sets the tree to the unions of the vertices' boxes (by global id), inflated [m]. Movable primitives are active, of these
-  // objects alone if `of` (a flag for each object) is not empty.
-  void refresh_tree(const std::vector<Aabb>& vertex_boxes, double inflation, const std::vector<char>& of = {}) {
+  // Sets the tree to the unions of the vertices' boxes (by global id), inflated by as much as is said for each object [m] (empty: by
+  // nothing). Movable primitives are active, of these objects alone if `of` (a flag for each object) is not empty.
+  void refresh_tree(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& inflation, const std::vector<char>& of = {}) {
     std::vector<Aabb> boxes(vertices.size());
     for_each(static_cast<int>(boxes.size()), [&](int i) {
       for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);
-      boxes[i].inflate(inflation);
+      if (!inflation.empty()) boxes[i].inflate(inflation[objects[i]]);
     }, 2048);
     std::vector<char> active = movable;
     if (!of.empty())

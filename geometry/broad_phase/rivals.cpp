@@ -16,16 +16,16 @@ Rivals::Rivals(const CollisionMesh& mesh) : mesh_(mesh) {
   }
 }
 
-void Rivals::find(const std::vector<Aabb>& vertex_boxes, double inflation) {
+void Rivals::find(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& reach) {
   if (near_.empty()) return;
   boxes_.assign(kin_of_.size(), Aabb());
   std::vector<Aabb> of_group(near_.size());
   for (const int v : mesh_.vertices) {
-    boxes_[mesh_.vertex_object[v]].include(vertex_boxes[v]);
-    if (const int group = mesh_.vertex_group[v]; group >= 0) of_group[group].include(vertex_boxes[v]);
+    Aabb box = vertex_boxes[v];
+    box.inflate(reach[mesh_.vertex_object[v]]);
+    boxes_[mesh_.vertex_object[v]].include(box);
+    if (const int group = mesh_.vertex_group[v]; group >= 0) of_group[group].include(box);
   }
-  for (Aabb& box : boxes_) box.inflate(inflation);
-  for (Aabb& box : of_group) box.inflate(inflation);
   for (size_t group = 0; group < near_.size(); ++group) {
     near_[group].clear();
     for (size_t object = 0; object < boxes_.size(); ++object)

@@ -14,8 +14,8 @@ class Rivals {
   // The mesh must outlive this.
   explicit Rivals(const CollisionMesh& mesh);
 
-  // Vertices are in these boxes (by global id), and primitives reach `inflation` [m] beyond them.
-  void find(const std::vector<Aabb>& vertex_boxes, double inflation);
+  // Vertices are in these boxes (by global id), and primitives of each object reach so far beyond them [m].
+  void find(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& reach);
   // Whether something that is not of the group `kin` (>= 0) may overlap the box.
   bool near(int kin, const Aabb& box) const {
     for (const int object : near_[kin])

@@ -58,7 +58,7 @@ Primitives<N> collect(const std::vector<std::array<int, N>>& all, const Collisio
   Primitives<N> primitives;
   for (std::size_t i = 0; i < all.size(); ++i) primitives.add(all[i], static_cast<int>(i), mesh);
   if (!movable_only) primitives.movable.assign(all.size(), 1);
-  primitives.refresh_tree(vertex_boxes, 0.0);
+  primitives.refresh_tree(vertex_boxes, {});
   return primitives;
 }
 

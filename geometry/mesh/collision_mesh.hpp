@@ -2,6 +2,7 @@
 // indices into the global configuration. Purely topological; positions [m] come with each call.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "geometry/types.hpp"
@@ -20,5 +21,11 @@ struct CollisionMesh {
   std::vector<int> codim_edges;      // indices into edges: those in no triangle (rods), ascending
   std::vector<int> codim_points;     // global ids of vertices in no edge (particles), ascending
 };
+
+// The largest object id, and one more.
+inline int object_count(const CollisionMesh& mesh) {
+  const auto last = std::max_element(mesh.vertex_object.begin(), mesh.vertex_object.end());
+  return last == mesh.vertex_object.end() ? 0 : *last + 1;
+}
 
 }  // namespace tack

@@ -186,7 +186,7 @@ void ContactFinder::add_edges(int a, int b, const VecX& x, const VecX& way, cons
 ContactRows ContactFinder::find(const VecX& x, const VecX& way, const HeldContacts& before) {
   const CollisionMesh& mesh = surface_.mesh;
   const double reach = near_in_margins * margin_ + system_.pairs().largest_offset() + strayed(before, way);
-  broad_phase_.update(x, VecX(), reach, reach, 0.5 * margin_);
+  broad_phase_.update(x, VecX(), reach, 0.5 * margin_);
   const Candidates& candidates = broad_phase_.candidates();
 
   std::vector<int> groups;

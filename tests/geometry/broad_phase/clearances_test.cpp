@@ -86,6 +86,35 @@ TEST_CASE("clearances: no move inside the safe boxes brings a pair closer", "[br
       }
 }
 
+TEST_CASE("clearances: of objects that alone are searched anew, and of others, they hold", "[broad_phase]") {
+  std::mt19937 random(19);
+  for (const Scene& scene : {triangle_soup(150), mixed(12, 60)}) {
+    VecX x = scene.x();
+    const auto of_first = [&](VecX way) {
+      for (Eigen::Index v = 0; v < x.size() / 3; ++v)
+        if (scene.mesh.vertex_object[v] != 0) way.segment<3>(3 * v).setZero();
+      return way;
+    };
+    BroadPhase broad_phase(scene.mesh, CollidingObjects());
+    broad_phase.update(x, VecX(), range, skin);
+    int apart = 0;
+    for (int step = 0; step < 12; ++step) {
+      const VecX still = 0.4999 * skin * random_motion(random, x.size(), 1.0);
+      if (step % 4 == 3)  // vertices come to rest elsewhere in their boxes; then distances are of there
+        for (int i = 0; i < 40; ++i) broad_phase.update(x + 0.02 * still, VecX(), range, skin);
+      const VecX p = of_first(random_motion(random, x.size(), step % 2 == 0 ? 0.05 : 0.2));
+      broad_phase.update(x, p, range, skin);
+      x += p;
+      REQUIRE(broad_phase.covers(x));
+      apart += check_clearances(scene.mesh, broad_phase.candidates(), x).apart;
+      check_clearances(scene.mesh, broad_phase.candidates(), x - 0.5 * p);
+      check_clearances(scene.mesh, broad_phase.candidates(), inside_boxes(random, x - p, p, 0.4999 * skin));
+    }
+    CHECK(apart > 0);
+    CHECK(broad_phase.builds() >= 12);
+  }
+}
+
 TEST_CASE("clearances: they grow where hardly anything moves, and hold when it does again", "[broad_phase]") {
   std::mt19937 random(17);
   for (const Scene& scene : all_scenes()) {

@@ -1,0 +1,84 @@
+#include "framework/contact/pair_reaches.hpp"
+
+#include <functional>
+#include <utility>
+
+namespace tack {
+namespace {
+
+// Of one class of objects with another, or with itself [m].
+struct ClassRange {
+  int a, b;
+  double range;
+};
+
+double surface_range(const PairTable& pairs, int a, int b) {
+  double range = 0;
+  for (int part = -1; part < pairs.parts(a, b); ++part)
+    for (const PairRole* role : {&pairs.point(a, b, part), &pairs.point(b, a, part), &pairs.edge(a, b, part), &pairs.thin(a, b, part)})
+      range = std::max({range, role->reach(), role->guard_range, role->bonds ? pairs.bond_reach() : 0});
+  return range;
+}
+
+double edge_range(const ContactSurface& surface, const PairTable& pairs, int a, int b) {
+  const bool rods = surface.rod_width[a] > 0 && surface.rod_width[b] > 0;
+  double range = 0;
+  for (int part = -1; part < pairs.parts(a, b); ++part)
+    range = std::max({range, pairs.edge(a, b, part).range, rods ? pairs.thin(a, b, part).reach() : 0});
+  return range;
+}
+
+std::vector<ClassRange> class_ranges(const PairTable& pairs, const std::function<double(int, int)>& range_of) {
+  std::vector<ClassRange> ranges;
+  for (const auto& [a, b] : pairs.classes().examples())
+    if (const double range = range_of(a, b); range > 0) ranges.push_back({pairs.classes().of(a), pairs.classes().of(b), range});
+  return ranges;
+}
+
+// Of each class, with any; `without` for one that has none.
+std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<ClassRange>& ranges, double without) {
+  std::vector<double> smallest(pairs.classes().count(), std::numeric_limits<double>::infinity());
+  for (const auto& [a, b, range] : ranges)
+    for (const int c : {a, b}) smallest[c] = std::min(smallest[c], range);
+  for (double& range : smallest)
+    if (std::isinf(range)) range = without;
+  return smallest;
+}
+
+// vertices: of the surfaces of each class.
+std::vector<double> shared_out(const PairTable& pairs, std::vector<ClassRange> ranges, const std::vector<int>& vertices) {
+  std::vector<double> reach = smallest_ranges(pairs, ranges, 0);
+  for (double& r : reach) r *= 0.5;
+  const auto alike_first = [](const ClassRange& r) { return std::pair(r.a != r.b, -r.range); };
+  std::stable_sort(ranges.begin(), ranges.end(), [&](const ClassRange& r, const ClassRange& s) { return alike_first(r) < alike_first(s); });
+  for (const auto& [a, b, range] : ranges) {
+    const double lacking = range - reach[a] - reach[b];
+    if (lacking <= 0) continue;
+    if (a == b) reach[a] = 0.5 * range;
+    else reach[vertices[a] < vertices[b] ? a : b] += lacking;
+  }
+  return reach;
+}
+
+std::vector<double> by_object(const PairTable& pairs, const std::vector<double>& by_class) {
+  std::vector<double> all;
+  for (int i = 0; i < pairs.objects(); ++i) all.push_back(by_class[pairs.classes().of(i)]);
+  return all;
+}
+
+}  // namespace
+
+Reaches pair_reaches(const ContactSurface& surface, const PairTable& pairs, double mean_edge) {
+  std::vector<int> vertices(pairs.classes().count(), 0);
+  for (const int v : surface.mesh.vertices) ++vertices[pairs.classes().of(surface.mesh.vertex_object[v])];
+  const auto ranges = class_ranges(pairs, [&](int a, int b) { return surface_range(pairs, a, b); });
+  const auto edge_ranges = class_ranges(pairs, [&](int a, int b) { return edge_range(surface, pairs, a, b); });
+  double largest = 0;
+  for (const ClassRange& r : ranges) largest = std::max(largest, r.range);
+  // A tenth of an edge adds few candidates to what the extent of the primitives brings along already.
+  std::vector<double> skin = smallest_ranges(pairs, ranges, largest);
+  for (double& s : skin) s = std::clamp(0.1 * mean_edge, 0.5 * s, 2 * s);
+  return {by_object(pairs, shared_out(pairs, ranges, vertices)), by_object(pairs, shared_out(pairs, edge_ranges, vertices)), by_object(pairs, skin)};
+}
+
+}  // namespace tack
