@@ -10,6 +10,11 @@
 namespace tack {
 namespace {
 
+// Skin of the candidates: twice as far as vertices may move before they are searched anew. A tenth of an
+// edge adds few candidates to what the extent of the primitives brings along already. It is that of the largest range for all objects: what is within
+// it when a step begins is what areas are divided for.
+double skin_of(double mean_edge, double range) { return std::clamp(0.1 * mean_edge, 0.5 * range, 2 * range); }
+
 // By the first vertex of the side that integrates, and the other object.
 const std::string sides_name = "contact/integrating_sides";
 // In older states: two objects each; per pair of objects, whether the first integrates.
@@ -35,7 +40,8 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
   for (const PairLaw& law : pairs_.laws()) range_ = std::max(range_, law.range());
   range_ = std::max(range_, pairs_.bond_reach());
   const double mean_edge = mean_edge_of(surface_);
-  reaches_ = pair_reaches(surface_, pairs_, mean_edge);
+  skin_ = skin_of(mean_edge, range_);
+  reaches_ = pair_reaches(surface_, pairs_);
   stride_ = std::max(2 * mean_edge, range_);
   forget();
 }
@@ -139,7 +145,7 @@ void ContactSystem::move_to(const VecX& x) {
 
 bool ContactSystem::renew_candidates(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  return broad_phase_->update(x, p, reaches_);
+  return broad_phase_->update(x, p, reaches_, skin_);
 }
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {

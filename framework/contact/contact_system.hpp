@@ -72,7 +72,8 @@ class ContactSystem : public StepParticipant {
   PhaseClock& clock_;
   double range_ = 0;   // the largest of all laws [m]
   double stride_ = 0;  // m
-  Reaches reaches_;    // of the candidates
+  double skin_ = 0;    // of the candidates [m]
+  Reaches reaches_;    // likewise
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   std::optional<IntegrationSides::Pairs> turned_before_;

@@ -1,6 +1,9 @@
 #include "framework/contact/pair_reaches.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace tack {
@@ -35,19 +38,18 @@ std::vector<ClassRange> class_ranges(const PairTable& pairs, const std::function
   return ranges;
 }
 
-// Of each class, with any; `without` for one that has none.
-std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<ClassRange>& ranges, double without) {
+// Of each class, with any; 0 for one that has none.
+std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<ClassRange>& ranges) {
   std::vector<double> smallest(pairs.classes().count(), std::numeric_limits<double>::infinity());
   for (const auto& [a, b, range] : ranges)
     for (const int c : {a, b}) smallest[c] = std::min(smallest[c], range);
-  for (double& range : smallest)
-    if (std::isinf(range)) range = without;
+  std::replace_if(smallest.begin(), smallest.end(), [](double range) { return std::isinf(range); }, 0.0);
   return smallest;
 }
 
 // vertices: of the surfaces of each class.
 std::vector<double> shared_out(const PairTable& pairs, std::vector<ClassRange> ranges, const std::vector<int>& vertices) {
-  std::vector<double> reach = smallest_ranges(pairs, ranges, 0);
+  std::vector<double> reach = smallest_ranges(pairs, ranges);
   for (double& r : reach) r *= 0.5;
   const auto alike_first = [](const ClassRange& r) { return std::pair(r.a != r.b, -r.range); };
   std::stable_sort(ranges.begin(), ranges.end(), [&](const ClassRange& r, const ClassRange& s) { return alike_first(r) < alike_first(s); });
@@ -68,17 +70,12 @@ std::vector<double> by_object(const PairTable& pairs, const std::vector<double>&
 
 }  // namespace
 
-Reaches pair_reaches(const ContactSurface& surface, const PairTable& pairs, double mean_edge) {
+Reaches pair_reaches(const ContactSurface& surface, const PairTable& pairs) {
   std::vector<int> vertices(pairs.classes().count(), 0);
   for (const int v : surface.mesh.vertices) ++vertices[pairs.classes().of(surface.mesh.vertex_object[v])];
   const auto ranges = class_ranges(pairs, [&](int a, int b) { return surface_range(pairs, a, b); });
   const auto edge_ranges = class_ranges(pairs, [&](int a, int b) { return edge_range(surface, pairs, a, b); });
-  double largest = 0;
-  for (const ClassRange& r : ranges) largest = std::max(largest, r.range);
-  // A tenth of an edge adds few candidates to what the extent of the primitives brings along already.
-  std::vector<double> skin = smallest_ranges(pairs, ranges, largest);
-  for (double& s : skin) s = std::clamp(0.1 * mean_edge, 0.5 * s, 2 * s);
-  return {by_object(pairs, shared_out(pairs, ranges, vertices)), by_object(pairs, shared_out(pairs, edge_ranges, vertices)), by_object(pairs, skin)};
+  return {by_object(pairs, shared_out(pairs, ranges, vertices)), by_object(pairs, shared_out(pairs, edge_ranges, vertices))};
 }
 
 }  // namespace tack

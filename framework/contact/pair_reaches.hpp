@@ -11,7 +11,7 @@
 
 namespace tack {
 
-// Any pair of objects reaches at least the ranges of all of its laws together. mean_edge: of the edges that may move [m].
-Reaches pair_reaches(const ContactSurface& surface, const PairTable& pairs, double mean_edge);
+// Any pair of objects reaches at least the ranges of all of its laws together.
+Reaches pair_reaches(const ContactSurface& surface, const PairTable& pairs);
 
 }  // namespace tack

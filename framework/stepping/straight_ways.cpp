@@ -144,7 +144,7 @@ std::optional<std::array<int, 2>> StraightWays::blocked_parts(const VecX& x, con
       boxes[v].include(vertex(x, v) + stage.begin * vertex(way, v));
       if (concerned[parts_.part_of(v)]) boxes[v].include(vertex(x, v) + stage.end * vertex(way, v));
     }
-    finder_->find(boxes, Reaches::uniform(mesh, 0, 0, 0), candidates);
+    finder_->find(boxes, Reaches::uniform(mesh, 0, 0), candidates);
     if (auto found = search.met(candidates, stage)) return found;
   }
   return std::nullopt;

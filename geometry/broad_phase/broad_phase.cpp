@@ -54,18 +54,18 @@ void check_finite(const VecX& values, const char* name) {
 BroadPhase::BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding)
     : mesh_(mesh), objects_(object_count(mesh)), finder_(mesh, std::move(colliding)) {}
 
-bool BroadPhase::update(const VecX& x, const VecX& p, const Reaches& reaches) {
-  check(x, p, reaches);
+bool BroadPhase::update(const VecX& x, const VecX& p, const Reaches& reaches, double skin) {
+  check(x, p, reaches, skin);
   const bool known = builds_ > 0 && !stale_ && reaches.within(reaches_);
-  if (known && covers(x) && inside(safe_boxes_, x, p)) return renew_clearances(x, p) || (renew_distances(x, p), false);
+  if (known && covers(x) && inside(safe_boxes_, x, p)) return renew_clearances(x, p, skin) || (renew_distances(x, p), false);
 
   std::vector<char> changed;
   if (known) changed = strayed(x, p);
   if (changed.empty()) reaches_ = reaches;  // else those of the other candidates
-  const double size = largest(x) + largest(p) + reaches_.largest_range() + reaches_.largest_skin();
+  const double size = largest(x) + largest(p) + reaches_.largest_range() + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * size;
   inflate_reaches(rounding);
-  std::vector<Aabb> boxes = boxes_around(x, p, 0.5, rounding);
+  std::vector<Aabb> boxes = boxes_around(x, p, 0.5 * skin + rounding);
   if (changed.empty()) {
     safe_boxes_ = std::move(boxes);
     finder_.find(safe_boxes_, inflation_, candidates_);
@@ -126,12 +126,13 @@ void BroadPhase::renew_distances(const VecX& x, const VecX& p) {
 
 // After a while in which the safe boxes served, clearances are found in tight ones; where those are left too soon,
 // that takes longer the next time.
-bool BroadPhase::renew_clearances(const VecX& x, const VecX& p) {
-  const bool tighten = ++served_ >= patience_ && largest(p) <= kTight * reaches_.smallest_skin();
+bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double skin) {
+  const double stray = kTight * skin;
+  const bool tighten = ++served_ >= patience_ && largest(p) <= stray;
   if (tight_boxes_.empty() ? !tighten : inside(tight_boxes_, x, p)) return false;
   if (!tight_boxes_.empty() && !tighten) patience_ *= 4;
   tight_boxes_.clear();
-  if (tighten) tight_boxes_ = boxes_around(x, p, kTight, 0);
+  if (tighten) tight_boxes_ = boxes_around(x, p, stray);
   find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, candidates_);
   served_ = 0;
   return true;
@@ -201,30 +202,31 @@ void BroadPhase::others_near(const Triangle& triangle, std::vector<int>& out) co
   finder_.triangles_in(box, object, out);
 }
 
-void BroadPhase::check(const VecX& x, const VecX& p, const Reaches& reaches) const {
+void BroadPhase::check(const VecX& x, const VecX& p, const Reaches& reaches, double skin) const {
   const auto size = 3 * static_cast<Eigen::Index>(mesh_.vertex_object.size());
   if (x.size() != size || (p.size() != 0 && p.size() != size))
     throw InputError(fmt::format(
         "broad phase: x has {} and p {} coordinates; the mesh has {} (3 a vertex; p may be empty)",
         x.size(), p.size(), size));
-  for (const auto* lengths : {&reaches.surface, &reaches.edge, &reaches.skin}) {
+  if (!(skin >= 0.0)) throw InputError(fmt::format("broad phase: a skin of {} m must not be negative", skin));
+  for (const auto* lengths : {&reaches.surface, &reaches.edge}) {
     if (static_cast<int>(lengths->size()) < objects_)
       throw InputError(fmt::format("broad phase: reaches of {} objects; the mesh has {}", lengths->size(), objects_));
     for (const double length : *lengths)
-      if (!(length >= 0.0)) throw InputError(fmt::format("broad phase: a reach or skin of {} m must not be negative", length));
+      if (!(length >= 0.0)) throw InputError(fmt::format("broad phase: a reach of {} m must not be negative", length));
   }
   check_finite(x, "the position");
   check_finite(p, "the displacement");
 }
 
-std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double part, double rounding) const {
+std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double inflation) const {
   std::vector<Aabb> boxes(mesh_.vertex_object.size());
   for_each(static_cast<int>(mesh_.vertices.size()), [&](int i) {
     const int v = mesh_.vertices[i];
     Aabb box;
     box.include(Vec3(vertex(x, v)));
     if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
-    box.inflate(part * reaches_.skin[mesh_.vertex_object[v]] + rounding);
+    box.inflate(inflation);
     boxes[v] = box;
   }, kGrain);
   return boxes;

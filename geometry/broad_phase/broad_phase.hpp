@@ -28,12 +28,12 @@ class BroadPhase {
 
   // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if a reach grew since
   // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty
-  // (zero). Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
+  // (zero). skin: [m]. Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
   // negative reach or skin, SimulationError if a coordinate is not finite.
-  bool update(const VecX& x, const VecX& p, const Reaches& reaches);
+  bool update(const VecX& x, const VecX& p, const Reaches& reaches, double skin);
   // The same reach for all objects: pairs within `range`, of edges within edge_range.
   bool update(const VecX& x, const VecX& p, double range, double skin) {
-    return update(x, p, Reaches::uniform(mesh_, range, range, skin));
+    return update(x, p, Reaches::uniform(mesh_, range, range), skin);
   }
 
   // Whether pairs of one rigid group are searched too: for when its vertices move against each other.
@@ -54,16 +54,15 @@ class BroadPhase {
   int builds() const { return builds_; }
 
  private:
-  void check(const VecX& x, const VecX& p, const Reaches& reaches) const;
-  // parts: of the skin of each object; rounding: [m].
-  std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double part, double rounding) const;
+  void check(const VecX& x, const VecX& p, const Reaches& reaches, double skin) const;
+  std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double inflation) const;
   void inflate_reaches(double rounding);
   bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
   Aabb box_of(const Triangle& triangle) const;
   Aabb box_of(const Triangle& triangle, const Vec3& inside) const;
   void reach_out(int object, Aabb& box) const;
   void renew_distances(const VecX& x, const VecX& p);
-  bool renew_clearances(const VecX& x, const VecX& p);
+  bool renew_clearances(const VecX& x, const VecX& p, double skin);
   std::vector<char> strayed(const VecX& x, const VecX& p) const;
 
   const CollisionMesh& mesh_;

@@ -12,24 +12,18 @@ namespace tack {
 
 struct Reaches {
   std::vector<double> surface, edge;  // per object [m], >= 0
-  std::vector<double> skin;           // likewise: twice as far as its vertices may move before they are searched anew
 
   // The same for all objects of a mesh: within `range`, and of edges within `edge_range`.
-  static Reaches uniform(const CollisionMesh& mesh, double range, double edge_range, double skin) {
+  static Reaches uniform(const CollisionMesh& mesh, double range, double edge_range) {
     const int objects = object_count(mesh);
-    return {std::vector<double>(objects, 0.5 * range), std::vector<double>(objects, 0.5 * edge_range), std::vector<double>(objects, skin)};
+    return {std::vector<double>(objects, 0.5 * range), std::vector<double>(objects, 0.5 * edge_range)};
   }
 
   // Whether others look as far for every object.
   bool within(const Reaches& others) const {
     return std::ranges::equal(surface, others.surface, std::less_equal<>()) && std::ranges::equal(edge, others.edge, std::less_equal<>());
   }
-  double largest_range() const { return 2 * largest(surface); }
-  double largest_skin() const { return largest(skin); }
-  double smallest_skin() const { return skin.empty() ? 0 : *std::ranges::min_element(skin); }
-
- private:
-  static double largest(const std::vector<double>& lengths) { return lengths.empty() ? 0 : *std::ranges::max_element(lengths); }
+  double largest_range() const { return surface.empty() ? 0 : 2 * *std::ranges::max_element(surface); }
 };
 
 }  // namespace tack

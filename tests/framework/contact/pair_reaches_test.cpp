@@ -31,11 +31,9 @@ TEST_CASE("reaches: where all pairs have one range, each object reaches half of 
   PairTable pairs(3);
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) set_range(pairs, a, b, 2e-3);
-  const Reaches reaches = pair_reaches(surface, pairs, 0.05);
+  const Reaches reaches = pair_reaches(surface, pairs);
   CHECK(reaches.surface == std::vector(3, 1e-3));
   CHECK(reaches.edge == std::vector(3, 4e-4));
-  CHECK(reaches.skin == std::vector(3, 4e-3));
-  CHECK(pair_reaches(surface, pairs, 0.001).skin == std::vector(3, 1e-3));
 }
 
 // 500 grains of one class that only touch, and a ball that they stick to.
@@ -45,12 +43,11 @@ TEST_CASE("reaches: what few objects have reach for does not widen those of many
   PairTable pairs(ObjectClasses(classes), std::vector<double>(classes.size(), 1.0));
   for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {2, 3}}) set_range(pairs, a, b, 0.8);
   set_range(pairs, 1, 2, 1.7);
-  const Reaches reaches = pair_reaches(surface_of(vertices), pairs, 1.0);
+  const Reaches reaches = pair_reaches(surface_of(vertices), pairs);
   CHECK(reaches.surface.size() == 502);
   CHECK(reaches.surface[0] == 0.4);
   CHECK(reaches.surface[1] == Approx(1.3));
   for (int grain = 2; grain < 502; ++grain) CHECK(reaches.surface[grain] == 0.4);
-  for (const double skin : reaches.skin) CHECK(skin == 0.4);
 }
 
 TEST_CASE("reaches: whatever the ranges, every pair reaches its own", "[contact]") {
@@ -77,7 +74,7 @@ TEST_CASE("reaches: whatever the ranges, every pair reaches its own", "[contact]
     ContactSurface surface = surface_of(vertices);
     surface.rod_width[2] = surface.rod_width[3] = 0.1;
     pairs.set_thin(2, 3, {0, 1, 0.7});
-    const Reaches reaches = pair_reaches(surface, pairs, 0.1);
+    const Reaches reaches = pair_reaches(surface, pairs);
     for (int a = 0; a < 6; ++a)
       for (int b = 0; b < 6; ++b) {
         double wanted = std::max(pairs.point(a, b).range, pairs.thin(a, b).range);

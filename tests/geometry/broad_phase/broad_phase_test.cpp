@@ -49,25 +49,24 @@ TEST_CASE("candidates are what testing all pairs finds", "[broad_phase]") {
 TEST_CASE("objects reach as far as each is said to, their edges too", "[broad_phase]") {
   for (const Scene& scene : all_scenes()) {
     const VecX x = scene.x();
-    Reaches reaches = Reaches::uniform(scene.mesh, kRange, kRange, kSkin);
+    Reaches reaches = Reaches::uniform(scene.mesh, kRange, kRange);
     const size_t objects = reaches.surface.size();
     for (size_t i = 0; i < objects; ++i) {
       reaches.surface[i] *= 0.3 + 0.7 * i;
       reaches.edge[i] *= 1.3 - 0.4 * i;
-      reaches.skin[i] *= 0.4 + 0.5 * i;
     }
     BroadPhase broad_phase(scene.mesh, CollidingObjects());
-    REQUIRE(broad_phase.update(x, VecX(), reaches));
-    const Candidates expected = BruteForce(scene.mesh, CollidingObjects(), x, VecX(), reaches).find();
+    REQUIRE(broad_phase.update(x, VecX(), reaches, kSkin));
+    const Candidates expected = BruteForce(scene.mesh, CollidingObjects(), x, VecX(), reaches, kSkin).find();
     REQUIRE(expected.edge_edge.size() > 20);
     require_equal(broad_phase.candidates(), expected);
-    REQUIRE_FALSE(broad_phase.update(x, VecX(), reaches));
+    REQUIRE_FALSE(broad_phase.update(x, VecX(), reaches, kSkin));
     reaches.surface.back() *= 1.1;
-    REQUIRE(broad_phase.update(x, VecX(), reaches));
-    require_equal(broad_phase.candidates(), BruteForce(scene.mesh, CollidingObjects(), x, VecX(), reaches).find());
+    REQUIRE(broad_phase.update(x, VecX(), reaches, kSkin));
+    require_equal(broad_phase.candidates(), BruteForce(scene.mesh, CollidingObjects(), x, VecX(), reaches, kSkin).find());
     if (objects > 1) {
       reaches.edge.pop_back();
-      REQUIRE_THROWS_WITH(broad_phase.update(x, VecX(), reaches), Catch::Contains("objects"));
+      REQUIRE_THROWS_WITH(broad_phase.update(x, VecX(), reaches, kSkin), Catch::Contains("objects"));
     }
   }
 }

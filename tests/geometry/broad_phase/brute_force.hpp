@@ -17,13 +17,14 @@ struct BruteForce {
 
   BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x,
              const VecX& p, double range, double skin)
-      : BruteForce(mesh_, colliding_, x, p, Reaches::uniform(mesh_, range, range, skin)) {}
-  BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x, const VecX& p, Reaches reaches_)
+      : BruteForce(mesh_, colliding_, x, p, Reaches::uniform(mesh_, range, range), skin) {}
+  BruteForce(const CollisionMesh& mesh_, const CollidingObjects& colliding_, const VecX& x, const VecX& p, Reaches reaches_,
+             double skin)
       : mesh(mesh_), colliding(colliding_), safe_boxes(x.size() / 3), reaches(std::move(reaches_)) {
     for (const int v : mesh.vertices) {
       safe_boxes[v].include(Vec3(vertex(x, v)));
       if (p.size() != 0) safe_boxes[v].include(Vec3(vertex(x, v) + vertex(p, v)));
-      safe_boxes[v].inflate(0.5 * reaches.skin[mesh.vertex_object[v]]);
+      safe_boxes[v].inflate(0.5 * skin);
     }
   }
 
