@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "geometry/errors.hpp"
+#include "geometry/mesh/object_elements.hpp"
 
 namespace tack {
 namespace {
@@ -23,13 +24,7 @@ std::array<int, 2> key_of(const Bond& bond) { return {bond.vertices[0], bond.b};
 }  // namespace
 
 BondList::BondList(const ContactSurface& surface, const PairTable& pairs, const BondTable& table)
-    : surface_(&surface), pairs_(&pairs), table_(&table) {
-  const auto& object = surface.mesh.vertex_object;
-  const int objects = object.empty() ? 0 : *std::max_element(object.begin(), object.end()) + 1;
-  first_triangle_.assign(objects + 1, 0);
-  for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[object[t[0]] + 1];
-  std::partial_sum(first_triangle_.begin(), first_triangle_.end(), first_triangle_.begin());
-}
+    : surface_(&surface), pairs_(&pairs), table_(&table), first_triangle_(first_of_objects(surface.mesh, surface.mesh.triangles)) {}
 
 void BondList::clear() {
   bonds_.clear();

@@ -57,7 +57,7 @@ BroadPhase::BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding)
 bool BroadPhase::update(const VecX& x, const VecX& p, const Reaches& reaches, double skin) {
   check(x, p, reaches, skin);
   const bool known = builds_ > 0 && !stale_ && reaches.within(reaches_);
-  if (known && covers(x) && inside(safe_boxes_, x, p)) return renew_clearances(x, p, skin) || (renew_distances(x, p), false);
+  if (known && inside(safe_boxes_, x, p)) return renew_clearances(x, p, skin) || (renew_distances(x, p), false);
 
   std::vector<char> changed;
   if (known) changed = strayed(x, p);
@@ -92,15 +92,10 @@ void BroadPhase::inflate_reaches(double rounding) {
 
 // A flag for each object that has left its safe boxes; empty if they are so many, or such, that all should be searched.
 std::vector<char> BroadPhase::strayed(const VecX& x, const VecX& p) const {
-  std::vector<char> objects, fixed;
-  std::vector<int> size;
+  std::vector<char> objects(objects_, 0), fixed(objects_, 0);
+  std::vector<int> size(objects_, 0);
   for (const int v : mesh_.vertices) {
-    const auto object = static_cast<std::size_t>(mesh_.vertex_object[v]);
-    if (object >= objects.size()) {
-      objects.resize(object + 1, 0);
-      fixed.resize(object + 1, 0);
-      size.resize(object + 1, 0);
-    }
+    const int object = mesh_.vertex_object[v];
     ++size[object];
     fixed[object] |= !mesh_.vertex_movable[v];
     if (objects[object]) continue;
@@ -109,7 +104,7 @@ std::vector<char> BroadPhase::strayed(const VecX& x, const VecX& p) const {
     objects[object] = 1;
   }
   int strayed = 0;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
+  for (int i = 0; i < objects_; ++i) {
     if (!objects[i]) continue;
     if (fixed[i]) return {};
     strayed += size[i];

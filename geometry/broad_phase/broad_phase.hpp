@@ -31,7 +31,7 @@ class BroadPhase {
   // (zero). skin: [m]. Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
   // negative reach or skin, SimulationError if a coordinate is not finite.
   bool update(const VecX& x, const VecX& p, const Reaches& reaches, double skin);
-  // The same reach for all objects: pairs within `range`, of edges within edge_range.
+  // The same reach for all objects: pairs within `range`.
   bool update(const VecX& x, const VecX& p, double range, double skin) {
     return update(x, p, Reaches::uniform(mesh_, range, range), skin);
   }

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "geometry/errors.hpp"
+#include "geometry/mesh/object_elements.hpp"
 
 namespace tack {
 namespace {
@@ -16,16 +17,6 @@ constexpr int point_width = 7, edge_width = 10;
 
 void require(bool fits) {
   if (!fits) throw InputError("what is remembered of contacts does not fit the objects; it is of another scene: begin the run anew");
-}
-
-// Where the elements of each object begin in the mesh, whose they are in the order of objects.
-template <size_t N>
-std::vector<int> firsts(const CollisionMesh& mesh, const std::vector<std::array<int, N>>& elements) {
-  const int objects = mesh.vertex_object.empty() ? 0 : *std::max_element(mesh.vertex_object.begin(), mesh.vertex_object.end()) + 1;
-  std::vector<int> first(objects + 1, 0);
-  for (const auto& e : elements) ++first[mesh.vertex_object[e[0]] + 1];
-  for (int i = 0; i < objects; ++i) first[i + 1] += first[i];
-  return first;
 }
 
 int number(const std::vector<int>& first, int object, double in_object) {
@@ -45,8 +36,8 @@ void HeldContacts::sort() {
 HeldContacts HeldContacts::read(const History& history, const ContactSurface& surface) {
   HeldContacts held;
   const CollisionMesh& mesh = surface.mesh;
-  const auto triangles = firsts(mesh, mesh.triangles);
-  const auto edges = firsts(mesh, mesh.edges);
+  const auto triangles = first_of_objects(mesh, mesh.triangles);
+  const auto edges = first_of_objects(mesh, mesh.edges);
   const auto object_of = [&](int v) {
     require(v >= 0 && v < static_cast<int>(mesh.vertex_object.size()));
     return mesh.vertex_object[v];
@@ -76,7 +67,7 @@ HeldContacts HeldContacts::read(const History& history, const ContactSurface& su
 
 void HeldContacts::write(History& history, const ContactSurface& surface) const {
   const CollisionMesh& mesh = surface.mesh;
-  const auto first_triangle = firsts(mesh, mesh.triangles), first_edge = firsts(mesh, mesh.edges);
+  const auto first_triangle = first_of_objects(mesh, mesh.triangles), first_edge = first_of_objects(mesh, mesh.edges);
   HistoryArray &of_points = history[points_name] = {point_width, {}, {}}, &of_edges = history[edges_name] = {edge_width, {}, {}};
   for (const HeldPoint& p : points) {
     of_points.keys.push_back({p.point, p.object});

@@ -1,0 +1,21 @@
+// The elements of a mesh by the object that they are of.
+#pragma once
+
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "geometry/mesh/collision_mesh.hpp"
+
+namespace tack {
+
+// Where those of each object begin, and the end: of elements in the order of objects, by the object of their first vertex.
+template <std::size_t N>
+std::vector<int> first_of_objects(const CollisionMesh& mesh, const std::vector<std::array<int, N>>& elements) {
+  std::vector<int> first(object_count(mesh) + 1, 0);
+  for (const auto& e : elements) ++first[mesh.vertex_object[e[0]] + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
+}
+
+}  // namespace tack
