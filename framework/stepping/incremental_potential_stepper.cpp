@@ -6,10 +6,10 @@
 
 #include <optional>
 
-#include "framework/affine/orthogonality_term.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/friction_term.hpp"
 #include "framework/scene/scene_config.hpp"
+#include "framework/stepping/bent_steps.hpp"
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
@@ -86,10 +86,7 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
   problem.observer = observers_.minimizer;
   problem.true_residuals = observers_.true_residuals;
   convergence_.judge(problem);
-  if (world_.affine)
-    problem.bend = [&](const VecX& from, VecX& p, double loss) {
-      return world_.affine->bend(world_.dofs, from, p, loss / step.potential.scale());
-    };
+  bend_steps(world_, step.potential, problem);
   minimize_lagged(problem, step, q, attempt);
 }
 

@@ -4,6 +4,7 @@
 
 #include "framework/config/bind.hpp"
 #include "framework/contact/contact_system.hpp"
+#include "framework/stepping/bent_steps.hpp"
 #include "framework/stepping/obstacle.hpp"
 
 namespace tack {
@@ -12,7 +13,11 @@ namespace {
 constexpr double pull_strength = 1000;   // K, in mean diagonal stiffnesses of the unknowns
 constexpr int max_pulls = 8;             // each ten times stronger
 constexpr double close_enough = 0.01;    // of the whole way, from where the last move is tried
-constexpr double weak = 0.1;             // a Newton step that brings less of the rest wants a larger K
+constexpr double weak = 0.5;             // a Newton step that brings less of what is pulled at once wants a larger K
+constexpr double reached = 0.5;          // of what is pulled at once, from where the next is pulled
+constexpr double much_cut = 0.05;        // a direction of which less is feasible is not taken: a shorter pull gives a better one
+constexpr double wanted_cut = 0.5;       // of the longest steps: where they are cut more, less is pulled at once, and more where less
+constexpr double far_longer = 4;         // than the step of what is pulled: it is not the pull that makes a direction too long
 constexpr int patience = 30;             // iterations without progress before it is given up
 
 double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertices) {
@@ -39,21 +44,50 @@ class DissolvedGroups {
 
 }  // namespace
 
-// One run: where to, from how far, and whether it still gets anywhere.
+// One run: where to, how far at once, and whether it still gets anywhere.
 struct ScriptWalk::Pull {
-  const VecX& places;
-  double whole_way;     // of the vertex that has the longest [m]
-  double best;          // the smallest remaining distance so far [m]
-  int since_best = 0;   // iterations
+  const VecX& goal;          // 3n: the places, and the prediction of all others
+  const double whole_way;    // of the vertex that has the longest [m]
+  VecX towards = {};         // 3n: a part of the way there
+  double length = whole_way; // [m]: of what is pulled at once
+  double cut = 1;            // the smallest part of a step towards there that was feasible
+  bool refused = false;      // one of them was not taken
+  bool too_weak = false;     // the last one brought too little
+  double best = std::numeric_limits<double>::infinity();  // the smallest distance that was left [m]
+  int since_best = 0;        // iterations
   bool stuck = false;
 
-  // Below 1 when this minimisation need not go on.
-  double norm(double remaining, double next_step) {
-    if (remaining < 0.99 * best) best = remaining, since_best = 0;
+  // From x. Others are led by their inertia along the same part of what they have to go.
+  void aim(const VecX& x, const std::vector<int>& vertices) {
+    const double left = largest_row(x, goal, vertices);
+    length = std::min(length, left);
+    towards = x + length / left * (goal - x);
+    cut = 1;
+    refused = too_weak = false;
+  }
+
+  // What is taken of a step of which a part is feasible: nothing where a shorter pull gives a better one, as the pulled vertices' own step
+  // is among the longest.
+  double take(double feasible, double own_step, double longest_step) {
+    if (own_step * far_longer < longest_step) return feasible;
+    cut = std::min(cut, feasible);
+    if (feasible >= much_cut) return feasible;
+    refused = true;
+    return 0;
+  }
+
+  // Below 1 when this minimisation need not go on. remaining: to where it is pulled; left: of all [m].
+  double norm(double remaining, double left, double next_step) {
+    if (left < 0.99 * best) best = left, since_best = 0;
     stuck = ++since_best > patience;
     if (stuck) return 0;
-    return std::min(remaining / (close_enough * whole_way), next_step / (weak * remaining));
+    const double far = remaining / (reached * length), brought = next_step / (weak * remaining);
+    too_weak = far > 1 && brought < 1;
+    return std::min(far, brought);
   }
+
+  // After a minimisation.
+  void adapt() { length = std::min(std::clamp(cut / wanted_cut, 0.1, 2.0) * length, whole_way); }
 };
 
 ScriptWalk::ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
@@ -96,16 +130,29 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
 }
 
 void ScriptWalk::minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer) {
-  const auto feasible_step = [&](const VecX& q, const VecX& p) { return steps_.largest_tried(*potential_, q, p); };
-  const auto norm = [&](const VecX& p, const VecX&) {
-    double next_step = 0;
-    for (const int v : moving_) next_step = std::max(next_step, p.segment<3>(3 * dofs_.block(v)).norm());
-    return pull.norm(largest_row(potential_->configuration(), pull.places, moving_), next_step);
+  const auto left = [&](const VecX& goal) { return largest_row(potential_->configuration(), goal, moving_); };
+  const auto own_step = [&](const VecX& p) {
+    double largest = 0;
+    for (const int v : moving_) largest = std::max(largest, p.segment<3>(3 * dofs_.block(v)).norm());
+    return largest;
   };
+  const auto feasible_step = [&](const VecX& q, const VecX& p) {
+    const double t = steps_.largest_tried(*potential_, q, p);
+    return pull.take(t, own_step(p), p.lpNorm<Eigen::Infinity>());
+  };
+  const auto norm = [&](const VecX& p, const VecX&) {
+    return pull.norm(left(pull.towards), left(pull.goal), own_step(p));
+  };
+  MinimizerProblem problem{*potential_, feasible_step, norm, clock_};
+  const MinimizerResult before = result.solve;
+  if (observer)
+    problem.observer = [&](int iteration, double residual, double value, double seconds) {
+      observer(before.iterations + iteration, residual, value, seconds);
+    };
+  bend_steps(world_, *potential_, problem);
   VecX q;
   dofs_.gather(result.x, q);
-  const MinimizerResult before = result.solve;
-  result.solve = minimizer_->minimize({*potential_, feasible_step, norm, clock_, true, observer}, q);
+  result.solve = minimizer_->minimize(problem, q);
   result.solve.add_work(before);
   dofs_.scatter(q, result.x);
 }
@@ -126,23 +173,30 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
                                    const MinimizerProblem::Observer& observer) {
   const DissolvedGroups dissolved(world_.contact.get());
   prepare(x, places);
-  VecX towards = prediction.x;
-  for (const int v : moving_) vertex(towards, v) = vertex(places, v);
-  const double whole_way = largest_row(x, places, moving_);
-  Pull pull{places, whole_way, std::numeric_limits<double>::infinity()};
+  VecX goal = prediction.x;
+  for (const int v : moving_) vertex(goal, v) = vertex(places, v);
+  Pull pull{goal, largest_row(x, places, moving_)};
   Result result{{}, x, ""};
   double k = pull_strength * stiffness(x, prediction);
-  for (int i = 0; i < max_pulls && !pull.stuck; ++i, k *= 10) {
-    potential_->set_mass(masses(k, prediction.inertia));
-    potential_->begin_step(result.x, towards, prediction.scales(), true);
+  potential_->set_mass(masses(k, prediction.inertia));
+  for (int i = 0; i < max_pulls && !pull.stuck;) {
+    pull.aim(result.x, moving_);
+    potential_->begin_step(result.x, pull.towards, prediction.scales(), true);
     minimize(pull, result, observer);
     if (result.solve.status == MinimizerStatus::interrupted || result.solve.status == MinimizerStatus::time_limit)
       return result;
     if (result.solve.status == MinimizerStatus::iteration_limit) break;
-    const bool near = largest_row(result.x, places, moving_) <= close_enough * whole_way;
-    if (!near || !arrive(places, result.x)) continue;
-    result.solve.status = MinimizerStatus::converged;
-    return result;
+    const bool near = largest_row(result.x, places, moving_) <= close_enough * pull.whole_way;
+    if (near && arrive(places, result.x)) {
+      result.solve.status = MinimizerStatus::converged;
+      return result;
+    }
+    const bool goes_on = pull.refused || (result.solve.status == MinimizerStatus::converged && !pull.too_weak);
+    pull.adapt();
+    if (goes_on && !(near && pull.cut >= wanted_cut)) continue;
+    k *= 10;
+    potential_->set_mass(masses(k, prediction.inertia));
+    ++i;
   }
   result.failure = failure(result.x, places);
   return result;

@@ -4,8 +4,10 @@
 //     E(x) = 1/2 |x - x~|_M^2 + 1/2 K sum_s |x_s - place_s|^2 + beta h^2 sum_i P_i(x)
 // (the augmented Lagrangian of Li et al. 2020, Incremental Potential Contact, supplement A, without
 // its multipliers). Every iteration is filtered like any other, so nothing is passed through, and
-// the Hessian couples what pushes with what is pushed. Near the places the vertices are put exactly
-// there, if that last move is free; otherwise K grows.
+// the Hessian couples what pushes with what is pushed. Where a step of what is pulled, or one not much longer, is cut, only a part of
+// the way is pulled next, and only that part of what others' inertia has to go: Newton's direction takes gaps and turns for small, and one that is cut time
+// and again uses the gap up. The part grows again where steps are not cut; K grows where they bring little. Near the places the vertices are put
+// exactly there, if that last move is free.
 #pragma once
 
 #include <memory>

@@ -1,0 +1,18 @@
+// Of a minimisation over these unknowns of a world: its affine bodies turn without being strained.
+#pragma once
+
+#include "framework/affine/orthogonality_term.hpp"
+#include "framework/core/minimizer.hpp"
+#include "framework/world/step_potential.hpp"
+
+namespace tack {
+
+// Both must outlive the problem.
+inline void bend_steps(const World& world, const StepPotential& potential, MinimizerProblem& problem) {
+  if (!world.affine) return;
+  problem.bend = [&](const VecX& from, VecX& p, double loss) {
+    return world.affine->bend(potential.dofs(), from, p, loss / potential.scale());
+  };
+}
+
+}  // namespace tack
