@@ -14,7 +14,7 @@ constexpr double pull_strength = 1000;   // K, in mean diagonal stiffnesses of t
 constexpr int max_pulls = 8;             // each ten times stronger
 constexpr double close_enough = 0.01;    // of the whole way, from where the last move is tried
 constexpr double weak = 0.5;             // a Newton step that brings less of what is pulled at once wants a larger K
-constexpr double reached = 0.5;          // of what is pulled at once, from where the next is pulled
+constexpr double reached = 0.5;          // of what is pulled at once, from where the next is pulled; what is not cut is pulled to the end
 constexpr double much_cut = 0.05;        // a direction of which less is feasible is not taken: a shorter pull gives a better one
 constexpr double wanted_cut = 0.5;       // of the longest steps: where they are cut more, less is pulled at once, and more where less
 constexpr double far_longer = 4;         // than the step of what is pulled: it is not the pull that makes a direction too long
@@ -50,6 +50,7 @@ struct ScriptWalk::Pull {
   const double whole_way;    // of the vertex that has the longest [m]
   VecX towards = {};         // 3n: a part of the way there
   double length = whole_way; // [m]: of what is pulled at once
+  bool whole = true;         // that is all that is left
   double cut = 1;            // the smallest part of a step towards there that was feasible
   bool refused = false;      // one of them was not taken
   bool too_weak = false;     // the last one brought too little
@@ -61,6 +62,7 @@ struct ScriptWalk::Pull {
   void aim(const VecX& x, const std::vector<int>& vertices) {
     const double left = largest_row(x, goal, vertices);
     length = std::min(length, left);
+    whole = length == left;
     towards = x + length / left * (goal - x);
     cut = 1;
     refused = too_weak = false;
@@ -81,7 +83,8 @@ struct ScriptWalk::Pull {
     if (left < 0.99 * best) best = left, since_best = 0;
     stuck = ++since_best > patience;
     if (stuck) return 0;
-    const double far = remaining / (reached * length), brought = next_step / (weak * remaining);
+    const double enough = whole && cut >= wanted_cut ? close_enough * whole_way : reached * length;
+    const double far = remaining / enough, brought = next_step / (weak * remaining);
     too_weak = far > 1 && brought < 1;
     return std::min(far, brought);
   }
