@@ -20,7 +20,7 @@ struct StoredProblem {
 
 const std::vector<StoredProblem> problems = {
     {"arch_collapse", true}, {"compression"},    {"contrast"}, {"debonding"},      {"debonding_front"},
-    {"folding", true},       {"impact"},         {"large_step"}, {"parallel_edges"}, {"sliding"},
+    {"folding"},             {"impact"},         {"large_step"}, {"parallel_edges"}, {"sliding"},
     {"sticky_sliding"},      {"sticky_wall"},    {"twist"},
 };
 
