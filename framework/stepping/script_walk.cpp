@@ -181,9 +181,9 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
   Pull pull{goal, largest_row(x, places, moving_)};
   Result result{{}, x, ""};
   double k = pull_strength * stiffness(x, prediction);
-  potential_->set_mass(masses(k, prediction.inertia));
   for (int i = 0; i < max_pulls && !pull.stuck;) {
     pull.aim(result.x, moving_);
+    potential_->set_mass(masses(k, prediction.inertia));
     potential_->begin_step(result.x, pull.towards, prediction.scales(), true);
     minimize(pull, result, observer);
     if (result.solve.status == MinimizerStatus::interrupted || result.solve.status == MinimizerStatus::time_limit)
@@ -198,7 +198,6 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
     pull.adapt();
     if (goes_on && !(near && pull.cut >= wanted_cut)) continue;
     k *= 10;
-    potential_->set_mass(masses(k, prediction.inertia));
     ++i;
   }
   result.failure = failure(result.x, places);
