@@ -1,6 +1,8 @@
 #include "tests/support/test_run.hpp"
 
 #include "framework/config/bind.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "geometry/exact/intersections.hpp"
 
 namespace tack {
 
@@ -14,5 +16,10 @@ TestRun::TestRun(const std::string& yaml)
 TestRun::~TestRun() = default;
 
 std::vector<double> TestRun::sample(size_t probe) { return probes[probe]->sample(*world, state()); }
+
+bool TestRun::intersects() const {
+  const ContactSystem& contact = *world->contact;
+  return !find_intersections(contact.surface().mesh, state().x, contact.colliding(), 1).empty();
+}
 
 }  // namespace tack

@@ -14,6 +14,7 @@ struct TestRun {
   Vec3 at(int v) const { return vertex(state().x, v); }
   Vec3 rest(int v) const { return vertex(world->rest, v); }
   std::vector<double> sample(size_t probe);
+  bool intersects() const;
 
   std::vector<std::string> warnings;
   Simulation simulation;

@@ -6,7 +6,6 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "geometry/errors.hpp"
-#include "geometry/exact/intersections.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -17,11 +16,6 @@ Vec3 momentum(const TestRun& run) {
   Vec3 sum = Vec3::Zero();
   for (int v = 0; v < run.world->mass.size(); ++v) sum += run.world->mass(v) * vertex(run.state().v, v);
   return sum;
-}
-
-bool intersects(const TestRun& run) {
-  const ContactSystem& contact = *run.world->contact;
-  return !find_intersections(contact.surface().mesh, run.state().x, contact.colliding(), 1).empty();
 }
 
 double front_of(const TestRun& run, int body) {
@@ -92,7 +86,7 @@ TEST_CASE("a plate that moves ten contact distances a step pushes a block ahead"
     CHECK(front_of(run, 0) == Approx(-0.0055 + 0.01 * i).margin(1e-14));
   }
   CHECK(front_of(run, 1) > 0.15);
-  CHECK_FALSE(intersects(run));
+  CHECK_FALSE(run.intersects());
   // The plate has no mass: what drives it has gone into the block. 1 kg, at least as fast as the plate.
   CHECK(momentum(run).x() > 0.9);
   CHECK((impulse - momentum(run)).norm() < 0.01 * momentum(run).x());
@@ -122,7 +116,7 @@ TEST_CASE("a script that cannot be followed is told by name") {
     CHECK_THROWS_WITH(run.step(), Catch::Contains(what));
     CHECK(run.state().time == reached);  // the last good state stays
     if (!run.world->contact) return;
-    CHECK_FALSE(intersects(run));
+    CHECK_FALSE(run.intersects());
   };
   // onto the wall, which is fixed
   told("time: {step: 0.01, duration: 0.1, max_halvings: 3}\n"
