@@ -50,7 +50,7 @@ ContactSystem::~ContactSystem() = default;
 
 void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
 
-void ContactSystem::dissolve_groups(bool dissolved) { broad_phase_->dissolve_groups(dissolved); }
+void ContactSystem::dissolve_groups_of(const std::vector<int>& vertices) { broad_phase_->dissolve_groups_of(vertices); }
 
 const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
 

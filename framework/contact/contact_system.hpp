@@ -27,8 +27,8 @@ class ContactSystem : public StepParticipant {
   // Which vertices are free at present (non-zero): no force is computed between primitives without
   // one. Empty: every candidate has one.
   void set_free(std::vector<char> free);
-  // Whether the vertices of a rigidly held group may move against each other at present.
-  void dissolve_groups(bool dissolved);
+  // The rigid groups of these vertices (global) may move against each other at present; empty: none may.
+  void dissolve_groups_of(const std::vector<int>& vertices);
   void forget() override;
   // The pairs whose coarser side integrates in the present step, and those whose did in the one before the next (none: it is
   // not known); they are remembered.

@@ -4,9 +4,11 @@
 #include <iterator>
 #include <span>
 
+#include "framework/contact/key_walk.hpp"
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/broad_phase/strays.hpp"
+#include "geometry/concatenate.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/parallel.hpp"
 
@@ -133,15 +135,14 @@ double shared_area(double a, double b, double most_uneven) {
   return least > 0 ? least + std::min(most, most_uneven * least) : most;
 }
 
-// edge_pairs: into candidates.edge_edge.
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-                  const std::vector<int>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
+                  const std::vector<EdgePair>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
                   int first, int last, Found& found) {
   const CollisionMesh& mesh = surface.mesh;
   const double largest = pairs.largest_edge_range();
   for (int i = first; i < last; ++i) {
-    const auto [ia, ib] = candidates.edge_edge[edge_pairs[i]];
-    if (candidates.distances.edge_edge[edge_pairs[i]] - strays.edge(ia) - strays.edge(ib) >= largest) continue;
+    const auto [ia, ib] = edge_pairs[i].edges;
+    if (candidates.distances.edge_edge[edge_pairs[i].candidate] - strays.edge(ia) - strays.edge(ib) >= largest) continue;
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = edge_role(mesh, pairs, a, b);
     const auto ca = corners(x, a), cb = corners(x, b);
@@ -188,18 +189,31 @@ bool NarrowPhase::may_integrate(const PointGroup& group) const {
          !held_.topology().triangles_at(group.point).empty();
 }
 
-// Takes the views of the groups that have none in this step yet. later: than what is covered was found.
-void NarrowPhase::look(const Candidates& candidates, bool later) {
-  const auto by_key = [](const auto& a, const auto& b) { return a.key() < b.key(); };
-  std::vector<PointGroup> wanted, unseen;
-  std::copy_if(groups_.groups.begin(), groups_.groups.end(), std::back_inserter(wanted),
-               [&](const PointGroup& g) { return may_integrate(g); });
-  std::set_difference(wanted.begin(), wanted.end(), views_.begin(), views_.end(), std::back_inserter(unseen), by_key);
-  std::vector<GroupView> seen(unseen.size());
-  for_each_chunk(static_cast<int>(unseen.size()), [&](int, int first, int last) {
+// The groups that integrate and have no view in this step yet. changed: others have one; null: any may have none.
+std::vector<PointGroup> NarrowPhase::unseen(const ChangedPrimitives* changed) const {
+  const auto may_be_new = [&](const PointGroup& g) {
+    return !changed || changed->vertices[g.point] || changed->objects[g.object];
+  };
+  const std::vector<PointGroup>& groups = groups_.groups;
+  const int n = static_cast<int>(groups.size());
+  std::vector<std::vector<PointGroup>> chunks(chunk_count(n));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    KeyWalk<GroupView> known(views_), later(later_views_);
+    for (int i = first; i < last; ++i)
+      if (may_be_new(groups[i]) && may_integrate(groups[i]) && !known.find(groups[i].key()) && !later.find(groups[i].key())) chunks[c].push_back(groups[i]);
+  });
+  std::vector<PointGroup> all;
+  concatenate(chunks, all);
+  return all;
+}
+
+// later: than what is covered was found.
+std::vector<GroupView> NarrowPhase::look(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const {
+  std::vector<GroupView> seen(groups.size());
+  for_each_chunk(static_cast<int>(groups.size()), [&](int, int first, int last) {
     FacingViewer viewer(surface_.mesh, held_);
     for (int i = first; i < last; ++i) {
-      const PointGroup& g = unseen[i];
+      const PointGroup& g = groups[i];
       seen[i] = {g.point, g.object, viewer.look(viewer.vertex_view(g.point), g.triangle_end - g.triangle_begin,
                                                 [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })};
       if (!later || !coverage_.weighs(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
@@ -207,13 +221,12 @@ void NarrowPhase::look(const Candidates& candidates, bool later) {
       for (int k = 0; k < view.count; ++k) view.pieces[k].area = coverage_.unknown_area(g.point, g.object, view.pieces[k].normal);
     }
   });
-  std::vector<GroupView> all;
-  std::merge(views_.begin(), views_.end(), seen.begin(), seen.end(), std::back_inserter(all), by_key);
-  views_ = std::move(all);
+  return seen;
 }
 
-// Edges of one object that are close at rest are neighbours: they are watched, but do not press.
-void NarrowPhase::choose_edges(const Candidates& candidates) {
+// Edges of one object that are close at rest are neighbours: they are watched, but do not press. changed: for others it stays as it was decided.
+void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimitives* changed) {
+  constexpr int chunk = 4096;
   const CollisionMesh& mesh = surface_.mesh;
   const auto presses = [&, largest = pairs_.largest_edge_range()](int i) {
     if (candidates.clearances.edge_edge[i] >= largest) return false;
@@ -226,45 +239,68 @@ void NarrowPhase::choose_edges(const Candidates& candidates) {
     return !rest_neighbours(surface_, a, b, role.range);
   };
   const int n = static_cast<int>(candidates.edge_edge.size());
-  std::vector<char> wanted(n);
-  for_each(n, [&](int i) { wanted[i] = presses(i); });
-  edge_pairs_.clear();
-  for (int i = 0; i < n; ++i)
-    if (wanted[i]) edge_pairs_.push_back(i);
+  std::vector<std::vector<EdgePair>> chunks(chunk_count(n, chunk));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    KeyWalk<EdgePair> before(edge_pairs_);
+    for (int i = first; i < last; ++i) {
+      const std::array<int, 2>& edges = candidates.edge_edge[i];
+      const bool decided = changed && !changed->edges[edges[0]] && !changed->edges[edges[1]];
+      if (decided ? before.find(edges) != nullptr : presses(i)) chunks[c].push_back({i, edges});
+    }
+  }, chunk);
+  std::vector<EdgePair> all;
+  concatenate(chunks, all);
+  edge_pairs_ = std::move(all);
 }
 
-void NarrowPhase::take(const Candidates& candidates) {
+void NarrowPhase::take(const Candidates& candidates, const ChangedPrimitives* changed) {
   groups_.make(candidates, surface_.mesh);
-  choose_edges(candidates);
+  choose_edges(candidates, changed);
 }
 
 void NarrowPhase::set_candidates(const Candidates& candidates, const VecX& x) {
-  take(candidates);
   if (!held_.held()) {
+    take(candidates);
     begin_step(candidates, x);
     return;
   }
-  look(candidates, true);
-  make_lists(candidates);
+  const ChangedPrimitives* changed = broad_phase_.changed();
+  const PointGroups groups = std::move(groups_);
+  take(candidates, changed);
+  const std::vector<GroupView> seen = look(candidates, unseen(changed), true);
+  std::vector<GroupView> all;
+  std::merge(later_views_.begin(), later_views_.end(), seen.begin(), seen.end(), std::back_inserter(all),
+             [](const GroupView& a, const GroupView& b) { return a.key() < b.key(); });
+  later_views_ = std::move(all);
+  make_lists(candidates, changed ? &groups : nullptr, changed);
 }
 
 void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   held_.hold(x);
   shares_at_start_ = shares_before_;
   views_.clear();
-  look(candidates, false);
+  later_views_.clear();
+  views_ = look(candidates, unseen(nullptr), false);
   coverage_.capture(views_, sides_);
   if (coverage_.wanted()) {
     coverage_.weigh(sides_, broad_phase_, views_);
     rim_forces_.take(coverage_.parts(), pairs_, surface_.mesh, held_);
   }
-  make_lists(candidates);
+  make_lists(candidates, nullptr, nullptr);
 }
 
-void NarrowPhase::make_lists(const Candidates& candidates) {
+// earlier_groups, changed: what the present pieces were made of, and what has changed since; null: all is new.
+void NarrowPhase::make_lists(const Candidates& candidates, const PointGroups* earlier_groups, const ChangedPrimitives* changed) {
   if (!pairs_.plain_sums) rods_.find(candidates, held_);
-  pieces_ = make_pieces({surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, shares_at_start_});
-  sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
+  const PieceRequest request{surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, later_views_, shares_at_start_};
+  if (!changed) {
+    pieces_ = make_pieces(request, nullptr);
+    sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
+    return;
+  }
+  const EarlierPieces earlier{*earlier_groups, pieces_, *changed};
+  pieces_ = make_pieces(request, &earlier);
+  renew_sample_pieces(*changed, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
 }
 
 void NarrowPhase::set_free(std::vector<char> free) {

@@ -19,13 +19,21 @@ struct FreeVertices {
   std::vector<char> beside;  // free, or on an edge with one that is
 };
 
+// A candidate between two edges of the mesh.
+struct EdgePair {
+  int candidate = 0;
+  std::array<int, 2> edges{};
+
+  const std::array<int, 2>& key() const { return edges; }
+};
+
 class NarrowPhase {
  public:
   // All must outlive the narrow phase. The candidates that it is given are those of the broad phase.
   NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const BroadPhase& broad_phase);
 
-  // Takes a new list of candidates before a step is begun with it.
-  void take(const Candidates& candidates);
+  // Takes a new list of candidates before a step is begun with it. changed: since the one before, within a step.
+  void take(const Candidates& candidates, const ChangedPrimitives* changed = nullptr);
   // The same within a step; x: the current configuration, which begins a step if none was begun.
   void set_candidates(const Candidates& candidates, const VecX& x);
   // Holds x: areas, orientations and integration sides are those of x from now on.
@@ -48,9 +56,10 @@ class NarrowPhase {
 
  private:
   bool may_integrate(const PointGroup& group) const;
-  void look(const Candidates& candidates, bool later);
-  void make_lists(const Candidates& candidates);
-  void choose_edges(const Candidates& candidates);
+  std::vector<PointGroup> unseen(const ChangedPrimitives* changed) const;
+  std::vector<GroupView> look(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const;
+  void make_lists(const Candidates& candidates, const PointGroups* earlier_groups, const ChangedPrimitives* changed);
+  void choose_edges(const Candidates& candidates, const ChangedPrimitives* changed);
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
@@ -61,13 +70,14 @@ class NarrowPhase {
   const BroadPhase& broad_phase_;
   FreeVertices free_;
   PointGroups groups_;
-  std::vector<GroupView> views_;  // of this step, by key
+  std::vector<GroupView> views_;        // of the start of this step, by key
+  std::vector<GroupView> later_views_;  // of groups that came later, likewise
   PointPieces pieces_;
   SamplePieces sample_pieces_;    // of the coverage's samples
   RodOverlaps rods_;              // of this step
   ShareMemory shares_before_;     // of the step before the next
   ShareMemory shares_at_start_;   // of the step before this one
-  std::vector<int> edge_pairs_;   // the candidates between edges that may press
+  std::vector<EdgePair> edge_pairs_;  // that may press, in the order of candidates
 };
 
 }  // namespace tack

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "geometry/concatenate.hpp"
+#include "geometry/parallel.hpp"
+
 namespace tack {
 namespace {
 
@@ -13,18 +16,29 @@ std::vector<std::array<int, 2>> particle_pairs(const Candidates& candidates) {
   return pairs;
 }
 
+// A chunk has the runs that begin in it.
 template <class ObjectOf>
-void add_runs(const std::vector<std::array<int, 2>>& pairs, const ObjectOf& object_of,
-              int PointGroup::* begin, int PointGroup::* end, std::vector<PointGroup>& groups) {
-  for (int i = 0; i < static_cast<int>(pairs.size());) {
-    PointGroup group{pairs[i][0], object_of(pairs[i][1])};
-    group.*begin = i;
-    while (i < static_cast<int>(pairs.size()) && pairs[i][0] == group.point &&
-           object_of(pairs[i][1]) == group.object)
-      ++i;
-    group.*end = i;
-    groups.push_back(group);
-  }
+std::vector<PointGroup> runs_of(const std::vector<std::array<int, 2>>& pairs, const ObjectOf& object_of,
+                                int PointGroup::* begin, int PointGroup::* end) {
+  constexpr int chunk = 8192;
+  const int n = static_cast<int>(pairs.size());
+  std::vector<std::vector<PointGroup>> chunks(chunk_count(n, chunk));
+  for_each_chunk(n, [&](int c, int first, int last) {
+    const auto in_group = [&](int i, const PointGroup& group) { return pairs[i][0] == group.point && object_of(pairs[i][1]) == group.object; };
+    int i = first;
+    if (i > 0)
+      for (const PointGroup before{pairs[i - 1][0], object_of(pairs[i - 1][1])}; i < last && in_group(i, before);) ++i;
+    while (i < last) {
+      PointGroup group{pairs[i][0], object_of(pairs[i][1])};
+      group.*begin = i;
+      while (i < n && in_group(i, group)) ++i;
+      group.*end = i;
+      chunks[c].push_back(group);
+    }
+  }, chunk);
+  std::vector<PointGroup> groups;
+  concatenate(chunks, groups);
+  return groups;
 }
 
 // Unites the groups of the same point and object.
@@ -50,14 +64,13 @@ std::vector<PointGroup> united(std::vector<PointGroup> groups) {
 
 void PointGroups::make(const Candidates& candidates, const CollisionMesh& mesh) {
   particles = particle_pairs(candidates);
-  groups.clear();
-  add_runs(candidates.point_triangle, [&](int t) { return mesh.vertex_object[mesh.triangles[t][0]]; },
-           &PointGroup::triangle_begin, &PointGroup::triangle_end, groups);
+  groups = runs_of(candidates.point_triangle, [&](int t) { return mesh.vertex_object[mesh.triangles[t][0]]; },
+                   &PointGroup::triangle_begin, &PointGroup::triangle_end);
   if (candidates.point_edge.empty() && particles.empty()) return;
-  add_runs(candidates.point_edge, [&](int e) { return mesh.vertex_object[mesh.edges[e][0]]; },
-           &PointGroup::edge_begin, &PointGroup::edge_end, groups);
-  add_runs(particles, [&](int v) { return mesh.vertex_object[v]; }, &PointGroup::other_begin,
-           &PointGroup::other_end, groups);
+  const auto add = [&](const std::vector<PointGroup>& runs) { groups.insert(groups.end(), runs.begin(), runs.end()); };
+  add(runs_of(candidates.point_edge, [&](int e) { return mesh.vertex_object[mesh.edges[e][0]]; }, &PointGroup::edge_begin,
+              &PointGroup::edge_end));
+  add(runs_of(particles, [&](int v) { return mesh.vertex_object[v]; }, &PointGroup::other_begin, &PointGroup::other_end));
   groups = united(std::move(groups));
 }
 

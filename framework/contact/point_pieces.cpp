@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 
+#include "framework/contact/key_walk.hpp"
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -19,10 +20,20 @@ constexpr double little = 0.1;  // of the area of a rod or particle: what has le
 // Makes the pieces of one chunk of groups.
 class PieceMaker {
  public:
-  explicit PieceMaker(const PieceRequest& r) : r_(r), mesh_(r.surface.mesh), viewer_(mesh_, r.held), thin_viewer_(mesh_, r.held) {}
+  // Of groups in ascending order.
+  PieceMaker(const PieceRequest& r, const EarlierPieces* earlier)
+      : r_(r), mesh_(r.surface.mesh), earlier_(earlier), viewer_(mesh_, r.held), thin_viewer_(mesh_, r.held), views_(r.views),
+        later_views_(r.later_views), earlier_groups_(earlier ? earlier->groups.groups : r.groups.groups) {}
 
   void add(int g) {
     const PointGroup& group = r_.groups.groups[g];
+    out_.group_begin.push_back(static_cast<int>(out_.pieces.size()));
+    if (!repeat(group)) make(group);
+  }
+  PointPieces take() { return std::move(out_); }
+
+ private:
+  void make(const PointGroup& group) {
     const int own = mesh_.vertex_object[group.point];
     part_ = nearest_part(group, own);
     const PairRole& role = r_.pairs.point(own, group.object, part_);
@@ -38,9 +49,26 @@ class PieceMaker {
     if (topology().thin(group.point) && group.triangle_end > group.triangle_begin) add_thin(group, role);
     if (has_rods_or_particles(group)) add_rods_and_particles(group, role);
   }
-  PointPieces take() { return std::move(out_); }
 
- private:
+  // Takes the pieces of a group of triangles that are what they were, if there are any; rods and particles share with what may have changed.
+  bool repeat(const PointGroup& group) {
+    if (!earlier_ || has_rods_or_particles(group) || topology().thin(group.point)) return false;
+    const ChangedPrimitives& changed = earlier_->changed;
+    if (changed.vertices[group.point] || changed.objects[group.object]) return false;
+    const PointGroup* before = earlier_groups_.find(group.key());
+    if (!before) return false;
+    const PointPieces& pieces = earlier_->pieces;
+    const auto number = before - earlier_->groups.groups.data();
+    const int shift = group.triangle_begin - before->triangle_begin;
+    for (int k = pieces.group_begin[number]; k < pieces.group_begin[number + 1]; ++k) {
+      PointPiece piece = pieces.pieces[k];
+      begin(group, {piece.law, piece.range, piece.area});
+      for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) out_.triangles.push_back(pieces.triangles[i] + shift);
+      end();
+    }
+    return true;
+  }
+
   struct Acting {
     int law;
     double range, area;
@@ -195,9 +223,8 @@ class PieceMaker {
   }
 
   void add_pressure(const PointGroup& group, const PairRole& role) {
-    const auto known = std::lower_bound(r_.views.begin(), r_.views.end(), group.key(),
-                                        [](const GroupView& v, const std::array<int, 2>& key) { return v.key() < key; });
-    const FacingView& view = known->view;
+    const GroupView* known = views_.find(group.key());
+    const FacingView& view = (known ? known : later_views_.find(group.key()))->view;
     const Guard guard = guard_of(role);
     std::array<double, FacingView::most> areas{}, parts{};
     for (int k = 0; k < view.count; ++k) {
@@ -294,8 +321,11 @@ class PieceMaker {
 
   const PieceRequest& r_;
   const CollisionMesh& mesh_;
+  const EarlierPieces* const earlier_;
   FacingViewer viewer_;
   ThinViewer thin_viewer_;
+  KeyWalk<GroupView> views_, later_views_;
+  KeyWalk<PointGroup> earlier_groups_;
   PointPieces out_;
   int part_ = -1;                   // of what is nearest of a group, by the laws that hold
   std::vector<NearTriangle> near_;  // of a group
@@ -305,40 +335,64 @@ class PieceMaker {
   std::vector<std::pair<double, Vec3>> places_;  // where a point is near
 };
 
+// Where the parts of each chunk begin.
+struct PlaceOfPieces {
+  size_t piece = 0, group = 0, triangle = 0, share = 0, edge = 0, other = 0, held = 0;
+
+  PlaceOfPieces after(const PointPieces& p) const {
+    return {piece + p.pieces.size(), group + p.group_begin.size(), triangle + p.triangles.size(), share + p.shares.size(),
+            edge + p.edges.size(),   other + p.others.size(),      held + p.held.size()};
+  }
+};
+
+PointPieces joined(const std::vector<PointPieces>& chunks) {
+  std::vector<PlaceOfPieces> places(1);
+  for (const PointPieces& chunk : chunks) places.push_back(places.back().after(chunk));
+  const PlaceOfPieces& end = places.back();
+  PointPieces all;
+  all.pieces.resize(end.piece);
+  all.group_begin.resize(end.group + 1);
+  all.group_begin.back() = static_cast<int>(end.piece);
+  all.triangles.resize(end.triangle);
+  all.shares.resize(end.share);
+  all.edges.resize(end.edge);
+  all.others.resize(end.other);
+  all.held.resize(end.held);
+  for_each(static_cast<int>(chunks.size()), [&](int c) {
+    const PointPieces& chunk = chunks[c];
+    const PlaceOfPieces& at = places[c];
+    const auto shift = [](size_t by, int& begin, int& end) {
+      begin += static_cast<int>(by);
+      end += static_cast<int>(by);
+    };
+    for (size_t i = 0; i < chunk.pieces.size(); ++i) {
+      PointPiece& p = all.pieces[at.piece + i] = chunk.pieces[i];
+      shift(at.triangle, p.triangle_begin, p.triangle_end);
+      if (p.share_begin >= 0) p.share_begin += static_cast<int>(at.share);
+      shift(at.edge, p.edge_begin, p.edge_end);
+      shift(at.other, p.other_begin, p.other_end);
+    }
+    for (size_t i = 0; i < chunk.group_begin.size(); ++i) all.group_begin[at.group + i] = chunk.group_begin[i] + static_cast<int>(at.piece);
+    std::copy(chunk.triangles.begin(), chunk.triangles.end(), all.triangles.begin() + static_cast<std::ptrdiff_t>(at.triangle));
+    std::copy(chunk.shares.begin(), chunk.shares.end(), all.shares.begin() + static_cast<std::ptrdiff_t>(at.share));
+    std::copy(chunk.edges.begin(), chunk.edges.end(), all.edges.begin() + static_cast<std::ptrdiff_t>(at.edge));
+    std::copy(chunk.others.begin(), chunk.others.end(), all.others.begin() + static_cast<std::ptrdiff_t>(at.other));
+    std::copy(chunk.held.begin(), chunk.held.end(), all.held.begin() + static_cast<std::ptrdiff_t>(at.held));
+  }, 16);
+  return all;
+}
+
 }  // namespace
 
-PointPieces make_pieces(const PieceRequest& request) {
+PointPieces make_pieces(const PieceRequest& request, const EarlierPieces* earlier) {
   const int n = static_cast<int>(request.groups.groups.size());
   std::vector<PointPieces> chunks(chunk_count(n));
   for_each_chunk(n, [&](int c, int first, int last) {
-    PieceMaker maker(request);
+    PieceMaker maker(request, earlier);
     for (int g = first; g < last; ++g) maker.add(g);
     chunks[c] = maker.take();
   });
-  PointPieces all;
-  for (PointPieces& chunk : chunks) {
-    const auto append = [](const std::vector<int>& list, std::vector<int>& to) {
-      to.insert(to.end(), list.begin(), list.end());
-    };
-    const int shares = static_cast<int>(all.shares.size());
-    const auto shift = [](const std::vector<int>& before, int& begin, int& end) {
-      begin += static_cast<int>(before.size());
-      end += static_cast<int>(before.size());
-    };
-    for (PointPiece p : chunk.pieces) {
-      shift(all.triangles, p.triangle_begin, p.triangle_end);
-      if (p.share_begin >= 0) p.share_begin += shares;
-      shift(all.edges, p.edge_begin, p.edge_end);
-      shift(all.others, p.other_begin, p.other_end);
-      all.pieces.push_back(p);
-    }
-    append(chunk.triangles, all.triangles);
-    append(chunk.edges, all.edges);
-    append(chunk.others, all.others);
-    all.shares.insert(all.shares.end(), chunk.shares.begin(), chunk.shares.end());
-    all.held.insert(all.held.end(), chunk.held.begin(), chunk.held.end());
-  }
-  return all;
+  return joined(chunks);
 }
 
 }  // namespace tack

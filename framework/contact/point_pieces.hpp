@@ -12,6 +12,7 @@
 #include "framework/contact/rod_overlaps.hpp"
 #include "framework/contact/share_memory.hpp"
 #include "framework/contact/thin_view.hpp"
+#include "geometry/broad_phase/changed_primitives.hpp"
 
 namespace tack {
 
@@ -28,6 +29,7 @@ struct PointPiece {
 
 struct PointPieces {
   std::vector<PointPiece> pieces;
+  std::vector<int> group_begin;  // into pieces, of each group; and the end
   std::vector<int> triangles;  // into Candidates::point_triangle
   std::vector<TriangleShare> shares;
   std::vector<int> edges;      // of the mesh: rods
@@ -51,9 +53,17 @@ struct PieceRequest {
   const RodOverlaps& rods;
   const Candidates& candidates;
   const PointGroups& groups;
-  const std::vector<GroupView>& views;  // by key; all groups that integrate are there
-  const ShareMemory& shares_before;     // of the step before
+  const std::vector<GroupView>& views;        // by key, of the groups that there were when the step began
+  const std::vector<GroupView>& later_views;  // likewise, of those that came later; all that integrate are in one of them
+  const ShareMemory& shares_before;           // of the step before
 };
-PointPieces make_pieces(const PieceRequest& request);
+// What was made in this step from other candidates, and what has changed in them: the pieces of all other groups are the same.
+struct EarlierPieces {
+  const PointGroups& groups;
+  const PointPieces& pieces;
+  const ChangedPrimitives& changed;
+};
+// earlier: null: there is nothing.
+PointPieces make_pieces(const PieceRequest& request, const EarlierPieces* earlier);
 
 }  // namespace tack

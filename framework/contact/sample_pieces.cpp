@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/concatenate.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -48,17 +49,29 @@ class PieceFinder {
   std::vector<int> near_;
 };
 
+// Of the samples of these numbers: one list a chunk, and how many triangles each has.
+struct FoundPieces {
+  std::vector<std::vector<int>> triangles;
+  std::vector<int> count;
+};
+
+FoundPieces find_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                        const HeldSurface& held, const BroadPhase& broad_phase) {
+  const int n = static_cast<int>(numbers.size());
+  FoundPieces found{std::vector<std::vector<int>>(chunk_count(n, chunk)), std::vector<int>(n)};
+  for_each_chunk(n, [&](int c, int first, int last) {
+    PieceFinder finder(mesh, held, broad_phase);
+    for (int i = first; i < last; ++i) found.count[i] = finder.find(samples[numbers[i]], found.triangles[c]);
+  }, chunk);
+  return found;
+}
+
 }  // namespace
 
 void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
                        const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
   const int n = static_cast<int>(numbers.size());
-  std::vector<std::vector<int>> kept(chunk_count(n, chunk));
-  std::vector<int> found(n);
-  for_each_chunk(n, [&](int c, int first, int last) {
-    PieceFinder finder(mesh, held, broad_phase);
-    for (int i = first; i < last; ++i) found[i] = finder.find(samples[numbers[i]], kept[c]);
-  }, chunk);
+  const FoundPieces found = find_pieces(numbers, samples, mesh, held, broad_phase);
   std::vector<SamplePieces::Piece> all;
   all.reserve(samples.size());
   auto known = pieces.pieces.begin();
@@ -67,13 +80,41 @@ void add_sample_pieces(const std::vector<int>& numbers, const std::vector<Contac
     const auto before = numbers[i] - static_cast<std::ptrdiff_t>(all.size());
     all.insert(all.end(), known, known + before);
     known += before;
-    all.push_back({end, end + found[i]});
-    end += found[i];
+    all.push_back({end, end + found.count[i]});
+    end += found.count[i];
   }
   all.insert(all.end(), known, pieces.pieces.end());
   pieces.pieces = std::move(all);
   pieces.triangles.reserve(end);
-  for (const auto& list : kept) pieces.triangles.insert(pieces.triangles.end(), list.begin(), list.end());
+  for (const auto& list : found.triangles) pieces.triangles.insert(pieces.triangles.end(), list.begin(), list.end());
+}
+
+void renew_sample_pieces(const ChangedPrimitives& changed, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                         const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
+  std::vector<int> numbers;
+  for (int i = 0; i < static_cast<int>(samples.size()); ++i)
+    if (changed.triangles[samples[i].triangle] || changed.objects[samples[i].object]) numbers.push_back(i);
+  const FoundPieces found = find_pieces(numbers, samples, mesh, held, broad_phase);
+  std::vector<int> fresh;
+  concatenate(found.triangles, fresh);
+  SamplePieces all;
+  all.triangles.reserve(pieces.triangles.size() + fresh.size());
+  auto number = numbers.begin();
+  auto count = found.count.begin();
+  auto next = fresh.begin();
+  for (int i = 0; i < static_cast<int>(samples.size()); ++i) {
+    const int begin = static_cast<int>(all.triangles.size());
+    if (number != numbers.end() && *number == i) {
+      all.triangles.insert(all.triangles.end(), next, next + *count);
+      next += *count++;
+      ++number;
+    } else {
+      const auto& [first, last] = pieces.pieces[i];
+      all.triangles.insert(all.triangles.end(), pieces.triangles.begin() + first, pieces.triangles.begin() + last);
+    }
+    all.pieces.push_back({begin, static_cast<int>(all.triangles.size())});
+  }
+  pieces = std::move(all);
 }
 
 SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,

@@ -22,4 +22,8 @@ SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const
 void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
                        const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
 
+// Anew for those whose object, or the one opposite, has changed.
+void renew_sample_pieces(const ChangedPrimitives& changed, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
+                         const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
+
 }  // namespace tack

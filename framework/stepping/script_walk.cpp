@@ -26,14 +26,14 @@ double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertice
   return largest;
 }
 
-// While they walk, vertices of one rigid group are unknowns of their own.
+// While they walk, vertices of one rigid group are unknowns of their own. Other bodies stay rigid, affine ones too.
 class DissolvedGroups {
  public:
-  explicit DissolvedGroups(ContactSystem* contact) : contact_(contact) {
-    if (contact_) contact_->dissolve_groups(true);
+  DissolvedGroups(ContactSystem* contact, const std::vector<int>& moving) : contact_(contact) {
+    if (contact_) contact_->dissolve_groups_of(moving);
   }
   ~DissolvedGroups() {
-    if (contact_) contact_->dissolve_groups(false);
+    if (contact_) contact_->dissolve_groups_of({});
   }
   DissolvedGroups(const DissolvedGroups&) = delete;
   DissolvedGroups& operator=(const DissolvedGroups&) = delete;
@@ -174,8 +174,8 @@ bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
 ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
                                    const TimeIntegrator::Prediction& prediction,
                                    const MinimizerProblem::Observer& observer) {
-  const DissolvedGroups dissolved(world_.contact.get());
   prepare(x, places);
+  const DissolvedGroups dissolved(world_.contact.get(), moving_);
   VecX goal = prediction.x;
   for (const int v : moving_) vertex(goal, v) = vertex(places, v);
   Pull pull{goal, largest_row(x, places, moving_)};

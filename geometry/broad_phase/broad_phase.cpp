@@ -74,9 +74,10 @@ bool BroadPhase::update(const VecX& x, const VecX& p, const Reaches& reaches, do
     for (const int v : mesh_.vertices)
       if (changed[mesh_.vertex_object[v]]) safe_boxes_[v] = boxes[v];
     finder_.find_again(safe_boxes_, inflation_, changed, candidates_);
-    if (tight_boxes_.empty()) find_unknown_clearances(mesh_, safe_boxes_, changed, candidates_);
+    if (tight_boxes_.empty()) find_fresh_clearances(mesh_, safe_boxes_, changed, finder_.fresh(), candidates_);
     else find_clearances(mesh_, safe_boxes_, candidates_);
   }
+  partly_ = !changed.empty() && tight_boxes_.empty();
   tight_boxes_.clear();
   served_ = 0;
   stale_ = false;
@@ -129,6 +130,7 @@ bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double skin) {
   tight_boxes_.clear();
   if (tighten) tight_boxes_ = boxes_around(x, p, stray);
   find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, candidates_);
+  partly_ = false;
   served_ = 0;
   return true;
 }
@@ -140,11 +142,14 @@ bool BroadPhase::inside(const std::vector<Aabb>& boxes, const VecX& x, const Vec
   return all_of(mesh_.vertices, inside);
 }
 
-void BroadPhase::dissolve_groups(bool dissolved) {
-  if (dissolved == dissolved_) return;
-  dissolved_ = dissolved;
-  finder_.dissolve_groups(dissolved);
-  stale_ = true;
+void BroadPhase::dissolve_groups_of(const std::vector<int>& vertices) {
+  std::vector<char> dissolved;
+  for (const int v : vertices) {
+    if (mesh_.vertex_group.empty() || mesh_.vertex_group[v] < 0) continue;
+    if (dissolved.empty()) dissolved.resize(*std::max_element(mesh_.vertex_group.begin(), mesh_.vertex_group.end()) + 1);
+    dissolved[mesh_.vertex_group[v]] = 1;
+  }
+  stale_ |= finder_.dissolve_groups(std::move(dissolved));
 }
 
 bool BroadPhase::covers(const VecX& x) const {

@@ -36,8 +36,8 @@ class BroadPhase {
     return update(x, p, Reaches::uniform(mesh_, range, range), skin);
   }
 
-  // Whether pairs of one rigid group are searched too: for when its vertices move against each other.
-  void dissolve_groups(bool dissolved);
+  // Pairs of the rigid groups of these vertices (global; empty: of none) are searched too: for when they move against each other.
+  void dissolve_groups_of(const std::vector<int>& vertices);
 
   // Whether every surface vertex lies inside its safe box; false before the first build.
   bool covers(const VecX& x) const;
@@ -50,7 +50,9 @@ class BroadPhase {
   void triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const;
   // The same of any of its points, without those of its own object.
   void others_near(const Triangle& triangle, std::vector<int>& out) const;
-  // The number of full candidate builds so far.
+  // Of the last update that returned true: pairs of others, and their clearances, are what they were before. Null: all may be new.
+  const ChangedPrimitives* changed() const { return partly_ ? &finder_.changed() : nullptr; }
+  // The number of candidate builds so far.
   int builds() const { return builds_; }
 
  private:
@@ -76,8 +78,8 @@ class BroadPhase {
   Reaches reaches_;    // of the last build
   Reaches inflation_;  // of primitives' boxes: the same, and rounding
   int builds_ = 0;
-  bool dissolved_ = false;
-  bool stale_ = false;  // the candidates are not those that are wanted
+  bool stale_ = false;   // the candidates are not those that are wanted
+  bool partly_ = false;  // only some are new
 };
 
 }  // namespace tack

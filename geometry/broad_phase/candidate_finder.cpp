@@ -16,15 +16,15 @@ struct MayTouch {
   const Primitives<M>& first;
   const Primitives<N>& second;
   const CollidingObjects& colliding;
-  bool dissolved;  // whether groups count for nothing
+  const std::vector<char>& dissolved;  // a flag for each group that counts for nothing; empty: none does
   const Rivals& rivals;
 
   bool accept(int a, int b) const {
-    if (!dissolved && first.groups[a] >= 0 && first.groups[a] == second.groups[b]) return false;
+    if (first.groups[a] >= 0 && first.groups[a] == second.groups[b] && skips(first.groups[a])) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
            colliding.allows(first.objects[a], second.objects[b]);
   }
-  bool skips_kin() const { return !dissolved; }
+  bool skips(int kin) const { return dissolved.empty() || !dissolved[kin]; }
   bool alone(int kin, const Aabb& box) const { return !rivals.near(kin, box); }
   std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
 };
@@ -38,37 +38,52 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
   return order;
 }
 
-// found <- what it holds and the pairs of `kept` that touch nothing that changed, in the order of `key`, of one kind of candidates.
-template <class Changed, class Key>
-void merge_kept(const Candidates& kept, std::vector<std::array<int, 2>> Candidates::* list, std::vector<double> Clearances::* lengths,
-                const Changed& changed, const Key& key, Candidates& found) {
-  const std::vector<std::array<int, 2>> fresh = std::move(found.*list);
-  const std::vector<std::array<int, 2>>& old = kept.*list;
-  std::vector<std::array<int, 2>> all;
-  std::vector<double> clearances, distances;
-  const size_t most = old.size() + fresh.size();
-  all.reserve(most);
-  clearances.reserve(most);
-  distances.reserve(most);
-  auto next = fresh.begin();
-  const auto take_fresh = [&](auto end) {
-    all.insert(all.end(), next, end);
-    clearances.resize(all.size(), unknown_length);
-    distances.resize(all.size(), unknown_length);
-    next = end;
-  };
-  for (size_t i = 0; i < old.size(); ++i) {
-    if (changed(old[i])) continue;
-    if (next != fresh.end() && key(*next) < key(old[i]))
-      take_fresh(std::find_if(next, fresh.end(), [&](const auto& pair) { return !(key(pair) < key(old[i])); }));
-    all.push_back(old[i]);
-    clearances.push_back((kept.clearances.*lengths)[i]);
-    distances.push_back((kept.distances.*lengths)[i]);
-  }
-  take_fresh(fresh.end());
-  found.*list = std::move(all);
-  found.clearances.*lengths = std::move(clearances);
-  found.distances.*lengths = std::move(distances);
+// One kind of candidates.
+template <class List, class Lengths>
+struct CandidateList {
+  List& pairs;
+  Lengths &clearances, &distances;
+};
+template <class C>
+auto list_of(C& candidates, std::vector<std::array<int, 2>> Candidates::* pairs, std::vector<double> Clearances::* lengths) {
+  return CandidateList{candidates.*pairs, candidates.clearances.*lengths, candidates.distances.*lengths};
+}
+
+// out <- the fresh pairs, whose lengths are not known and whose places become fresh_at, and those of the old ones that are kept, in the order of `key`.
+// Old ones are taken in chunks, each with the fresh pairs from its first one on.
+template <class Kept, class Key, class Old, class Out>
+void merge_kept(const Old& old, const Kept& kept, const std::vector<std::array<int, 2>>& fresh, const Key& key, const Out& out, std::vector<int>& fresh_at) {
+  constexpr int chunk = 8192;
+  const int n = static_cast<int>(old.pairs.size()), chunks = std::max(chunk_count(n, chunk), 1);
+  std::vector<size_t> fresh_begin(chunks + 1, 0), begin(chunks + 1, 0);
+  fresh_begin.back() = fresh.size();
+  for_each(chunks, [&](int c) {
+    const int first = c * chunk, last = std::min(n, first + chunk);
+    if (c > 0)
+      fresh_begin[c] = std::lower_bound(fresh.begin(), fresh.end(), key(old.pairs[first]), [&](const auto& pair, const auto& k) { return key(pair) < k; }) - fresh.begin();
+    begin[c + 1] = std::count_if(old.pairs.begin() + first, old.pairs.begin() + last, kept);
+  }, 1);
+  for (int c = 0; c < chunks; ++c) begin[c + 1] += begin[c] + (fresh_begin[c + 1] - fresh_begin[c]);
+  out.pairs.resize(begin.back());
+  out.clearances.resize(begin.back());
+  out.distances.resize(begin.back());
+  fresh_at.resize(fresh.size());
+  for_each(chunks, [&](int c) {
+    size_t to = begin[c], next = fresh_begin[c];
+    const auto put_fresh = [&] {
+      fresh_at[next] = static_cast<int>(to);
+      out.pairs[to++] = fresh[next++];
+    };
+    for (int i = c * chunk; i < std::min(n, c * chunk + chunk); ++i) {
+      if (!kept(old.pairs[i])) continue;
+      if (next < fresh_begin[c + 1])
+        for (const auto before = key(old.pairs[i]); next < fresh_begin[c + 1] && key(fresh[next]) < before;) put_fresh();
+      out.pairs[to] = old.pairs[i];
+      out.clearances[to] = old.clearances[i];
+      out.distances[to++] = old.distances[i];
+    }
+    while (next < fresh_begin[c + 1]) put_fresh();
+  }, 1);
 }
 
 }  // namespace
@@ -88,22 +103,21 @@ void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, const Reaches&
 
 void CandidateFinder::find_again(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& changed,
                                  Candidates& candidates) {
-  Candidates found;
-  search(vertex_boxes, reaches, changed, found);
-  found.reference = std::move(candidates.reference);
-  const auto of_vertex = [&](int v) { return changed[mesh_.vertex_object[v]] != 0; };
-  const auto of_edge = [&](int e) { return of_vertex(mesh_.edges[e][0]); };
-  const auto of_triangle = [&](int t) { return of_vertex(mesh_.triangles[t][0]); };
+  search(vertex_boxes, reaches, changed, found_);
+  changed_.mark(mesh_, changed);
   const auto same = [](const std::array<int, 2>& pair) { return pair; };
-  const auto merge = [&](auto list, auto lengths, const auto& first, const auto& second, const auto& key) {
-    merge_kept(candidates, list, lengths, [&](const auto& pair) { return first(pair[0]) || second(pair[1]); }, key, found);
+  const auto merge = [&](auto pairs, auto lengths, auto places, const std::vector<char>& first, const std::vector<char>& second, const auto& key) {
+    const auto kept = [&](const std::array<int, 2>& pair) { return !(first[pair[0]] | second[pair[1]]); };
+    merge_kept(list_of(std::as_const(candidates), pairs, lengths), kept, found_.*pairs, key, list_of(merged_, pairs, lengths), fresh_.*places);
   };
-  merge(&Candidates::point_triangle, &Clearances::point_triangle, of_vertex, of_triangle,
+  const auto& [objects, vertices, edges, triangles] = changed_;
+  merge(&Candidates::point_triangle, &Clearances::point_triangle, &SomeCandidates::point_triangle, vertices, triangles,
         [&](const auto& pair) { return std::array{pair[0], mesh_.vertex_object[mesh_.triangles[pair[1]][0]], pair[1]}; });
-  merge(&Candidates::edge_edge, &Clearances::edge_edge, of_edge, of_edge, same);
-  merge(&Candidates::point_edge, &Clearances::point_edge, of_vertex, of_edge, same);
-  merge(&Candidates::point_point, &Clearances::point_point, of_vertex, of_vertex, same);
-  candidates = std::move(found);
+  merge(&Candidates::edge_edge, &Clearances::edge_edge, &SomeCandidates::edge_edge, edges, edges, same);
+  merge(&Candidates::point_edge, &Clearances::point_edge, &SomeCandidates::point_edge, vertices, edges, same);
+  merge(&Candidates::point_point, &Clearances::point_point, &SomeCandidates::point_point, vertices, vertices, same);
+  merged_.reference = std::move(candidates.reference);
+  std::swap(candidates, merged_);
 }
 
 void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& active_objects,

@@ -16,7 +16,10 @@ struct Clearances {
   std::vector<double> point_triangle, edge_edge, point_edge, point_point;
 };
 
-constexpr double unknown_length = -1;
+// Some of the candidates, by their places in the lists; ascending.
+struct SomeCandidates {
+  std::vector<int> point_triangle, edge_edge, point_edge, point_point;
+};
 
 struct Candidates {
   // (global vertex, triangle), by vertex, then by the triangle's object, then by triangle.

@@ -16,9 +16,9 @@ namespace tack {
 // Sets them for the lists of candidates. vertex_boxes: by global vertex; those of surface vertices are finite.
 void find_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates);
 
-// The same for those whose distance is `unknown_length`: of the others, which touch none of the objects whose boxes have changed (a flag for each), they
-// are as they were.
-void find_unknown_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const std::vector<char>& changed, Candidates& candidates);
+// The same for the fresh ones. Others, which touch none of the objects whose boxes have changed (a flag for each), keep theirs.
+void find_fresh_clearances(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const std::vector<char>& changed, const SomeCandidates& fresh,
+                           Candidates& candidates);
 
 // Sets their distances, where vertices are at x (3 coordinates for every global vertex [m]).
 void find_distances(const CollisionMesh& mesh, const VecX& x, Candidates& candidates);

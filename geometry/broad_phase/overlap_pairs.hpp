@@ -11,7 +11,7 @@
 //   bool accept(int q, int t) const             whether the overlapping pair is wanted
 //   std::array<int, 2> pair(int q, int t) const what to write
 // and, if it may not want pairs of kin (bvh.hpp),
-//   bool skips_kin() const                      whether it does not
+//   bool skips(int kin) const                   whether it does not, of these
 //   bool alone(int kin, const Aabb& box) const  whether nothing else overlaps the box, where it does not
 // The result is ordered by q, then t.
 #pragma once
@@ -75,13 +75,13 @@ struct Row {
 };
 using Rows = std::array<Row, Box8::width>;
 
-// With Same, queries and tree are the same tree, and only pairs q < t are found.
+// With Same, queries and tree are the same tree, and only pairs q < t are found. Subtrees that are all but_kin are skipped (-1: none).
 template <bool Same>
-void search_group(const Bvh& queries, int group, const Bvh& tree, bool skip_kin, Rows& rows) {
+void search_group(const Bvh& queries, int group, const Bvh& tree, int but_kin, Rows& rows) {
   const Box8& boxes = queries.boxes(0, group);
   const unsigned active = queries.active(0, group);
   for (Row& row : rows) row.count = 0;
-  visit_groups(tree, queries.bound(0, group), active == 0, skip_kin ? queries.kin(0, group) : -1, [&](int leaf) {
+  visit_groups(tree, queries.bound(0, group), active == 0, but_kin, [&](int leaf) {
     const int* ids = tree.primitives(leaf);
     for (unsigned lanes = boxes.overlap_mask(tree.bound(0, leaf)); lanes != 0; lanes &= lanes - 1) {
       const int lane = std::countr_zero(lanes);
@@ -100,8 +100,6 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
   if (queries.size() == 0 || tree.size() == 0) return;
   constexpr int task_groups = 32;
   const int groups = queries.groups(0), tasks = (groups + task_groups - 1) / task_groups;
-  bool skip_kin = false;
-  if constexpr (requires { relation.skips_kin(); }) skip_kin = relation.skips_kin();
   std::vector<std::vector<int>> partners(tasks);
   std::vector<std::size_t> begin(queries.size() + 1, 0);  // first the counts, then the places
   const auto for_groups = [&](int task, const auto& visit) {
@@ -112,11 +110,12 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
   for_each(tasks, [&](int task) {
     Rows rows;
     for_groups(task, [&](int group, int lanes) {
-      if constexpr (requires { relation.skips_kin(); }) {
-        const int kin = skip_kin ? queries.kin(0, group) : -1;
-        if (kin >= 0 && relation.alone(kin, queries.bound(0, group))) return;
+      int but_kin = -1;
+      if constexpr (requires { relation.skips(but_kin); }) {
+        if (const int kin = queries.kin(0, group); kin >= 0 && relation.skips(kin)) but_kin = kin;
+        if (but_kin >= 0 && relation.alone(but_kin, queries.bound(0, group))) return;
       }
-      search_group<Same>(queries, group, tree, skip_kin, rows);
+      search_group<Same>(queries, group, tree, but_kin, rows);
       for (int lane = 0; lane < lanes; ++lane) {
         const int query = queries.primitives(group)[lane];
         rows[lane].filter_and_sort(query, relation);

@@ -1,6 +1,7 @@
 #include "framework/stepping/held_vertices.hpp"
 
 #include <catch2/catch.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -54,17 +55,26 @@ TEST_CASE("a paddle that turns by 135 degrees a step hits what is in its way") {
   CHECK(vertex(run.state().v, first).norm() > 0.5);  // m/s; nothing if the paddle leapt past
 }
 
-TEST_CASE("candidates within a rigid group are searched only while it is dissolved") {
+TEST_CASE("candidates within a rigid group are searched only while it is dissolved, and those of others not even then") {
   TestRun run("time: {step: 0.01, duration: 1}\n"
                  "objects: [" + far + ", {name: sheet, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]},\n"
-                 "  motion: [{type: translate, velocity: [1, 0, 0]}]}]\ncontact: {distance: 20 mm}\n");
+                 "  motion: [{type: translate, velocity: [1, 0, 0]}]},\n"
+                 " {name: grain, shape: {type: box, size: [0.1, 0.01, 0.1], cells: [4, 1, 4]}, place: {translate: [0, 5, 0]},\n"
+                 "  body: {type: affine, density: 1000}}]\ncontact: {distance: 20 mm}\n");
   ContactSystem& contact = *run.world->contact;
   contact.cover(run.world->rest, VecX());
   const size_t none = contact.candidates().size();  // but within the far one
-  contact.dissolve_groups(true);
+  const int sheet = run.world->bodies[1].first_vertex, grain = run.world->bodies[2].first_vertex;
+  contact.dissolve_groups_of({sheet});
   contact.cover(run.world->rest, VecX());
-  CHECK(contact.candidates().size() > none + 100);
-  contact.dissolve_groups(false);
+  const size_t in_sheet = contact.candidates().size();
+  CHECK(in_sheet > none + 100);
+  CHECK(std::none_of(contact.candidates().edge_edge.begin(), contact.candidates().edge_edge.end(),
+                     [&](const auto& pair) { return contact.surface().mesh.edges[pair[0]][0] >= grain; }));
+  contact.dissolve_groups_of({sheet, grain});
+  contact.cover(run.world->rest, VecX());
+  CHECK(contact.candidates().size() > in_sheet + 100);
+  contact.dissolve_groups_of({});
   contact.cover(run.world->rest, VecX());
   CHECK(contact.candidates().size() == none);
 }
