@@ -51,5 +51,23 @@ void rice_some_candidates(benchmark::State& state) {
 }
 BENCHMARK(rice_some_candidates)->ArgName("own")->Arg(0)->Arg(1)->Apply(in_milliseconds);
 
+// Contacts, candidates included, where one object in a hundred goes away and comes back within a step. all 1: so does a vertex of the pan's rim, which is
+// fixed, so that all are searched and looked at anew.
+void rice_some_contacts(benchmark::State& state) {
+  const auto scene = rice();
+  ContactSystem& contact = *scene->world->contact;
+  const Body& pan = scene->world->bodies[scene->world->body_index("pan")];
+  const VecX here = scene->world->rest;
+  VecX there = here;
+  for (const int v : contact.surface().mesh.vertices)
+    if (contact.surface().mesh.vertex_object[v] % 100 == 7) vertex(there, v).array() += 2 * contact.range();
+  if (state.range(0) != 0) vertex(there, pan.first_vertex + pan.vertex_count - 1).array() += 4 * contact.range();
+  contact.begin_step({here});
+  bool back = false;
+  for (auto _ : state) contact.move_to((back = !back) ? there : here);
+  state.counters["candidates"] = static_cast<double>(contact.candidates().size());
+}
+BENCHMARK(rice_some_contacts)->ArgName("all")->Arg(0)->Arg(1)->Apply(in_milliseconds);
+
 }  // namespace
 }  // namespace tack::bench
