@@ -272,7 +272,12 @@ void NarrowPhase::set_candidates(const Candidates& candidates, const VecX& x) {
   std::merge(later_views_.begin(), later_views_.end(), seen.begin(), seen.end(), std::back_inserter(all),
              [](const GroupView& a, const GroupView& b) { return a.key() < b.key(); });
   later_views_ = std::move(all);
-  make_lists(candidates, changed ? &groups : nullptr, changed);
+  if (!changed) {
+    make_lists(candidates, nullptr);
+    return;
+  }
+  const EarlierPieces earlier{groups, pieces_, *changed};
+  make_lists(candidates, &earlier);
 }
 
 void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
@@ -286,21 +291,16 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
     coverage_.weigh(sides_, broad_phase_, views_);
     rim_forces_.take(coverage_.parts(), pairs_, surface_.mesh, held_);
   }
-  make_lists(candidates, nullptr, nullptr);
+  make_lists(candidates, nullptr);
 }
 
-// earlier_groups, changed: what the present pieces were made of, and what has changed since; null: all is new.
-void NarrowPhase::make_lists(const Candidates& candidates, const PointGroups* earlier_groups, const ChangedPrimitives* changed) {
+// earlier: null: all is new.
+void NarrowPhase::make_lists(const Candidates& candidates, const EarlierPieces* earlier) {
   if (!pairs_.plain_sums) rods_.find(candidates, held_);
   const PieceRequest request{surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, later_views_, shares_at_start_};
-  if (!changed) {
-    pieces_ = make_pieces(request, nullptr);
-    sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
-    return;
-  }
-  const EarlierPieces earlier{*earlier_groups, pieces_, *changed};
-  pieces_ = make_pieces(request, &earlier);
-  renew_sample_pieces(*changed, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
+  pieces_ = make_pieces(request, earlier);
+  if (earlier) renew_sample_pieces(earlier->changed, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
+  else sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
 }
 
 void NarrowPhase::set_free(std::vector<char> free) {

@@ -58,7 +58,7 @@ class NarrowPhase {
   bool may_integrate(const PointGroup& group) const;
   std::vector<PointGroup> unseen(const ChangedPrimitives* changed) const;
   std::vector<GroupView> look(const Candidates& candidates, const std::vector<PointGroup>& groups, bool later) const;
-  void make_lists(const Candidates& candidates, const PointGroups* earlier_groups, const ChangedPrimitives* changed);
+  void make_lists(const Candidates& candidates, const EarlierPieces* earlier);
   void choose_edges(const Candidates& candidates, const ChangedPrimitives* changed);
 
   const ContactSurface& surface_;

@@ -61,7 +61,7 @@ class PieceMaker {
     const auto number = before - earlier_->groups.groups.data();
     const int shift = group.triangle_begin - before->triangle_begin;
     for (int k = pieces.group_begin[number]; k < pieces.group_begin[number + 1]; ++k) {
-      PointPiece piece = pieces.pieces[k];
+      const PointPiece& piece = pieces.pieces[k];
       begin(group, {piece.law, piece.range, piece.area});
       for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) out_.triangles.push_back(pieces.triangles[i] + shift);
       end();
