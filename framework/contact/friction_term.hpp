@@ -28,9 +28,9 @@ class FrictionTerm : public Term, public ResidualView {
 
   void forget() override { points_ = {}; }
   void begin_step(const StepStart& start) override;
-  // Takes magnitudes and tangents at x, where the contact system must be.
+  // Takes magnitudes and tangents at x, where the contact system must be. Nothing slides in a step of no length: such a step has no points.
   bool lags() const override { return true; }
-  void lag(const VecX& x) override { points_ = lagged_at(x); }
+  void lag(const VecX& x) override { points_ = h_ > 0 ? lagged_at(x) : ContactPoints(); }
   // What lag(x) would hold.
   ContactPoints lagged_at(const VecX& x) const;
   // Holds `now` between these objects, and nothing else anew.

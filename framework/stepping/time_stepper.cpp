@@ -61,6 +61,14 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   if (world.friction && scene.contact->lagging.iterations == 1 && !world.records.replaced(*world.friction))
     impulses_.emplace(*world.friction, masses_of_bodies(world), solver.velocity_tolerance());
   hold(state_.h_next);
+  begin_records();
+}
+
+// Begins a step of no length at the state, so that terms can be asked for forces, energies and fields there before the first step is opened.
+void TimeStepper::begin_records() {
+  const bool inertia = integrator_->predict(state_, time_.step).inertia;
+  const EndVelocity now{1, inertia ? VecX(state_.x - state_.v) : state_.x};
+  world_.participants.begin_step({state_.x, state_.time, 0, &now, inertia ? &state_.v : nullptr});
 }
 
 // Makes those the unknowns that are free in the step from now to now + h.

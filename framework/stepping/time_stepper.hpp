@@ -75,6 +75,7 @@ class TimeStepper {
   Verdict judge(const Attempt& attempt);
   void check_wall_limit(const std::string& wrong) const;
   void hold(double h);
+  void begin_records();
   void set_accelerations(double t, const std::vector<int>& vertices);
   void lag_impulses(Step& step);
   bool velocities_matter() const;
