@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "framework/config/bind.hpp"
 #include "framework/config/field.hpp"
 
 namespace tack {
@@ -34,6 +35,8 @@ void Minimizer::fields(Fields& f) {
   f.flag("check_iterates", check_iterates_,
          "check every state on the way exactly for intersections and inverted tets, and end the run at the first; slow");
 }
+
+std::unique_ptr<Minimizer> Minimizer::fresh() const { return instance_of(*this); }
 
 bool balanced(const MinimizerProblem& problem, MinimizerResult& result) {
   if (!problem.imbalance) return true;

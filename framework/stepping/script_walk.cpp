@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "framework/config/bind.hpp"
 #include "framework/contact/contact_system.hpp"
 #include "framework/stepping/bent_steps.hpp"
 #include "framework/stepping/obstacle.hpp"
@@ -94,7 +93,7 @@ struct ScriptWalk::Pull {
 };
 
 ScriptWalk::ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
-    : world_(world), minimizer_(instance_of(like)), clock_(clock), steps_(steps) {}
+    : world_(world), minimizer_(like.fresh()), clock_(clock), steps_(steps) {}
 
 void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   std::vector<int> moving;

@@ -2,6 +2,13 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
+#include <limits>
+
+#include "framework/assembly/incremental_potential.hpp"
+#include "framework/contact/contact_system.hpp"
+#include "geometry/exact/intersections.hpp"
+#include "geometry/exact/orientation.hpp"
 #include "geometry/interrupt.hpp"
 
 namespace tack::python {
@@ -21,11 +28,24 @@ Objective& Problem::at(const Numbers& q) {
     objective.move_to(to);
     q_ = to;
     judged_.reset();
+    feasible_.reset();
   }
   return objective;
 }
 
-double Problem::value(const Numbers& q) { return at(q).value(); }
+// Whether nothing intersects and no tet is inverted where it is: exactly, as steps are checked. Barriers do not tell of what is on the other side.
+bool Problem::feasible() {
+  if (feasible_) return *feasible_;
+  const VecX& x = dynamic_cast<const IncrementalPotential&>(there().objective).configuration();
+  feasible_ = x.allFinite() && first_inverted_tet(world_.tets, x) < 0 &&
+              (!world_.contact || find_intersections(world_.contact->surface().mesh, x, world_.contact->colliding(), 1).empty());
+  return *feasible_;
+}
+
+double Problem::value(const Numbers& q) {
+  const double value = at(q).value();
+  return std::isfinite(value) && feasible() ? value : std::numeric_limits<double>::infinity();
+}
 py::array Problem::gradient(const Numbers& q) { return copy(at(q).gradient(), 0); }
 
 py::object Problem::hessian(const Numbers& q, const std::string& projection) {
@@ -39,7 +59,7 @@ py::object Problem::hessian(const Numbers& q, const std::string& projection) {
 double Problem::feasible_step(const Numbers& q, const Numbers& p) {
   const int size = there().objective.size();
   const double step = there().feasible_step(vector_of(q, size, "unknowns"), vector_of(p, size, "direction"));
-  q_.resize(0);  // filters may have moved what is shared
+  leave();  // filters may have moved what is shared
   return step;
 }
 
@@ -58,15 +78,22 @@ namespace {
 
 class PythonMinimizer : public Minimizer {
  public:
-  PythonMinimizer(py::function function, const Minimizer& like) : function_(std::move(function)) { static_cast<Minimizer&>(*this) = like; }
+  PythonMinimizer(py::function function, const Minimizer& like, const World& world) : function_(std::move(function)), world_(world) {
+    static_cast<Minimizer&>(*this) = like;
+  }
   ~PythonMinimizer() override {
     const py::gil_scoped_acquire gil;
     function_.release().dec_ref();
   }
 
+  std::unique_ptr<Minimizer> fresh() const override {
+    const py::gil_scoped_acquire gil;
+    return minimizer_of(function_, *this, world_);
+  }
+
   MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) override {
     const py::gil_scoped_acquire gil;
-    const auto seen = std::make_shared<Problem>(problem, q);
+    const auto seen = std::make_shared<Problem>(problem, world_, q);
     struct End {
       Problem& problem;
       ~End() { problem.end(); }
@@ -84,12 +111,13 @@ class PythonMinimizer : public Minimizer {
 
  private:
   py::function function_;
+  const World& world_;
 };
 
 }  // namespace
 
-std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like) {
-  return std::make_unique<PythonMinimizer>(std::move(function), like);
+std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like, const World& world) {
+  return std::make_unique<PythonMinimizer>(std::move(function), like, world);
 }
 
 void bind_problem(py::module_& module) {
@@ -99,7 +127,7 @@ void bind_problem(py::module_& module) {
       "Valid until the step ends.")
       .def_property_readonly("size", &Problem::size, "How many unknowns there are.")
       .def_property_readonly("start", &Problem::start, "Where the minimisation begins: unknowns without intersections.")
-      .def("value", &Problem::value, py::arg("q"), "The incremental potential at q [J s^2; of quasi-static steps J]; infinite where it is not feasible.")
+      .def("value", &Problem::value, py::arg("q"), "The incremental potential at q [J s^2; of quasi-static steps J]; infinite where surfaces intersect or elements are inverted.")
       .def("gradient", &Problem::gradient, py::arg("q"), "Its gradient at q.")
       .def("hessian", &Problem::hessian, py::arg("q"), py::arg("projection") = "none",
            "Its Hessian at q, a scipy.sparse.csc_matrix. projection: 'none', or that each stencil is made positive semi-definite, 'clamp' or 'absolute'.")

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "framework/core/minimizer.hpp"
+#include "framework/world/world.hpp"
 #include "python/bindings/arrays.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
 
@@ -13,10 +14,11 @@ namespace tack::python {
 // Valid while its step lasts; afterwards every call throws RuntimeError.
 class Problem {
  public:
-  // start: unknowns where it begins, feasible (3m).
-  Problem(MinimizerProblem problem, VecX start) : problem_(std::move(problem)), start_(std::move(start)) { judge_.begin(); }
+  // start: unknowns where it begins, feasible (3m). The objective is an IncrementalPotential of the world, which must outlive the step.
+  Problem(MinimizerProblem problem, const World& world, VecX start) : problem_(std::move(problem)), world_(world), start_(std::move(start)) { judge_.begin(); }
 
   void end() { problem_.reset(); }
+  void leave() { q_.resize(0), judged_.reset(), feasible_.reset(); }  // others have moved what it shares with the simulation
 
   int size();
   py::array start() const { return copy(start_, 0); }
@@ -33,16 +35,19 @@ class Problem {
  private:
   MinimizerProblem& there();
   Objective& at(const Numbers& q);
+  bool feasible();
 
   std::optional<MinimizerProblem> problem_;
+  const World& world_;
   VecX start_, q_;
   ConvergenceJudge judge_;
-  std::optional<bool> judged_;  // at q_; the judge answers once
+  std::optional<bool> judged_;    // at q_; the judge answers once
+  std::optional<bool> feasible_;  // at q_
   MinimizerResult work_;
 };
 
-// A function of Python in the place of a minimiser: q = function(problem), feasible as the start is. Tolerances are those of `like`.
-std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like);
+// A function of Python in the place of a minimiser of steps of that world: q = function(problem), feasible as the start is. Tolerances are those of `like`.
+std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like, const World& world);
 
 void bind_problem(py::module_& module);
 

@@ -42,16 +42,17 @@ py::dict dict_of(const StepReport& report) {
 
 }  // namespace
 
-// Work without the interpreter's lock, in threads of its own.
-template <class Work>
-auto Running::at_work(Work work) {
-  if (busy_.exchange(true)) throw std::runtime_error("this simulation is at work in another thread; wait for it, or give each thread one of its own");
-  struct Done {
-    std::atomic<bool>& busy;
-    ~Done() { busy = false; }
-  } const done{busy_};
-  const py::gil_scoped_release released;
-  return arena_.execute(work);
+Running::Claim::Claim(std::atomic<bool>& busy) : busy_(busy) {
+  if (busy_.exchange(true))
+    throw std::runtime_error("a step of this simulation is under way: a minimiser may use the problem that it is called with and nothing else of the simulation, and another "
+                             "thread has to wait, or needs a simulation of its own");
+}
+
+// Contact is where the state is, wherever a problem has taken it.
+void Running::return_to_state() {
+  if (!problem_) return;
+  problem_->leave();
+  settle();
 }
 
 Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? threads : tbb::task_arena::automatic) {
@@ -84,6 +85,7 @@ void Running::show() {
   const Eigen::Index size = 3 * world().mesh_vertex_count();
   keep(x_, state.x, size);
   keep(v_, state.v, size);
+  shown_ = {state.time, simulation_->stepper().next_step_size(), state.step, simulation_->finished()};
 }
 
 void Running::end_problem() {
@@ -92,11 +94,13 @@ void Running::end_problem() {
 }
 
 py::dict Running::step() {
+  const Claim claim(busy_);
   end_problem();
   std::optional<StepReport> report;
   {
     const Interrupts interrupts;
-    report = at_work([this]() -> std::optional<StepReport> {
+    const py::gil_scoped_release released;
+    report = arena_.execute([this]() -> std::optional<StepReport> {
       const int before = simulation_->state().step;
       const StepReport r = simulation_->step();
       if (simulation_->state().step == before) return std::nullopt;
@@ -116,9 +120,10 @@ py::dict Running::step() {
 void Running::minimize_by(const py::object& function) {
   if (!function.is_none() && !py::isinstance<py::function>(function) && !PyCallable_Check(function.ptr()))
     throw py::type_error("a minimiser is called with a problem, and returns the unknowns where it ended");
+  const Claim claim(busy_);
   const Minimizer& own = *simulation_->experiment().solver;
   if (function.is_none()) simulation_->solve_with({});
-  else simulation_->solve_with([function = py::reinterpret_borrow<py::function>(function), &own] { return minimizer_of(function, own); });
+  else simulation_->solve_with([function = py::reinterpret_borrow<py::function>(function), &own, this] { return minimizer_of(function, own, world()); });
   restart();
 }
 
@@ -132,6 +137,7 @@ void Running::restart() {
 }
 
 void Running::move(const std::optional<Numbers>& x, const std::optional<Numbers>& v) {
+  const Claim claim(busy_);
   end_problem();
   World& world = simulation_->world();
   State state = simulation_->state();
@@ -162,12 +168,16 @@ void Running::move(const std::optional<Numbers>& x, const std::optional<Numbers>
 }
 
 py::dict Running::energies() {
+  const Claim claim(busy_);
+  return_to_state();
   py::dict d;
   for (const NamedEnergy& energy : energies_by_term(world(), simulation_->state())) d[py::str(energy.name)] = energy.value;
   return d;
 }
 
 py::dict Running::forces() {
+  const Claim claim(busy_);
+  return_to_state();
   const VecX& x = simulation_->state().x;
   const Eigen::Index size = 3 * world().mesh_vertex_count();
   std::vector<std::pair<std::string, VecX>> all;
@@ -186,6 +196,8 @@ py::dict Running::forces() {
 }
 
 py::array Running::field(const std::string& name) {
+  const Claim claim(busy_);
+  return_to_state();
   const FrameGeometry geometry = frame_geometry(world());
   for (const FrameFieldInfo& info : frame_fields()) {
     if (info.name != name) continue;
@@ -206,15 +218,22 @@ py::array Running::field(const std::string& name) {
 std::string Running::scene() const { return to_yaml(fields_of(simulation_->experiment())); }
 
 void Running::write_frame(const std::string& path) {
+  const Claim claim(busy_);
+  return_to_state();
   const FrameGeometry geometry = frame_geometry(world());
   const State& state = simulation_->state();
   const std::vector<std::string> names = {"velocity", "contact_pressure", "von_mises_stress"};
   write_vtu(path, geometry, state.x.head(3 * geometry.vertices), state.time, vertex_fields(names, world(), state, geometry), element_fields(names, world(), state.x, geometry));
 }
 
-std::vector<double> Running::probe_values() { return probes_->sample(world(), simulation_->state()); }
+std::vector<double> Running::probe_values() {
+  const Claim claim(busy_);
+  return_to_state();
+  return probes_->sample(world(), simulation_->state());
+}
 
 std::shared_ptr<Problem> Running::problem() {
+  const Claim claim(busy_);
   end_problem();
   TimeStepper& stepper = simulation_->stepper();
   World& world = simulation_->world();
@@ -228,11 +247,15 @@ std::shared_ptr<Problem> Running::problem() {
   convergence_->judge(problem);
   VecX q;
   world.dofs.gather(step.places, q);
-  problem_ = std::make_shared<Problem>(std::move(problem), q);
+  problem_ = std::make_shared<Problem>(std::move(problem), world, q);
   return problem_;
 }
 
-std::vector<std::string> Running::take_warnings() { return std::exchange(warnings_, {}); }
+// Those of a step that is under way are told when it is over.
+std::vector<std::string> Running::take_warnings() {
+  if (busy_) return {};
+  return std::exchange(warnings_, {});
+}
 
 void bind_running(py::module_& module) {
   py::class_<Body>(module, "Object", "An object of the scene: its name, its vertices among all, its elements.")

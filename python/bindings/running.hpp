@@ -1,4 +1,6 @@
 // A simulation as Python has it: nothing is written, and threads are its own.
+// One call at a time: while a step is under way, calls from other threads and from its own minimiser throw std::runtime_error, but for those that
+// only read what the newest step has left.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -25,11 +27,11 @@ class Running {
   ~Running();
 
   const std::string& name() const { return simulation_->experiment().name; }
-  double time() const { return simulation_->state().time; }
-  int step_count() const { return simulation_->state().step; }
+  double time() const { return shown_.time; }
+  int step_count() const { return shown_.step; }
   double duration() const { return simulation_->experiment().time.duration; }
-  double step_size() const { return simulation_->stepper().next_step_size(); }
-  bool finished() const { return simulation_->finished(); }
+  double step_size() const { return shown_.step_size; }
+  bool finished() const { return shown_.finished; }
   int threads() const { return arena_.max_concurrency(); }
   const World& world() const { return simulation_->world(); }
 
@@ -63,8 +65,18 @@ class Running {
   std::vector<std::string> take_warnings();
 
  private:
-  template <class Work>
-  auto at_work(Work work);
+  // Holds the simulation for one call; the constructor throws std::runtime_error if another call has it.
+  class Claim {
+   public:
+    explicit Claim(std::atomic<bool>& busy);
+    ~Claim() { busy_ = false; }
+    Claim(const Claim&) = delete;
+    Claim& operator=(const Claim&) = delete;
+
+   private:
+    std::atomic<bool>& busy_;
+  };
+  void return_to_state();
   void show();
   void end_problem();
   void restart();
@@ -74,6 +86,11 @@ class Running {
   std::unique_ptr<Simulation> simulation_;
   std::optional<ProbeSet> probes_;
   std::shared_ptr<VecX> x_ = std::make_shared<VecX>(), v_ = std::make_shared<VecX>();
+  struct Shown {
+    double time = 0, step_size = 0;  // s
+    int step = 0;
+    bool finished = false;
+  } shown_;  // of the newest step, as x_ and v_ are
   std::vector<std::string> warnings_;
   std::atomic<bool> busy_ = false;
 

@@ -34,6 +34,19 @@ falling = {
 }
 
 
+def newton(problem):
+    """Projected Newton with backtracking."""
+    q = problem.start
+    while not problem.converged(q):
+        gradient = problem.gradient(q)
+        p = -np.linalg.solve(problem.hessian(q, "clamp").toarray(), gradient)
+        value, t = problem.value(q), problem.feasible_step(q, p)
+        while problem.value(q + t * p) > value + 1e-4 * t * (p @ gradient) and t > 1e-10:
+            t /= 2
+        q = q + t * p
+    return q
+
+
 def run_python(code, **options):
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120, **options)
 
@@ -87,19 +100,69 @@ class Stepping(unittest.TestCase):
             thread.join()
         np.testing.assert_array_equal(sims[0].x, sims[1].x)
 
-    def test_one_simulation_is_not_stepped_twice_at_once(self):
+    def test_nothing_else_is_asked_of_a_simulation_within_its_step(self):
         sim = tack.Simulation(blocks, set=small)
+        asked = {
+            "step": sim.step, "move": lambda: sim.move(x=sim.x.copy()), "x": lambda: setattr(sim, "x", sim.x.copy()), "v": lambda: setattr(sim, "v", 0 * sim.v),
+            "minimize_by": lambda: sim.minimize_by(None), "problem": sim.problem, "energies": sim.energies, "forces": sim.forces, "probes": sim.probes,
+            "field": lambda: sim.field("gap"), "html": sim._repr_html_,
+        }
+        for name, ask in asked.items():
+            with self.subTest(name):
+                refused = []
 
-        def again(problem):
-            with self.assertRaisesRegex(RuntimeError, "at work"):
-                sim.step()
-            q = problem.start
-            while not problem.converged(q):
-                p = -np.linalg.solve(problem.hessian(q, "clamp").toarray(), problem.gradient(q))
-                q = q + problem.feasible_step(q, p) * p
-            return q
+                def within(problem):
+                    with self.assertRaisesRegex(RuntimeError, "under way"):
+                        ask()
+                    refused.append(name)
+                    self.assertEqual((sim.x.shape, sim.time, sim.steps), (sim.v.shape, before[0], before[1]))  # what the newest step left can be read
+                    return newton(problem)
 
-        sim.step(minimizer=again)
+                before = sim.time, sim.steps
+                sim.step(minimizer=within)
+                self.assertTrue(refused)
+                sim.minimize_by(None)
+
+    def test_other_threads_wait_or_are_refused(self):
+        sim, stop, refused = tack.Simulation(blocks, set=small, threads=1), threading.Event(), []
+
+        def disturb():
+            calls = [lambda: sim.move(v=0 * sim.v), sim.probes, sim.energies, sim.forces, lambda: sim.field("gap"), lambda: sim.problem().converged(sim.problem().start)]
+            while not stop.is_set():
+                for call in calls:
+                    try:
+                        call()
+                    except RuntimeError as error:
+                        refused.append(str(error))
+
+        other = threading.Thread(target=disturb)
+        other.start()
+        steps = 0
+        try:
+            for _ in range(200):
+                try:
+                    sim.step()
+                    steps += 1
+                except RuntimeError:
+                    pass
+                if steps >= 5 and refused:
+                    break
+        finally:
+            stop.set()
+            other.join()
+        self.assertEqual(sim.steps, steps)
+        self.assertTrue(np.isfinite(sim.x).all())
+
+    def test_a_problem_leaves_what_is_asked_of_the_state(self):
+        sim = tack.Simulation(blocks, set=small)
+        for _ in range(3):
+            sim.step()
+        energies, forces = sim.energies(), sim.forces()
+        problem = sim.problem()
+        problem.value(problem.start + 1e-4 * np.sin(np.arange(problem.size)))
+        self.assertEqual(sim.energies(), energies)
+        for name, there in sim.forces().items():
+            np.testing.assert_array_equal(there, forces[name])
 
 
 class Arrays(unittest.TestCase):
@@ -213,6 +276,36 @@ class Minimising(unittest.TestCase):
             newton.step()
         size = np.ptp(newton.x)
         self.assertLess(np.abs(own.x - newton.x).max(), 1e-6 * size)
+
+    def test_a_minimiser_moves_what_is_prescribed_through_obstacles(self):
+        cube = {"shape": {"type": "box", "size": [0.1, 0.1, 0.1]}, "energies": [{"type": "neo_hookean", "young": "1 MPa", "poisson": 0.3, "density": 1000}]}
+        pushed = {
+            "name": "pushed",
+            "time": {"step": "10 ms", "duration": "0.1 s"},
+            "contact": {"distance": "1 mm"},
+            "objects": [
+                {"name": "cube", **cube},
+                {"name": "plate", "shape": {"type": "box", "size": [0.2, 0.1, 0.2]}, "place": {"translate": [0, 0.103, 0]},
+                 "motion": [{"type": "translate", "velocity": [0, -1, 0]}]},
+            ],
+        }
+        own, scene = tack.Simulation(pushed, set={"solver.tolerance": "0.1 mm/s"}), tack.Simulation(pushed, set={"solver.tolerance": "0.1 mm/s"})
+        for _ in range(3):
+            own.step(minimizer=newton)
+            scene.step()
+        self.assertLess(np.abs(own.x - scene.x).max(), 1e-4)
+
+    def test_values_are_infinite_where_nothing_may_be(self):
+        sim = tack.Simulation(falling)
+        problem = sim.problem()
+        self.assertTrue(np.isfinite(problem.value(problem.start)))
+        self.assertEqual(problem.value(-problem.start), np.inf)  # inside out
+        sim = tack.Simulation(blocks, set=small)
+        problem = sim.problem()
+        half = problem.size // 2  # the unknowns of either block
+        through = problem.start + np.concatenate([np.tile([0, 0.1, 0], half // 3), np.zeros(half)])
+        self.assertEqual(problem.value(through), np.inf)  # the lower block is partly within the upper one
+        self.assertTrue(np.isfinite(problem.value(problem.start + np.tile([0, 0.1, 0], problem.size // 3))))
 
     def test_a_minimiser_that_fails(self):
         sim = tack.Simulation(blocks, set=small)
