@@ -1,5 +1,6 @@
 // tack view: pages about a scene, a run or results, served to a browser on this machine.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -36,12 +37,37 @@ bool has_display() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
+// A file that nobody else can read and that sends a browser on to an address: every user of the machine can read the command line of the
+// browser, and the address has the token. Removed in the end.
+class RedirectPage {
+ public:
+  explicit RedirectPage(const std::string& address) : path_((fs::temp_directory_path() / "tack_view_XXXXXX.html").string()) {
+    const int file = ::mkstemps(path_.data(), 5);  // mode 0600
+    const std::string page = fmt::format("<!doctype html><meta http-equiv=\"refresh\" content=\"0; url={0}\"><a href=\"{0}\">tack</a>\n", address);
+    if (file < 0) path_.clear();
+    else if (::write(file, page.data(), page.size()) != static_cast<ssize_t>(page.size())) remove();
+    if (file >= 0) ::close(file);
+  }
+  ~RedirectPage() { remove(); }
+  RedirectPage(const RedirectPage&) = delete;
+  RedirectPage& operator=(const RedirectPage&) = delete;
+  const std::string& path() const { return path_; }  // "" if it could not be written
+
+ private:
+  void remove() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+    path_.clear();
+  }
+  std::string path_;
+};
+
 // Printed in any case: a browser elsewhere may be let in through a tunnel.
 void announce(const std::string& address, const ViewOptions& options) {
   fmt::print("{}\n", address);
   std::fflush(stdout);
   if (options.no_browser || !has_display()) return;
-  std::thread([address] { run_program({"xdg-open", address}, {{}, "/dev/null", true}); }).detach();
+  static const RedirectPage page(address);
+  if (!page.path().empty()) std::thread([] { run_program({"xdg-open", page.path()}, {{}, "/dev/null", true}); }).detach();
 }
 
 void wait_for_interrupt() {

@@ -3,15 +3,20 @@
 
 #include <fmt/format.h>
 #include <sys/random.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <chrono>
+#include <list>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -30,7 +35,9 @@ using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
 constexpr int threads = 2;  // so that a page that takes long to make does not keep from stopping a run
-constexpr std::chrono::seconds patience{30};
+constexpr std::chrono::seconds patience{30}, first_patience{5};  // for the next request of a connection, and for its first
+constexpr std::chrono::milliseconds accept_pause{200};           // after a connection that the system refused to open
+constexpr std::size_t most_connections = 32;                     // open at once
 constexpr std::size_t largest_header = 8192, largest_body = 1024;
 
 std::string fresh_token() {
@@ -39,6 +46,13 @@ std::string fresh_token() {
   std::string token;
   for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);
   return token;
+}
+
+// A browser opens up to six. An eighth of the descriptors of this process at most: a run beside the server needs them for its files.
+std::size_t connection_limit() {
+  rlimit descriptors{};
+  if (::getrlimit(RLIMIT_NOFILE, &descriptors) != 0 || descriptors.rlim_cur == RLIM_INFINITY) return most_connections;
+  return std::clamp<std::size_t>(descriptors.rlim_cur / 8, 2, most_connections);
 }
 
 // Takes as long whatever differs.
@@ -66,17 +80,22 @@ struct Site {
   std::string token;
   std::vector<std::string> hosts;  // by which this machine calls itself
 
+  bool ours(std::string_view name) const { return std::find(hosts.begin(), hosts.end(), name) != hosts.end(); }
+  // Whether the path is that of a page here: "/TOKEN/..."
+  bool has_token(std::string_view path) const {
+    return path.size() >= token.size() + 2 && path[0] == '/' && path[token.size() + 1] == '/' && same(path.substr(1, token.size()), token);
+  }
+
   HttpAnswer answer(const Request& request) const {
     const auto text = [&](http::field field) { return std::string(request[field]); };
     const std::string host = text(http::field::host), origin = text(http::field::origin);
     // A page from elsewhere whose name was made to mean this machine has another host; one that lets the browser send orders has another origin.
-    const auto ours = [&](const std::string& name) { return std::find(hosts.begin(), hosts.end(), name) != hosts.end(); };
-    if (!ours(host) || (!origin.empty() && origin != "null" && !ours(origin.substr(std::min(origin.size(), std::string_view("http://").size())))))
-      return {403, "text/plain", ""};
+    constexpr std::string_view scheme = "http://";
+    const bool from_here = origin.empty() || origin == "null" || (origin.starts_with(scheme) && ours(std::string_view(origin).substr(scheme.size())));
+    if (!ours(host) || !from_here) return {403, "text/plain", ""};
     const std::string target(request.target());
     const std::string path = target.substr(0, target.find('?'));
-    if (path.size() < token.size() + 2 || path[0] != '/' || path[token.size() + 1] != '/' || !same(std::string_view(path).substr(1, token.size()), token))
-      return {404, "text/plain", ""};
+    if (!has_token(path)) return {404, "text/plain", ""};
     const bool post = request.method() == http::verb::post;
     if (!post && request.method() != http::verb::get) return {405, "text/plain", ""};
     if (post && origin == "null") return {403, "text/plain", ""};
@@ -109,11 +128,18 @@ class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(Tcp::socket socket, const Site& site) : stream_(std::move(socket)), site_(site) {}
 
+  bool known() const { return known_; }  // it has sent the token
+
+  // Called by any thread.
+  void drop() {
+    asio::post(stream_.get_executor(), [self = shared_from_this()] { self->stream_.close(); });
+  }
+
   void read() {
     parser_.emplace();
     parser_->header_limit(largest_header);
     parser_->body_limit(largest_body);
-    stream_.expires_after(patience);
+    stream_.expires_after(known_ ? patience : first_patience);
     http::async_read(stream_, buffer_, *parser_, [self = shared_from_this()](beast::error_code error, std::size_t) {
       if (error) self->close();
       else self->write();
@@ -123,6 +149,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
  private:
   void write() {
     const Request request = parser_->release();
+    if (site_.has_token(std::string_view(request.target().data(), request.target().size()))) known_ = true;
     response_ = response_of(request, site_.answer(request));
     stream_.expires_after(patience);
     http::async_write(stream_, *response_, [self = shared_from_this()](beast::error_code error, std::size_t) {
@@ -137,6 +164,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
 
   beast::tcp_stream stream_;
   const Site& site_;
+  std::atomic<bool> known_ = false;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<Response> response_;
@@ -168,16 +196,45 @@ class HttpServer::Listener {
   const std::string& address() const { return address_; }
 
  private:
+  // One at a time: nothing else touches open_.
   void accept() {
     acceptor_.async_accept(asio::make_strand(context_), [this](beast::error_code error, Tcp::socket socket) {
-      if (!error) std::make_shared<Connection>(std::move(socket), site_)->read();
-      if (error != asio::error::operation_aborted) accept();
+      if (error == asio::error::operation_aborted) return;
+      if (error) {  // no descriptors are left, say: those that are idle are closed meanwhile
+        pause_.expires_after(accept_pause);
+        pause_.async_wait([this](beast::error_code aborted) {
+          if (!aborted) accept();
+        });
+        return;
+      }
+      make_room();
+      const auto connection = std::make_shared<Connection>(std::move(socket), site_);
+      open_.push_back(connection);
+      connection->read();
+      accept();
     });
+  }
+
+  // For another connection: the oldest goes, those first that have not sent the token.
+  void make_room() {
+    std::erase_if(open_, [](const std::weak_ptr<Connection>& c) { return c.expired(); });
+    while (open_.size() >= limit_) {
+      const auto stranger = std::find_if(open_.begin(), open_.end(), [](const std::weak_ptr<Connection>& c) {
+        const auto connection = c.lock();
+        return connection && !connection->known();
+      });
+      const auto oldest = stranger != open_.end() ? stranger : open_.begin();
+      if (const auto connection = oldest->lock()) connection->drop();
+      open_.erase(oldest);
+    }
   }
 
   Site site_;
   asio::io_context context_{threads};
   Tcp::acceptor acceptor_{context_};
+  asio::steady_timer pause_{context_};
+  const std::size_t limit_ = connection_limit();
+  std::list<std::weak_ptr<Connection>> open_;  // oldest first
   std::string address_;
   std::vector<std::thread> threads_;
 };

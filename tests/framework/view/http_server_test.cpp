@@ -3,11 +3,15 @@
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
 #include <random>
 #include <stdexcept>
 #include <thread>
@@ -23,17 +27,27 @@ struct Asked {
     port = std::stoi(address.substr(colon + 1, slash - colon - 1));
     path = address.substr(slash);
   }
-  // All that is answered until the other side closes, or for half a second.
-  std::string said(const std::string& text) const {
-    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  bool connect(int socket) const {
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(static_cast<std::uint16_t>(port));
     to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     const timeval patience{0, 500000};
     ::setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    return ::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
+  }
+  // A socket; -1 if there is no connection.
+  int connected() const {
+    const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+    if (connect(socket)) return socket;
+    ::close(socket);
+    return -1;
+  }
+  // All that is answered until the other side closes, or for half a second.
+  std::string said(const std::string& text) const {
+    const int socket = connected();
     std::string answer;
-    if (::connect(socket, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0) {
+    if (socket >= 0) {
       ::send(socket, text.data(), text.size(), MSG_NOSIGNAL);
       char part[4096];
       for (ssize_t n = 0; (n = ::recv(socket, part, sizeof part, 0)) > 0;) answer.append(part, static_cast<size_t>(n));
@@ -96,6 +110,7 @@ TEST_CASE("whoever lacks the token, or calls the machine otherwise, gets nothing
   }
   CHECK_THAT(asked.get(asked.path, "Origin: http://example.org\r\n"), Catch::StartsWith("HTTP/1.1 403"));
   CHECK_THAT(asked.get(asked.path, fmt::format("Origin: http://localhost:{}\r\n", asked.port)), Catch::StartsWith("HTTP/1.1 200"));
+  for (const char* scheme : {"xxxxxxx", "https:/", ""}) CHECK_THAT(asked.get(asked.path, fmt::format("Origin: {}127.0.0.1:{}\r\n", scheme, asked.port)), Catch::StartsWith("HTTP/1.1 403"));
   CHECK_THAT(asked.get(asked.path, "", "PUT"), Catch::StartsWith("HTTP/1.1 405"));
 }
 
@@ -116,4 +131,40 @@ TEST_CASE("what is no request, or too long a one, ends its connection and nothin
   for (int i = 0; i < 16; ++i) many.emplace_back([&] { answered += Asked::body(asked.get(asked.path)) == "get ''"; });
   for (std::thread& one : many) one.join();
   CHECK(answered == 16);
+}
+
+TEST_CASE("connections that say nothing use up neither the server nor the descriptors of the run") {
+  const auto descriptors = [] { return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator()); };
+  const HttpServer server(echo);
+  const Asked asked(server);
+  const auto before = descriptors();
+  std::vector<int> silent;
+  for (int i = 0; i < 200; ++i) {
+    silent.push_back(asked.connected());
+    REQUIRE(silent.back() >= 0);
+  }
+  CHECK(Asked::body(asked.get(asked.path)) == "get ''");
+  const auto own = descriptors() - before - static_cast<std::ptrdiff_t>(silent.size());  // the server's ends
+  CHECK(own > 0);
+  CHECK(own <= 40);
+  for (const int socket : silent) ::close(socket);
+  CHECK(Asked::body(asked.get(asked.path)) == "get ''");
+}
+
+TEST_CASE("a server for whose connections no descriptors are left waits for some without working") {
+  const HttpServer server(echo);
+  const Asked asked(server);
+  rlimit usual{};
+  REQUIRE(::getrlimit(RLIMIT_NOFILE, &usual) == 0);
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);  // the lowest number that is free: there is no other below the limit
+  const rlimit none{static_cast<rlim_t>(socket + 1), usual.rlim_max};
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+  CHECK(asked.connect(socket));
+  const std::clock_t start = std::clock();
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  const double worked = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  ::setrlimit(RLIMIT_NOFILE, &usual);
+  ::close(socket);
+  CHECK(worked < 0.2);
+  CHECK(Asked::body(asked.get(asked.path)) == "get ''");
 }
