@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <numbers>
 
 #include "geometry/errors.hpp"
@@ -41,6 +42,15 @@ void check_numbers(const std::string& text, const std::vector<std::string>& vari
   }
 }
 
+// muParser assigns by `=`: "x = 1" would give x another value and choose everything. Comparisons are ==, !=, <= and >=.
+void check_assignments(const std::string& text, const std::vector<std::string>& variables) {
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    const bool compares = (i > 0 && std::strchr("=!<>", text[i - 1])) || (i + 1 < text.size() && text[i + 1] == '=');
+    if (!compares) refuse(text, variables, fmt::format("`=` would assign a value (position {}); did you mean `==`?", i));
+  }
+}
+
 }  // namespace
 
 struct Formula::Parser {
@@ -52,6 +62,7 @@ Formula::Formula(const std::string& text, const std::vector<std::string>& variab
     : parser_(std::make_unique<Parser>()) {
   parser_->values.resize(variables.size());
   check_numbers(text, variables);
+  check_assignments(text, variables);
   try {
     parser_->parser.DefineConst("pi", std::numbers::pi);
     for (size_t i = 0; i < variables.size(); ++i)

@@ -11,8 +11,8 @@ namespace tack {
 
 class Formula {
  public:
-  // Throws InputError, without a place, with the position and what is wrong there: a syntax error, a comma
-  // outside of a function's arguments, a number above 1e150.
+  // Throws InputError, without a place, with the position and what is wrong there: a syntax error, an assignment
+  // (`=` in place of `==`), a comma outside of a function's arguments, a number above 1e150.
   Formula(const std::string& text, const std::vector<std::string>& variables);
   // Whether a name is that of a function or a constant of all formulas.
   static bool knows(const std::string& name);

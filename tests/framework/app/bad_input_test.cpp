@@ -69,6 +69,8 @@ const std::vector<Mistake> mistakes = {
       "move the objects apart (place.translate)"}},
     {"decimal comma", "motion: [fixed]", "motion: [{type: formula, y: '0,02*t'}]",
      {"scene.yaml:8:33: y: ", "formula '0,02*t': a comma makes 2 formulas of it; write numbers with a point"}},
+    {"assignment in a formula", "motion: [fixed]", "motion: [{type: formula, y: 't = 1 ? 0.01 : 0'}]",
+     {"scene.yaml:8:33: y: ", "formula 't = 1 ? 0.01 : 0': `=` would assign a value (position 2); did you mean `==`?"}},
     {"number beyond squares", "motion: [fixed]", "motion: [{type: formula, y: '1e151*t'}]",
      {"scene.yaml:8:33: y: ", "1e151 is too large, at most 1e+150 may stand there (position 0)"}},
     {"distance in a wrong unit", "distance: 1 mm", "distance: 1 km",

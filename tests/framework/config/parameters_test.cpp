@@ -67,6 +67,7 @@ TEST_CASE("expressions whose parts do not fit have none") {
   CHECK(message_of([&] { p.evaluated("width + speed"); }).find("'width + speed' has no unit: ") == 0);
   CHECK(message_of([&] { p.evaluated("width + 0.1"); }).find("numbers in it need their units") != std::string::npos);
   CHECK(message_of([&] { p.evaluated("sin(width)"); }).find("has no unit") != std::string::npos);
+  CHECK(message_of([&] { p.evaluated("width = 3"); }).find("did you mean `==`?") != std::string::npos);
   CHECK(message_of([&] { p.evaluated("width / (speed - 4 mm/s)"); }).find("is inf") != std::string::npos);
   CHECK(message_of([&] { p.evaluated("2 * widht"); }) == "'widht' is no parameter; did you mean 'width'? (parameters: speed, width)");
   CHECK(message_of([&] { number(p, "2 * width", units::time); }).find("which is a length") != std::string::npos);
