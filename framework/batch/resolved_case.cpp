@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "framework/config/describe.hpp"
+#include "framework/config/file_digest.hpp"
 #include "framework/config/parse.hpp"
-#include "framework/config/read_file.hpp"
 #include "framework/config/yaml_text.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "geometry/checksum.hpp"
@@ -15,8 +15,6 @@ namespace tack {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uintmax_t largest_file = std::uintmax_t{16} << 30;  // bytes
 
 std::string digest_of_text(const std::string& text) {
   return fmt::format("{}-{:08x}", text.size(), crc32_of(text.data(), text.size()));
@@ -48,10 +46,10 @@ const std::string& CaseResolver::digest_of_file(const std::string& name) {
   std::error_code none;
   fs::path path = name;
   if (fs::is_directory(path, none)) path = newest_checkpoint_in(path / "checkpoints");
-  if (fs::is_regular_file(path, none)) known->second = " " + digest_of_text(read_file(path, largest_file));
+  if (const std::string digest = file_digest(path); !digest.empty()) known->second = " " + digest;
   return known->second;
 }
 
-std::string program_digest() { return digest_of_text(read_file("/proc/self/exe", largest_file)); }
+std::string program_digest() { return file_digest("/proc/self/exe"); }
 
 }  // namespace tack

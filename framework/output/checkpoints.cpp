@@ -43,6 +43,15 @@ void check_plugins(const fs::path& path, const StateFile& file) {
   }
 }
 
+void check_files(const fs::path& path, const StateFile& file, const std::map<std::string, std::string>& files) {
+  for (const auto& [name, digest] : files) {
+    const auto there = file.files.find(name);
+    if (there == file.files.end() || there->second == digest) continue;
+    throw InputError(fmt::format("{}: file '{}' has changed since that run read it; resume with the file as it was, or start anew without --resume",
+                                 path.string(), name));
+  }
+}
+
 }  // namespace
 
 std::map<std::string, std::uint32_t> plugin_checksums() {
@@ -75,7 +84,7 @@ fs::path newest_checkpoint_in(const fs::path& checkpoints, bool due) {
   return newest;
 }
 
-StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world) {
+StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world, const std::map<std::string, std::string>& files) {
   const fs::path newest = newest_checkpoint_in(folder.checkpoints());
   if (newest.empty())
     throw InputError(fmt::format("{}: there is no checkpoint to resume from; run with output.checkpoint_interval, "
@@ -87,6 +96,7 @@ StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, c
                                  folder.scene().string()));
   check_meshes(newest, file, world);
   check_plugins(newest, file);
+  check_files(newest, file, files);
   return file;
 }
 

@@ -272,7 +272,7 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
   for (const auto& [object, digest] : file.file_meshes) file_meshes[object] = to_json(digest);
   for (const auto& [name, object] : file.objects) objects[name] = {{"vertices", object.vertices}, {"mesh", to_json(object.mesh)}};
   Json json = {{"kind", name_of(file.kind)}, {"program", file.program}, {"commit", file.commit},
-                     {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes}, {"plugins", file.plugins}, {"objects", objects},
+                     {"scene", file.scene}, {"meshes", meshes}, {"file_meshes", file_meshes}, {"plugins", file.plugins}, {"files", file.files}, {"objects", objects},
                      {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals},
                      {"warnings", to_json(file.warnings)}};
   for (const auto& [object, flowed] : file.flowed) json["flowed"][object] = to_json(flowed);
@@ -296,6 +296,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
     if (json.contains("file_meshes"))
       for (const auto& [object, digest] : json["file_meshes"].items()) file.file_meshes[object] = digest_of(digest);
     if (json.contains("plugins")) json["plugins"].get_to(file.plugins);
+    if (json.contains("files")) json["files"].get_to(file.files);
     if (json.contains("objects"))
       for (const auto& [name, object] : json["objects"].items())
         file.objects[name] = {object.at("vertices").get<std::vector<int>>(), digest_of(object.at("mesh"))};

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "framework/config/describe.hpp"
+#include "framework/config/file_digest.hpp"
 #include "framework/config/words.hpp"
 #include "framework/experiment/stored_experiment.hpp"
 #include "framework/output/laws_csv.hpp"
@@ -47,7 +48,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
                          std::ostream& out, const ProgressOptions& progress)
     : settings_(settings), dump_(settings.dump_problems),
       simulation_(std::move(loaded), [this](const Warning& warning) { warn(warning); }),
-      watch_(std::in_place, simulation_.built()), gradients_(gradients_of(simulation_.built())), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
+      watch_(std::in_place, simulation_.built()), gradients_(gradients_of(simulation_.built())), files_(file_digests(to_value(fields_of(experiment_)))), folder_(folder_of(settings, experiment_)), checkpoint_(checkpoint()),
       log_(folder_.log(), checkpoint_ ? std::ios::app : std::ios::trunc), progress_(out, &log_, progress) {
   if (settings.profile && remeshes(experiment_))
     throw InputError("a profile is of one world, and objects may be meshed anew (remesh); take that away (--set objects.NAME.remesh=null)");
@@ -118,7 +119,7 @@ void RecordedRun::warn(const Warning& warning) {
 
 std::optional<StateFile> RecordedRun::checkpoint() {
   if (!settings_.resume) return std::nullopt;
-  StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(experiment_)), world());
+  StateFile file = newest_checkpoint(folder_, to_yaml(fields_of(experiment_)), world(), files_);
   if (!file.flowed.empty()) simulation_.rebuild(file.flowed);
   check_size(file, world().rest.size() / 3, folder_.checkpoints().string());
   return file;
@@ -285,6 +286,7 @@ StateFile RecordedRun::state_file(StateFile::Kind kind, const State& state) cons
   if (kind == StateFile::Kind::checkpoint) {
     file.file_meshes = file_meshes_of(world());
     file.plugins = plugin_checksums();
+    file.files = files_;
   }
   file.state = state;
   return file;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fstream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,7 @@ class RecordedRun {
   std::optional<Watch> watch_;
   std::optional<Gradients> gradients_;  // if the experiment asks for any
   std::optional<ProbesCsv> gradients_csv_;
+  std::map<std::string, std::string> files_;  // that the scene reads, with their digests when it did
   RunFolder folder_;
   std::optional<StateFile> checkpoint_;  // that the run goes on from
   std::ofstream log_;

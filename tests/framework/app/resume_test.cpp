@@ -273,6 +273,35 @@ TEST_CASE("a run is not resumed with another mesh or from a damaged checkpoint")
   CHECK(run(folder.path(), {"--resume", "--steps", "1"}).exit_code == 0);
 }
 
+// A law's table and a measured curve: a run goes on with the files that it began with, or not at all.
+TEST_CASE("a run is not resumed once a file that its scene reads has changed") {
+  const TemporaryFolder folder;
+  const auto law = [](int peak) { return fmt::format("gap [mm],traction [kPa]\n0,0\n0.5,{}\n1,{}\n2,0\n", 0.5 * peak, peak); };
+  const auto measured = [](double height) { return fmt::format("time [s],height [m]\n0,{0}\n0.1,{0}\n", height); };
+  std::string text = scene_text();
+  text.replace(text.find("{type: fang, critical_strain: 0.001}"), 36, "{type: table, file: law.csv}");
+  write_file(folder.path() / "scene.yaml", text);
+  const std::map<std::string, std::array<std::string, 2>> files = {{"law.csv", {law(1), law(3)}}, {"measured.csv", {measured(0.1), measured(0.2)}}};
+  for (const auto& [name, contents] : files) write_file(folder.path() / name, contents[0]);
+  const auto go = [&](Arguments options) {
+    options.insert(options.begin(), {"run", "scene.yaml", "-q"});
+    options.insert(options.end(), {"--set", "expect=[{probe: height, statistic: deviation, along: time, at_most: 10, follows: {file: measured.csv, x_column: time, y_column: height}}]"});
+    return run_tack(folder.path(), options);
+  };
+  const ProgramResult begun = go({"--steps", "4"});
+  INFO(begun.out << begun.err);
+  REQUIRE(begun.exit_code == 0);
+  for (const auto& [name, contents] : files) {
+    write_file(folder.path() / name, contents[1]);
+    const ProgramResult refused = go({"--resume"});
+    INFO(refused.out << refused.err);
+    CHECK(refused.exit_code == 2);
+    CHECK(contains(refused.err, (folder.path() / name).string() + "' has changed since that run read it; resume with the file as it was"));
+    write_file(folder.path() / name, contents[0]);
+  }
+  CHECK(go({"--resume"}).exit_code == 0);
+}
+
 TEST_CASE("intervals of output far below the time step take no time") {
   const TemporaryFolder folder;
   write_file(folder.path() / "scene.yaml", scene_text());
