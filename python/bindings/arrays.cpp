@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 
 namespace tack::python {
 
@@ -12,6 +13,26 @@ namespace {
 std::vector<py::ssize_t> shape_of(Eigen::Index size, int columns) {
   if (columns == 0) return {size};
   return {size / columns, columns};
+}
+
+// Complex numbers, masks, texts and truth values would be turned into numbers silently.
+py::array real_array(const Numbers& numbers, const std::string& what) {
+  if (py::isinstance(numbers, py::module_::import("numpy.ma").attr("MaskedArray")))
+    throw py::type_error(what + ": a masked array is given, and every number counts; give what `filled` makes of it");
+  const py::array given = py::array::ensure(numbers);
+  if (!given) throw py::type_error(what + ": no array of numbers is given");
+  if (const char kind = given.dtype().kind(); std::string_view("fiu").find(kind) == std::string_view::npos)
+    throw py::type_error(fmt::format("{}: an array of {} is given, and real numbers are needed{}", what, py::str(given.dtype()).cast<std::string>(),
+                                     kind == 'c' ? "; give its `real`" : ""));
+  return given;
+}
+
+void check_shape(const py::array& given, Eigen::Index size, const std::string& what) {
+  const bool flat = given.ndim() == 1 && given.shape(0) == size;
+  const bool by_vertex = given.ndim() == 2 && given.shape(1) == 3 && 3 * given.shape(0) == size;
+  if (flat || by_vertex) return;
+  const std::string shape = py::str(given.attr("shape")).cast<std::string>();
+  throw py::value_error(fmt::format("{}: an array of shape {} is given where {} is needed", what, shape, size % 3 == 0 ? fmt::format("({}, 3) or ({},)", size / 3, size) : fmt::format("({},)", size)));
 }
 
 }  // namespace
@@ -27,8 +48,11 @@ py::array view(const std::shared_ptr<const VecX>& values, int columns) {
 py::array copy(const VecX& values, int columns) { return py::array_t<double>(shape_of(values.size(), columns), values.data()); }
 
 VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& what) {
-  if (numbers.size() != size) throw py::value_error(fmt::format("{}: {} numbers are given where there are {}", what, numbers.size(), size));
-  const VecX values = Eigen::Map<const VecX>(numbers.data(), size);
+  const py::array given = real_array(numbers, what);
+  check_shape(given, size, what);
+  const auto rows = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!rows) throw py::error_already_set();
+  const VecX values = Eigen::Map<const VecX>(rows.data(), size);
   for (Eigen::Index i = 0; i < size; ++i)
     if (!std::isfinite(values(i))) throw py::value_error(fmt::format("{}: number {} is {}", what, i, values(i)));
   return values;

@@ -14,7 +14,7 @@
 namespace tack::python {
 
 namespace py = pybind11;
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Numbers = py::object;  // an array of numbers, or nested lists of them, as a caller gave it: vector_of() checks it
 
 // All of it as (size / columns, columns), or flat where columns is 0: memory of the vector itself, which lives as long as the array does. Not writable.
 py::array view(const std::shared_ptr<const VecX>& values, int columns);
@@ -22,7 +22,8 @@ py::array view(const std::shared_ptr<const VecX>& values, int columns);
 // Copies, of the same shapes.
 py::array copy(const VecX& values, int columns);
 
-// Flat, of any shape. Throws ValueError unless there are `size` numbers, all finite; `what`: "positions".
+// Flat, from an array that is flat, (size), or (size / 3, 3): another shape of as many numbers would scramble them. Throws TypeError for
+// what is no array of real numbers, or a masked one, and ValueError for another shape and for numbers that are not finite; `what`: "positions".
 VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& what);
 
 // (n, K) of whole numbers.

@@ -229,6 +229,41 @@ class Arrays(unittest.TestCase):
             with self.assertRaises(ValueError):
                 sim.x = wrong
 
+    def test_arrays_of_another_kind_or_shape_are_refused(self):
+        sim = tack.Simulation(falling)
+        problem = sim.problem()
+        takes = {
+            "x": lambda a: setattr(sim, "x", a),
+            "v": lambda a: setattr(sim, "v", a),
+            "q": lambda a: sim.problem().value(a),
+            "p": lambda a: sim.problem().feasible_step(problem.start, a),
+            "g": lambda a: sim.problem().stopping_norm(a, a),
+        }
+        x = sim.x.copy()
+        n = len(x)
+        self.assertEqual(problem.size, 3 * n)
+        shapes = {"transposed": x.T, "a copy of that": np.ascontiguousarray(x.T), "(1, n, 3)": x[None], "(3 n, 1)": x.reshape(-1, 1), "(n, 3, 1)": x[:, :, None],
+                  "(n + 1, 3)": np.vstack([x, x[:1]]), "one number": 1.0, "nothing": []}
+        kinds = {"complex": x + 0j, "masked": np.ma.masked_array(x, mask=x > 0), "texts": x.astype(str), "truth": x > 0, "objects": x.astype(object), "None": None, "ragged": [[1], [1, 2]]}
+        right = {"as it is": x, "flat": x.ravel(), "by columns": np.asfortranarray(x), "list": x.tolist(), "float32": x.astype("f4").astype("f8"), "big endian": x.astype(">f8"),
+                 "strided": np.repeat(x, 2, axis=0)[::2]}
+        for name, take in takes.items():
+            for label, wrong in shapes.items():
+                with self.subTest(name=name, label=label), self.assertRaisesRegex(ValueError, f"shape .* where \\({n}, 3\\) or \\({3 * n},\\) is needed"):
+                    take(wrong)
+            for label, wrong in kinds.items():
+                if name in "xv" and wrong is None:
+                    continue  # stays as it is
+                with self.subTest(name=name, label=label), self.assertRaises(TypeError):
+                    take(wrong)
+            np.testing.assert_array_equal(sim.x, x)
+            np.testing.assert_array_equal(sim.v, 0 * x)
+        for label, same in right.items():
+            with self.subTest(label=label):
+                sim.v = same
+                np.testing.assert_allclose(sim.v, x, rtol=1e-6)
+                sim.problem().value(same)
+
     def test_what_intersects_is_refused(self):
         sim = tack.Simulation(blocks, set=small)
         x = sim.x.copy()
@@ -340,7 +375,25 @@ class Laws(unittest.TestCase):
             self.assertAlmostEqual(peaks[0] / (300 * area), 1, delta=0.01)
             self.assertAlmostEqual(peaks[1] / peaks[0], 2, delta=0.02)
 
+    def test_laws_have_files_of_their_own(self):
+        before = pathlib.Path.cwd()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                os.chdir(folder)
+                weak, strong = (tack.law(lambda gap: peak * np.exp(-gap / 1e-3), reach=1e-2, rows=20, cut=True) for peak in (1e3, 2e3))
+                again = tack.law(lambda gap: 1e3 * np.exp(-gap / 1e-3), reach=1e-2, rows=20, cut=True)
+                self.assertNotEqual(weak["file"], strong["file"])
+                self.assertEqual(weak, again)
+                self.assertEqual(np.loadtxt(weak["file"], delimiter=",", skiprows=1)[0, 1], 1e3)
+                self.assertEqual(np.loadtxt(strong["file"], delimiter=",", skiprows=1)[0, 1], 2e3)
+                self.assertEqual(len(list(pathlib.Path(folder).iterdir())), 2)
+            finally:
+                os.chdir(before)
+
     def test_what_is_no_law(self):
+        for wrong, said in (({"reach": 0}, "positive length"), ({"reach": -1}, "positive length"), ({"reach": 1, "rows": 1}, "at least")):
+            with self.assertRaisesRegex(ValueError, said):
+                tack.law(lambda gap: 0 * gap, **wrong)
         with tempfile.TemporaryDirectory() as folder:
             with self.assertRaisesRegex(ValueError, "gap of 0 m is not a finite number"):
                 with np.errstate(divide="ignore"):
