@@ -9,6 +9,7 @@
 
 #include "framework/body/chosen_vertices.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/mesh/nesting.hpp"
 
 namespace tack {
 namespace {
@@ -148,12 +149,17 @@ ChamberSurface chamber_surface(const std::vector<ChamberPart>& parts, const VecX
     const std::string what = error.what();
     throw what.starts_with(who) ? InputError(what) : InputError(fmt::format("{}: {}", who, what));
   }
-  // Each piece by itself: one may lie within another.
+  // One piece may lie within another, and is then the inner boundary of what they enclose.
   const std::vector<int> pieces = parts_of(all);
+  const std::vector<int> around = enclosing_windings(all, pieces, [&](int v) -> Vec3 { return vertex(rest, v); });
   std::vector<Triangle> turned_out;
   for (int p = 0; p < count_of(pieces); ++p) {
     std::vector<Triangle> piece = of_part(all, pieces, p);
-    if (sense(piece, faces, who) < 0) piece = turned(std::move(piece));
+    const bool inner = around[p] % 2 != 0;
+    const int given = sense(piece, faces, who);
+    if (inner && given > 0)
+      throw InputError(fmt::format("{}: a cavity lies within another part of its surface, and would count twice; choose one of them", who));
+    if (inner || given < 0) piece = turned(std::move(piece));
     turned_out.insert(turned_out.end(), piece.begin(), piece.end());
   }
   const OrientedSurface surface(turned_out);

@@ -5,6 +5,8 @@
 #include <map>
 
 #include "geometry/errors.hpp"
+#include "geometry/mesh/nesting.hpp"
+#include "geometry/mesh/oriented_surface.hpp"
 
 namespace tack {
 namespace {
@@ -40,6 +42,29 @@ void check_closed(const std::vector<Triangle>& triangles) {
                                    "close it, or give tets", edge[0], edge[1]));
 }
 
+// Space counts once: a part within another is a cavity, and only a part within a cavity faces outwards again.
+void check_nesting(const Mesh& mesh) {
+  const std::vector<int> part = parts_of(mesh.triangles);
+  const auto at = [&](int v) { return mesh.vertices[v]; };
+  const std::vector<int> around = enclosing_windings(mesh.triangles, part, at);
+  if (around.size() < 2) return;
+  std::vector<double> volume(around.size(), 0);
+  std::vector<int> first(around.size(), -1);
+  for (size_t t = 0; t < part.size(); ++t) {
+    int& vertex = first[part[t]];
+    if (vertex < 0) vertex = mesh.triangles[t][0];
+    const auto x = [&](int k) { return Vec3(at(mesh.triangles[t][k]) - at(vertex)); };
+    volume[part[t]] += x(0).dot(x(1).cross(x(2)));
+  }
+  for (size_t p = 0; p < around.size(); ++p) {
+    const bool outwards = volume[p] > 0;
+    if (around[p] == (outwards ? 0 : 1)) continue;
+    throw InputError(outwards ? fmt::format("has a closed surface within another, that of its vertex {}, and what is within both would count twice; take it out, or "
+                                            "turn its triangles inwards if it is a cavity", first[p])
+                              : fmt::format("has a closed surface that faces inwards and bounds no cavity, that of its vertex {}; turn its triangles outwards", first[p]));
+  }
+}
+
 }  // namespace
 
 MassProperties mass_properties(const Mesh& mesh) {
@@ -54,6 +79,7 @@ MassProperties mass_properties(const Mesh& mesh) {
     for (const Triangle& t : mesh.triangles) sums.add(Vec3::Zero(), x(t[0]), x(t[1]), x(t[2]));
     if (!(sums.volume > 0))
       throw InputError(fmt::format("its surface encloses {:.3g} m^3; turn its triangles outwards", sums.volume));
+    check_nesting(mesh);
   }
   const Vec3 centroid = sums.first / sums.volume;
   return {sums.volume, near + centroid, sums.second - sums.volume * centroid * centroid.transpose()};

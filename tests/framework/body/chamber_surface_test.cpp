@@ -1,0 +1,51 @@
+#include "framework/body/chamber_surface.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "geometry/errors.hpp"
+#include "geometry/mesh/oriented_surface.hpp"
+#include "geometry/mesh/surface.hpp"
+#include "geometry/shapes/solids.hpp"
+
+using namespace tack;
+
+namespace {
+
+// The surface of a cube around the origin, its vertices behind those that are there.
+std::vector<Triangle> cube(double edge, VecX& rest) {
+  const Mesh solid = box_tets(Vec3::Constant(edge), {1, 1, 1});
+  const int first = static_cast<int>(rest.size() / 3);
+  rest.conservativeResize(rest.size() + 3 * static_cast<Eigen::Index>(solid.vertices.size()));
+  for (size_t v = 0; v < solid.vertices.size(); ++v) vertex(rest, first + static_cast<int>(v)) = solid.vertices[v];
+  std::vector<Triangle> triangles = extract_surface(solid).triangles;
+  for (Triangle& t : triangles) t = {t[0] + first, t[1] + first, t[2] + first};
+  return triangles;
+}
+
+std::vector<Triangle> turned(std::vector<Triangle> triangles) {
+  for (Triangle& t : triangles) std::swap(t[1], t[2]);
+  return triangles;
+}
+
+double volume(const std::vector<ChamberPart>& parts, const VecX& rest) {
+  return OrientedSurface(chamber_surface(parts, rest, "chamber 'air'").triangles).volume(rest, Vec3::Zero());
+}
+
+}  // namespace
+
+// Sheets may face either way; the faces of solids lead out of what is between.
+TEST_CASE("a chamber encloses the space between surfaces that lie within each other", "[loads]") {
+  VecX rest;
+  const auto outer = cube(1, rest), inner = cube(0.5, rest), innermost = cube(0.2, rest);
+  for (const bool turn : {false, true}) {
+    INFO(turn);
+    const ChamberPart balloon{outer, false}, within{turn ? turned(inner) : inner, false}, core{turn ? turned(innermost) : innermost, false};
+    CHECK(volume({balloon}, rest) == Approx(1).epsilon(1e-12));
+    CHECK(volume({balloon, within}, rest) == Approx(0.875).epsilon(1e-12));
+    CHECK(volume({within, balloon, core}, rest) == Approx(0.883).epsilon(1e-12));
+  }
+  // A solid in a balloon: its surface, of which the normals lead out of the chamber.
+  CHECK(volume({{outer, false}, {turned(inner), true}}, rest) == Approx(0.875).epsilon(1e-12));
+  // With a cavity in it, which is another chamber.
+  CHECK_THROWS_WITH(volume({{outer, false}, {inner, true}}, rest), Catch::Contains("a cavity lies within another part of its surface, and would count twice"));
+}
