@@ -135,9 +135,16 @@ Assembler::Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseCl
   number_parts();
 }
 
-void Assembler::add_linear(const VecX& x, double scale, VecX& gradient) const {
+void Assembler::add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const {
   VecX full = VecX::Zero(x.size());
-  for (const Term* term : terms_) term->add_linear_gradient(full);
+  double scale = scales.body;  // of `full`
+  for (const Term* term : terms_) {
+    if (const double own = scales.of(*term); own != scale) {
+      full *= scale / own;
+      scale = own;
+    }
+    term->add_linear_gradient(full);
+  }
   dofs_.collect(full);
   for (int b = 0; b < dofs_.block_count(); ++b)
     gradient.segment<3>(3 * b) += scale * vertex(full, dofs_.vertex_of_block(b));
@@ -173,7 +180,7 @@ void Assembler::add_gradient(const VecX& x, const TermScales& scales, VecX& grad
     group->reduced.reduce(group->gradient_slots.data(), nullptr);
     group->gather_gradient(group == &dynamic_ ? scales.contact : scales.body, gradient);
   }
-  add_linear(x, scales.body, gradient);
+  add_linear(x, scales, gradient);
   take_held_directions_out(gradient);
 }
 
@@ -290,7 +297,7 @@ void Assembler::assemble(const VecX& x, const TermScales& scales, const HessianR
   ranged_sums_.gather(scales.body, ranged_positions_, matrix);
   static_.gather_hessian(scales.body, static_positions_, matrix);
   if (!request.without_dynamic) dynamic_.gather_hessian(scales.contact, dynamic_positions, matrix);
-  add_linear(x, scales.body, gradient);
+  add_linear(x, scales, gradient);
   take_held_directions_out(gradient);
   take_held_directions_out(matrix);
   gather_modes(x, scales, request, matrix.modes);

@@ -61,7 +61,7 @@ class Assembler {
   void evaluate_ranged(const VecX& x, const HessianRequest& request);
   void number_parts();
   void locate_static_blocks();
-  void add_linear(const VecX& x, double scale, VecX& gradient) const;
+  void add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const;
   void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request, GlobalModes& modes) const;
   void take_held_directions_out(VecX& gradient) const;
   void take_held_directions_out(BlockMatrix& matrix) const;

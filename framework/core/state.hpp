@@ -23,7 +23,7 @@ struct State {
   double h_before = 0;  // s; 0: there is none
   double acted_before = 0;  // for how long contact and friction acted on velocities in it [s]; 0: not known
 
-  // Accelerations by contact and friction, now and in the step before (3n) [m/s^2]; empty: not followed.
+  // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty: not followed.
   VecX contact, contact_before;
 
   History history;

@@ -219,7 +219,9 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   EnergyAtPlay::move(end.at_play.contact, end.contact - start_.contact);
   EnergyAtPlay::move(end.at_play.gravity, end.gravity - start_.gravity);
   EnergyAtPlay::move(end.at_play.work, flows.loads + flows.script - released_);
-  flows.in_contact = start_.contact != 0 || end.contact != 0;
+  flows.in_contact = start_.contact != 0 || std::any_of(energies.begin(), energies.end(), [](const NamedEnergy& e) {
+    return (e.kind == EnergyKind::contact || e.kind == EnergyKind::between_objects) && e.value != 0;
+  });
   flows.jerk = jerk_;
   flows.noise = solver_noise();
   flows.at_play = end.at_play.most();

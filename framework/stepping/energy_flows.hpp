@@ -28,7 +28,7 @@ struct EnergyFlows {
   double noise = 0;    // what the solver's tolerance may change it by
   double at_play = 0;  // the most that has moved in the run so far (core/energy_at_play.hpp)
   double moving = 0;   // its kinetic part
-  bool in_contact = false;  // whether anything was in contact at its start or end
+  bool in_contact = false;  // whether anything was in contact at its start or end, or stored between objects at its end
   bool damped = false;      // done again by the integrator's fallback, because energy would have grown
   bool refined = false;     // smaller than the scene's step, because a larger one made or lost energy
   bool gained = false;      // energy has grown noticeably, and nothing put it in

@@ -5,6 +5,7 @@
 namespace tack {
 namespace {
 
+// Contact stands for all dynamic terms here: friction, bonds and those of plugins are followed as it is (State::contact).
 // Contact is smooth while its accelerations change by less than a part of the largest in a step: from there
 // on Newmark's correction is gone, and BDF2 forgets its history.
 constexpr double newmark_change = 0.25, bdf2_change = 0.25;
@@ -105,7 +106,7 @@ class Bdf2 : public TimeIntegrator {
   ImplicitEuler euler_;
 };
 
-// Newmark with beta = 1/4, gamma = 1/2: second order, no numerical damping. Contact and friction act as an
+// Newmark with beta = 1/4, gamma = 1/2: second order, no numerical damping. Dynamic terms act as an
 // impulse h c in the middle of the step, c their accelerations at its end (Kane, Repetto, Ortiz and
 // Marsden 1999), a_i those of the rest:
 //     x' = x + h v + h^2/4 (a_i + a_i') + h^2/2 (c' + s),    v' = v + h/2 (a_i + a_i') + h (c' + s),

@@ -1,6 +1,6 @@
 // Time integration as a minimisation: one step solves
 //     x* = argmin 1/2 |x - x~|_M^2 + beta h^2 P(x)      (the paper, eq. 1),
-// where contact and friction may have a factor of their own.
+// where dynamic terms (contact, friction, bonds, ...: Term::dynamic) may have a factor of their own.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ class TimeIntegrator : public Component {
   struct Prediction {
     VecX x;             // x~ (3n)
     double scale = 1;   // beta h^2 [s^2]; 1 when quasi-static
-    double contact_scale = scale;  // of contact and friction
+    double contact_scale = scale;  // of dynamic terms
     bool inertia = true;
     TermScales scales() const { return {scale, contact_scale}; }
   };

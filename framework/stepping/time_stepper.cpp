@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 
 #include "framework/affine/orthogonality_term.hpp"
 #include "framework/config/bind.hpp"
@@ -13,7 +14,6 @@
 #include "framework/load/following_load.hpp"
 #include "framework/scene/scene_config.hpp"
 #include "framework/stepping/time_config.hpp"
-#include "framework/world/consistent_mass.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 
@@ -55,6 +55,8 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   refined_ = state_.parts > 1 || state_.h_cap > 0;
   state_.adapts = time.adaptive.has_value();
   if (time.adaptive) control_.emplace(world, time);
+  if (time.integrator->follows_contact())
+    std::copy_if(world.terms.begin(), world.terms.end(), std::back_inserter(dynamic_terms_), [](const Term* term) { return term->dynamic(); });
   const Unlimited unlimited(clock_, time_);
   world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
@@ -81,56 +83,6 @@ void TimeStepper::hold(double h) {
   potential_.emplace(world_, clock_);
   if (world_.contact) world_.contact->set_free(held_.may_move() ? held_.moving() : std::vector<char>());
   set_accelerations(state_.time, held_.released());
-}
-
-// M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
-void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
-  if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
-  for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
-    term->begin_step({state_.x, t});
-  const EndVelocity now{1, state_.x - state_.v};
-  const StepStart moment{state_.x, t, 0, &now, &state_.v};
-  for (FollowingLoad* load : world_.following_loads) load->begin_step(moment);
-  for (const auto& term : world_.damping_terms) term->begin_step(moment);
-  for (const auto& term : world_.elastic_terms)
-    if (!term->stores()) term->begin_step(moment);
-  VecX q;
-  world_.dofs.gather(state_.x, q);
-  potential_->begin_step(state_.x, state_.x, {}, false);
-  potential_->move_to(q);
-  const VecX& gradient = potential_->gradient();
-  const VecX accelerations = accelerations_by(-gradient);
-  for (const int v : vertices) vertex(state_.a, v) = accelerations.segment<3>(3 * world_.dofs.block(v));
-  world_.dofs.follow(state_.a);
-  if (!time_.integrator->follows_contact() || !world_.contact) return;
-  const VecX contact = contact_accelerations(state_.x);
-  if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
-  for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
-  world_.dofs.follow(state_.contact);
-}
-
-// By forces on the unknowns. Joints couple their masses; without them the diagonal of W^T M W is what counts.
-VecX TimeStepper::accelerations_by(const VecX& force) const {
-  if (!world_.bindings.joints().empty()) return divide_by_mass(world_.dofs, world_.mass, force);
-  const VecX mass = world_.dofs.block_masses(world_.mass);
-  VecX a = VecX::Zero(force.size());
-  for (int b = 0; b < world_.dofs.block_count(); ++b)
-    if (mass(b) > 0) a.segment<3>(3 * b) = force.segment<3>(3 * b) / mass(b);
-  return a;
-}
-
-// Of what moves (3n), at x, where the contact system must be.
-VecX TimeStepper::contact_accelerations(const VecX& x) const {
-  const DofMap& dofs = world_.dofs;
-  VecX force = world_.contact_term->forces(x, LawPart::all);
-  if (world_.friction) force += world_.friction->forces(x, TangentialPart::all);
-  dofs.collect(force);
-  VecX of_blocks, a = VecX::Zero(force.size());
-  dofs.gather(force, of_blocks);
-  of_blocks = accelerations_by(of_blocks);
-  for (int b = 0; b < dofs.block_count(); ++b) vertex(a, dofs.vertex_of_block(b)) = of_blocks.segment<3>(3 * b);
-  dofs.follow(a);
-  return a;
 }
 
 double TimeStepper::next_step_size() const {
@@ -225,9 +177,9 @@ void TimeStepper::update_held_directions(const VecX& x, double h, VecX& v, VecX&
 
 void TimeStepper::commit(const VecX& x, double h) {
   VecX v, a, contact;
-  if (world_.contact && time_.integrator->follows_contact()) {
+  if (!dynamic_terms_.empty()) {
     world_.participants.move_to(x);
-    contact = contact_accelerations(x);
+    contact = dynamic_accelerations(x);
   }
   integrator_->update(state_, x, contact, h, v, a);
   integrator_->update_held(state_, x, h, held_.vertices(), v, a);
@@ -348,7 +300,10 @@ void TimeStepper::halve(double h, const Verdict& verdict) {
 bool TimeStepper::off_by_too_much(const Attempt& attempt, double h) {
   if (!control_) return false;
   VecX contact;
-  if (world_.contact && time_.integrator->follows_contact()) contact = contact_accelerations(attempt.x);
+  if (!dynamic_terms_.empty()) {
+    world_.participants.move_to(attempt.x);
+    contact = dynamic_accelerations(attempt.x);
+  }
   error_ = control_->measure(*integrator_, state_, attempt.x, contact, h);
   if (!control_->repeats(state_, h)) return false;
   ++repeats_;

@@ -80,7 +80,7 @@ class TimeStepper {
   void lag_impulses(Step& step);
   bool velocities_matter() const;
   VecX accelerations_by(const VecX& force) const;
-  VecX contact_accelerations(const VecX& x) const;
+  VecX dynamic_accelerations(const VecX& x) const;
   void update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const;
   StepReport report(const Attempt& attempt, double h) const;
   double smallest_refined() const;
@@ -109,6 +109,7 @@ class TimeStepper {
   std::optional<LaggedImpulses> impulses_;  // of friction; none if it does not lag by a step
   bool told_of_strain_ = false;
   std::optional<StepPotential> potential_;
+  std::vector<const Term*> dynamic_terms_;  // empty if the integrator does not follow their forces
   std::unique_ptr<Stepper> stepper_;
   std::optional<StepControl> control_;  // if steps adapt
   int halvings_ = 0, repeats_ = 0;      // of the present step: after failed solves, and for its error

@@ -8,10 +8,18 @@
 #include "framework/world/step_potential.hpp"
 
 namespace tack {
+namespace {
+
+// Whether rows and impulses stand for the term. Any other term, dynamic or not, acts linearised.
+bool has_rows(const World& world, const Term* term) {
+  return term == world.contact_term.get() || term == world.rim.get() || term == world.bonds.get() || term == world.friction.get();
+}
+
+}  // namespace
 
 LinearizedStep::LinearizedStep(World& world, PhaseClock& clock, LinearSolver& solver) : world_(world), clock_(clock), solver_(solver) {
   for (const Term* term : world.terms)
-    if (!term->dynamic() && term != world.rim.get()) terms_.push_back(term);
+    if (!has_rows(world, term)) terms_.push_back(term);
 }
 
 LinearizedStep::~LinearizedStep() = default;

@@ -1,0 +1,61 @@
+// Accelerations that no step has given: of states that begin, of vertices that are released, and those by dynamic terms.
+#include "framework/core/damping_terms.hpp"
+#include "framework/core/term_gradient.hpp"
+#include "framework/load/following_load.hpp"
+#include "framework/stepping/time_stepper.hpp"
+#include "framework/world/consistent_mass.hpp"
+
+namespace tack {
+
+// M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
+void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
+  if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
+  for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
+    term->begin_step({state_.x, t});
+  const EndVelocity now{1, state_.x - state_.v};
+  const StepStart moment{state_.x, t, 0, &now, &state_.v};
+  for (FollowingLoad* load : world_.following_loads) load->begin_step(moment);
+  for (const auto& term : world_.damping_terms) term->begin_step(moment);
+  for (const auto& term : world_.elastic_terms)
+    if (!term->stores()) term->begin_step(moment);
+  VecX q;
+  world_.dofs.gather(state_.x, q);
+  potential_->begin_step(state_.x, state_.x, {}, false);
+  potential_->move_to(q);
+  const VecX& gradient = potential_->gradient();
+  const VecX accelerations = accelerations_by(-gradient);
+  for (const int v : vertices) vertex(state_.a, v) = accelerations.segment<3>(3 * world_.dofs.block(v));
+  world_.dofs.follow(state_.a);
+  if (dynamic_terms_.empty()) return;
+  const VecX contact = dynamic_accelerations(state_.x);
+  if (state_.contact.size() == 0) state_.contact = VecX::Zero(contact.size());
+  for (const int v : vertices) vertex(state_.contact, v) = vertex(contact, v);
+  world_.dofs.follow(state_.contact);
+}
+
+// By forces on the unknowns. Joints couple their masses; without them the diagonal of W^T M W is what counts.
+VecX TimeStepper::accelerations_by(const VecX& force) const {
+  if (!world_.bindings.joints().empty()) return divide_by_mass(world_.dofs, world_.mass, force);
+  const VecX mass = world_.dofs.block_masses(world_.mass);
+  VecX a = VecX::Zero(force.size());
+  for (int b = 0; b < world_.dofs.block_count(); ++b)
+    if (mass(b) > 0) a.segment<3>(3 * b) = force.segment<3>(3 * b) / mass(b);
+  return a;
+}
+
+// Returns the accelerations of all moving vertices by the dynamic terms (3n), which must have been told of x (move_to).
+VecX TimeStepper::dynamic_accelerations(const VecX& x) const {
+  const DofMap& dofs = world_.dofs;
+  VecX force = VecX::Zero(x.size());
+  for (const Term* term : dynamic_terms_) add_term_gradient(*term, x, force);
+  force = -force;
+  dofs.collect(force);
+  VecX of_blocks, a = VecX::Zero(force.size());
+  dofs.gather(force, of_blocks);
+  of_blocks = accelerations_by(of_blocks);
+  for (int b = 0; b < dofs.block_count(); ++b) vertex(a, dofs.vertex_of_block(b)) = of_blocks.segment<3>(3 * b);
+  dofs.follow(a);
+  return a;
+}
+
+}  // namespace tack
