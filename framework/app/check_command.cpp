@@ -11,6 +11,7 @@
 #include "framework/checks/element_warnings.hpp"
 #include "framework/checks/law_check.hpp"
 #include "framework/checks/resolution.hpp"
+#include "framework/checks/round_friction.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/run/gradient_check.hpp"
@@ -101,6 +102,7 @@ int check_command(const CheckOptions& options) {
   for (const std::string& line : BentSolids(experiment, world).expected()) fmt::print("{}\n", line);
   for (const std::string& line : element_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
+  for (const std::string& line : round_friction_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
   const LawCheck laws = check_laws(world);
   for (const std::string& line : laws.notes) fmt::print("{}\n", line);

@@ -1,0 +1,116 @@
+#include "framework/checks/round_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "framework/contact/contact_system.hpp"
+#include "framework/scene/copied_lines.hpp"
+#include "framework/world/world.hpp"
+
+namespace tack {
+namespace {
+
+// Vertices that other vertices or motions lead throughout.
+std::set<int> led_vertices(const World& world) {
+  std::set<int> led;
+  for (const Dependence& d : world.bindings.lasting()) led.insert(d.vertex);
+  for (const Tie& tie : world.bindings.ties())
+    for (const Dependence& d : tie.dependences) led.insert(d.vertex);
+  for (int v = 0; v < world.mesh_vertex_count(); ++v)
+    if (!world.script.ever_free(v)) led.insert(v);
+  return led;
+}
+
+// The vertices of each connected component of the edges.
+std::vector<std::vector<int>> components_of(const std::vector<Edge>& edges) {
+  std::map<int, int> parent;
+  for (const auto& [a, b] : edges) parent[a] = a, parent[b] = b;
+  const auto root = [&](int v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const auto& [a, b] : edges) parent[root(a)] = root(b);
+  std::map<int, std::vector<int>> by_root;
+  for (const auto& [v, unused] : parent) by_root[root(v)].push_back(v);
+  std::vector<std::vector<int>> all;
+  for (auto& [unused, vertices] : by_root) all.push_back(std::move(vertices));
+  return all;
+}
+
+// The largest coefficient of friction of two objects, wherever they touch; 0 if they are in no contact.
+double friction_between(const PairTable& pairs, int a, int b) {
+  double mu = 0;
+  const auto take = [&](const PairRole& role) {
+    for (const int law : {role.law, role.guard_law})
+      if (law >= 0) mu = std::max(mu, pairs.tangential(law).mu);
+  };
+  for (int part = -1; part < pairs.parts(a, b); ++part) {
+    take(pairs.point(a, b, part));
+    take(pairs.point(b, a, part));
+    take(pairs.edge(a, b, part));
+    take(pairs.thin(a, b, part));
+  }
+  return mu;
+}
+
+class RoundFriction {
+ public:
+  RoundFriction(const SceneConfig& scene, const World& world) : scene_(scene), world_(world), led_(led_vertices(world)) {}
+
+  std::vector<std::string> lines() {
+    for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i) {
+      const Body& body = world_.bodies[i];
+      if (!body.movable) continue;
+      if (body.section && body.section->circular()) {
+        const auto rods = components_of(body.edges);
+        tell(i, "rod", static_cast<int>(std::count_if(rods.begin(), rods.end(), [&](const auto& rod) { return free(rod); })), rods.size() > 1);
+      }
+      if (body.radius > 0)
+        tell(i, "particle", static_cast<int>(std::count_if(body.points.begin(), body.points.end(), [&](int v) { return !led_.contains(v); })),
+             body.points.size() > 1);
+    }
+    return lines_.texts();
+  }
+
+ private:
+  bool free(const std::vector<int>& vertices) const {
+    return std::none_of(vertices.begin(), vertices.end(), [&](int v) { return led_.contains(v); });
+  }
+
+  // several: some of the object can touch others of it.
+  void tell(int i, const char* kind, int loose, bool several) {
+    if (loose == 0) return;
+    const PairTable& pairs = world_.contact->pairs();
+    double mu = 0;
+    int partner = -1;
+    for (int j = 0; j < pairs.objects(); ++j) {
+      if (j == i && !several) continue;
+      if (const double here = friction_between(pairs, i, j); here > mu) mu = here, partner = j;
+    }
+    if (partner < 0) return;
+    const std::string& name = world_.bodies[i].name;
+    lines_.tell(scene_.objects[i], kind,
+                fmt::format("the {}s of '{}' are round and can rub on '{}' (mu {:g}), and they slide without turning: on a slope they stick where they "
+                            "would roll; where that matters make '{}' a mesh of tets or an affine body, or set its friction to 0",
+                            kind, name, world_.bodies[partner].name, mu, name));
+  }
+
+  const SceneConfig& scene_;
+  const World& world_;
+  std::set<int> led_;
+  CopiedLines lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> round_friction_warnings(const SceneConfig& scene, const World& world) {
+  if (!world.contact || !world.friction) return {};
+  return RoundFriction(scene, world).lines();
+}
+
+}  // namespace tack

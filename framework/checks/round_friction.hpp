@@ -1,0 +1,22 @@
+// Warnings about friction of round things that do not turn. Friction of rods and particles acts on
+// their centre lines and centres: without a rotation of their own they stick on a slope where a
+// cylinder or a ball rolls. A warning names the object, what it can rub on, the coefficient of
+// friction and the remedy.
+//     A rod is meant if its section is circular and no vertex of its connected component is held
+// throughout or attached; a particle is meant if it is not held throughout or attached. Partners
+// are all objects that are in contact with it with mu > 0.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tack {
+
+struct SceneConfig;
+struct World;
+
+// One line for an object and kind (rods, particles); copies of an object share one
+// (copied_lines.hpp).
+std::vector<std::string> round_friction_warnings(const SceneConfig& scene, const World& world);
+
+}  // namespace tack
