@@ -4,6 +4,7 @@
 
 #include "framework/config/parse.hpp"
 #include "framework/config/units.hpp"
+#include "framework/config/written_number.hpp"
 #include "framework/core/phase_clock.hpp"
 #include "framework/output/probe_units.hpp"
 
@@ -34,7 +35,7 @@ Units column_units(const Experiment& experiment, const Value& resolved, const Va
   for (const auto& phase : phase_names) units[fmt::format("seconds_{}", phase)] = "s";
   for (const Variant::Shown& shown : variant.shown)
     if (const Value* value = shown.key.empty() ? nullptr : value_at(resolved, shown.key); value && value->is_scalar())
-      units[shown.column] = unit_in(value->comment);
+      if (const std::optional<WrittenNumber> written = written_number(value->text)) units[shown.column] = written->unit.empty() ? unit_in(value->comment) : written->unit;
   Units probes = probe_units(experiment.probes);
   probes["time"] = "s";
   for (const BatchStatistic& s : statistics) units[s.column()] = unit_of(s.resolved(), probes);

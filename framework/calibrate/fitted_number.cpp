@@ -71,6 +71,7 @@ std::vector<FittedNumber> fitted_numbers(const CalibrateConfig& config) {
     FittedNumber n;
     n.name = fit.as.empty() ? short_name(key, config) : fit.as;
     n.keys = keys_of(key, fit, config.experiments);
+    n.units.resize(n.keys.size());
     n.from = fit.from->si;
     n.to = fit.to->si;
     n.log = fit.scale == FitScale::log || (fit.scale == FitScale::automatic && n.from > 0);

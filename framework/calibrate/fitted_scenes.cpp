@@ -7,6 +7,7 @@
 #include "framework/calibrate/run_gradients.hpp"
 #include "framework/config/parse.hpp"
 #include "framework/config/words.hpp"
+#include "framework/config/written_number.hpp"
 #include "geometry/checksum.hpp"
 #include "framework/sensitivity/gradients.hpp"
 #include "geometry/errors.hpp"
@@ -27,14 +28,12 @@ Variant::Setting without_frames() { return setting("output.frames", "false", "th
 
 std::string number_text(double value) { return fmt::format("{:.6g}", value); }
 
-bool is_number(const Value* value) {
-  if (!value || !value->is_scalar()) return false;
-  try {
-    to_si(value->text, units::any);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
+std::optional<WrittenNumber> number_of(const Value* value) { return value && value->is_scalar() ? written_number(value->text) : std::nullopt; }
+
+// Of a parameter, whose unit the scene has in base units: as the range of the fit has it, "Pa" of "50 kPa", if it does.
+std::string named_unit(const std::string& unit, const std::optional<Quantity>& bound) {
+  const std::optional<WrittenNumber> written = bound ? written_number(bound->written) : std::nullopt;
+  return written && base_dimension(written->unit) == base_dimension(unit) ? written->unit : unit;
 }
 
 // "Pa" of the comment of a number, of one that may change with time "[s, Pa]".
@@ -99,15 +98,17 @@ void FittedScenes::check_keys(int experiment, const Value& resolved, const Calib
         throw InputError(fmt::format("fit '{}': the scene has no key '{}'{}; if only another experiment has it, say which one: keys: {{NAME: {}}}", name, key,
                                      part.empty() ? "" : fmt::format(" (it has '{}')", part), key));
       }
-      if (!is_number(value)) throw InputError(fmt::format("fit '{}': '{}' is {}, and not a number", name, key, value->description()));
-      const std::string unit = unit_in(value->comment);
+      const std::optional<WrittenNumber> written = number_of(value);
+      if (!written) throw InputError(fmt::format("fit '{}': '{}' is {}, and not a number", name, key, value->description()));
+      n.units[static_cast<size_t>(experiment)].push_back(written->unit);
+      const std::string unit = written->unit.empty() ? unit_in(value->comment) : named_unit(written->unit, range.from);
       for (const auto& [what, bound] : {std::pair("from", range.from), std::pair("to", range.to), std::pair("start", range.start)}) try {
           if (bound) bound->check(Unit{unit, "number"});
         } catch (const InputError& error) {
           throw InputError(fmt::format("fit '{}': {}: {}", name, what, error.what()));
         }
       if (n.unit.empty()) n.unit = unit;
-      if (n.unit != unit) throw InputError(fmt::format("fit '{}': '{}' is in {}, another of its keys in {}", name, key, unit, n.unit));
+      if (base_dimension(n.unit) != base_dimension(unit)) throw InputError(fmt::format("fit '{}': '{}' is in {}, another of its keys in {}", name, key, unit, n.unit));
     }
   }
 }
@@ -115,8 +116,11 @@ void FittedScenes::check_keys(int experiment, const Value& resolved, const Calib
 std::vector<Variant::Setting> FittedScenes::settings(int run, const Point& values) const {
   std::vector<Variant::Setting> set;
   const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
-  for (size_t i = 0; i < numbers_.size(); ++i)
-    for (const std::string& key : numbers_[i].keys[experiment]) set.push_back(setting(key, number_text(values[i]), fmt::format("fit '{}'", numbers_[i].name)));
+  for (size_t i = 0; i < numbers_.size(); ++i) {
+    const std::vector<std::string>&keys = numbers_[i].keys[experiment], &units = numbers_[i].units[experiment];
+    for (size_t k = 0; k < keys.size(); ++k)
+      set.push_back(setting(keys[k], number_text(values[i]) + (units[k].empty() ? "" : " " + units[k]), fmt::format("fit '{}'", numbers_[i].name)));
+  }
   return set;
 }
 
@@ -127,8 +131,8 @@ ResolvedCase FittedScenes::resolved(int run, const Point& values, const std::vec
   const size_t experiment = static_cast<size_t>(scenes_[static_cast<size_t>(run)].experiment);
   for (size_t i = 0; i < numbers_.size(); ++i)
     for (const std::string& key : numbers_[i].keys[experiment]) {
-      const Value* taken = value_at(made.resolved, key);
-      if (!is_number(taken) || six_digits(to_si(taken->text, units::any)) != six_digits(values[i]))
+      const std::optional<WrittenNumber> taken = number_of(value_at(made.resolved, key));
+      if (!taken || six_digits(taken->si) != six_digits(values[i]))
         throw InputError(fmt::format("fit '{}': the scene does not take {} for '{}'", numbers_[i].name, number_text(values[i]), key));
     }
   return made;

@@ -9,6 +9,7 @@
 #include "framework/config/parse.hpp"
 #include "framework/config/reader.hpp"
 #include "framework/config/words.hpp"
+#include "framework/config/written_number.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -120,7 +121,10 @@ Field& Fields::quantities(std::string key, std::map<std::string, Quantity>& targ
   };
   const auto write = [&target] {
     Value named = Value::map();
-    for (const auto& [name, quantity] : target) named.set(name, Value::number(quantity.si));
+    for (const auto& [name, quantity] : target) {
+      Value& value = named.set(name, Value::number(quantity.si));
+      if (const std::optional<WrittenNumber> written = written_number(quantity.written)) value.comment = written->unit;
+    }
     return named;
   };
   Shape shape = list_shape(simple_shape(Form::number, units::any));

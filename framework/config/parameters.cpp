@@ -12,6 +12,7 @@
 #include "framework/config/formula.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/config/units.hpp"
+#include "framework/config/written_number.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -45,7 +46,7 @@ struct Piece {
   std::string unit = "";
 };
 
-// The unit behind a number, up to where it ends: "mm", "m/s^2", "kg/m^3", "%". A name that is known ends it, as it is divided by: "4 mm / width".
+// The unit behind a number, up to where it ends: "mm", "m/s^2", "kg m^-1 s^-2", "%". A known name behind a slash ends it, as it is divided by: "4 mm / width".
 template <class Known>
 size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
   size_t start = at;
@@ -67,15 +68,16 @@ size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
     if (to > from) end = to;
   };
   exponent();
-  // What follows behind a slash, a point or a space is of the unit unless it is a parameter.
+  // What follows behind a point or a space is of the unit, as no expression has a name there; behind a slash unless it is a parameter.
   for (;;) {
     size_t from = end;
     while (from < text.size() && text[from] == ' ') ++from;
-    if (from < text.size() && (text[from] == '/' || text[from] == '.')) ++from;
+    const bool divides = from < text.size() && text[from] == '/';
+    if (divides || (from < text.size() && text[from] == '.')) ++from;
     else if (from == end) return end;
     while (from < text.size() && text[from] == ' ') ++from;
     const size_t next = word(from);
-    if (next == from || known(text.substr(from, end_of_name(text, from) - from)) || (next < text.size() && text[next] == '(')) return end;
+    if (next == from || (divides && known(text.substr(from, end_of_name(text, from) - from))) || (next < text.size() && text[next] == '(')) return end;
     end = next;
     exponent();
   }
@@ -140,6 +142,8 @@ bool Parameters::named_in(const std::string& text) const {
 }
 
 Parameters::Number Parameters::number_of(const std::string& expression) const {
+  // A number with its unit is one whatever parameters are called.
+  if (const std::optional<WrittenNumber> written = written_number(expression)) return {written->si, base_dimension(written->unit)};
   const auto known = [this](const std::string& name) { return numbers_.contains(name); };
   std::string text;
   std::vector<std::string> variables;
@@ -241,8 +245,9 @@ void Parameters::settle(const Written& written, const std::string& name, std::ve
                                  open.end() - first > 1 ? "one of them" : "it"));
   open.push_back(name);
   const auto known = [&](const std::string& other) { return written.contains(other); };
-  for (const Piece& piece : pieces_of(value.text, known))
-    if (piece.kind == Piece::name && known(piece.text)) settle(written, piece.text, open);
+  if (!written_number(value.text))
+    for (const Piece& piece : pieces_of(value.text, known))
+      if (piece.kind == Piece::name && known(piece.text)) settle(written, piece.text, open);
   open.pop_back();
   try {
     numbers_[name] = number_of(value.text);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "framework/config/parse.hpp"
+#include "framework/config/written_number.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -23,7 +23,16 @@ bool same_meshes(const World& a, const World& b) {
   return true;
 }
 
-constexpr std::string_view parameters = "parameters.";
+// As the resolved scene has it.
+WrittenNumber number_at(const BuiltExperiment& run, const std::string& key) {
+  const Value resolved = to_value(fields_of(run.experiment()));
+  const Value* value = value_at(resolved, key);
+  if (!value) refuse(key, "is no key of the scene; scene.yaml of its results has all of them");
+  if (value->is_null()) refuse(key, "has no value in the scene; give it one, or take the key that it follows from");
+  const std::optional<WrittenNumber> number = value->is_scalar() ? written_number(value->text) : std::nullopt;
+  if (!number) refuse(key, fmt::format("is {} and no number", value->description()));
+  return *number;
+}
 
 }  // namespace
 
@@ -32,26 +41,13 @@ double scene_number(const BuiltExperiment& run, const std::string& key) {
   const std::string top = key.substr(0, key.find('.'));
   if (std::find(fixed.begin(), fixed.end(), top) != fixed.end())
     refuse(key, "is a key of the run and not of what is simulated: probes are differentiated by numbers of objects and contact");
-  const Value resolved = to_value(fields_of(run.experiment()));
-  const Value* value = value_at(resolved, key);
-  if (!value) refuse(key, "is no key of the scene; scene.yaml of its results has all of them");
-  if (value->is_null()) refuse(key, "has no value in the scene; give it one, or take the key that it follows from");
-  if (key.starts_with(parameters) && value->is_scalar()) return to_si(value->text, units::any);
-  double number = 0;
-  const char* end = value->text.data() + value->text.size();
-  const auto [stop, status] = std::from_chars(value->text.data(), end, number);
-  if (!value->is_scalar() || status != std::errc() || stop != end) refuse(key, fmt::format("is {} and no number", value->description()));
-  return number;
+  return number_at(run, key).si;
 }
 
 LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, double value) {
-  Value root = run.root(), number = Value::number(value), none = Value::sequence();
+  // With its unit, which expressions of a parameter follow.
+  Value root = run.root(), number = Value::scalar(number_at(run, key).text_of(value)), none = Value::sequence();
   none.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
-  // Expressions follow the units of what they name.
-  if (key.starts_with(parameters)) {
-    const Parameters all = Parameters::of(root);
-    number = Value::scalar(all.like(key.substr(parameters.size()), value));
-  }
   number.mark.file = std::make_shared<const std::string>("output.gradients: " + key);
   set_at(root, key, std::move(number));
   set_at(root, "output.gradients", std::move(none));

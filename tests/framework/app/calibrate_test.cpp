@@ -130,6 +130,32 @@ TEST_CASE("a calibration that is killed and called again repeats no run that was
   CHECK(file_text(place.path / "parts/evaluations.csv") == file_text(place.path / "whole/evaluations.csv"));
 }
 
+// Which expressions of them need, and tables say.
+TEST_CASE("parameters of a scene and of its laws are fitted in their units", "[calibrate]") {
+  const std::string pull = file_text(shipped / "pull.yaml");
+  const std::string law = "adhesion: {type: bilinear, peak_traction: 10 kPa, work_of_adhesion: 1 J/m^2}";
+  const auto fit = [](const std::string& key) {
+    return replaced(replaced(pull_fit("", "{design: 2, chains: 1, evaluations: 4}"), (shipped / "pull.yaml").string(), "scene.yaml"), "contact.pairs.0.adhesion.peak_traction", key);
+  };
+  const Place place(fit("peak"));
+  write_file(place.path / "scene.yaml", replaced(pull, law, "adhesion: {type: bilinear, peak_traction: 0.5 * peak + s, work_of_adhesion: 1 J/m^2}") +
+                                            "parameters: {peak: 10 kPa, s: 5 kPa}\n");
+  const ProgramResult found = place.run({"-o", "found"});
+  INFO(found.out << found.err);
+  REQUIRE(found.exit_code == 0);
+  CHECK(contains(file_text(place.path / "found/calibration.csv"), "strength,Pa,"));
+  CHECK(contains(file_text(place.path / "found/scenes/pull.yaml"), "kg m^-1 s^-2"));
+
+  write_file(place.path / "scene.yaml", replaced(replaced(replaced(pull, "      bond_distance: 1.1 mm\n", ""), "distance: 1 mm", "distance: 0.05 mm"), law, "adhesion: {type: expression, traction: s * d / l * exp(1 - d / l), "
+                                                                                                       "parameters: {s: 10 kPa, l: 0.2 mm}, range: 4 mm}"));
+  write_file(place.path / "fit.yaml", replaced(fit("contact.pairs.0.adhesion.parameters.s"), "work: {keys: contact.pairs.0.adhesion.work_of_adhesion, from: 0.3 J/m^2, to: 3 J/m^2, start: 0.4 J/m^2}",
+                                               "l: {keys: contact.pairs.0.adhesion.parameters.l, from: 0.1 mm, to: 0.5 mm}"));
+  const ProgramResult dry = place.run({"--dry-run"});
+  INFO(dry.out << dry.err);
+  CHECK(contains(dry.out, "strength from 3000 to 50000 Pa"));
+  CHECK(contains(dry.out, "l from 0.0001 to 0.0005 m"));
+}
+
 TEST_CASE("an interrupted calibration ends with 130 and goes on", "[calibrate]") {
   const Place place(pull_fit("", "{design: 6, chains: 0, polish: false}"));
   Program program(place.path, {"calibrate", "fit.yaml", "-o", "parts"});

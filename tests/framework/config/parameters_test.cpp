@@ -114,6 +114,26 @@ TEST_CASE("what a scene keeps of parameters runs by itself") {
   CHECK(kept.find("speed: \"0.004 m s^-1\"") != std::string::npos);
 }
 
+// Base and derived units beside numbers that need them all.
+TEST_CASE("parameters may be called as units are") {
+  for (const std::string name : {"m", "s", "kg", "K", "N", "J", "Pa", "g", "h"}) {
+    INFO(name);
+    const std::string map = "{" + name + ": 2 mm, stiff: 0.1 MPa, viscous: 3 Pa s, fast: 4 m/s, total: stiff + 1 kg m^-1 s^-2, twice: 2 * " + name + "}";
+    const Parameters p = parameters_of(map);
+    CHECK(number(p, "stiff", units::pressure) == 1e5);
+    CHECK(number(p, "fast", units::velocity) == 4);
+    CHECK(number(p, "total", units::pressure) == Approx(100001).epsilon(1e-15));
+    CHECK(number(p, "2 * " + name, units::length) == Approx(0.004).epsilon(1e-15));
+    CHECK(number(p, "twice", units::length) == Approx(0.004).epsilon(1e-15));
+    // What is kept of a scene runs by itself.
+    std::string text = scene;
+    const std::string from = "{width: 20 mm, height: width / 2, speed: 4 mm/s, n: 3, stiffness: 1 MPa}";
+    text.replace(text.find(from), from.size(), "{width: 20 mm, height: width / 2, speed: 4 mm/s, n: 3, stiffness: 1 MPa, " + name + ": 2 mm}");
+    const std::string kept = to_yaml(fields_of(parse_experiment(text, "scene.yaml").experiment));
+    CHECK(to_yaml(fields_of(parse_experiment(kept, "kept.yaml").experiment)) == kept);
+  }
+}
+
 TEST_CASE("expressions that do not fit a scene are told with their places") {
   const auto error = [](const std::string& override) { return message_of([&] { loaded(override); }); };
   CHECK(error("time.step=2 * width").find("step: expects a time (s), got '0.04 m', which is a length") != std::string::npos);

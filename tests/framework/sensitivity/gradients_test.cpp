@@ -154,6 +154,21 @@ TEST_CASE("a drawn block has the derivatives of Hooke's law", "[sensitivity]") {
   CHECK(c.number == 1e6);
 }
 
+// A parameter by either of its names, one that an expression adds to another, and one called as a unit is.
+TEST_CASE("parameters with units have the derivatives of what they stand for", "[sensitivity]") {
+  std::string text = drawn;
+  text.replace(text.find("young: 1 MPa"), 12, "young: stiff / 2 + s");
+  text += "parameters: {stiff: 1 MPa, s: 0.5 MPa}\n";
+  const GradientCheck direct = check_gradient(scene(drawn), "middle", "objects.block.energies.0.young", 1e-4);
+  for (const auto& [key, number, factor] : {std::tuple("stiff", 1e6, 0.5), std::tuple("parameters.stiff", 1e6, 0.5), std::tuple("s", 5e5, 1.0)}) {
+    INFO(key);
+    const GradientCheck c = check_gradient(scene(text), "middle", key, 1e-4);
+    CHECK(c.number == number);
+    CHECK(c.error(c.worst) < 1e-5);
+    CHECK(c.gradients.back() == Approx(factor * direct.gradients.back()).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a block that is pressed has the derivatives of whole runs", "[sensitivity]") {
   for (const char* key : {"objects.block.energies.0.young", "contact.barrier.stiffness"}) CHECK(worst(pressed, "force", key, 1e-4) < 1e-4);
   // What the runs leave of forces changes with these.
