@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <numbers>
 
+#include "framework/config/number_text.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -31,9 +31,7 @@ void check_numbers(const std::string& text, const std::vector<std::string>& vari
     if (in_name(text[i])) {
       while (i + 1 < text.size() && (in_name(text[i + 1]) || digit(text[i + 1]))) ++i;
     } else if (digit(text[i]) || text[i] == '.') {
-      char* end = nullptr;
-      const double number = std::strtod(text.c_str() + i, &end);
-      const size_t length = static_cast<size_t>(end - text.c_str()) - i;
+      const auto [number, length] = number_text(std::string_view(text).substr(i));
       if (!(std::abs(number) <= largest_number))
         refuse(text, variables, fmt::format("{} is too large, at most {:g} may stand there (position {})",
                                             text.substr(i, length), largest_number, i));

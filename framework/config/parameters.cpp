@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 #include <vector>
 
 #include "framework/config/formula.hpp"
 #include "framework/config/nearest.hpp"
+#include "framework/config/number_text.hpp"
 #include "framework/config/units.hpp"
 #include "framework/config/written_number.hpp"
 #include "geometry/errors.hpp"
@@ -28,10 +28,7 @@ size_t end_of_name(const std::string& text, size_t at) {
 
 // Behind the number that begins there.
 size_t end_of_number(const std::string& text, size_t at) {
-  const char* begin = text.c_str() + at;
-  char* end = nullptr;
-  std::strtod(begin, &end);
-  return at + static_cast<size_t>(end - begin);
+  return at + number_text(std::string_view(text).substr(at)).length;
 }
 
 bool begins_number(const std::string& text, size_t at) {

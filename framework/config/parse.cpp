@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <vector>
 
 #include "framework/config/read_file.hpp"
@@ -15,8 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The files being read, outermost first, as they were written; compared in canonical form.
-using Chain = std::vector<fs::path>;
+// Includes of includes can grow exponentially; no scene comes near so many values.
+constexpr std::size_t most_values = 1'000'000;
+
+// What is known while a file is read.
+struct Reading {
+  struct File {
+    fs::path written, canonical;
+  };
+  std::vector<File> chain;           // files being read, outermost first
+  std::map<fs::path, Value> ready;   // what was included, with all that it includes: each file is read and merged once
+};
 
 std::string read_included(const Value& file, const fs::path& path) {
   try {
@@ -37,37 +47,41 @@ std::vector<Value> included_files(const Value& include) {
   return files;
 }
 
-void refuse_cycle(const Chain& chain, const fs::path& path, const SourceMark& mark) {
-  const auto same = [&](const fs::path& p) {
-    return fs::weakly_canonical(p) == fs::weakly_canonical(path);
-  };
-  const auto first = std::find_if(chain.begin(), chain.end(), same);
-  if (first == chain.end()) return;
+void refuse_cycle(const Reading& reading, const Reading::File& file, const SourceMark& mark) {
+  const auto same = [&](const Reading::File& f) { return f.canonical == file.canonical; };
+  const auto first = std::find_if(reading.chain.begin(), reading.chain.end(), same);
+  if (first == reading.chain.end()) return;
   std::string cycle;
-  for (auto p = first; p != chain.end(); ++p) cycle += p->string() + " -> ";
+  for (auto f = first; f != reading.chain.end(); ++f) cycle += f->written.string() + " -> ";
   throw InputError(fmt::format("{}: include: files include each other: {}{}", mark.text(), cycle,
-                               path.string()));
+                               file.written.string()));
 }
 
-Value expand_includes(Value root, Chain& chain);
+Value expand_includes(Value root, Reading& reading);
 
-Value load_included(const Value& file, Chain& chain) {
-  const fs::path path = (chain.back().parent_path() / file.text).lexically_normal();
-  refuse_cycle(chain, path, file.mark);
+const Value& load_included(const Value& file, Reading& reading) {
+  const fs::path path = (reading.chain.back().written.parent_path() / file.text).lexically_normal();
+  if (const auto known = reading.ready.find(path); known != reading.ready.end()) return known->second;
+  const Reading::File included{path, fs::weakly_canonical(path)};
+  refuse_cycle(reading, included, file.mark);
   const std::string text = read_included(file, path);
-  chain.push_back(path);
-  Value v = expand_includes(read_yaml(text, path.string()), chain);
-  chain.pop_back();
-  return v;
+  reading.chain.push_back(included);
+  Value v = expand_includes(read_yaml(text, path.string()), reading);
+  reading.chain.pop_back();
+  return reading.ready.emplace(path, std::move(v)).first->second;
 }
 
-Value expand_includes(Value root, Chain& chain) {
+Value expand_includes(Value root, Reading& reading) {
   if (root.is_null()) root.kind = Value::Kind::map;  // an empty file sets nothing
   const auto is_include = [](const Value::Entry& e) { return e.key == "include"; };
   const auto entry = std::find_if(root.entries.begin(), root.entries.end(), is_include);
   if (entry == root.entries.end()) return root;
   Value merged = Value::map();
-  for (const Value& file : included_files(entry->value)) merge(merged, load_included(file, chain));
+  for (const Value& file : included_files(entry->value)) {
+    merge(merged, load_included(file, reading));
+    if (count_values(merged) > most_values)
+      throw InputError(fmt::format("{}: include: makes more than {} values of what it includes; include each file once", file.mark.text(), most_values));
+  }
   root.entries.erase(entry);
   merge(merged, std::move(root));
   return merged;
@@ -80,8 +94,8 @@ Value parse_file(const std::string& path) {
 }
 
 Value parse_string(const std::string& text, const std::string& name) {
-  Chain chain{name};
-  return expand_includes(read_yaml(text, name), chain);
+  Reading reading{{{name, fs::weakly_canonical(name)}}, {}};
+  return expand_includes(read_yaml(text, name), reading);
 }
 
 std::string resolve_path(const SourceMark& mark, const std::string& path) {

@@ -13,6 +13,7 @@
 
 #include "framework/config/words.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/plain_numbers.hpp"
 
 namespace tack {
 namespace {
@@ -53,11 +54,19 @@ constexpr std::array named_dimensions{units::length,
                                       units::stiffness,
                                       units::traction_stiffness};
 
-// The library's parser keeps global state: every call below holds this lock.
-std::mutex& units_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
+// The library's parser keeps global state, and its numbers go by the locale: every call below holds one of these.
+class UnitsLock {
+ public:
+  UnitsLock() : lock_(mutex()) {}
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::scoped_lock<std::mutex> lock_;
+  PlainNumbers plain_;
+};
 
 ut_system* unit_system() {
   static const SystemPtr system = [] {
@@ -140,10 +149,35 @@ UnitPtr coherent(ut_unit* unit) {
   return parse_unit(base.empty() ? "1" : base);
 }
 
+// Units that are written with other capitals by mistake. Where two differ in these alone, the larger is meant.
+constexpr std::array usual_units = {"Pa", "kPa", "MPa", "GPa", "mm", "um", "nm", "cm", "km", "m", "s", "ms", "us", "min", "h", "N", "mN", "kN", "MN",
+                                    "kg", "g", "mg", "J", "mJ", "kJ", "W", "Hz", "kHz", "deg", "rad", "K"};
+
+// "; did you mean 'MPa'?" for 'MPA', "; write numbers with a point" for ',1 MPa'; "" otherwise.
+std::string meant_by(std::string_view unit) {
+  if (unit.size() > 1 && unit[0] == ',' && std::isdigit(static_cast<unsigned char>(unit[1]))) return "; write numbers with a point, as 0.1";
+  const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto lower = [](std::string_view word) {
+    std::string text(word);
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+  };
+  std::string better;
+  for (std::size_t i = 0; i < unit.size();) {
+    std::size_t end = i;
+    while (end < unit.size() && letter(unit[end])) ++end;
+    const std::string_view word = unit.substr(i, std::max<std::size_t>(end - i, 1));
+    const auto usual = std::find_if(usual_units.begin(), usual_units.end(), [&](const char* u) { return lower(u) == lower(word); });
+    better += usual != usual_units.end() && !parse_unit(word) ? std::string_view(*usual) : word;
+    i += word.size();
+  }
+  return better != unit && only_exponents(better) && parse_unit(better) ? fmt::format("; did you mean '{}'?", better) : "";
+}
+
 double convert(double number, std::string_view unit_text, std::string_view text, const Unit& unit) {
-  const std::scoped_lock lock(units_mutex());
+  const UnitsLock lock;
   const UnitPtr from = only_exponents(unit_text) ? parse_unit(unit_text) : nullptr;
-  if (!from) fail(text, unit, fmt::format("; '{}' is no known unit", unit_text));
+  if (!from) fail(text, unit, fmt::format("; '{}' is no known unit{}", unit_text, meant_by(unit_text)));
   const UnitPtr to = unit.si.empty() ? coherent(from.get()) : parse_unit(unit.si);
   if (!to || !same_dimension(from.get(), to.get())) {
     fail(text, unit, ", which is " + with_article(dimension_name(from.get())));
@@ -173,7 +207,7 @@ double to_si(std::string_view text, const Unit& unit) {
 
 std::string si_unit(const std::string& unit) {
   if (to_si("1 " + unit, units::any) == 1 && to_si("0 " + unit, units::any) == 0) return unit;
-  const std::scoped_lock lock(units_mutex());
+  const UnitsLock lock;
   const UnitPtr given = parse_unit(unit);
   for (const Unit& known : named_dimensions) {
     const UnitPtr known_unit = parse_unit(known.si);
@@ -189,7 +223,7 @@ std::string si_unit(const std::string& unit) {
 std::map<std::string, int> base_dimension(const std::string& unit) {
   if (unit.empty() || unit == "1") return {};
   to_si("1 " + unit, units::any);
-  const std::scoped_lock lock(units_mutex());
+  const UnitsLock lock;
   const UnitPtr given = parse_unit(unit), base = coherent(given.get());
   std::array<char, 256> text{};
   if (!base || ut_format(base.get(), text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION) < 0) return {};

@@ -4,6 +4,7 @@
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
+#include <charconv>
 #include <map>
 #include <sstream>
 
@@ -14,13 +15,6 @@ namespace {
 
 // Aliases of aliases grow exponentially; no scene comes near this many nodes.
 constexpr std::size_t max_nodes = 1'000'000;
-
-std::size_t count_nodes(const Value& v) {
-  std::size_t n = 1;
-  for (const Value& item : v.items) n += count_nodes(item);
-  for (const auto& e : v.entries) n += count_nodes(e.value);
-  return n;
-}
 
 // Builds the tree from the parser's events; `open_` holds the collections not yet ended.
 class TreeBuilder : public YAML::EventHandler {
@@ -47,7 +41,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = anchors_.find(anchor);
     if (found == anchors_.end()) fail(at(mark), "an alias may not refer to what encloses it");
-    grow(count_nodes(found->second), at(mark));
+    grow(count_values(found->second), at(mark));
     place(found->second, 0);
   }
 
@@ -146,12 +140,75 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t nodes_ = 0;
 };
 
+// The four hexadecimal digits of "\uXXXX" at a position; -1 if there is no such escape.
+int escaped_unit(const std::string& text, size_t at) {
+  int unit = 0;
+  if (at + 6 > text.size() || text[at] != '\\' || text[at + 1] != 'u') return -1;
+  const auto [stop, status] = std::from_chars(text.data() + at + 2, text.data() + at + 6, unit, 16);
+  return status == std::errc() && stop == text.data() + at + 6 ? unit : -1;
+}
+
+// JSON writes a character beyond U+FFFF as two escapes, "\ud83d\ude00", and YAML as one, "\U0001f600".
+std::string with_joined_surrogates(const std::string& text) {
+  std::string joined;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const int high = escaped_unit(text, i), low = high >= 0xd800 && high < 0xdc00 ? escaped_unit(text, i + 6) : -1;
+    if (low >= 0xdc00 && low < 0xe000) {
+      joined += fmt::format("\\U{:08x}", 0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00));
+      i += 11;
+      continue;
+    }
+    joined += text[i];
+    if (text[i] == '\\' && i + 1 < text.size()) joined += text[++i];  // an escaped backslash begins no escape
+  }
+  return joined;
+}
+
+// The line of that number, from 1, without its line break; empty if there is none.
+std::string_view line_of(std::string_view text, int number) {
+  for (int i = 1; i < number; ++i) {
+    const size_t end = text.find('\n');
+    if (end == text.npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+// The key of a line "  - key:value" whose colon no blank follows; empty if it has none.
+std::string_view key_without_blank(std::string_view line) {
+  const size_t begin = line.find_first_not_of(" -"), colon = line.find(':');
+  if (begin == line.npos || colon == line.npos || colon < begin || colon + 1 == line.size()) return {};
+  const std::string_view key = line.substr(begin, colon - begin);
+  const bool plain = !key.empty() && key.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == key.npos;
+  return plain && line[colon + 1] != ' ' && line[colon + 1] != '\r' && !line.substr(colon + 1).starts_with("//") ? key : std::string_view{};
+}
+
+// The parser notices some mistakes a line later than they are made.
+std::string syntax_error(const std::string& text, const SourceMark& mark, const std::string& message) {
+  for (int number = mark.line; number > 0 && number > mark.line - 3; --number) {
+    const std::string_view line = line_of(text, number), key = key_without_blank(line);
+    if (key.empty()) continue;
+    const SourceMark there{mark.file, number, static_cast<int>(key.data() + key.size() - line.data()) + 1};
+    return fmt::format("{}: not valid YAML: a blank is missing behind the colon of '{}:'", there.text(), key);
+  }
+  const std::string_view line = line_of(text, mark.line);
+  const bool tab = line.substr(0, std::min(line.find_first_not_of(" \t"), line.size())).find('\t') != line.npos;
+  return fmt::format("{}: not valid YAML: {}{}", mark.text(), message, tab ? "; lines are indented by blanks, and this one has a tab" : "");
+}
+
 }  // namespace
+
+std::size_t count_values(const Value& v) {
+  std::size_t n = 1;
+  for (const Value& item : v.items) n += count_values(item);
+  for (const auto& e : v.entries) n += count_values(e.value);
+  return n;
+}
 
 Value read_yaml(const std::string& text, const std::string& name) {
   const auto file = std::make_shared<const std::string>(name);
   try {
-    std::istringstream stream(text);
+    std::istringstream stream(text.find("\\ud") == text.npos && text.find("\\uD") == text.npos ? text : with_joined_surrogates(text));
     YAML::Parser parser(stream);
     TreeBuilder builder(file);
     if (!parser.HandleNextDocument(builder)) {
@@ -166,7 +223,7 @@ Value read_yaml(const std::string& text, const std::string& name) {
     return builder.take();
   } catch (const YAML::Exception& e) {
     const SourceMark mark{file, e.mark.line + 1, e.mark.column + 1};
-    throw InputError(fmt::format("{}: not valid YAML: {}", mark.text(), e.msg));
+    throw InputError(syntax_error(text, mark, e.msg));
   }
 }
 

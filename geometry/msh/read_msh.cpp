@@ -9,6 +9,7 @@
 #include "geometry/msh/functions.hpp"
 #include "geometry/msh/gmsh_session.hpp"
 #include "geometry/msh/gmsh_types.hpp"
+#include "geometry/plain_numbers.hpp"
 
 namespace tack {
 namespace {
@@ -102,6 +103,7 @@ auto translate_errors(const std::string& name, const char* remedy, const Work& w
   const auto fail = [&](const std::string& what) {
     throw InputError(fmt::format("{}: {}: {}", name, what, remedy));
   };
+  const PlainNumbers plain;
   const GmshSession session;
   try {
     return work();

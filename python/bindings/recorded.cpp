@@ -10,6 +10,7 @@
 #include "framework/report/report.hpp"
 #include "framework/run/recorded_run.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/plain_numbers.hpp"
 #include "python/bindings/interrupts.hpp"
 
 namespace tack::python {
@@ -44,6 +45,7 @@ std::string recorded(const std::string& path, const std::string& text, const std
   {
     const Interrupts interrupts;
     const py::gil_scoped_release released;
+    const PlainNumbers plain;
     tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
     Out buffer;
     std::ostream out(&buffer);

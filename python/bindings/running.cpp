@@ -16,6 +16,7 @@
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/exact/orientation.hpp"
+#include "geometry/plain_numbers.hpp"
 #include "python/bindings/interrupts.hpp"
 
 namespace tack::python {
@@ -269,6 +270,7 @@ void bind_running(py::module_& module) {
 
   const auto loaded = [](auto load, int threads) {
     const py::gil_scoped_release released;
+    const PlainNumbers plain;
     return std::make_unique<Running>(load(), threads);
   };
   py::class_<Running>(module, "Running")

@@ -15,13 +15,13 @@ def _plain(value):
 
 
 def text_of(scene):
-    return json.dumps(scene, indent=1, default=_plain, allow_nan=False)
+    return json.dumps(scene, indent=1, default=_plain, allow_nan=False, ensure_ascii=False)
 
 
 def overrides_of(values):
     """{"time.step": "2 ms"} as ["time.step=2 ms"]."""
     def one(value):
-        return value if isinstance(value, str) else json.dumps(value, default=_plain, allow_nan=False)
+        return value if isinstance(value, str) else json.dumps(value, default=_plain, allow_nan=False, ensure_ascii=False)
     return [f"{key}={one(value)}" for key, value in (values or {}).items()]
 
 

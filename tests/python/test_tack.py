@@ -3,6 +3,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -446,6 +447,33 @@ class Errors(unittest.TestCase):
             tack.Simulation("nowhere.yaml")
         with self.assertRaisesRegex(tack.InputError, "neither a run"):
             tack.read(source / "docs")
+
+    def test_a_locale_with_commas_changes_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = shutil.which("localedef") and subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", f"{folder}/de_DE.UTF-8"], capture_output=True)
+            if not made or made.returncode != 0:
+                self.skipTest("no locale with commas can be made here")
+            code = """
+import locale, resource, tack
+resource.setrlimit(resource.RLIMIT_CPU, (30, 31))
+scene = {"name": "p", "parameters": {"w": "0.1 m", "h": "5 ms"}, "time": {"step": "h", "duration": "0.5 s"}, "objects": [
+    {"name": "b", "shape": {"type": "box", "size": ["0.5 * w", "w", "1.5 * w"]}, "energies": [{"type": "neo_hookean", "young": "0.1 MPa"}],
+     "motion": [{"type": "formula", "x": "0.5 * t", "select": {"type": "face", "direction": [0, 1, 0]}}]}]}
+if SET: locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+sim = tack.Simulation(scene, threads=1)
+sim.step()
+print(sim.x.tolist())
+"""
+            environment = {**os.environ, "LOCPATH": folder}
+            plain, commas = (run_python(code.replace("SET", answer), env=environment) for answer in ("False", "True"))
+            self.assertEqual(commas.returncode, 0, commas.stderr)
+            self.assertEqual(commas.stdout, plain.stdout)
+
+    def test_characters_beyond_the_first_plane(self):
+        for about in ("\u00fc 1 \u00b5m", "\U0001d6fe = 3", "\U0001f600"):
+            sim = tack.Simulation({**falling, "about": about})
+            self.assertIn(about, sim.scene())
+            self.assertIn(about, tack.Simulation(falling, set={"about": about}).scene())
 
     def test_ctrl_c(self):
         code = f"""

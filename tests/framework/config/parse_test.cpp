@@ -138,3 +138,23 @@ TEST_CASE("paths are relative to the file they stand in") {
   const Value& set = root.entries[0].value;
   CHECK(resolve_path(set.mark, set.text) == (fs::current_path() / "x.obj").string());
 }
+
+TEST_CASE("files that are included again and again are read once") {
+  const Folder folder;
+  folder.write("f0.yaml", "a: 1\nlist: [{name: x, b: 2}]\n");
+  for (int i = 1; i <= 30; ++i) folder.write("f" + std::to_string(i) + ".yaml", "include: [f" + std::to_string(i - 1) + ".yaml, f" + std::to_string(i - 1) + ".yaml]\n");
+  const Value v = parse_file((folder.root / "f30.yaml").string());  // 2^30 times, one by one
+  CHECK(v.find("a")->text == "1");
+  CHECK(v.find("list")->items.size() == 1);
+}
+
+TEST_CASE("a character beyond U+FFFF may be one escape or JSON's two") {
+  const std::string smile = "\xf0\x9f\x98\x80";
+  for (const char* text : {"\"\\ud83d\\ude00\"", "\"\\uD83D\\uDE00\"", "\"\\U0001f600\"", "\"\xf0\x9f\x98\x80\""}) {
+    INFO(text);
+    CHECK(parse_string("a: " + std::string(text), "s.yaml").find("a")->text == smile);
+  }
+  CHECK(parse_string("a: \"\\\\ud83d\\\\ude00\"", "s.yaml").find("a")->text == "\\ud83d\\ude00");  // backslashes
+  CHECK(parse_string("a: \"x\\u00e9\"", "s.yaml").find("a")->text == "x\xc3\xa9");
+  CHECK(parse_error("a: \"\\ud83d\"").find("s.yaml:1:") == 0);
+}
