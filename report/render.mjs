@@ -6,7 +6,7 @@ import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const [modules, page, viewFile, output] = process.argv.slice(2);
@@ -55,7 +55,7 @@ try {
     const gif = output.endsWith(".gif");
     const coder = spawn("ffmpeg", ["-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", String(view.fps), "-c:v", "png", "-i", "-",
       ...(gif ? ["-filter_complex", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-loop", "0"]
-        : ["-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"]), output],
+        : ["-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-movflags", "+faststart"]), resolve(output)],  // "a:b.mp4" alone would be a protocol
       { stdio: ["pipe", "inherit", "inherit"] });
     coder.on("error", () => fail("there is no ffmpeg to make films with; install it, or draw a picture (-o picture.png)"));
     let last = null;

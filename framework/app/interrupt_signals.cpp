@@ -28,6 +28,9 @@ void let_signals_interrupt() {
     sigaddset(&signals, signal);
     std::signal(signal, request_interrupt);  // for a thread that a library has started before
   }
+  // The thread that writes gets these, and nobody could wait for them; what it wrote fails (EPIPE, EFBIG).
+  for (const int signal : {SIGPIPE, SIGXFSZ})
+    if (!ignored(signal)) std::signal(signal, request_interrupt);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   if (blas_thread_shutdown_) blas_thread_shutdown_();  // its threads were there before; it starts others when it needs them
   std::thread([signals] {

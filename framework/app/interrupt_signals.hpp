@@ -1,4 +1,4 @@
-// Ctrl-C, `kill` and the end of the terminal end what runs in an orderly way (geometry/interrupt.hpp).
+// Ctrl-C, `kill`, the end of the terminal, a reader of the output that goes away (SIGPIPE) and a limit of file sizes (SIGXFSZ) end what runs in an orderly way (geometry/interrupt.hpp).
 #pragma once
 
 namespace tack {

@@ -1,4 +1,5 @@
 // The program: the command line (command_line.cpp), what it goes on in, and exit codes.
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 
 #include "framework/app/command_line.hpp"
 #include "framework/app/commands.hpp"
+#include "framework/app/memory_limit.hpp"
 #include "framework/plugin/further_components.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "geometry/errors.hpp"
@@ -19,6 +21,13 @@
 
 namespace tack {
 namespace {
+
+// Opens /dev/null for each of the standard streams that the caller has closed: else the next file that is opened would get its number, and what is
+// printed would go there.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::abort();  // the lowest number that is free is this one
+}
 
 // What this process let only its own thread take: programs that it becomes would be deaf to it.
 void let_signals_through() {
@@ -62,6 +71,14 @@ int go_on_in_studies(char** argv) {
 }  // namespace tack
 
 int main(int argc, char** argv) {
+  tack::open_standard_streams();
+  try {
+    tack::check_address_space(0);
+  } catch (const tack::InputError& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    std::fflush(nullptr);
+    ::_exit(tack::exit_bad_input);  // threads of OpenBLAS would be waited for
+  }
   try {
     tack::note_further_components();
     tack::keep_meshes_in(tack::usual_mesh_folder());

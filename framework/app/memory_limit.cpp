@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
+#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -28,15 +30,35 @@ void give_blas_its_buffers(int threads) {
   for (void* buffer : buffers) blas_memory_free(buffer);
 }
 
-// Bytes of this process: "VmData", all that it may write into, "RssAnon", what it has written into. 0 if the kernel does not tell.
+// What OpenBLAS maps for a thread that calls it: its BUFFER_SIZE on x86-64, 32 << 22 bytes.
+constexpr double blas_buffer = 134217728;
+
+// Bytes of this process: "VmSize", all that is mapped, "VmData", all that it may write into, "RssAnon", what it has written into. 0 if the kernel does not tell.
 double status(const std::string& what) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);)
-    if (line.starts_with(what + ":")) return 1024 * std::stod(line.substr(what.size() + 1));
+    if (line.starts_with(what + ":")) {
+      long kilobytes = 0;
+      const size_t number = line.find_first_of("0123456789");
+      if (number != line.npos) std::from_chars(line.data() + number, line.data() + line.size(), kilobytes);
+      return 1024.0 * static_cast<double>(kilobytes);
+    }
   return 0;
 }
 
 }  // namespace
+
+void check_address_space(int threads) {
+  rlimit limit{};
+  if (!blas_memory_alloc || !openblas_get_num_threads || ::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
+  constexpr double rest = 32e6;  // bytes: stacks, a small scene
+  const double mapped = status("VmSize"), had = std::floor(status("VmData") / blas_buffer);
+  const double needed = mapped - had * blas_buffer + (openblas_get_num_threads() - 1 + threads) * blas_buffer + rest;
+  if (static_cast<double>(limit.rlim_cur) < needed)
+    throw InputError(fmt::format("the address space is limited to {:.0f} MB (ulimit -v, h_vmem of SGE, vmem of PBS), and with {} the program and its linear algebra map {:.0f} MB "
+                                 "before they have read a scene; raise that limit, or take --threads 1 and OPENBLAS_NUM_THREADS=1",
+                                 static_cast<double>(limit.rlim_cur) / 1e6, threads > 1 ? fmt::format("{} threads", threads) : "a thread", needed / 1e6));
+}
 
 void limit_memory(double bytes, int threads) {
   constexpr double least = 32e6;  // bytes to work with

@@ -4,6 +4,10 @@
 
 namespace tack {
 
+// Throws InputError if the limit of the address space (RLIMIT_AS) leaves too little for the program and for linear algebra in so many threads: OpenBLAS
+// asks for its buffers for ever, deaf to signals, and does not let the process end. 0 threads: for its own, which are there before main().
+void check_address_space(int threads);
+
 // Of this process, from now on: so many bytes of data, of which it has some already. `threads`: that may compute side by side. Throws
 // InputError if that is less than the program itself takes.
 void limit_memory(double bytes, int threads);

@@ -42,6 +42,7 @@ std::vector<std::string> overrides_of(const RunOptions& options) {
 int run_command(const RunOptions& options) {
   let_signals_interrupt();
   const ThreadLimit threads(options.threads);
+  check_address_space(threads.count());
   if (options.memory > 0) limit_memory(options.memory * 1e9, threads.count());
   RecordedRun run(load_experiment(options.scene.file, overrides_of(options)), options,
                   provenance_of(options.command_line, threads.count()), std::cout, progress_options(options));

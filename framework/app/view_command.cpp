@@ -12,6 +12,7 @@
 
 #include "framework/app/commands.hpp"
 #include "framework/app/interrupt_signals.hpp"
+#include "framework/app/memory_limit.hpp"
 #include "framework/app/thread_limit.hpp"
 #include "framework/output/provenance.hpp"
 #include "framework/run/run_control.hpp"
@@ -127,6 +128,7 @@ int run_and_show(const ViewOptions& options) {
   if (fs::path(options.output).extension() == ".html") throw InputError(fmt::format("{}: with --run, -o is the folder of the results; leave --run out for a page of the scene", options.output));
   need_page();
   const ThreadLimit threads(options.threads);
+  check_address_space(threads.count());
   RunControl control;
   RunSettings settings = options;
   settings.control = &control;

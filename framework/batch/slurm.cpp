@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <thread>
@@ -49,6 +50,22 @@ ChildProcess sbatch(const BatchFolder& folder, std::vector<std::string> options,
   return {arguments, output};
 }
 
+// A word of an #SBATCH line: blanks would end it.
+std::string quoted(const std::string& word) {
+  std::string text = "\"";
+  for (const char c : word) text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  return text + "\"";
+}
+
+// The folder of a batch in a pattern of file names: "%%" is a percent sign there.
+std::string in_pattern(const std::string& folder) {
+  if (folder.find('\\') != folder.npos)
+    throw InputError(fmt::format("{}: Slurm replaces nothing in names of files with a backslash; take another folder (-o)", folder));
+  std::string text;
+  for (const char c : folder) text += c == '%' ? "%%" : std::string(1, c);
+  return text;
+}
+
 std::string number_of(const std::string& line) { return line.substr(0, line.find(';')); }
 
 }  // namespace
@@ -62,14 +79,14 @@ std::string job_script(const std::string& program, const BatchFolder& folder, co
     if (text.find_first_of("\r\n") != text.npos) throw InputError(fmt::format("slurm: '{}' is no option: it has a line break", text));
     script += "#SBATCH " + text + "\n";
   };
-  option(fmt::format("--job-name={}", folder.root.filename().string()));
+  option("--job-name=" + quoted(folder.root.filename().string()));
   option(fmt::format("--array={}{}", ranges(tasks), s.at_once > 0 ? fmt::format("%{}", s.at_once) : ""));
   option(fmt::format("--time={}", minutes));
   option(fmt::format("--cpus-per-task={}", limits.threads));
   if (limits.memory) option(fmt::format("--mem={}M", std::lround(std::ceil(*limits.memory * 1e3))));
   if (!s.partition.empty()) option("--partition=" + s.partition);
   if (!s.account.empty()) option("--account=" + s.account);
-  option("--output=" + (folder.root / "output" / "slurm_%A_%a.txt").string());
+  option("--output=" + quoted(in_pattern(folder.root / "output") + "/slurm_%A_%a.txt"));
   if (minutes > 2) option("--signal=B:TERM@60");
   for (const std::string& o : s.options) option(o);
   script += fmt::format("exec {} --task \"$SLURM_ARRAY_TASK_ID\"\n", shell_line({program, "batch", "-o", folder.root}));

@@ -276,6 +276,7 @@ void write_state_file(const std::filesystem::path& path, const StateFile& file) 
                      {"state", fields_to_json(file.state)}, {"step_size", file.step_size}, {"totals", file.totals},
                      {"warnings", to_json(file.warnings)}};
   for (const auto& [object, flowed] : file.flowed) json["flowed"][object] = to_json(flowed);
+  if (!file.linear_solver.empty()) json["linear_solver"] = file.linear_solver;
   if (!file.remeshings.empty()) json["remeshings"] = to_json(file.remeshings);
   std::string content;
   Json::to_cbor(json, content);
@@ -306,6 +307,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
       file.state.history["contact/sides"] = {1, sides->get<std::vector<double>>(), {}};
     read(json, "step_size", file.step_size);
     read(json, "totals", file.totals);
+    if (json.contains("linear_solver")) read(json, "linear_solver", file.linear_solver);
     if (json.contains("warnings")) file.warnings = warnings_of(json["warnings"]);
     if (json.contains("flowed"))
       for (const auto& [object, flowed] : json["flowed"].items()) file.flowed[object] = flowed_of(flowed);

@@ -8,7 +8,7 @@
 // were read from files (not in checkpoints), file_meshes {object: digest of such a mesh (geometry/mesh/digest.hpp):
 // [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path: CRC-32 of the file} of a checkpoint, files {path: digest (framework/config/file_digest.hpp)} that its scene reads, objects {object: {vertices: those of the
 // state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, acted_before, h_next, held, x, v,
-// a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} of a checkpoint's run
+// a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} and linear_solver of a checkpoint's run
 // so far and warnings [[text, kind, times]] of it, flowed {object: {vertices, tets, tags, surface, shapes, volumes}} of objects that were meshed anew
 // (framework/body/flowed_mesh.hpp) and remeshings, what a checkpoint's run has told of that. All in SI. A field that a later program adds is absent from older files, and is then what a State
 // holds by default; the version rises when what is there changes its meaning.
@@ -42,6 +42,7 @@ struct StateFile {
   State state;
   double step_size = 0;  // of a problem [s]
   std::map<std::string, double> totals;
+  std::string linear_solver;           // of a checkpoint's run so far: what it was and why
   std::vector<WarningCount> warnings;  // of a checkpoint's run so far
   FlowedMeshes flowed;                 // of objects that were meshed anew
   std::vector<Remeshing> remeshings;   // of a checkpoint's run so far

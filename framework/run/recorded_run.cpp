@@ -54,7 +54,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
     throw InputError("a profile is of one world, and objects may be meshed anew (remesh); take that away (--set objects.NAME.remesh=null)");
   if (checkpoint_ && !checkpoint_->flowed.empty()) watch_.emplace(simulation_.built());
   summary_.flows = EnergyFlows(world().records);
-  if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings, summary_.remeshings = checkpoint_->remeshings;
+  if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings, summary_.linear_solver = checkpoint_->linear_solver, summary_.remeshings = checkpoint_->remeshings;
   else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world());
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
@@ -259,7 +259,7 @@ void RecordedRun::tell_coarse() {
 // Once it has seen a system, and again when it has changed its mind.
 void RecordedRun::tell_linear_solver() {
   const std::string solver = simulation_.solver().linear_solver();
-  if (solver == summary_.linear_solver) return;
+  if (solver.empty() || solver == summary_.linear_solver) return;
   summary_.linear_solver = solver;
   progress_.detail("linear solver: " + solver);
 }
@@ -335,6 +335,7 @@ void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   add_up_phases();
   file.totals = totals_of(summary_);
   file.warnings = summary_.warnings;
+  file.linear_solver = summary_.linear_solver;
   file.remeshings = summary_.remeshings;
   write_state_file(path, file);
 }

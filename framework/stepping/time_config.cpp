@@ -30,6 +30,10 @@ void TimeConfig::fields(Fields& f) {
             "how often a failed step may be halved before the run gives up; and one in which a body that goes further than its own size went "
             "around what is in its way, before that is kept and told")
       .range(0, 30);
+  f.check("step", [this]() -> std::string {
+    constexpr double least = 1e-100;  // s: incremental potentials are divided by its square
+    return step >= least ? "" : fmt::format("{:g} s is too short to compute with, its square is no number; take {:g} s or more", step, least);
+  });
   f.check("adaptive", [this]() -> std::string {
     constexpr double finest = 1e-6;  // of the first step: times are told apart down to a thousandth of that
     if (!adaptive || (step >= smallest_step() && step <= largest_step() && smallest_step() >= finest * step)) return "";

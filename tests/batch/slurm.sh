@@ -93,12 +93,16 @@ YAML
 cd "$work"
 "$program" batch batch.yaml -o here >here.txt || [[ $? == 1 ]]
 "$program" batch batch.yaml -o there --slurm >there.txt || [[ $? == 1 ]]
-"$program" batch batch.yaml -o left --slurm --no-wait >left.txt
+# A folder with a name that Slurm would read otherwise.
+"$program" batch batch.yaml -o "left %A 'over' # \"here\"" --slurm --no-wait >left.txt
+"$program" batch batch.yaml -o 'back\slash' --slurm 2>refused.txt && exit 1
+grep -q "take another folder" refused.txt
 for ((i = 0; ; ++i)); do
   if [[ -z $(squeue -h) ]]; then break; fi
   ((i < 600)) || { echo "the jobs do not end"; exit 1; }
   sleep 0.1
 done
+mv "left %A 'over' # \"here\"" left
 "$program" batch --collect left >collected.txt || [[ $? == 1 ]]
 
 # Times and memory are measured, and stand last; all before them has to be the same.
