@@ -12,6 +12,7 @@
 #include "framework/checks/law_check.hpp"
 #include "framework/checks/resolution.hpp"
 #include "framework/checks/round_friction.hpp"
+#include "framework/checks/scale_warnings.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
 #include "framework/run/gradient_check.hpp"
@@ -22,8 +23,9 @@ namespace tack {
 namespace {
 
 void print_contents(const World& world) {
-  for (const Body& body : world.bodies) {
-    fmt::print("object '{}': {} vertices, {} tets{}, {} surface triangles{}{}\n", body.name, body.vertex_count, body.tets.size(),
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    fmt::print("object '{}': {}; {} vertices, {} tets{}, {} surface triangles{}{}\n", body.name, size_text(world, static_cast<int>(i)), body.vertex_count, body.tets.size(),
                body.elements == Elements::composite ? fmt::format(" ({} composite ones)", body.tets.size() / composite_parts) : "", body.triangles.size(),
                body.surface_triangles.empty() ? "" : fmt::format(" ({} in contact)", body.surface_triangles.size()),
                body.movable ? "" : ", held");
@@ -101,6 +103,7 @@ int check_command(const CheckOptions& options) {
   for (const std::string& line : world.start_notes) fmt::print("{}\n", line);
   for (const std::string& line : BentSolids(experiment, world).expected()) fmt::print("{}\n", line);
   for (const std::string& line : element_warnings(experiment, world)) fmt::print("warning: {}\n", line);
+  for (const std::string& line : scale_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : round_friction_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);

@@ -8,6 +8,7 @@
 #include "framework/checks/law_check.hpp"
 #include "framework/checks/resolution.hpp"
 #include "framework/checks/round_friction.hpp"
+#include "framework/checks/scale_warnings.hpp"
 #include "framework/experiment/tolerances.hpp"
 
 namespace tack {
@@ -43,7 +44,7 @@ std::vector<std::string> scene_warnings(const Experiment& experiment, World& wor
   const LawCheck laws = check_laws(world);
   std::vector<std::string> all;
   for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world), weak_wells(world), element_warnings(experiment, world),
-                            resolution_warnings(experiment, world), round_friction_warnings(experiment, world),
+                            scale_warnings(experiment, world), resolution_warnings(experiment, world), round_friction_warnings(experiment, world),
                             doubtful_tolerances(experiment, world)})
     all.insert(all.end(), lines.begin(), lines.end());
   return all;
