@@ -11,7 +11,8 @@ class Repair : public MeshOperation {
 
  protected:
   void parameters(Fields& f) override {
-    f.number("merge", options_.merge, units::length, "vertices that close become one").nonnegative();
+    f.optional_number("merge", options_.merge, units::length,
+                      "vertices that close become one; unless given, as close as single precision rounds coordinates of that size (STL)").nonnegative();
     f.choice("holes", options_.holes,
              {{"of_solids", Holes::of_solids, "are filled where they are at most a tenth of the area of the part, which is taken for a solid; of others, sheets, they stay"},
               {"fill", Holes::fill, "are filled; a sheet that its own filling would lie on is refused"},

@@ -9,13 +9,16 @@
 #include <numbers>
 
 #include "geometry/meshing/cgal_mesh.hpp"
+#include "geometry/errors.hpp"
 #include "geometry/meshing/defects.hpp"
+#include "geometry/mesh/quality.hpp"
 #include "geometry/mesh/triangle_surface.hpp"
 
 namespace tack {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180, flat = std::numbers::pi;  // rad
+constexpr double tolerated_change = 0.1;  // of the area, relative
 
 struct Remeshed {
   CgalMesh mesh;
@@ -31,6 +34,14 @@ Remeshed remeshed(CgalMesh m, const RemeshOptions& o, double crease_angle) {
   pmp::isotropic_remeshing(m.faces(), o.edge_length, m,
                            keep.number_of_iterations(o.iterations).number_of_relaxation_steps(3).relax_constraints(true));
   return {std::move(m), creases};
+}
+
+// Of such edges nothing keeps the shape: of a ball, a tetrahedron would be left.
+void refuse_too_long_edges(const Mesh& mesh, double edge_length, const std::string& name) {
+  const double size = bounding_box(mesh).diagonal().norm();
+  if (edge_length <= size) return;
+  throw InputError(fmt::format("{}: edges of {:.4g} m are longer than the surface, which is {:.4g} m large: next to nothing of its shape would be left; give a shorter "
+                               "edge_length, with its unit (edge_length=5mm), or scale the mesh", name, edge_length, size));
 }
 
 // Edges in which the surface turns back on itself.
@@ -51,6 +62,7 @@ Mesh remesh(const Mesh& mesh, const RemeshOptions& o, const std::string& name, N
   const Mesh surface = triangle_surface(mesh, name);
   require_oriented_manifold(surface, name);
   refuse_too_short_edges(surface, o.edge_length, name);
+  refuse_too_long_edges(surface, o.edge_length, name);
   const CgalMesh given = to_cgal(surface);
   // Where a smooth surface is coarse, some of its edges pass for creases. Kept ones that end nowhere fold what is collapsed around
   // them: then the bluntest are let go.
@@ -60,10 +72,14 @@ Mesh remesh(const Mesh& mesh, const RemeshOptions& o, const std::string& name, N
     crease_angle = std::min(crease_angle + 15 * degree, flat);
   notes.push_back(fmt::format("{} triangles remeshed to {}, {} edges on creases kept", surface.triangles.size(),
                               made.mesh.number_of_faces(), made.creases));
+  Mesh result = from_cgal(made.mesh);
+  if (const double change = total_area(result) / total_area(surface) - 1; std::abs(change) > tolerated_change)
+    notes.push_back(fmt::format("warning: its area is {:.3g} % {} than before: edges of {:.3g} m are long for its shape; ask for shorter ones", 100 * std::abs(change),
+                                change < 0 ? "smaller" : "larger", o.edge_length));
   if (crease_angle > o.crease_angle)
     notes.push_back(fmt::format("warning: edges of less than {:.3g} degrees are not kept, as the surface folded between them; ask for "
                                 "shorter edges if they are meant, or raise crease_angle", crease_angle / degree));
-  return from_cgal(made.mesh);
+  return result;
 }
 
 }  // namespace tack

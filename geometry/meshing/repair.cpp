@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -57,6 +58,17 @@ std::string first_ten(const std::vector<int>& numbers) {
 
 void note_removed(Notes& notes, const std::vector<int>& removed, const char* what) {
   if (!removed.empty()) notes.push_back(fmt::format("removed {} {} triangles: {}", removed.size(), what, first_ten(removed)));
+}
+
+// How far apart coordinates may be that single precision has rounded: four units in the last place of the largest. Less where edges are that short.
+double rounding_of(const Mesh& mesh) {
+  constexpr double unit = 1.1920929e-7;  // 2^-23
+  double largest = 0, shortest = std::numeric_limits<double>::infinity();
+  for (const Vec3& v : mesh.vertices) largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      if (const double length = (mesh.vertices[t[i]] - mesh.vertices[t[(i + 1) % 3]]).norm(); length > 0) shortest = std::min(shortest, length);
+  return std::min(4 * unit * largest, shortest / 4);
 }
 
 // Which old vertex each vertex becomes: the first within the distance.
@@ -310,7 +322,7 @@ Mesh repair(const Mesh& mesh, const RepairOptions& o, const std::string& name, N
   Numbered surface{given, {}};
   for (std::size_t t = 0; t < given.triangles.size(); ++t) surface.numbers.push_back(static_cast<int>(t));
   for (const std::string& line : list_defects(before)) notes.push_back("found " + line);
-  merge_vertices(surface, o.merge, notes);
+  merge_vertices(surface, o.merge.value_or(rounding_of(surface.mesh)), notes);
   clean_triangles(surface, notes);
   if (surface.mesh.triangles.empty()) throw InputError(name + ": no triangle is left that has an area; nothing to repair");
   CgalMesh m = oriented(surface, notes);

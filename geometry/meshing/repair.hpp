@@ -3,6 +3,8 @@
 // replaced, holes filled, normals turned outwards (CGAL's polygon mesh processing).
 #pragma once
 
+#include <optional>
+
 #include "geometry/mesh/mesh.hpp"
 #include "geometry/meshing/notes.hpp"
 
@@ -15,7 +17,8 @@ enum class Holes {
 };
 
 struct RepairOptions {
-  double merge = 0;  // vertices that close [m] become one
+  // Vertices that close [m] become one; unless given, as close as single precision (STL) rounds coordinates of that size, and no ends of one edge.
+  std::optional<double> merge;
   Holes holes = Holes::of_solids;
 };
 

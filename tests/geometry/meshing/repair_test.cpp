@@ -2,6 +2,7 @@
 #include "geometry/meshing/repair.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "geometry/errors.hpp"
 #include "geometry/meshing/defects.hpp"
@@ -130,6 +131,25 @@ TEST_CASE("vertices at one place are merged, near ones if asked", "[meshing]") {
   near.vertices[5] += Vec3(1e-7, 0, 0);
   const Repaired r = repaired(near, {1e-6});
   CHECK(r.mesh.vertices.size() == 8);
+}
+
+TEST_CASE("vertices that single precision has rounded apart are merged", "[meshing]") {
+  for (const double size : {1e-3, 1.0, 60.0})
+    for (const double away : {0.0, 10.0}) {
+      INFO(size << " m, " << away << " sizes away");
+      Mesh ball = unmerged();  // a box, each triangle with vertices of its own
+      for (std::size_t v = 0; v < ball.vertices.size(); ++v) {
+        Vec3& x = ball.vertices[v];
+        x = size * (x + Vec3(away, 1.0 / 3, 0.7));
+        for (int k = 0; k < 3; ++k) {
+          const float rounded = static_cast<float>(x[k]);
+          x[k] = v % 3 == static_cast<std::size_t>(k) ? std::nextafter(rounded, 2 * rounded) : rounded;
+        }
+      }
+      const Repaired r = repaired(ball);
+      CHECK(r.mesh.vertices.size() == 8);
+      CHECK(find_defects(r.mesh).bounds_volume());
+    }
 }
 
 TEST_CASE("edges of more than two triangles are found: fins are removed, solids cut apart", "[meshing]") {

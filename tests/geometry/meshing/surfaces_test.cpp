@@ -1,4 +1,5 @@
 // Remeshing, simplification, subdivision and offsets against closed forms.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 
@@ -48,6 +49,19 @@ TEST_CASE("a box stays a box when it is remeshed", "[meshing]") {
   CHECK(total_area(mesh) == Approx(2.48).epsilon(1e-9));
   CHECK(find_defects(mesh).bounds_volume());
   CHECK(triangle_angles(mesh).smallest > 15);
+}
+
+TEST_CASE("edges that leave nothing of a surface are refused, and those that change it are doubted", "[meshing]") {
+  const Mesh ball = sphere_surface(1, 16);
+  CHECK_THROWS_WITH(remeshed(ball, 5), Contains("part: edges of 5 m are longer than the surface, which is 3.46") && Contains("edge_length=5mm"));
+  Notes coarse, fine;
+  remesh(ball, {.edge_length = 1.2}, "part", coarse);
+  remesh(ball, {.edge_length = 0.2}, "part", fine);
+  const auto warns = [](const Notes& notes) {
+    return std::any_of(notes.begin(), notes.end(), [](const std::string& line) { return line.starts_with("warning: its area is"); });
+  };
+  CHECK(warns(coarse));
+  CHECK_FALSE(warns(fine));
 }
 
 TEST_CASE("a remeshed sphere keeps its area and volume", "[meshing]") {
