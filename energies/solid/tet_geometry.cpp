@@ -11,7 +11,8 @@ namespace tack {
 std::vector<TetRest<double>> tet_rest_data(const Body& body, const VecX& rest) {
   if (body.tets.empty())
     throw InputError(fmt::format("object '{}': a solid energy needs tetrahedra, and its shape has "
-                                 "none; use a tet mesh or shape", body.name));
+                                 "none; have its surface filled (shape: {{type: processed, of: SHAPE, steps: [tetrahedralize]}}, or "
+                                 "`tack mesh tetrahedralize`), or use a tet mesh or shape", body.name));
   std::vector<TetRest<double>> data;
   data.reserve(body.tets.size());
   for (const TetReference& r : body.references) data.push_back({r.shape, r.volume});

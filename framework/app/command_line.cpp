@@ -89,8 +89,14 @@ class CommandLine {
   int execute(int argc, char** argv) {
     run_.command_line = view_.command_line = profile_.command_line = compare_.command_line = batch_.command_line = calibrate_.command_line =
         shell_line({argv, argv + argc});
+    if (argc < 2) {
+      fmt::print(stderr, "{}", app_.help());
+      return exit_bad_input;
+    }
+    std::vector<std::string> words = as_options({argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
     try {
-      app_.parse(argc, argv);
+      app_.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
       if (const std::string what = misspelt({argv + 1, argv + argc}); error.get_exit_code() != 0 && !what.empty()) throw InputError(what);
       return app_.exit(error) == 0 ? exit_done : exit_bad_input;
@@ -99,6 +105,15 @@ class CommandLine {
   }
 
  private:
+  // `tack help run` and `tack version`, as other programs have them.
+  static std::vector<std::string> as_options(std::vector<std::string> words) {
+    if (words[0] == "version" && words.size() == 1) words[0] = "--version";
+    if (words[0] != "help") return words;
+    words.erase(words.begin());
+    words.emplace_back("--help");
+    return words;
+  }
+
   // Which word of a command line that does not fit is no command or no option, and what may have been meant; "" if none.
   std::string misspelt(const std::vector<std::string>& words) const {
     const CLI::App* command = nullptr;

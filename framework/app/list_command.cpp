@@ -15,8 +15,11 @@ int list_command(const ListOptions& o) {
   if (o.writes_files()) return describe_command(o);
   if (o.kind.empty()) {
     fmt::print("{}", list_kinds());
+  } else if (o.name.empty()) {
+    const std::string found = list_named(o.kind);
+    fmt::print("{}", found.empty() ? list_kind(o.kind) : found);
   } else {
-    fmt::print("{}", o.name.empty() ? list_kind(o.kind) : list_component(o.kind, o.name));
+    fmt::print("{}", list_component(o.kind, o.name));
   }
   return exit_done;
 }

@@ -97,6 +97,16 @@ std::string list_component(const std::string& kind_name, const std::string& name
   return out;
 }
 
+std::string list_named(const std::string& name) {
+  std::string out;
+  for (const Kind* kind : registered_kinds()) {
+    if (kind->name() == name) return "";
+    const std::vector<std::string> names = kind->names();
+    if (std::find(names.begin(), names.end(), name) != names.end()) out += (out.empty() ? "" : "\n") + list_component(kind->name(), name);
+  }
+  return out;
+}
+
 std::string to_yaml(const Fields& fields) { return yaml_text(to_value(fields)); }
 
 }  // namespace tack

@@ -3,8 +3,35 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace tack {
+namespace {
+
+// What other programs and papers call a key.
+struct OtherName {
+  std::string_view other, here;
+};
+constexpr OtherName other_names[] = {
+    {"dt", "step"}, {"h", "step"}, {"timestep", "step"}, {"time_step", "step"}, {"t_end", "duration"}, {"end_time", "duration"},
+    {"e", "young"}, {"youngs_modulus", "young"}, {"young_modulus", "young"}, {"elastic_modulus", "young"}, {"shear_modulus", "young"},
+    {"nu", "poisson"}, {"poissons_ratio", "poisson"}, {"poisson_ratio", "poisson"}, {"rho", "density"},
+    {"dhat", "distance"}, {"d_hat", "distance"}, {"contact_distance", "distance"}, {"kappa", "stiffness"},
+    {"friction_coefficient", "mu"}, {"coefficient", "mu"}, {"epsv", "eps_v"}, {"v0", "velocity"}, {"initial_velocity", "velocity"},
+    {"omega", "spin"}, {"angular_velocity", "spin"}, {"position", "place"}, {"transform", "place"}, {"material", "energies"},
+    {"materials", "energies"}, {"mesh", "shape"}, {"geometry", "shape"}, {"boundary_conditions", "motion"}, {"dirichlet", "motion"},
+};
+
+// The name here of what is called otherwise elsewhere, if it is among the names; "" if there is none.
+std::string name_here(std::string_view word, const std::vector<std::string>& names) {
+  std::string lower(word);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& [other, here] : other_names)
+    if (lower == other && std::find(names.begin(), names.end(), here) != names.end()) return std::string(here);
+  return "";
+}
+
+}  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
   const std::size_t n = b.size() + 1;
@@ -41,10 +68,11 @@ std::string nearest(std::string_view word, const std::vector<std::string>& names
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& names,
                        std::string_view label) {
-  const std::string near = nearest(word, names);
-  const std::string hint = near.empty() ? "" : fmt::format("did you mean '{}'? ", near);
   if (names.empty()) return fmt::format("; there are no {}", label);
-  return fmt::format("; {}({}: {})", hint, label, fmt::join(names, ", "));
+  std::string near = name_here(word, names);
+  if (near.empty()) near = nearest(word, names);
+  const std::string list = fmt::format(" ({}: {})", label, fmt::join(names, ", "));
+  return near.empty() ? list : fmt::format("; did you mean '{}'?{}", near, list);
 }
 
 }  // namespace tack

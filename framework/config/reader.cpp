@@ -4,14 +4,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <tuple>
 
 #include "framework/config/field.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/config/registry.hpp"
+#include "framework/config/units.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
+
+namespace {
+
+bool begins_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
+
+// "; write {mu: 0.5}" for a number in the place of a map, or a hint for a key without a blank behind its colon; "" if neither may be meant.
+std::string as_map(const Value& value, const Fields& fields) {
+  if (!value.is_scalar()) return "";
+  const size_t colon = value.text.find(':');
+  if (colon != std::string::npos && fields.find(value.text.substr(0, colon))) return fmt::format("; a blank is missing behind the colon of '{}:'", value.text.substr(0, colon));
+  for (const Field& f : fields.all()) {
+    if (f.shape.form != Shape::Form::number || !f.mandatory) continue;
+    try {
+      to_si(value.text, f.shape.unit);
+      return fmt::format("; write {{{}: {}}}", f.key, value.text);
+    } catch (const InputError&) {
+    }
+  }
+  return "";
+}
+
+}  // namespace
 
 void Reader::bind(const Value& value, Fields& fields, std::string_view context) {
   bind_map(value, fields, context, false);
@@ -29,6 +53,15 @@ void Reader::unknown_keys(const Value& map, const Fields& fields, std::string_vi
                                 "write it in quotes where they read it", e.key, context));
       continue;
     }
+    if (e.value.is_null() && begins_number(e.key)) {  // {young: 0,1 MPa}
+      error(e.mark, fmt::format("unknown key '{}' in {}; a comma ends a value: write numbers with a point, as 0.1", e.key, context));
+      continue;
+    }
+    const size_t colon = e.key.find(':');
+    if (e.value.is_null() && colon != std::string::npos && std::binary_search(keys.begin(), keys.end(), e.key.substr(0, colon))) {  // {distance:1 mm}
+      error(e.mark, fmt::format("unknown key '{}' in {}; a blank is missing behind the colon of '{}:'", e.key, context, e.key.substr(0, colon)));
+      continue;
+    }
     error(e.mark,
           fmt::format("unknown key '{}' in {}{}", e.key, context, suggestion(e.key, keys, "keys")));
   }
@@ -42,7 +75,7 @@ void Reader::bind_map(const Value& map, Fields& fields, std::string_view context
     return bind_map(only, fields, context, typed);
   }
   if (!map.is_map() && !map.is_null()) {
-    return error(map.mark, fmt::format("{} expects a {}map, got {}", context, fields.bare_key().empty() ? "" : "text or a ", map.description()));
+    return error(map.mark, fmt::format("{} expects a {}map, got {}{}", context, fields.bare_key().empty() ? "" : "text or a ", map.description(), as_map(map, fields)));
   }
   const std::size_t errors_before = errors_.size();
   unknown_keys(map, fields, context, typed);

@@ -225,8 +225,23 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
     at_place(entry_of(root.find("objects"), i), [&] { action(i); });
 }
 
+// Of a scene that names friction and has none, `mu: 0`: whatever asks for it gets zero.
+ForceRecord no_friction() {
+  ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
+  force.add = [](const VecX&, std::string_view, VecX&) {};
+  force.between = [](const VecX&, std::string_view, ObjectPair) { return Vec3(Vec3::Zero()); };
+  force.stored = false;
+  return force;
+}
+
+bool names_friction(const SceneConfig& scene) {
+  if (!scene.contact) return false;
+  const auto& pairs = scene.contact->pairs;
+  return scene.contact->friction || std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.friction.has_value(); });
+}
+
 // Friction before damping, as what works against both is summed in this order.
-void publish(World& world) {
+void publish(World& world, bool friction_named) {
   for (const auto& term : world.elastic_terms) world.records.publish(*term);
   if (!world.gravity.isZero())
     world.records.add(EnergyRecord{"gravity", EnergyKind::weight, [&world](const VecX& x) { return weight_of_free_vertices(world, x); }});
@@ -235,6 +250,7 @@ void publish(World& world) {
   if (world.rim) world.records.publish(*world.rim);
   if (world.bonds) world.records.publish(*world.bonds);
   if (world.friction) world.records.publish(*world.friction);
+  else if (friction_named) world.records.add(no_friction());
   for (const auto& term : world.damping_terms) world.records.publish(*term);
 }
 
@@ -339,7 +355,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->remeshed = std::make_unique<RemeshedEnergy>();
     world->participants.add(world->remeshed.get());
   }
-  publish(*world);
+  publish(*world, names_friction(scene));
   if (world->remeshed) world->remeshed->publish(world->records);
   check_remeshing(scene, root, *world);
   return world;

@@ -14,11 +14,19 @@
 namespace tack {
 namespace {
 
+// Whether contact.push_out could help: it places objects, as `start` does, and is refused beside it.
+bool may_push_out(const SceneConfig& scene) { return !scene.contact->push_out && !scene.start; }
+
 // What to do about objects that are where others are.
-std::string apart(const SceneConfig& scene, bool several) {
-  const char* pushed = several && !scene.contact->push_out ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
+std::string apart(const SceneConfig& scene) {
+  const char* pushed = may_push_out(scene) ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
   return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
 }
+
+// What to do about an object that is where it is itself.
+constexpr const char* mend_mesh =
+    "have its mesh mended (`tack mesh repair MESH -o NEW`, or `repair` among the steps of a shape `processed`), or turn the object's contact with itself off "
+    "(contact.pairs, contact: false)";
 
 void check_intersections(const SceneConfig& scene, const Value& root, const World& world) {
   if (!world.contact) return;
@@ -39,7 +47,7 @@ void check_intersections(const SceneConfig& scene, const Value& root, const Worl
                         world.bodies[a].name, n(t[0]), n(t[1]), n(t[2]), world.bodies[b].name);
   }
   throw InputError(fmt::format("{}the start intersects; {}:{}", place_of(root, "objects", static_cast<size_t>(std::max(a, b))),
-                               apart(scene, several), list));
+                               several ? apart(scene) : mend_mesh, list));
 }
 
 // What no intersection of edges and triangles tells: edges, points and parts of one plane that touch, such as those of a sheet that is folded
@@ -64,11 +72,11 @@ void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
   }
   const std::string where = place_of(root, "objects", static_cast<size_t>(later));
   if (touches)
-    throw InputError(fmt::format("{}the start touches{}:{}", where, several ? "; " + apart(scene, true)
+    throw InputError(fmt::format("{}the start touches{}:{}", where, several ? "; " + apart(scene)
                                  : " itself; take one of the parts out of the mesh, part them, or turn the object's contact with itself off "
                                    "(contact.pairs, contact: false)", list));
   throw InputError(fmt::format("{}the start violates the contact offsets; move the objects apart (place.translate){} or lower their "
-                               "contact_offset:{}", where, several && !scene.contact->push_out ? ", have them pushed apart (contact.push_out: 1 mm)" : "",
+                               "contact_offset:{}", where, several && may_push_out(scene) ? ", have them pushed apart (contact.push_out: 1 mm)" : "",
                                list));
 }
 
@@ -81,7 +89,7 @@ void check_containment(const SceneConfig& scene, const Value& root, const World&
   throw InputError(fmt::format("{}object '{}' is inside of '{}' at the start (its vertex {} at ({:.6g}, {:.6g}, {:.6g}) m lies "
                                "in tet {}); {}",
                                place_of(root, "objects", static_cast<size_t>(found->body)), inner.name, outer.name,
-                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene, true)));
+                               found->vertex - inner.first_vertex, x.x(), x.y(), x.z(), found->tet, apart(scene)));
 }
 
 }  // namespace

@@ -119,6 +119,15 @@ const std::vector<Mistake> mistakes = {
      {"scene.yaml:10:55: cells: 99999999999 is too large; whole numbers go from"}},
     {"`on` as libraries for YAML 1.1 read it", "on: block, from: floor", "true: block, from: floor",
      {"scene.yaml:20:45: unknown key 'true' in probe 'contact_force'; did you mean 'on'?", "write it in quotes"}},
+    {"name of another program", "young: 1 MPa", "E: 1 MPa", {"scene.yaml:12:36: unknown key 'E' in energy 'neo_hookean'", "did you mean 'young'?"}},
+    {"other capitals", "young: 1 MPa", "young: 1 MPA", {"'MPA' is no known unit; did you mean 'MPa'?"}},
+    {"decimal comma in braces", "young: 1 MPa", "young: 0,1 MPa", {"unknown key '1 MPa' in energy 'neo_hookean'; a comma ends a value: write numbers with a point"}},
+    {"decimal comma", "distance: 1 mm", "distance: 0,5 mm", {"scene.yaml:14:13: distance: ", "write numbers with a point, as 0.1"}},
+    {"blank missing", "distance: 1 mm", "distance:1 mm", {"scene.yaml:14:11: not valid YAML: a blank is missing behind the colon of 'distance:'"}},
+    {"blank missing in braces", "young: 1 MPa", "young:1 MPa", {"a blank is missing behind the colon of 'young:'"}},
+    {"tab", "  distance: 1 mm", "\tdistance: 1 mm", {"lines are indented by blanks, and this one has a tab"}},
+    {"number for a map", "distance: 1 mm", "friction: 0.5", {"friction expects a map, got '0.5'; write {mu: 0.5}"}},
+    {"no tets", cube, "shape: {type: box, size: [0.2, 0.2, 0.2], surface: true}", {"needs tetrahedra", "steps: [tetrahedralize]"}},
     {"bad syntax", "distance: 1 mm", "distance: [1 mm", {"scene.yaml:15:8: not valid YAML"}},
 };
 

@@ -134,3 +134,30 @@ TEST_CASE("help and version end with 0") {
   for (const char* command : {"run", "view", "check", "compare", "batch", "calibrate", "list", "law", "mesh", "tack test"})
     CHECK(contains(help.out, command));
 }
+
+TEST_CASE("help, version and components are found by the words that other programs have for them") {
+  const TemporaryFolder folder;
+  const auto tack = [&](const Arguments& arguments) { return run_tack(folder.path(), arguments); };
+  CHECK(tack({"help"}).out == tack({"--help"}).out);
+  CHECK(tack({"help", "run"}).out == tack({"run", "--help"}).out);
+  CHECK(tack({"version"}).out == tack({"--version"}).out);
+  const ProgramResult nothing = tack({});
+  CHECK(nothing.exit_code == 2);
+  CHECK(contains(nothing.err, "calibrate"));
+  CHECK(tack({"list", "neo_hookean"}).out == tack({"list", "energy", "neo_hookean"}).out);
+  const std::string chambers = tack({"list", "pressure"}).out;  // of two kinds
+  CHECK(contains(chambers, "load 'pressure'"));
+  CHECK(contains(chambers, "filling 'pressure'"));
+  CHECK(tack({"list", "energy"}).out != tack({"list", "probe", "energy"}).out);
+  CHECK(contains(tack({"list", "neo_hokean"}).err, "unknown kind 'neo_hokean'"));
+}
+
+TEST_CASE("check says how large, heavy and fast objects are") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "scene.yaml", tiny_scene);
+  const std::string out = run_tack(folder.path(), {"check", "scene.yaml"}).out;
+  CHECK(contains(out, "object 'block': 0.2 x 0.2 x 0.2 m, 8 kg; 8 vertices"));
+  CHECK_FALSE(contains(out, "warning: object 'block' is"));
+  const std::string large = run_tack(folder.path(), {"check", "scene.yaml", "--set", "objects.block.shape.size=[200, 200, 200]", "objects.block.place.translate=[0, 100.1, 0]"}).out;
+  CHECK(contains(large, "warning: object 'block' is 200 m large, 2e+05 times the contact distance"));
+}

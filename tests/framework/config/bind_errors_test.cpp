@@ -15,7 +15,7 @@ TEST_CASE("unknown keys are named with the nearest one") {
       bind_error("objects: [{name: a}, {name: desk, siez: 1}]\n") ==
       "s.yaml:1:35: unknown key 'siez' in objects 'desk'; did you mean 'size'? (keys: name, size)");
   CHECK(bind_error("clocks: {fast: {zzzzzz: 2}}\n") ==
-        "s.yaml:1:17: unknown key 'zzzzzz' in clocks 'fast'; (keys: step, steps)");
+        "s.yaml:1:17: unknown key 'zzzzzz' in clocks 'fast' (keys: step, steps)");
 }
 
 TEST_CASE("missing keys are named with their meaning") {

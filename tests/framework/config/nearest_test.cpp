@@ -24,7 +24,14 @@ TEST_CASE("the nearest name is found, or none") {
   CHECK(nearest("ab", {"cd"}) == "");
   CHECK(suggestion("yong", names, "keys") ==
         "; did you mean 'young'? (keys: density, poisson, young)");
-  CHECK(suggestion("q", {"a"}, "keys") == "; (keys: a)");
+  CHECK(suggestion("q", {"a"}, "keys") == " (keys: a)");
+  // What other programs and papers call it.
+  CHECK(suggestion("dt", {"duration", "step"}, "keys") == "; did you mean 'step'? (keys: duration, step)");
+  CHECK(suggestion("E", {"density", "young"}, "keys") == "; did you mean 'young'? (keys: density, young)");
+  CHECK(suggestion("nu", {"mu", "poisson"}, "keys") == "; did you mean 'poisson'? (keys: mu, poisson)");
+  CHECK(suggestion("dhat", {"distance", "that"}, "keys") == "; did you mean 'distance'? (keys: distance, that)");
+  CHECK(suggestion("poissons_ratio", {"poisson"}, "keys") == "; did you mean 'poisson'? (keys: poisson)");
+  CHECK(suggestion("dt", {"at"}, "keys") == "; did you mean 'at'? (keys: at)");
   CHECK(suggestion("q", {}, "keys") == "; there are no keys");
 }
 

@@ -67,7 +67,7 @@ TEST_CASE("what is no number with a unit is refused") {
   CHECK(error_of("1.0abc", units::none) ==
         "expects a number, got '1.0abc'; 'abc' is no known unit");
   CHECK(error_of("5 mpa", units::pressure) ==
-        "expects a pressure (Pa), got '5 mpa'; 'mpa' is no known unit");
+        "expects a pressure (Pa), got '5 mpa'; 'mpa' is no known unit; did you mean 'MPa'?");
   CHECK(error_of("nan", units::none) == "expects a number, got 'nan', which is not finite");
   CHECK(error_of("-inf", units::none) == "expects a number, got '-inf', which is not finite");
   CHECK(error_of("1e999", units::none) == "expects a number, got '1e999', which is out of range");

@@ -168,3 +168,17 @@ TEST_CASE("loads act at the start of a quasi-static run as they do in it", "[pro
   run.step();
   CHECK(run.sample(0)[0] == Approx(20));
 }
+
+TEST_CASE("where friction is named and none, probes of it are zero", "[probes]") {
+  const auto scene = [](const std::string& friction) {
+    return "time: {step: 10 ms, duration: 1}\ngravity: [0, -9.81, 0]\ncontact: {distance: 1 mm" + friction + "}\nobjects:\n"
+           "  - {name: floor, shape: {type: box, size: [1, 0.1, 1]}, place: {translate: [0, -0.0505, 0]}, motion: [fixed]}\n"
+           "  - {name: a, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [0, 0.05, 0]}, velocity: [1, 0, 0], energies: [{type: neo_hookean, young: 1 MPa}]}\n"
+           "probes: [{name: f, type: friction_force, on: a, from: floor}, {name: r, type: reaction, object: floor}]\n";
+  };
+  TestRun run(scene(", friction: {mu: 0}"));
+  for (int i = 0; i < 3; ++i) run.step();
+  CHECK(run.sample(0) == std::vector<double>{0, 0, 0});
+  CHECK(std::abs(run.sample(1)[0]) < 1e-3 * std::abs(run.sample(1)[1]));
+  CHECK_THROWS_WITH(TestRun(scene("")), Catch::Contains("no pair has friction"));
+}
