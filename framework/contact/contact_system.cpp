@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "framework/contact/contact_history.hpp"
 #include "framework/contact/narrow_phase.hpp"
 #include "framework/contact/pair_reaches.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
@@ -118,6 +119,11 @@ const RimForces& ContactSystem::rim_forces() const { return narrow_phase_->rim_f
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
 int ContactSystem::broad_phase_builds() const { return broad_phase_->builds(); }
+
+void forget_contact_history(History& history) {
+  for (const std::string& name : {sides_name, turned_sides_name, former_sides_name}) history.erase(name);
+  forget_shares(history);
+}
 
 void ContactSystem::forget() {
   contacts_ = {};

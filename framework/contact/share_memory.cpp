@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "framework/contact/contact_history.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -76,6 +77,8 @@ ShareMemory shares_of(const History& history, const CollisionMesh& mesh) {
   }
   return shares;
 }
+
+void forget_shares(History& history) { history.erase(name); }
 
 void remember_shares(const ShareMemory& shares, const CollisionMesh& mesh, History& history) {
   history.erase(name);

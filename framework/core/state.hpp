@@ -13,7 +13,7 @@ namespace tack {
 struct State {
   double time = 0;  // s
   int step = 0;     // accepted steps
-  VecX x, v, a;     // 3n: positions [m], velocities [m/s], accelerations [m/s^2]
+  VecX x, v, a;     // 3n: positions [m], velocities [m/s], accelerations [m/s^2]; no a: it follows from no step
 
   VecX anchor;          // 3n: where vertices were when they were last seized [m]; empty before the first step
   std::vector<char> held;  // per hold of the script: whether it acted in the step before

@@ -1,11 +1,17 @@
 #include "framework/run/simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "framework/config/bind.hpp"
 #include "framework/output/next_due.hpp"
 #include "framework/remesh/carried_state.hpp"
+#include "framework/run/moved_state.hpp"
 #include "framework/setup/remesh_checks.hpp"
+#include "framework/setup/start_checks.hpp"
+#include "geometry/errors.hpp"
+#include "geometry/exact/orientation.hpp"
 
 namespace tack {
 
@@ -24,6 +30,25 @@ void Simulation::start_from(State state) {
     stepper_->stop_at([interval = output.frame_interval, step = experiment().time.step](double t) { return next_due(interval, t, step); });
   stepper_->observe(observers_);
   stepper_->observe_solved(solved_);
+}
+
+void Simulation::move(const VecX& x, const VecX& v) {
+  const State& now = state();
+  if (now.x.head(x.size()) == x && now.v.head(v.size()) == v) return;
+  State moved = moved_state(world(), now, x, v);
+  const State start = world().start;
+  try {
+    world().start = moved;
+    if (const int tet = first_inverted_tet(world().tets, moved.x); tet >= 0) {
+      const Tet& t = world().tets[static_cast<size_t>(tet)];
+      throw InputError(fmt::format("the positions invert the tet of the vertices {}, {}, {} and {}; move them less", t[0], t[1], t[2], t[3]));
+    }
+    check_start(experiment(), built_.root(), world());
+  } catch (...) {
+    world().start = start;
+    throw;
+  }
+  start_from(std::move(moved));
 }
 
 StepReport Simulation::step() {

@@ -101,6 +101,8 @@ class Stepper : public Component {
   virtual Verdict verdict(const Attempt& attempt) = 0;
   // The latest attempt is kept: writes what the next step is to know beside where everything is.
   virtual void commit(History& /*history*/) const {}
+  // Bodies are put elsewhere, by no step: erases what commit() has written.
+  virtual void forget(History& /*history*/) const {}
 
   void observe(StepObservers observers) { observers_ = std::move(observers); }
 

@@ -58,11 +58,18 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   if (time.integrator->follows_contact())
     std::copy_if(world.terms.begin(), world.terms.end(), std::back_inserter(dynamic_terms_), [](const Term* term) { return term->dynamic(); });
   const Unlimited unlimited(clock_, time_);
-  world_.participants.remember(state_.history);
   stepper_->prepare({world, scene, time, solver, clock});
+  const bool anew = state_.a.size() == 0;
+  if (anew) begin_anew();
+  world_.participants.remember(state_.history);
   if (world.friction && scene.contact->lagging.iterations == 1 && !world.records.replaced(*world.friction))
     impulses_.emplace(*world.friction, masses_of_bodies(world), solver.velocity_tolerance());
   hold(state_.h_next);
+  if (anew) {
+    std::vector<int> free;
+    for (int b = 0; b < world_.dofs.block_count(); ++b) free.push_back(world_.dofs.vertex_of_block(b));
+    set_accelerations(state_.time, free);
+  }
   begin_records();
 }
 

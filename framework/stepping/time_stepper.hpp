@@ -74,6 +74,7 @@ class TimeStepper {
  private:
   Verdict judge(const Attempt& attempt);
   void check_wall_limit(const std::string& wrong) const;
+  void begin_anew();
   void hold(double h);
   void begin_records();
   void set_accelerations(double t, const std::vector<int>& vertices);

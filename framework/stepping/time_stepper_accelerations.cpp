@@ -1,18 +1,28 @@
 // Accelerations that no step has given: of states that begin, of vertices that are released, and those by dynamic terms.
+#include "framework/contact/contact_history.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/core/term_gradient.hpp"
 #include "framework/load/following_load.hpp"
+#include "framework/stepping/friction_account.hpp"
 #include "framework/stepping/time_stepper.hpp"
 #include "framework/world/consistent_mass.hpp"
 
 namespace tack {
+
+// Of a state that follows from no step: what steps have left in its history goes, and accelerations have to be set.
+void TimeStepper::begin_anew() {
+  state_.a = VecX::Zero(state_.x.size());
+  state_.history.erase(owed_friction_name);
+  forget_contact_history(state_.history);
+  stepper_->forget(state_.history);
+}
 
 // M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
   if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
     term->begin_step({state_.x, t});
-  const EndVelocity now{1, state_.x - state_.v};
+  const EndVelocity now{1 / time_.step, state_.x - time_.step * state_.v};
   const StepStart moment{state_.x, t, 0, &now, &state_.v};
   for (FollowingLoad* load : world_.following_loads) load->begin_step(moment);
   for (const auto& term : world_.damping_terms) term->begin_step(moment);

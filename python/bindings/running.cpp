@@ -12,10 +12,8 @@
 #include "framework/output/frame_fields.hpp"
 #include "framework/output/frame_geometry.hpp"
 #include "framework/setup/remesh_checks.hpp"
-#include "framework/setup/start_checks.hpp"
 #include "framework/world/energy_records.hpp"
 #include "geometry/errors.hpp"
-#include "geometry/exact/orientation.hpp"
 #include "geometry/plain_numbers.hpp"
 #include "python/bindings/interrupts.hpp"
 
@@ -140,27 +138,13 @@ void Running::restart() {
 void Running::move(const std::optional<Numbers>& x, const std::optional<Numbers>& v) {
   const Claim claim(busy_);
   end_problem();
-  World& world = simulation_->world();
-  State state = simulation_->state();
-  const Eigen::Index size = 3 * world.mesh_vertex_count();
-  const State before = state;
-  if (x) state.x.head(size) = vector_of(*x, size, "positions");
-  if (v) state.v.head(size) = vector_of(*v, size, "velocities");
-  world.dofs.follow(state.x);
-  world.dofs.follow(state.v);
-  // What was is no longer what the next step follows from.
-  state.h_before = 0;
-  state.acted_before = 0;
+  const Eigen::Index size = 3 * world().mesh_vertex_count();
+  const State& state = simulation_->state();
+  const VecX places = x ? VecX(vector_of(*x, size, "positions")) : VecX(state.x.head(size));
+  const VecX velocities = v ? VecX(vector_of(*v, size, "velocities")) : VecX(state.v.head(size));
   try {
-    world.start = state;
-    if (const int tet = first_inverted_tet(world.tets, state.x); tet >= 0) {
-      const Tet& t = world.tets[static_cast<size_t>(tet)];
-      throw InputError(fmt::format("the positions invert the tet of the vertices {}, {}, {} and {}; move them less", t[0], t[1], t[2], t[3]));
-    }
-    check_start(simulation_->experiment(), simulation_->built().root(), world);
-    simulation_->start_from(state);
+    simulation_->move(places, velocities);
   } catch (...) {
-    simulation_->start_from(before);
     settle();
     throw;
   }

@@ -92,7 +92,10 @@ class Simulation:
         return self.objects[name]
 
     def move(self, x=None, v=None):
-        """Goes on from other positions and velocities (n, 3). Raises InputError, and leaves everything as it was, for positions that intersect or invert elements."""
+        """Goes on from other positions and velocities (n, 3), as a run that starts there; from those that it has, nothing changes.
+
+        Raises InputError, and leaves everything as it was, for positions that intersect or invert elements, or bend an affine body.
+        """
         self._running.move(x, v)
 
     def step(self, minimizer=None):

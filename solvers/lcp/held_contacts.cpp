@@ -65,6 +65,10 @@ HeldContacts HeldContacts::read(const History& history, const ContactSurface& su
   return held;
 }
 
+void HeldContacts::forget(History& history) {
+  for (const std::string& name : {points_name, edges_name}) history.erase(name);
+}
+
 void HeldContacts::write(History& history, const ContactSurface& surface) const {
   const CollisionMesh& mesh = surface.mesh;
   const auto first_triangle = first_of_objects(mesh, mesh.triangles), first_edge = first_of_objects(mesh, mesh.edges);

@@ -34,6 +34,7 @@ struct HeldContacts {
   // Throws InputError for what was remembered of another scene.
   static HeldContacts read(const History& history, const ContactSurface& surface);
   void write(History& history, const ContactSurface& surface) const;
+  static void forget(History& history);
 };
 
 }  // namespace tack

@@ -69,6 +69,7 @@ class LcpPgsStepper : public Stepper {
   void commit(History& history) const override {
     if (world_->contact) step_->held().write(history, world_->contact->surface());
   }
+  void forget(History& history) const override { HeldContacts::forget(history); }
 
  private:
   std::optional<double> margin_, tolerance_;  // m, m/s

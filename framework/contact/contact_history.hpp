@@ -1,0 +1,12 @@
+// What contact remembers of the step before, beside bonds.
+#pragma once
+
+#include "framework/core/history.hpp"
+
+namespace tack {
+
+// Erases which sides integrate and the shares of rods and particles: surfaces are put elsewhere, by no step.
+void forget_contact_history(History& history);
+void forget_shares(History& history);  // of these the shares alone (share_memory.hpp)
+
+}  // namespace tack

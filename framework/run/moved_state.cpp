@@ -1,0 +1,80 @@
+#include "framework/run/moved_state.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+
+#include "framework/body/extent.hpp"
+#include "framework/world/consistent_mass.hpp"
+#include "framework/world/world.hpp"
+#include "geometry/errors.hpp"
+
+namespace tack {
+namespace {
+
+// Sets the vertices of each affine body's frame so that those of its mesh are nearest to where they are in the field (3n).
+void fit_frames(const World& world, VecX& field) {
+  const int meshes = world.mesh_vertex_count();
+  for (const AffineFrame& frame : world.bindings.frames()) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+    Eigen::Matrix<double, 4, 3> sums = Eigen::Matrix<double, 4, 3>::Zero();
+    for (const AffineFrame::Carried& carried : frame.carried) {
+      if (carried.vertex >= meshes) continue;
+      const Eigen::Map<const Eigen::Vector4d> w(carried.weights.data());
+      normal += w * w.transpose();
+      sums += w * vertex(field, carried.vertex).transpose();
+    }
+    const Eigen::Matrix<double, 4, 3> fitted = normal.ldlt().solve(sums);
+    for (int i = 0; i < 4; ++i) vertex(field, frame.frame[i]) = fitted.row(i).transpose();
+  }
+}
+
+void check_followed(const World& world, const VecX& asked, const VecX& x) {
+  constexpr double tolerated = 1e-6;  // of the size of the object
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    const double size = extent_of(body, world.rest).diagonal().norm();
+    for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) {
+      const double off = (vertex(asked, v) - vertex(x, v)).norm();
+      if (off <= tolerated * size) continue;
+      throw InputError(fmt::format("vertex {} of '{}' follows others and would be {:.3g} m from where it is put; move affine bodies affinely, and what is "
+                                   "attached or joined together with what it is attached or joined to", v - body.first_vertex, body.name, off));
+    }
+  }
+}
+
+// What has been dissipated or done so far stays; all that is known of the state's energies goes.
+EnergyAccount reopened(EnergyAccount account) {
+  account.open = false;
+  account.kinetic = account.gravity = account.elastic = account.contact = 0;
+  account.gradient.resize(0);
+  account.grown_steps = 0;
+  return account;
+}
+
+}  // namespace
+
+State moved_state(const World& world, const State& before, const VecX& x, const VecX& v) {
+  State state;
+  state.time = before.time;
+  state.step = before.step;
+  state.x = before.x;
+  state.v = before.v;
+  state.x.head(x.size()) = x;
+  state.v.head(v.size()) = v;
+  fit_frames(world, state.x);
+  fit_frames(world, state.v);
+  if (!world.bindings.joints().empty()) make_possible(world.dofs, world.mass, state.v);
+  const VecX asked = state.x;
+  world.dofs.follow(state.x);
+  world.dofs.follow(state.v);
+  check_followed(world, asked, state.x);
+  state.anchor = before.anchor;
+  state.held = before.held;
+  state.history = before.history;
+  state.energy = reopened(before.energy);
+  state.whole_steps = before.whole_steps;
+  return state;
+}
+
+}  // namespace tack
