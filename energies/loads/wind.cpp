@@ -1,5 +1,10 @@
-// Wind and the drag of a medium on triangles: along its normal n, each is pushed by 1/2 rho c_d A |u| u, u = n . (w - v) the speed of the medium towards it. With the
-// normals and areas of the start of the step and the velocities of its end, v = rate (x - still), that has the convex potential
+// Wind and the drag of a medium on triangles. With u = n . (w - v), the speed of the medium w towards a triangle of normal n and velocity v, the triangle is pushed by
+//     1/2 rho c_d A |u| u n.
+// That is the pressure of modified Newtonian flow (Lees 1955): the stagnation pressure times c_d times the squared cosine of the incidence. A triangle of a sheet with a
+// boundary is pushed from either side, one of a solid or a closed sheet only from outside (u < 0 with n outwards): the lee carries no pressure, nor do the walls of
+// cavities. Over 1/2 rho c_d U^2 times the frontal area, the drag is 1 of a sheet or a face of a cuboid across the flow, 2/3 of a cylinder across it, 1/2 of a sphere.
+// One triangle does not shelter another.
+//     With the normals and areas of the start of the step and the velocities of its end, v = rate (x - still), the force has the convex potential
 //     rho c_d A / (6 rate) |u|^3,
 // so that drag is implicit, however light a sheet is.
 #include <Eigen/Geometry>
@@ -7,7 +12,7 @@
 #include <cmath>
 
 #include "energies/loads/ramp.hpp"
-#include "framework/body/chosen_vertices.hpp"
+#include "framework/body/chamber_surface.hpp"
 #include "framework/body/selection.hpp"
 #include "framework/load/following_load.hpp"
 #include "framework/world/load.hpp"
@@ -25,8 +30,10 @@ struct WindSettings {
 
 class WindTerm : public FollowingLoad {
  public:
-  WindTerm(const WindSettings& settings, std::vector<Triangle> triangles)
-      : FollowingLoad("wind"), settings_(settings), triangles_(std::move(triangles)) {}
+  WindTerm(const WindSettings& settings, const ExposedTriangles& exposed)
+      : FollowingLoad("wind"), settings_(settings), triangles_(exposed.open), open_(static_cast<int>(exposed.open.size())) {
+    triangles_.insert(triangles_.end(), exposed.closed.begin(), exposed.closed.end());
+  }
   bool needs_velocities() const override { return true; }
 
   std::vector<double> abrupt_times() const override { return settings_.ramp.corners(); }
@@ -82,7 +89,7 @@ class WindTerm : public FollowingLoad {
     VecX forces = VecX::Zero(x.size());
     add_forces(x, 1, forces);
     const Vec3 wind = settings_.ramp.at(time()) * settings_.velocity;
-    for (int t = 0; t < count(); ++t) push(t, normals_.col(t).dot(wind - mean(before(), t)), forces);
+    for (int t = 0; t < count(); ++t) push(t, felt(t, normals_.col(t).dot(wind - mean(before(), t))), forces);
     return work_of(forces / 2, x - start(), dofs);
   }
 
@@ -95,10 +102,13 @@ class WindTerm : public FollowingLoad {
   void push(int t, double u, VecX& forces) const {
     for (const int v : triangles_[t]) vertex(forces, v) += factors_(t) / 3 * std::abs(u) * u * normals_.col(t);
   }
-  double towards(const VecX& x, int t) const { return still_(t) - after().rate * normals_.col(t).dot(mean(x, t)); }
+  // The part of a speed along the normal that pushes: on a closed surface the one that comes from outside.
+  double felt(int t, double u) const { return t < open_ ? u : std::min(u, 0.0); }
+  double towards(const VecX& x, int t) const { return felt(t, still_(t) - after().rate * normals_.col(t).dot(mean(x, t))); }
 
   const WindSettings& settings_;
-  std::vector<Triangle> triangles_;
+  std::vector<Triangle> triangles_;  // those with two sides, then those with an outside
+  int open_;                         // how many have two sides
   Eigen::Matrix3Xd normals_;
   VecX factors_, still_, first_;  // rho c_d A / 2; u of a triangle at the origin; u at the start of the step
 };
@@ -109,16 +119,14 @@ class Wind : public Load {
     f.vector("velocity", settings_.velocity, units::velocity, "of the medium; zero: it only resists");
     settings_.ramp.fields(f, "ramp", "factor of the velocity over time");
     f.number("density", settings_.density, units::density, "of the medium; that of air unless given").positive();
-    f.number("drag", settings_.drag, units::none, "c_d: force over 1/2 density speed^2 area").positive();
+    f.number("drag", settings_.drag, units::none, "c_d of a face across the flow: pressure on its windward side over 1/2 density speed^2. Of that, a sphere has 1/2, a cylinder across the flow 2/3").positive();
     f.component("select", select_, "vertices; triangles with all three selected are in it");
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
-    const ChosenVertices chosen(body, select(*select_, {body, rest}));
-    std::vector<Triangle> triangles = body.triangles;
-    std::erase_if(triangles, [&](const Triangle& t) { return !chosen.whole(t); });
-    if (triangles.empty())
-      throw InputError("object '" + body.name + "': its wind's selection holds no whole surface triangle; widen it");
-    return std::make_unique<WindTerm>(settings_, std::move(triangles));
+    const ExposedTriangles exposed = exposed_triangles(*select_, {body, rest});
+    if (exposed.open.empty() && exposed.closed.empty())
+      throw InputError("object '" + body.name + "': its wind's selection holds no whole triangle of an outer surface; widen it (rods and particles have no surface that wind acts on)");
+    return std::make_unique<WindTerm>(settings_, exposed);
   }
 
  private:
@@ -126,7 +134,7 @@ class Wind : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-TACK_REGISTER(Load, Wind, "wind", "The drag of a medium on surfaces, along their normals, by the square of its speed towards them.", "");
+TACK_REGISTER(Load, Wind, "wind", "The drag of a medium on surfaces, along their normals, by the square of its speed towards them: on both sides of sheets, on the windward side of solids and closed sheets.", "");
 
 }  // namespace
 }  // namespace tack

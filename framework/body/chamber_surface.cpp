@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <set>
 
@@ -63,6 +64,16 @@ std::vector<Triangle> outwards(const std::vector<Triangle>& triangles, const Vec
     all.insert(all.end(), piece.begin(), piece.end());
   }
   return all;
+}
+
+// Turns triangles so that neighbours are oriented alike; false, and nothing turned, where there is no such orientation.
+bool orient(std::vector<Triangle>& triangles) {
+  try {
+    triangles = oriented_alike(triangles);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 std::string place_of_loop(const std::vector<int>& loop, const VecX& rest) {
@@ -130,6 +141,33 @@ std::vector<Triangle> pressed_triangles(const Selection& selection, const Select
   } catch (const InputError& error) {
     throw InputError(fmt::format("the surface of object '{}': {}", context.body.name, error.what()));
   }
+}
+
+ExposedTriangles exposed_triangles(const Selection& selection, const SelectionContext& context) {
+  const Body& body = context.body;
+  const ChosenVertices chosen(body, select(selection, context));
+  ExposedTriangles exposed;
+  const auto take = [&](const std::vector<Triangle>& triangles, std::vector<Triangle>& to) {
+    std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(to), [&](const Triangle& t) { return chosen.whole(t); });
+  };
+  const auto first_sheet = body.triangles.end() - static_cast<std::ptrdiff_t>(body.sheet.size());
+  for (const bool solid : {true, false}) {
+    const std::vector<Triangle> all(solid ? body.triangles.begin() : first_sheet, solid ? first_sheet : body.triangles.end());
+    const std::vector<int> pieces = parts_of(all);
+    for (int p = 0; p < count_of(pieces); ++p) {
+      std::vector<Triangle> piece = of_part(all, pieces, p);
+      if (!solid && !orient(piece)) {
+        take(piece, exposed.open);
+        continue;
+      }
+      const OrientedSurface surface(piece);
+      const double volume = surface.volume(context.rest, surface.mean_place(context.rest));
+      if (!solid && !surface.closed()) take(piece, exposed.open);
+      else if (volume > 0) take(piece, exposed.closed);
+      else if (!solid) take(turned(std::move(piece)), exposed.closed);
+    }
+  }
+  return exposed;
 }
 
 ChamberSurface chamber_surface(const std::vector<ChamberPart>& parts, const VecX& rest, const std::string& who) {

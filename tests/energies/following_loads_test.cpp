@@ -3,9 +3,12 @@
 
 #include <Eigen/Geometry>
 
+#include "framework/body/chamber_surface.hpp"
 #include "framework/checks/derivative_check.hpp"
 #include "framework/load/volume_term.hpp"
 #include "geometry/errors.hpp"
+#include "geometry/mesh/surface.hpp"
+#include "geometry/shapes/solids.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
@@ -46,6 +49,7 @@ const Case cases[] = {
     {"torque about a point", held, "{type: torque, value: -0.5, axis: [0, 1, 0], point: [0.1, 0, 0.05], select: {type: face, direction: [0, 1, 0]}}"},
     {"torque on an affine body", stone, "{type: torque, value: 0.5, axis: [0, 1, 1]}"},
     {"wind", sheet, "{type: wind, velocity: [1, 20, 3]}"},
+    {"wind on a block", block, "{type: wind, velocity: [1, 20, 3]}"},
     {"wind on an affine body", stone, "{type: wind, velocity: [1, 20, 3], drag: 2}"},
     {"field", block, "{type: field, x: -k * x, y: g * sin(y / l) - c * vy, z: x * y * 30, parameters: {k: 400 1/s^2, g: 9.81 m/s^2, l: 3 cm, c: 5 1/s}}"},
     {"field per volume on an affine body", stone, "{type: field, per: volume, x: -1e6 * x, z: 1e5 * z}"},
@@ -198,6 +202,63 @@ TEST_CASE("a sheet that falls in air has the speed of the closed form", "[loads]
   }
 }
 
+// Over 1/2 rho c_d U^2 times the frontal area. Each surface counts once, whatever it belongs to: the lee of what is closed carries no pressure.
+TEST_CASE("the drag of wind on solids, sheets and affine bodies is that of modified Newtonian flow", "[loads]") {
+  const std::string solid = "energies: [{type: neo_hookean, young: 0.1 MPa, density: 1000}]", affine = "body: {type: affine, density: 1000}",
+                    film = "shell: {thickness: 1 mm}, energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}]";
+  const std::string cube = "shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2]}, ", ball = "shape: {type: sphere, radius: 0.1, cells: 12}, ",
+                    rod = "shape: {type: cylinder, radius: 0.1, height: 0.3, cells_across: 16, cells_along: 2}, ", turned = "place: {axis: [0, 1, 0], angle: 45 deg}, ";
+  constexpr double pi = 3.14159265358979;
+  struct Shape {
+    std::string object;
+    double frontal_area, drag, within;  // m^2, 1, relative
+  };
+  const Shape shapes[] = {{cube + solid, 0.04, 1, 1e-9},
+                          {cube + affine, 0.04, 1, 1e-9},
+                          {"shape: {type: box, size: [0.2, 0.2, 0.2], cells: [2, 2, 2], surface: true}, " + film, 0.04, 1, 1e-9},
+                          {cube + turned + solid, 0.04 * std::sqrt(2), 0.5, 1e-9},
+                          {ball + solid, pi * 0.01, 0.5, 0.03},
+                          {ball + affine, pi * 0.01, 0.5, 0.03},
+                          {"shape: {type: sphere, radius: 0.1, cells: 12, surface: true}, " + film, pi * 0.01, 0.5, 0.03},
+                          {rod + solid, 0.06, 2.0 / 3, 0.03},
+                          {"shape: {type: grid, size: [0.2, 0.2], cells: [2, 2]}, place: {axis: [0, 0, 1], angle: 90 deg}, " + film, 0.04, 1, 1e-9},
+                          {"shape: {type: grid, size: [0.2, 0.2], cells: [2, 2]}, place: {axis: [0, 0, 1], angle: -90 deg}, " + film, 0.04, 1, 1e-9}};
+  for (const Shape& shape : shapes)
+    for (const double speed : {10.0, -10.0}) {
+      INFO(shape.object << " " << speed);
+      TestScene s(scene({"", shape.object.c_str(), fmt::format("{{type: wind, velocity: [{}, 0, 0], drag: 1.3}}", speed).c_str()}));
+      World& world = *s.world;
+      const VecX& x = world.start.x;
+      const EndVelocity velocity{100, x};
+      world.participants.begin_step({x, 0.2, 0.01, &velocity, &world.start.v});
+      VecX forces = VecX::Zero(x.size());
+      load_of(world).add_forces(x, 1, forces);
+      const double unit = 0.5 * 1.2 * 1.3 * speed * std::abs(speed) * shape.frontal_area;
+      CHECK(total(forces).x() / unit == Approx(shape.drag).epsilon(shape.within));
+      CHECK(total(forces).cross(Vec3::UnitX()).norm() < 1e-9 * std::abs(unit));
+    }
+}
+
+// A box of 3 x 3 x 3 cells without the one in its middle.
+TEST_CASE("wind does not reach the walls of a cavity", "[loads]") {
+  Mesh mesh = box_tets({0.3, 0.3, 0.3}, {3, 3, 3});
+  std::erase_if(mesh.tets, [&](const Tet& t) {
+    Vec3 middle = Vec3::Zero();
+    for (const int v : t) middle += mesh.vertices[v] / 4;
+    return middle.cwiseAbs().maxCoeff() < 0.05;
+  });
+  Body body;
+  body.name = "hollow";
+  body.vertex_count = static_cast<int>(mesh.vertices.size());
+  body.triangles = extract_surface(mesh).triangles;
+  VecX rest(3 * body.vertex_count);
+  for (int v = 0; v < body.vertex_count; ++v) vertex(rest, v) = mesh.vertices[v];
+  REQUIRE(body.triangles.size() == 6 * 18 + 6 * 2);
+  const ExposedTriangles exposed = exposed_triangles(*Registry<Selection>::make("all"), {body, rest});
+  CHECK(exposed.open.empty());
+  CHECK(exposed.closed.size() == 6 * 18);
+}
+
 TEST_CASE("a field is what its formula says: weight, a spring, a brake", "[loads]") {
   const auto fall = [](const std::string& load, const std::string& more, int steps) {
     TestRun run("time: {step: 5 ms, duration: 10, integrator: newmark}\n" + more + "objects:\n  - {name: it, " + std::string(stone) + ", velocity: [0, 1, 0]" +
@@ -254,5 +315,7 @@ TEST_CASE("following loads say what is wrong with them", "[loads]") {
   CHECK_THAT(refused(block, "{type: torque, value: 1, select: {type: indices, vertices: [0]}}"), has("lies on its axis"));
   CHECK_THAT(refused(block, "{type: field, x: q * 2}"), has("q"));
   CHECK_THAT(refused(block, "{type: field, x: x, parameters: {x: 1}}"), has("something else"));
+  CHECK_THAT(refused("shape: {type: segment, length: 1, edges: 4}, rod: {radius: 1 mm}, energies: [{type: elastic_rod, young: 1 MPa}]", "{type: wind, velocity: [1, 0, 0]}"),
+             has("no whole triangle of an outer surface"));
   CHECK_THAT(refused(stone, "{type: field, x: x, select: {type: face, direction: [1, 0, 0]}}"), has("affine"));
 }
