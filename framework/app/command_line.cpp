@@ -1,15 +1,15 @@
-// The commands, their options and what is told of them. CLI11 is known here only.
+// The commands, their options and what is told of them. CLI11 is known here and in number_options.hpp alone.
 #include "framework/app/command_line.hpp"
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 
 #include "framework/app/command_set.hpp"
 #include "framework/app/commands.hpp"
+#include "framework/app/number_options.hpp"
 #include "framework/config/nearest.hpp"
 #include "framework/contact/adhesion_law.hpp"
 #include "framework/meshing/mesh_operation.hpp"
@@ -37,25 +37,6 @@ void settle(SceneOptions& options) {
   options.file = *file;
   values.erase(file);
 }
-
-// A number of something. CLI11's own says the whole range of doubles, digit by digit.
-const CLI::Validator whole_number_above_zero(
-    [](std::string& text) {
-      int number = 0;
-      const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0;
-      return good ? std::string() : fmt::format("expects a whole number above zero, got '{}'", text);
-    },
-    "POSITIVE");
-
-const CLI::Validator number_above_zero(
-    [](std::string& text) {
-      double number = 0;
-      const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0 && number < 1e6;
-      return good ? std::string() : fmt::format("expects a number above zero, got '{}'", text);
-    },
-    "POSITIVE");
 
 std::string version_text() {
   const Build build = this_build();
