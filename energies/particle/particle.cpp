@@ -1,21 +1,22 @@
-// Points with the mass of a sphere. They move, and do not turn.
+// Points with the mass of a sphere. They move, and turn only if they roll (framework/setup/spins.hpp).
 #include <fmt/format.h>
 
 #include <numbers>
 
 #include "framework/config/field.hpp"
-#include "framework/scene/energy.hpp"
+#include "framework/scene/rolling_energy.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
 
-class Particle : public Energy {
+class Particle : public RollingEnergy {
  public:
   void fields(Fields& f) override {
     Energy::fields(f);
     f.number("density", density_, units::density, "mass per volume of the sphere").positive();
     f.optional_number("mass", mass_, units::mass, "of each, instead of the one that the density gives").positive();
+    rolling_field(f);
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX&) const override {
     if (body.points.empty())
@@ -35,7 +36,7 @@ class Particle : public Energy {
   std::optional<double> mass_;  // kg
 };
 
-TACK_REGISTER(Energy, Particle, "particle", "Points with a radius (`particle`) that have a mass, and no stiffness: spheres that do not turn.", "");
+TACK_REGISTER(Energy, Particle, "particle", "Points with a radius (`particle`) that have a mass, and no stiffness: spheres, which turn only if they roll.", "");
 
 }  // namespace
 }  // namespace tack

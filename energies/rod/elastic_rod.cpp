@@ -6,12 +6,12 @@
 #include "energies/rod/edges.hpp"
 #include "energies/rod/rod_term.hpp"
 #include "framework/config/field.hpp"
-#include "framework/scene/energy.hpp"
+#include "framework/scene/rolling_energy.hpp"
 
 namespace tack {
 namespace {
 
-class ElasticRod : public Energy {
+class ElasticRod : public RollingEnergy {
  public:
   void fields(Fields& f) override {
     Energy::fields(f);
@@ -26,6 +26,7 @@ class ElasticRod : public Energy {
     f.vector("curvature", curvature_, units::curvature,
              "added to the curvature at rest, in the frame of the section: its bending towards `normal`, and across");
     f.number("twist", twist_, units::curvature, "added to the twist at rest: angle per length");
+    rolling_field(f);
   }
   bool twists() const override { return true; }
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {

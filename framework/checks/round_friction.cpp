@@ -10,6 +10,7 @@
 
 #include "framework/contact/contact_system.hpp"
 #include "framework/scene/copied_lines.hpp"
+#include "framework/scene/rolling_energy.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
@@ -65,7 +66,7 @@ class RoundFriction {
   std::vector<std::string> lines() {
     for (int i = 0; i < static_cast<int>(world_.bodies.size()); ++i) {
       const Body& body = world_.bodies[i];
-      if (!body.movable) continue;
+      if (!body.movable || rolls(scene_.objects[i])) continue;
       if (body.section && body.section->circular()) {
         const auto rods = components_of(body.edges);
         tell(i, "rod", static_cast<int>(std::count_if(rods.begin(), rods.end(), [&](const auto& rod) { return free(rod); })), rods.size() > 1);
@@ -96,8 +97,13 @@ class RoundFriction {
     const std::string& name = world_.bodies[i].name;
     lines_.tell(scene_.objects[i], kind,
                 fmt::format("the {}s of '{}' are round and can rub on '{}' (mu {:g}), and they slide without turning: on a slope they stick where they "
-                            "would roll; where that matters make '{}' a mesh of tets or an affine body, or set its friction to 0",
-                            kind, name, world_.bodies[partner].name, mu, name));
+                            "would roll; {}, or set its friction to 0",
+                            kind, name, world_.bodies[partner].name, mu, remedy(i, kind)));
+  }
+
+  std::string remedy(int i, std::string_view kind) const {
+    if (kind == "rod" && !world_.bodies[i].rod) return "give it the energy elastic_rod with `rolling: true`";
+    return fmt::format("give its energy {} `rolling: true`", kind == "rod" ? "elastic_rod" : "particle");
   }
 
   const SceneConfig& scene_;

@@ -1,5 +1,5 @@
 // Warnings about friction of round things that do not turn. Friction of rods and particles acts on
-// their centre lines and centres: without a rotation of their own they stick on a slope where a
+// their centre lines and centres unless they roll (setup/spins.hpp): they stick on a slope where a
 // cylinder or a ball rolls. A warning names the object, what it can rub on, the coefficient of
 // friction and the remedy.
 //     A rod is meant if its section is circular and no vertex of its connected component is held

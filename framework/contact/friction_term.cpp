@@ -9,22 +9,27 @@
 namespace tack {
 namespace {
 
-// The sum of number(slip, its law) over points.
-template <int K, class Number>
-double sum_over(const std::vector<ContactPoint<K>>& points, const PairTable& pairs, const VecX& x,
-                const VecX& start, const Number& number) {
+template <class Point, class Number>
+double sum_over(const std::vector<Point>& points, const PairTable& pairs, const VecX& x, const VecX& start, const Number& number) {
   return sum_chunks(static_cast<int>(points.size()), [&](int first, int last) {
     double sum = 0;
-    for (int i = first; i < last; ++i)
-      sum += number(Slip<K>(points[i], x, start), pairs.tangential(points[i].law));
+    for (int i = first; i < last; ++i) sum += number(Slip(points[i], x, start), pairs.tangential(points[i].law));
     return sum;
   });
 }
 
 }  // namespace
 
-FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& normal)
-    : Term("friction"), system_(system), normal_(normal) {
+template <class Number>
+double FrictionTerm::sum_of(const VecX& x, const Number& number) const {
+  double sum = 0;
+  for_each_arity(sliding(), [&](const auto& points) { sum += sum_over(points, system_.pairs(), x, start_, number); });
+  for (const RollingGroup& group : rolling_) sum += sum_over(group.points, system_.pairs(), x, start_, number);
+  return sum;
+}
+
+FrictionTerm::FrictionTerm(const ContactSystem& system, const ContactTerm& normal, ContactSpins spins)
+    : Term("friction"), system_(system), normal_(normal), spins_(std::move(spins)) {
   for (size_t law = 0; law < system.pairs().laws().size(); ++law)
     wanted_.push_back(system.pairs().tangential(static_cast<int>(law)).acts());
 }
@@ -51,6 +56,14 @@ ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
   return contact_points({system_, normal_.laws(LawPart::barrier), wanted_, x});
 }
 
+void FrictionTerm::take(ContactPoints points) {
+  points_ = std::move(points);
+  if (spins_.empty()) return;
+  FrictionPoints divided = divided_by_spin(points_, spins_, start_);
+  sliding_ = std::move(divided.sliding);
+  rolling_ = std::move(divided.rolling);
+}
+
 void FrictionTerm::begin_step(const StepStart& start) {
   start_ = start.x;
   h_ = start.h;
@@ -58,7 +71,8 @@ void FrictionTerm::begin_step(const StepStart& start) {
 
 double FrictionTerm::residual(const VecX& x, const ContactPoints& points) const {
   const VecX held = forces(x, TangentialPart::all);
-  const VecX now = forces_of(points, x, TangentialPart::all, std::nullopt);
+  const FrictionPoints divided = spins_.empty() ? FrictionPoints{} : divided_by_spin(points, spins_, start_);
+  const VecX now = forces_of(spins_.empty() ? points : divided.sliding, divided.rolling, x, TangentialPart::all, std::nullopt);
   double largest = 0, difference = 0;
   for (int v = 0; v < x.size() / 3; ++v) {
     largest = std::max({largest, vertex(held, v).norm(), vertex(now, v).norm()});
@@ -85,52 +99,43 @@ void FrictionTerm::hold(const ContactPoints& now, const std::set<Objects>& betwe
     std::erase_if(held, meant);
     std::copy_if(now.of<K>().begin(), now.of<K>().end(), std::back_inserter(held), meant);
   });
+  take(std::move(points_));
 }
 
 void FrictionTerm::scale_normal_forces(const PairForces& factors) {
   for_each_record(points_, [&](auto& c) {
     if (const auto factor = factors.find(c.objects()); factor != factors.end()) c.normal_force *= factor->second;
   });
+  take(std::move(points_));
 }
 
 double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {
-  double sum = 0;
-  for_each_arity(points_, [&](const auto& points) {
-    sum += sum_over(points, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
-      return slip.sample(law, h_, part).value;
-    });
-  });
-  return sum;
+  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, part).value; });
 }
 
 double FrictionTerm::dissipated(const VecX& x, TangentialPart part) const {
-  double sum = 0;
-  for_each_arity(points_, [&](const auto& points) {
-    sum += sum_over(points, system_.pairs(), x, start_, [&](const auto& slip, const TangentialLaw& law) {
-      return slip.sample(law, h_, part).slope_over_y * slip.y * slip.y;
-    });
-  });
-  return sum;
+  return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, part).slope_over_y * slip.y * slip.y; });
 }
 
 std::vector<StencilBatch> FrictionTerm::batches() const {
   std::vector<StencilBatch> batches;
-  for_each_arity(points_, [&]<int K>(const std::vector<ContactPoint<K>>& points) {
+  for_each_arity(sliding(), [&]<int K>(const std::vector<ContactPoint<K>>& points) {
     auto& vertices = batch_vertices_[batches.size()];
     vertices.clear();
     for (const auto& c : points) vertices.insert(vertices.end(), c.vertices.begin(), c.vertices.end());
     batches.push_back({K, static_cast<int>(points.size()), vertices.data()});
   });
+  for (const RollingGroup& group : rolling_) batches.push_back(group.batch());
   return batches;
 }
 
 void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gradient,
                                double* hessian) const {
-  for_each_arity(points_, [&]<int K>(const std::vector<ContactPoint<K>>& points) {
+  for_each_arity(sliding(), [&]<int K>(const std::vector<ContactPoint<K>>& points) {
     constexpr int slots = 9 * hessian_blocks(K);
     const int count = static_cast<int>(points.size());
     for_each(count, [&](int n) {
-      const Slip<K> slip(points[n], x, start_);
+      const Slip slip(points[n], x, start_);
       const auto& c = points[n].coefficients;
       const TangentialLaw& law = system_.pairs().tangential(points[n].law);
       const SlipSample s = slip.sample(law, h_, TangentialPart::all);
@@ -146,29 +151,54 @@ void FrictionTerm::derivatives(const VecX& x, Projection projection, double* gra
     gradient += 3 * K * static_cast<size_t>(count);
     if (hessian) hessian += slots * static_cast<size_t>(count);
   });
+  for (const RollingGroup& group : rolling_) {
+    const int arity = group.places + group.numbers, count = static_cast<int>(group.points.size());
+    for_each(count, [&](int n) {
+      const RollingPoint& p = group.points[n];
+      const Slip slip(p, x, start_);
+      const SlipSample s = slip.sample(system_.pairs().tangential(p.law), h_, TangentialPart::all);
+      const Vec3 slope = slip.slope(s);
+      for (int i = 0; i < arity; ++i) Eigen::Map<Vec3>(gradient + 3 * (arity * static_cast<size_t>(n) + i)) = p.slope_of(i, slope);
+      if (hessian) p.fill_hessian(slip.curvature(s, projection), hessian + 9 * hessian_blocks(arity) * static_cast<size_t>(n));
+    });
+    gradient += 3 * arity * static_cast<size_t>(count);
+    if (hessian) hessian += 9 * hessian_blocks(arity) * static_cast<size_t>(count);
+  }
 }
 
-VecX FrictionTerm::forces_of(const ContactPoints& points, const VecX& x, TangentialPart part,
+VecX FrictionTerm::forces_of(const ContactPoints& sliding, const std::vector<RollingGroup>& rolling, const VecX& x, TangentialPart part,
                              std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
-  for_each_arity(points, [&]<int K>(const std::vector<ContactPoint<K>>& list) {
+  const auto slope_at = [&](const auto& point) {
+    const Slip slip(point, x, start_);
+    return slip.slope(slip.sample(system_.pairs().tangential(point.law), h_, part));
+  };
+  for_each_arity(sliding, [&]<int K>(const std::vector<ContactPoint<K>>& list) {
     for (const ContactPoint<K>& c : list) {
       if (only && !c.between(only->a, only->b)) continue;
-      const Slip<K> slip(c, x, start_);
-      const Vec3 slope = slip.slope(slip.sample(system_.pairs().tangential(c.law), h_, part));
+      const Vec3 slope = slope_at(c);
       for (int i = 0; i < K; ++i) vertex(force, c.vertices[i]) -= c.coefficients[i] * slope;
     }
   });
+  for (const RollingGroup& group : rolling)
+    for (const RollingPoint& p : group.points) {
+      if (only && !p.between(only->a, only->b)) continue;
+      const Vec3 slope = slope_at(p);
+      for (int i = 0; i < p.arity(); ++i) vertex(force, p.vertices[i]) -= p.slope_of(i, slope);
+    }
   return force;
 }
 
 VecX FrictionTerm::forces(const VecX& x, TangentialPart part,
                           std::optional<ObjectPair> only) const {
-  return forces_of(points_, x, part, only);
+  return forces_of(sliding(), rolling_, x, part, only);
 }
 
 Vec3 FrictionTerm::force_between(const VecX& x, TangentialPart part, ObjectPair pair) const {
-  const VecX force = forces(x, part, pair);
+  VecX force = forces(x, part, pair);
+  for (const RollingGroup& group : rolling_)  // moments
+    for (const RollingPoint& p : group.points)
+      for (int j = p.places; j < p.arity(); ++j) vertex(force, p.vertices[j]).setZero();
   const auto& object = system_.surface().mesh.vertex_object;
   Vec3 sum = Vec3::Zero();
   for (size_t v = 0; v < object.size(); ++v)

@@ -3,7 +3,8 @@
 // with the slip laws of tangential_law.hpp, over contact points (contact_points.hpp) whose magnitudes, closest
 // points and tangents are held: those of the start of the step, or of the latest solution
 // when the step is solved again. The slip always counts from the start of the step, and eps h
-// follows h.
+// follows h. Rods and particles that roll turn by it: their contact points move by numbers as well
+// (rolling_points.hpp), and have batches of their own behind the others.
 //
 // The Hessian of a point is c c^T (x) T H T^T (slip.hpp): its only nonzero eigenvalues are |c|^2
 // times those of H, so projecting is in closed form.
@@ -16,6 +17,7 @@
 
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_term.hpp"
+#include "framework/contact/rolling_points.hpp"
 #include "framework/contact/tangential_law.hpp"
 #include "framework/core/residual_view.hpp"
 
@@ -23,14 +25,14 @@ namespace tack {
 
 class FrictionTerm : public Term, public ResidualView {
  public:
-  // Both must outlive the term.
-  FrictionTerm(const ContactSystem& system, const ContactTerm& normal);
+  // system, normal: must outlive the term. spins: of what turns by friction.
+  FrictionTerm(const ContactSystem& system, const ContactTerm& normal, ContactSpins spins = ContactSpins());
 
-  void forget() override { points_ = {}; }
+  void forget() override { take({}); }
   void begin_step(const StepStart& start) override;
   // Takes magnitudes and tangents at x, where the contact system must be. Nothing slides in a step of no length: such a step has no points.
   bool lags() const override { return true; }
-  void lag(const VecX& x) override { points_ = h_ > 0 ? lagged_at(x) : ContactPoints(); }
+  void lag(const VecX& x) override { take(h_ > 0 ? lagged_at(x) : ContactPoints()); }
   // What lag(x) would hold.
   ContactPoints lagged_at(const VecX& x) const;
   // Holds `now` between these objects, and nothing else anew.
@@ -72,15 +74,25 @@ class FrictionTerm : public Term, public ResidualView {
   const ContactPoints& points() const { return points_; }
 
  private:
-  VecX forces_of(const ContactPoints& points, const VecX& x, TangentialPart part,
-                 std::optional<ObjectPair> only) const;
+  // What friction acts on from now on.
+  void take(ContactPoints points);
+  const ContactPoints& sliding() const { return spins_.empty() ? points_ : sliding_; }
+  VecX forces_of(const ContactPoints& sliding, const std::vector<RollingGroup>& rolling,
+                 const VecX& x, TangentialPart part, std::optional<ObjectPair> only) const;
+  // The sum of number(slip, its law) over all points.
+  template <class Number>
+  double sum_of(const VecX& x, const Number& number) const;
 
   const ContactSystem& system_;
   const ContactTerm& normal_;
   std::vector<char> wanted_;  // per law of the pair table: it acts along surfaces
   VecX start_;                // x^n
   double h_ = 0;              // s
-  ContactPoints points_;
+  ContactSpins spins_;
+  ContactPoints points_;   // all of them
+  // Where something may turn: those at which nothing does, and the others.
+  ContactPoints sliding_;
+  std::vector<RollingGroup> rolling_;
   mutable std::array<std::vector<int>, contact_arity_count> batch_vertices_;
 };
 

@@ -1,6 +1,7 @@
 // The slip u = T^T sum_i c_i (x_i - x_i^n) of one contact point [m], and its part of the potential,
 //     E = mu lambda f0(y) + mu_a lambda_a f_t0(y),   y = |u|,
-// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T.
+// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T. Where something turns, the moved point
+// has the numbers of its rotation as well (rolling_points.hpp).
 #pragma once
 
 #include "framework/contact/contact_points.hpp"
@@ -9,9 +10,10 @@
 
 namespace tack {
 
-template <int K>
+// Point: ContactPoint<K> or RollingPoint.
+template <class Point>
 struct Slip {
-  Slip(const ContactPoint<K>& point, const VecX& x, const VecX& start)
+  Slip(const Point& point, const VecX& x, const VecX& start)
       : c(point), u(c.tangents.transpose() * c.moved(x, start)), y(u.norm()) {}
 
   // E [J], E'/y [N/m] and E'' [N/m].
@@ -43,7 +45,7 @@ struct Slip {
            (along - across) * direction * direction.transpose();
   }
 
-  const ContactPoint<K>& c;
+  const Point& c;
   Vec2 u;    // m
   double y;  // m
 };

@@ -23,6 +23,7 @@
 #include "framework/setup/refined_surface.hpp"
 #include "framework/setup/remesh_checks.hpp"
 #include "framework/setup/rod_twists.hpp"
+#include "framework/setup/spins.hpp"
 #include "framework/setup/start_checks.hpp"
 #include "framework/shapes/made_mesh.hpp"
 #include "framework/world/consistent_mass.hpp"
@@ -133,6 +134,7 @@ void hold_vertices(const SceneConfig& scene, int index, World& world) {
     }
     world.script.add({&motion, vertices, name});
     hold_twists(motion, vertices, name, index, world);
+    hold_spins(motion, vertices, name, index, world);
     if (carried) world.own_motions.push_back(std::move(carried));
   }
   Body& body = world.bodies[index];
@@ -176,6 +178,7 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
       world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*term, object.damping->stiffness));
     world.elastic_terms.push_back(std::move(term));
   }
+  weigh_spins(index, world);
   if (mass_damping) {
     world.damping_terms.push_back(std::make_unique<MassDamping>(body.first_vertex, body.vertex_count, world.mass, object.damping->mass));
     for (const UnknownGroup& group : world.unknowns)
@@ -209,6 +212,7 @@ void start_state(const SceneConfig& scene, World& world) {
     if (body.rod)
       for (int e = 0; e < body.rod->count(); ++e)
         if (const int v = body.rod->twists()[e]; world.dofs.moves(v)) s.v(3 * v) = body.rod->radius() * object.spin.dot(body.rod->tangent(e, s.x));
+    start_spins(object.spin, static_cast<int>(i), world, s.v);
     for (const int v : world.vertices_of(static_cast<int>(i))) {
       if (world.is_number(v)) continue;
       if (world.dofs.moves(v)) vertex(s.v, v) = object.velocity + object.spin.cross(Vec3(vertex(s.x, v) - centre));
@@ -303,6 +307,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   });
   add_named_selections(scene, root, *world);
   for_each_object(scene, root, [&](size_t i) { add_twists(scene.objects[i], static_cast<int>(i), *world); });
+  for_each_object(scene, root, [&](size_t i) { add_spins(scene.objects[i], static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { hold_vertices(scene, static_cast<int>(i), *world); });
   for (const Dependence& d : world->bindings.lasting()) world->script.follow(d);
   if (std::none_of(world->bodies.begin(), world->bodies.end(), [](const Body& b) { return b.movable; }))

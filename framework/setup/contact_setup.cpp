@@ -11,6 +11,7 @@
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/pair_builder.hpp"
 #include "framework/setup/refined_surface.hpp"
+#include "framework/setup/spins.hpp"
 #include "framework/world/hulls.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/mesh/surface.hpp"
@@ -126,7 +127,7 @@ void build_contact(const SceneConfig& scene, const Value& root, double first_ste
   if (world.contact->pairs().any_rim()) world.rim = std::make_unique<RimTerm>(*world.contact);
   if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
   if (world.contact->pairs().any_tangential())
-    world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term);
+    world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term, contact_spins(scene, world));
 }
 
 }  // namespace tack

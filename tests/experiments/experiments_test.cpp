@@ -96,6 +96,7 @@ TEST_CASE("experiment arch/collapses") { check_experiment("arch/collapses.yaml")
 TEST_CASE("experiment slope/stick") { check_experiment("slope/stick.yaml"); }
 TEST_CASE("experiment slope/critical") { check_experiment("slope/critical.yaml"); }
 TEST_CASE("experiment slope/slide") { check_experiment("slope/slide.yaml"); }
+TEST_CASE("experiment slope/roll") { check_experiment("slope/roll.yaml"); }
 TEST_CASE("experiment shell/cantilever") { check_experiment("shell/cantilever.yaml"); }
 TEST_CASE("experiment shell/twisted_strip") { check_experiment("shell/twisted_strip.yaml"); }
 TEST_CASE("experiment shell/plate") { check_experiment("shell/plate.yaml"); }

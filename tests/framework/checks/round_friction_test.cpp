@@ -33,7 +33,8 @@ TEST_CASE("rods and particles that can rub are told to slide without turning") {
     REQUIRE(lines.size() == 1);
     CHECK_THAT(lines[0], Catch::Contains("of 'it' are round and can rub on 'floor' (mu 0.5), and they slide without turning"));
   }
-  CHECK_THAT(warnings(rod())[0], Catch::StartsWith("the rods of 'it'"));
+  CHECK_THAT(warnings(rod())[0], Catch::StartsWith("the rods of 'it'") && Catch::Contains("give its energy elastic_rod `rolling: true`"));
+  CHECK_THAT(warnings(rod("", "radius: 5 mm", "string"))[0], Catch::Contains("give it the energy elastic_rod with `rolling: true`"));
   CHECK_THAT(warnings(particles())[0], Catch::StartsWith("the particles of 'it'"));
   // Where a pair alone rubs.
   CHECK(warnings(rod(), "pairs: [{between: [it, floor], friction: {mu: 0.2}}]").size() == 1);
@@ -41,12 +42,13 @@ TEST_CASE("rods and particles that can rub are told to slide without turning") {
   CHECK(warnings(rod(", motion: [{type: fixed, until: 1 s, select: {type: indices, vertices: [0]}}]")).size() == 1);
 }
 
-TEST_CASE("what cannot roll or does not rub is not told of") {
+TEST_CASE("what cannot roll, rolls or does not rub is not told of") {
+  CHECK(warnings("shape: {type: points}, particle: {radius: 5 mm}, energies: [{type: particle, rolling: true}]").empty());
   CHECK(warnings(rod(), "friction: {mu: 0}").empty());
   CHECK(warnings(rod(), "pairs: [{between: [it, it], friction: {mu: 0.2}}]").empty());  // one rod and itself
   CHECK(warnings(rod(", motion: [{type: fixed, select: {type: indices, vertices: [0]}}]")).empty());
   CHECK(warnings(rod("", "width: 10 mm, height: 5 mm, normal: [0, 1, 0]")).empty());
-  CHECK(warnings("shape: {type: box, size: [0.02, 0.02, 0.02]}, energies: [{type: neo_hookean, young: 1 MPa}]").empty());
+  CHECK(warnings("shape: {type: box, size: [5 mm, 5 mm, 5 mm]}, energies: [{type: neo_hookean, young: 1 MPa}]").empty());
   // Particles and each other.
   CHECK(warnings(particles(), "pairs: [{between: [it, it], friction: {mu: 0.2}}]").size() == 1);
 }

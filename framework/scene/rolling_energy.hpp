@@ -1,0 +1,34 @@
+// An energy of rods or particles, which turn by friction if the scene says so (contact_spins.hpp).
+#pragma once
+
+#include <algorithm>
+
+#include "framework/config/field.hpp"
+#include "framework/scene/scene_config.hpp"
+
+namespace tack {
+
+class RollingEnergy : public Energy {
+ public:
+  bool rolling() const { return rolling_; }
+
+ protected:
+  void rolling_field(Fields& f) {
+    f.flag("rolling", rolling_,
+           "friction turns it, at the lever of the object's contact_offset; else it slides without "
+           "turning");
+  }
+
+ private:
+  bool rolling_ = false;
+};
+
+// Whether an energy of the object is one that rolls.
+inline bool rolls(const ObjectConfig& object) {
+  return std::any_of(object.energies.begin(), object.energies.end(), [](const auto& energy) {
+    const auto* rolling = dynamic_cast<const RollingEnergy*>(energy.get());
+    return rolling && rolling->rolling();
+  });
+}
+
+}  // namespace tack

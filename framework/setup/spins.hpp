@@ -1,0 +1,27 @@
+// Rotation by friction as unknowns of a world (contact/contact_spins.hpp). Rods have theirs: the
+// twist of each edge (rod_twists.hpp). A particle gets three arcs at its radius of gyration,
+// sqrt(2/5) of its radius, with its mass, and so the moment of inertia 2/5 m r^2; its orientation
+// means nothing, so that the arcs are those of the angular velocity over time.
+#pragma once
+
+#include "framework/contact/contact_spins.hpp"
+#include "framework/scene/scene_config.hpp"
+#include "framework/world/world.hpp"
+
+namespace tack {
+
+// Appends the arcs of the particles of body `index` if they roll.
+void add_spins(const ObjectConfig& object, int index, World& world);
+// Those have the masses of the particles.
+void weigh_spins(int index, World& world);
+// Of a motion that holds these vertices whole: particles that it holds do not turn.
+void hold_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name,
+                int index, World& world);
+// The velocities of the arcs of a body that starts with that angular velocity [rad/s].
+void start_spins(const Vec3& angular_velocity, int index, const World& world, VecX& v);
+
+// Throws InputError for an object that cannot roll: without contact_offset, or with rods that are
+// not circular.
+ContactSpins contact_spins(const SceneConfig& scene, const World& world);
+
+}  // namespace tack
