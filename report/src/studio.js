@@ -7,6 +7,7 @@ import {
 } from "three";
 import { mergeVertices } from "three/addons/utils/BufferGeometryUtils.js";
 import { CornerNormals } from "./corner_normals.js";
+import { lightBothSides } from "./two_sided_shadows.js";
 
 const usual = { roughness: 0.7, metalness: 0, opacity: 1, smooth: 40, lines: false, hide: false };
 const shadowPixels = 1024;
@@ -38,6 +39,7 @@ function ball(detail) {
 export class Studio {
   // Throws if the browser has no WebGL. lights: drawings that a picture is the mean of.
   constructor(width, height, { lights, background }) {
+    lightBothSides();
     this.renderer = new WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(1);
     this.renderer.setSize(width, height, false);

@@ -39,6 +39,16 @@ output: {frame_interval: 20 ms, fields: [displacement]}
 `);
 done("run", "scene.yaml", "-q", "-o", "out");
 
+// Two sheets, one of them upside down.
+writeFileSync(join(folder, "sheets.yaml"), `
+name: sheets
+time: {step: 20 ms, duration: 20 ms}
+objects:
+  - {name: up, shape: {type: grid, size: [2, 2]}, place: {translate: [-2, 0, 0]}, energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}], shell: {thickness: 1 mm}}
+  - {name: down, shape: {type: grid, size: [2, 2]}, place: {axis: [1, 0, 0], angle: 180 deg, translate: [2, 0, 0]}, energies: [{type: neo_hookean_membrane, young: 1 MPa, density: 1000}], shell: {thickness: 1 mm}}
+`);
+done("run", "sheets.yaml", "-q", "-o", "sheets");
+
 const browser = await start();
 const tab = await browser.newPage();
 
@@ -74,6 +84,12 @@ const tests = {
     done("render", "out", "-o", "hidden.png", ...above, "objects.cube.hide=true");
     const { pixels: [middle, side] } = await looked("hidden.png", [[0.5, 0.5], [0.625, 0.6]]);
     assert.ok(Math.abs(grey(middle) - grey(side)) < 4, `${middle}, ${side}`);
+  },
+  async "a sheet is as light on its back"() {
+    done("render", "sheets", "-o", "sheets.png", "--set", "size=[400, 300]", "camera={from: [0, 8, 0.01], to: [0, 0, 0], angle: 40 deg}", "time=false", "lights=12",
+      "objects={'*': {colour: '#808080'}}");
+    const { pixels: [one, other] } = await looked("sheets.png", [[0.25, 0.5], [0.75, 0.5]]);
+    assert.ok(grey(one) > 90 && grey(other) > 90 && Math.abs(grey(one) - grey(other)) < 12, `${one}, ${other}`);
   },
   async "a field colours by its range"() {
     done("render", "out", "-o", "field.png", ...above, "field={name: displacement, range: [0, 0.1]}", "scale_bar=false");
