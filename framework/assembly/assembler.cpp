@@ -224,10 +224,8 @@ double Assembler::Group::largest_force() const {
 }
 
 double Assembler::largest_stencil_force() const {
-  return std::max(largest_static_force(), dynamic_.largest_force());
+  return std::max({ranged_.largest_force(), static_.largest_force(), dynamic_.largest_force()});
 }
-
-double Assembler::largest_static_force() const { return std::max(ranged_.largest_force(), static_.largest_force()); }
 
 // Unknown blocks that stencils connect are of one part.
 void Assembler::number_parts() {

@@ -3,8 +3,11 @@
 // summed chunk by chunk before (local_sums.hpp). The maps of static terms are made once, those of dynamic terms whenever a configuration with other stencils is linearised.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "framework/assembly/gather_map.hpp"
@@ -33,7 +36,10 @@ class Assembler {
 
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;
-  double largest_static_force() const;  // the same without dynamic terms
+  // Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices, the largest component of
+  // its force [N], and whether its term is dynamic.
+  template <class Act>
+  void for_each_stencil_force(const Act& act) const;
 
  private:
   struct Group {
@@ -49,6 +55,8 @@ class Assembler {
     bool hessian_mapped = false;  // whether the Hessian's map is made too
 
     double largest_force() const;
+    template <class Act>
+    void for_each_stencil_force(const Act& act) const;
     void place(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, Projection projection, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
@@ -77,5 +85,26 @@ class Assembler {
   std::vector<int> part_;  // of each unknown block, see BlockMatrix
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
+
+// The vertices are those that the slots were placed for: a dynamic term may have other stencils by now.
+template <class Act>
+void Assembler::Group::for_each_stencil_force(const Act& act) const {
+  const double* slot = gradient_slots.data();
+  for (size_t i = 0; i < mapped.size();) {
+    const int arity = mapped[i], count = mapped[i + 1];
+    i += 2;
+    for (int s = 0; s < count; ++s, i += arity) {
+      double largest = 0;
+      for (const double* end = slot + 3 * arity; slot < end; ++slot) largest = std::max(largest, std::abs(*slot));
+      act(std::span<const int>(mapped.data() + i, arity), largest);
+    }
+  }
+}
+
+template <class Act>
+void Assembler::for_each_stencil_force(const Act& act) const {
+  for (const Group* group : {&ranged_, &static_, &dynamic_})
+    group->for_each_stencil_force([&](std::span<const int> vertices, double largest) { act(vertices, largest, group == &dynamic_); });
+}
 
 }  // namespace tack

@@ -90,12 +90,9 @@ double IncrementalPotential::value() {
 
 double IncrementalPotential::value_noise() const { return noise_; }
 
-double IncrementalPotential::largest_inertial_force() const {
-  double largest = 0;
-  for (int b = 0; b < dofs_.block_count(); ++b)
-    largest = std::max(largest, block_mass_(b) * (q_.segment<3>(3 * b) - prediction_.segment<3>(3 * b))
-                                                     .lpNorm<Eigen::Infinity>());
-  return largest / scales_.body;
+double IncrementalPotential::inertial_force(int block) const {
+  const double component = (q_.segment<3>(3 * block) - prediction_.segment<3>(3 * block)).lpNorm<Eigen::Infinity>();
+  return block_mass_(block) * component / scales_.body;
 }
 
 void IncrementalPotential::start_gradient() {

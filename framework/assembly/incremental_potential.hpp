@@ -35,10 +35,13 @@ class IncrementalPotential : public Objective {
   std::optional<double> first_value(const Term* term, const VecX& x) const;
   // Of all terms that store energy, held vertices included and linear terms left out, at x (3n) [N].
   VecX gradient_at_all_vertices(const VecX& x);
-  // The largest components of forces at the point and of the gradient that were evaluated last [N].
+  // The largest component of any stencil's force at the gradient that was evaluated last [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
-  double largest_element_force() const { return assembler_.largest_static_force(); }  // without contact
-  double largest_inertial_force() const;
+  // Calls act(vertices, largest, dynamic) for each stencil there (assembler.hpp).
+  template <class Act>
+  void for_each_stencil_force(const Act& act) const { assembler_.for_each_stencil_force(act); }
+  // The largest component of the force of inertia on a block, at the present point [N].
+  double inertial_force(int block) const;
 
   int size() const override { return dofs_.size(); }
   void move_to(const VecX& q) override;

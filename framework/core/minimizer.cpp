@@ -18,14 +18,14 @@ void Minimizer::fields(Fields& f) {
                     "contact distance or a thousandth of the smallest moving object off, or where friction sticks below a lower speed "
                     "(eps_v, down to 0.1 mm/s)").positive();
   f.number("force_tolerance", force_tolerance_, units::none,
-           "of the residual force, as a part of the largest force of any element or contact").positive();
+           "of the residual force at an unknown, as a part of the largest force of the elements and contacts of its body").positive();
   f.optional_number("balance_tolerance", balance_tolerance_, units::none,
-                    "of the force that nothing balances, as a part of the largest force of inertia, loads or elements: must "
+                    "of the force that nothing balances, as a part of the largest force of inertia, loads or elements of the bodies in contact with it: must "
                     "hold too when `stopping` is velocity or acceleration; unless given 0.01, and steps may end above it where they "
                     "crawl (unbalanced_steps in summary.json)").positive();
   f.optional_number("force_floor", force_floor_, units::force,
                     "unbalanced force that is tolerated whatever else acts; unless given, what changes the velocity of "
-                    "the heaviest vertex by `tolerance` in a step, and the round-off of elements").nonnegative();
+                    "the heaviest vertex of the bodies in contact by `tolerance` in a step, and the round-off of the elements around a vertex").nonnegative();
   f.number("acceleration_tolerance", acceleration_tolerance_, units::acceleration,
            "of the residual acceleration").positive();
   f.integer("max_iterations", max_iterations_, "iterations before the step is given up").at_least(1);

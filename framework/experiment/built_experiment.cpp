@@ -30,7 +30,7 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
   if (e.start && !loaded_.earlier) at_place(loaded_.root.find("start"), [&] { loaded_.earlier = state_of_run(e.start->from); });
   build();
   loaded_.earlier.reset();
-  loaded_.experiment.solver = settled_solver(e, *world_, clock_);
+  loaded_.experiment.solver = settled_solver(e, *world_);
 }
 
 void BuiltExperiment::build() {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "framework/assembly/incremental_potential.hpp"
 #include "framework/body/extent.hpp"
 #include "framework/config/bind.hpp"
 
@@ -17,7 +16,6 @@ constexpr double of_distance = 0.1;      // of the contact distance, that a step
 constexpr double of_size = 1e-3;         // of the smallest moving object
 constexpr double of_number = 1e-2;       // of an unknown that is a number, in its unit: so much of a radian
 constexpr double finest_sticking = 1e-4;  // m/s: what sticks below is not resolved unless a tolerance says so
-constexpr double roundings = 64;         // of a position, in the force of the elements around a vertex
 
 bool has_inertia(const Experiment& experiment, const World& world) {
   return experiment.time.integrator->predict(world.start, experiment.time.step).inertia;
@@ -62,43 +60,11 @@ double velocity_tolerance(const Experiment& experiment, const World& world) {
   return speed;
 }
 
-// The largest force that an element vertex feels per way that it moves, at rest [N/m].
-double stiffness_at_rest(const World& world, PhaseClock& clock) {
-  std::vector<char> free(static_cast<size_t>(world.mass.size()));
-  for (size_t v = 0; v < free.size(); ++v) free[v] = world.script.ever_free(static_cast<int>(v));
-  const DofMap dofs(free);
-  std::vector<const Term*> elements;
-  for (const auto& term : world.elastic_terms)
-    if (term->stores()) elements.push_back(term.get());
-  IncrementalPotential potential(elements, dofs, world.mass, clock);
-  VecX q;
-  dofs.gather(world.rest, q);
-  potential.begin_step(world.rest, world.rest, {}, false);
-  potential.move_to(q);
-  const BlockMatrix& hessian = potential.hessian({Projection::none});
-  double largest = 0;
-  for (int c = 0; c < hessian.columns(); ++c)
-    largest = std::max(largest, hessian.block(hessian.column_start[c]).diagonal().maxCoeff());
-  return largest;
-}
-
-// A force that changes no vertex' velocity by more than the tolerance within a step, or that round-off makes.
-double force_floor(const Experiment& experiment, const Minimizer& solver, const World& world, PhaseClock& clock) {
-  const double round_off = roundings * std::numeric_limits<double>::epsilon() * stiffness_at_rest(world, clock) *
-                           world.rest.lpNorm<Eigen::Infinity>();
-  if (!has_inertia(experiment, world)) return round_off;
-  double heaviest = 0;
-  for (Eigen::Index v = 0; v < world.mass.size(); ++v)
-    if (world.script.ever_free(static_cast<int>(v))) heaviest = std::max(heaviest, world.mass(v));
-  return std::max(round_off, heaviest * solver.velocity_tolerance() / experiment.time.step);
-}
-
 }  // namespace
 
-std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world, PhaseClock& clock) {
+std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world) {
   auto solver = instance_of(*experiment.solver);
   if (!solver->tolerance_given()) solver->set_velocity_tolerance(velocity_tolerance(experiment, world));
-  if (!solver->force_floor()) solver->set_force_floor(force_floor(experiment, *solver, world, clock));
   return solver;
 }
 

@@ -5,15 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "framework/core/phase_clock.hpp"
 #include "framework/experiment/experiment.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
 
-// The experiment's solver with the tolerance and the force floor that it lacks. The world's bodies, masses and
-// elements must be there.
-std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world, PhaseClock& clock);
+// The experiment's solver with the velocity tolerance that it lacks. The world's bodies must be there. The force floor belongs to
+// single unknowns and is found when steps are taken (framework/stepping/force_groups.hpp).
+std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world);
 
 // Tolerances that do not fit the contact distance or the friction, one line each with the remedy.
 std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world);

@@ -23,6 +23,11 @@ VecX masses_to_judge_by(VecX mass, const VecX& moved) {
 
 }  // namespace
 
+Convergence::Convergence(const World& world, const Minimizer& solver, double whole_step)
+    : world_(world), solver_(solver), whole_step_(whole_step) {
+  if (!solver.force_floor()) rounding_ = rounding_forces(world);
+}
+
 // The vertices that several unknowns move.
 template <class Body>
 void Convergence::for_each_mixed(const Body& body) const {
@@ -37,13 +42,7 @@ void Convergence::begin_step(const IncrementalPotential& potential, double h, bo
   balance_ = {};
   const DofMap& dofs = world_.dofs;
   mass_ = masses_to_judge_by(dofs.own_masses(world_.mass), dofs.block_masses(world_.mass));
-  largest_load_ = 0;
-  VecX load = VecX::Zero(world_.rest.size());
-  world_.gravity_term.add_linear_gradient(load);
-  world_.load_term.add_linear_gradient(load);
-  dofs.collect(load);
-  for (int b = 0; b < dofs.block_count(); ++b)
-    largest_load_ = std::max(largest_load_, vertex(load, dofs.vertex_of_block(b)).lpNorm<Eigen::Infinity>());
+  groups_.begin_step(world_, potential, rounding_);
   // Of e = H^-1 r, M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.
   smallest_mass_ = mass_.size() > 0 ? mass_.minCoeff() : 0;
   for_each_mixed([&](int v) {
@@ -64,7 +63,7 @@ double Convergence::largest_way(const VecX& p) const {
   return largest;
 }
 
-double Convergence::norm(const VecX& p, const VecX& gradient) const {
+double Convergence::norm(const VecX& p, const VecX& gradient) {
   if (stopping() == Stopping::velocity) return largest_way(p) / h_ / solver_.velocity_tolerance();
   if (stopping() == Stopping::acceleration) {
     double largest = 0;
@@ -72,20 +71,26 @@ double Convergence::norm(const VecX& p, const VecX& gradient) const {
       largest = std::max(largest, gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / mass_(b));
     return largest / potential_->scale() / solver_.acceleration_tolerance();
   }
-  const double force = largest_force(gradient);
-  return force == 0 ? 0 : force / tolerated_force();
+  const Balance worst = worst_balance(gradient);
+  return worst.unbalanced == 0 ? 0 : worst.unbalanced / worst.tolerated;
 }
 
-double Convergence::largest_force(const VecX& gradient) const {
-  return gradient.lpNorm<Eigen::Infinity>() / potential_->scale();
+double Convergence::tolerated_force(int block) const {
+  const auto given = solver_.force_floor();
+  if (stopping() == Stopping::force)
+    return solver_.force_tolerance() * groups_.stencil_force(block) + given.value_or(groups_.rounding(block));
+  const double unfelt = inertia_ ? groups_.heaviest(block) * solver_.velocity_tolerance() / whole_step_ : 0;
+  return solver_.balance_tolerance() * groups_.cause(block) + given.value_or(std::max(groups_.rounding(block), unfelt));
 }
 
-double Convergence::tolerated_force() const {
-  const double floor = solver_.force_floor().value_or(0);
-  if (stopping() == Stopping::force) return solver_.force_tolerance() * potential_->largest_stencil_force() + floor;
-  const double cause =
-      std::max({largest_load_, potential_->largest_element_force(), potential_->largest_inertial_force()});
-  return solver_.balance_tolerance() * cause + floor;
+Convergence::Balance Convergence::worst_balance(const VecX& gradient) {
+  groups_.measure(*potential_);
+  Balance worst;
+  for (int b = 0; b < groups_.blocks(); ++b) {
+    const Balance own{gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / potential_->scale(), tolerated_force(b)};
+    if (b == 0 || own.unbalanced * worst.tolerated > worst.unbalanced * own.tolerated) worst = own;
+  }
+  return worst;
 }
 
 double Convergence::direction_error(const VecX& r) const {
@@ -95,7 +100,7 @@ double Convergence::direction_error(const VecX& r) const {
 }
 
 double Convergence::imbalance(const VecX& gradient) {
-  balance_ = {largest_force(gradient), tolerated_force()};
+  balance_ = worst_balance(gradient);
   if (stopping() == Stopping::force || balance_.unbalanced == 0) return 0;
   return balance_.unbalanced / balance_.tolerated;
 }

@@ -5,33 +5,36 @@
 //   where stencils are made positive semi-definite, H >= M, and for every unknown i
 //       |e_i| <= sqrt(r . M^-1 r / m_i).
 // - Forces balance. Where a contact or an element is very stiff, a large force moves nothing far, and a norm
-//   of velocities is blind to it. What the forces at a vertex leave over must be a small part of the largest force
-//   that has a cause: of inertia, loads or elements. Contact forces are no measure: they may be what is wrong.
-//   A floor keeps the round-off of bodies without stress out of it.
+//   of velocities is blind to it. The residual force at a block must be a small part of the largest force
+//   that has a cause, of inertia, loads or elements, in its contact group (force_groups.hpp). Contact forces are no
+//   measure: they may be what is wrong. A floor keeps the round-off of bodies without stress out of it.
+// Scales belong to groups of unknowns: what a body does not touch changes nothing for it.
 #pragma once
 
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
+#include "framework/stepping/force_groups.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
 
 class Convergence {
  public:
-  Convergence(const World& world, const Minimizer& solver) : world_(world), solver_(solver) {}
+  // whole_step: of the scene [s]; substeps tolerate no larger forces.
+  Convergence(const World& world, const Minimizer& solver, double whole_step);
 
   // A step of size h that the potential has begun.
   void begin_step(const IncrementalPotential& potential, double h, bool inertia);
 
   Stopping stopping() const { return inertia_ ? solver_.stopping() : Stopping::force; }
   // Of a direction p and the gradient where it starts; converged when not above 1.
-  double norm(const VecX& p, const VecX& gradient) const;
+  double norm(const VecX& p, const VecX& gradient);
   // By how much the norm of the exact direction may exceed that of one that leaves the residual r.
   double direction_error(const VecX& r) const;
 
   struct Balance {
-    double unbalanced = 0;  // the largest component of what is left over at any vertex [N]
-    double tolerated = 0;   // N
+    double unbalanced = 0;  // the largest component of the residual force at the block that is farthest from balance [N]
+    double tolerated = 0;   // at that block [N]
   };
   // At the potential's present point; the gradient is its. In units of what is tolerated.
   double imbalance(const VecX& gradient);
@@ -43,19 +46,21 @@ class Convergence {
  private:
   template <class Body>
   void for_each_mixed(const Body& body) const;
-  double largest_way(const VecX& p) const;           // m
-  double largest_force(const VecX& gradient) const;  // N
-  double tolerated_force() const;                    // N
+  double largest_way(const VecX& p) const;     // m
+  double tolerated_force(int block) const;     // N
+  Balance worst_balance(const VecX& gradient);
 
   const World& world_;
   const Minimizer& solver_;
+  const double whole_step_;  // s
 
   const IncrementalPotential* potential_ = nullptr;
   double h_ = 0;
   bool inertia_ = true;
   VecX mass_;                 // of each block [kg]
   double smallest_mass_ = 0;  // likewise, or what a vertex that several move has of theirs
-  double largest_load_ = 0;  // of a free vertex [N]
+  VecX rounding_;             // force_groups.hpp: rounding_forces(); empty where the scene gives a floor
+  ForceGroups groups_;
   Balance balance_;
 };
 

@@ -16,6 +16,7 @@
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/straight_ways.hpp"
+#include "framework/stepping/time_config.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
 
@@ -57,7 +58,7 @@ class Minimization {
 
 Minimization::Minimization(const StepperContext& context, const StepObservers& observers)
     : world_(context.world), scene_(context.scene), solver_(context.solver), clock_(context.clock), observers_(observers),
-      convergence_(world_, solver_),
+      convergence_(world_, solver_, context.time.step),
       check_(solver_.checks_iterates() ? std::optional<IterateCheck>(std::in_place, world_, clock_) : std::nullopt),
       steps_(world_, clock_, check_ ? &*check_ : nullptr),
       follower_(world_, solver_, clock_, steps_) {

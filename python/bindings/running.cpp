@@ -224,7 +224,7 @@ std::shared_ptr<Problem> Running::problem() {
   World& world = simulation_->world();
   const double h = stepper.next_step_size();
   const Step step = stepper.open(h);
-  convergence_.emplace(world, simulation_->solver());
+  convergence_.emplace(world, simulation_->solver(), simulation_->experiment().time.step);
   convergence_->begin_step(step.potential, h, step.prediction.inertia);
   steps_.emplace(world, simulation_->clock());
   StepPotential& potential = step.potential;

@@ -22,7 +22,7 @@ double StepProblem::feasible_step(const VecX& from, const VecX& p) {
 }
 
 Convergence StepProblem::convergence(const Minimizer& minimizer) {
-  Convergence convergence(*world, minimizer);
+  Convergence convergence(*world, minimizer, config.time.step);
   convergence.begin_step(potential, step.h, step.prediction.inertia);
   return convergence;
 }

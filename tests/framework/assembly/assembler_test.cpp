@@ -135,7 +135,7 @@ TEST_CASE("assembly: stencils that are summed chunk by chunk", "[assembly]") {
   BlockMatrix expected;
   other.assemble(p.x, {}, {.clamp_at = &flags}, p.mass, gradient, expected);
   CHECK((dense(matrix) - dense(expected)).norm() <= 1e-13 * dense(expected).norm());
-  CHECK(assembler.largest_static_force() == other.largest_static_force());
+  CHECK(assembler.largest_stencil_force() == other.largest_stencil_force());
 }
 
 TEST_CASE("assembly: a term with several batches by ranges", "[assembly]") {

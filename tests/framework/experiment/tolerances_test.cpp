@@ -46,25 +46,12 @@ TEST_CASE("the default tolerance is 1 cm/s where a metre is, and less where that
   CHECK(tolerance(cube(1e-6, 0.01, "solver: {type: lbfgs, tolerance: 0.01}\n")) == 0.01);  // what is given, holds
 }
 
-TEST_CASE("the force floor is what no vertex feels, and above round-off", "[scene]") {
-  const auto floor = [](const std::string& yaml) { return *TestScene(yaml).config.solver->force_floor(); };
-  TestScene dynamic(cube(0.1, 0.01));
-  CHECK(*dynamic.config.solver->force_floor() == Approx(dynamic.world->mass.maxCoeff() * 0.01 / 0.01));
-  CHECK(floor(cube(0.1, 0.01, "solver: {type: projected_newton, force_floor: 3 N}\n")) == 3);
-  const double quasi_static = floor(cube(0.1, 0.01, "", "quasi_static"));
-  CHECK(quasi_static > 0);
-  CHECK(quasi_static < 1e-9);  // N, of a cube that it takes 1000 N to squash
-  CHECK(floor(cube(0.2, 0.01, "", "quasi_static")) == Approx(4 * quasi_static));  // stiffness times size
-}
-
 TEST_CASE("what was settled is part of the scene", "[scene]") {
   TestScene scene(cube(1e-3, 0.01));
   const Value solver = to_value(scene.config.solver.get());
   REQUIRE(solver.find("tolerance"));
-  REQUIRE(solver.find("force_floor"));
   const auto again = bind_component<Minimizer>(solver);
   CHECK(again->velocity_tolerance() == scene.config.solver->velocity_tolerance());
-  CHECK(again->force_floor() == scene.config.solver->force_floor());
 }
 
 TEST_CASE("tolerances that do not fit contact or friction are told", "[scene]") {

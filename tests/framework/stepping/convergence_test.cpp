@@ -2,6 +2,7 @@
 #include "framework/stepping/convergence.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include "tests/support/component_variants.hpp"
 #include "tests/support/on_floor.hpp"
@@ -89,4 +90,64 @@ TEST_CASE("a step reports the forces that it leaves unbalanced", "[stepping]") {
   CHECK(r.unbalanced_force <= r.tolerated_force);
   TestRun loose(blocks + "solver: {type: projected_newton, tolerance: 1, balance_tolerance: 1e9, force_floor: 0.1}\n");
   CHECK(loose.step().unbalanced_force > 100 * r.tolerated_force);  // the balance is a criterion of its own
+}
+
+namespace {
+
+// A cube of the given edge [m] with more, in one step of 10 ms.
+std::string cube(double size, const std::string& more = "") {
+  return fmt::format("time: {{step: 0.01, duration: 0.01{}}}\n"
+                     "objects:\n  - {{name: cube, shape: {{type: box, size: [{}, {}, {}]}}, energies: [{{type: neo_hookean, young: 1e5, density: 1000}}]}}\n",
+                     more, size, size, size);
+}
+
+// What a step tolerates where nothing acts.
+double floor_of(const std::string& yaml) {
+  StepProblem step(yaml);
+  const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.01}");
+  Convergence convergence = step.convergence(*minimizer);
+  step.potential.move_to(step.q);
+  convergence.imbalance(step.potential.gradient());
+  return convergence.balance().tolerated;
+}
+
+}  // namespace
+
+TEST_CASE("the force floor is what no vertex feels, and above round-off", "[stepping]") {
+  StepProblem dynamic(cube(0.1));
+  CHECK(floor_of(cube(0.1)) == Approx(dynamic.world->mass.maxCoeff() * 0.01 / 0.01));
+  const double quasi_static = floor_of(cube(0.1, ", integrator: quasi_static"));
+  CHECK(quasi_static > 0);
+  CHECK(quasi_static < 1e-9);  // N, of a cube that it takes 1000 N to squash
+  CHECK(floor_of(cube(0.2, ", integrator: quasi_static")) == Approx(4 * quasi_static));  // stiffness times size
+}
+
+// A soft strip bends under a load at its end, and steel that it does not touch lies about, or is pressed.
+TEST_CASE("a quasi-static strip bends as it does alone, whatever it does not touch", "[stepping]") {
+  const auto tip = [](const std::string& steel) {
+    TestRun s("time: {step: 0.25, duration: 1, integrator: quasi_static}\n"
+              "objects:\n"
+              "  - name: strip\n"
+              "    shape: {type: box, size: [0.1, 0.01, 0.01], cells: [5, 1, 1]}\n"
+              "    energies: [{type: neo_hookean, young: 1e4, poisson: 0.3}]\n"
+              "    motion: [{type: fixed, select: {type: face, direction: [-1, 0, 0]}}]\n"
+              "    loads: [{type: traction, value: [0, -20, 0], ramp: [[0, 0], [1, 1]], select: {type: face, direction: [1, 0, 0]}}]\n" +
+              steel + "contact: {distance: 0.001}\n");
+    for (int i = 0; i < 4; ++i) s.step();
+    const int corner = s.world->bodies[0].vertex_count - 1;
+    return s.at(corner).y() - s.rest(corner).y();
+  };
+  const auto steel = [](double x, double pressure) {
+    return fmt::format("  - name: steel\n"
+                       "    shape: {{type: box, size: [0.1, 0.1, 0.1]}}\n"
+                       "    place: {{translate: [{}, 0, 0]}}\n"
+                       "    energies: [{{type: neo_hookean, young: 2e11, poisson: 0.3}}]\n"
+                       "    motion: [{{type: fixed, select: {{type: face, direction: [0, -1, 0]}}}}]\n"
+                       "    loads: [{{type: traction, value: [0, {}, 0], ramp: [[0, 0], [1, 1]], select: {{type: face, direction: [0, 1, 0]}}}}]\n",
+                       x, -pressure);
+  };
+  const double alone = tip("");
+  CHECK(alone < -0.01);
+  for (const double x : {0.2, 10.0})
+    for (const double pressure : {0.0, 1e8}) CHECK(tip(steel(x, pressure)) == Approx(alone).epsilon(1e-5));
 }
