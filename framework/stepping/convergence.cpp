@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "framework/stepping/free_bodies.hpp"
+
 namespace tack {
 
 namespace {
@@ -72,6 +74,7 @@ double Convergence::norm(const VecX& p, const VecX& gradient) {
     return largest / potential_->scale() / solver_.acceleration_tolerance();
   }
   const Balance worst = worst_balance(gradient);
+  if (!inertia_) check_free_bodies(world_, groups_, potential_->configuration(), gradient / potential_->scale());
   return worst.unbalanced == 0 ? 0 : worst.unbalanced / worst.tolerated;
 }
 

@@ -27,14 +27,16 @@ class Convergence {
   void begin_step(const IncrementalPotential& potential, double h, bool inertia);
 
   Stopping stopping() const { return inertia_ ? solver_.stopping() : Stopping::force; }
-  // Of a direction p and the gradient where it starts; converged when not above 1.
+  // Of a direction p and the gradient where it starts; converged when not above 1. Throws FreeBody
+  // where a step without inertia has no equilibrium (free_bodies.hpp).
   double norm(const VecX& p, const VecX& gradient);
   // By how much the norm of the exact direction may exceed that of one that leaves the residual r.
   double direction_error(const VecX& r) const;
 
   struct Balance {
-    double unbalanced = 0;  // the largest component of the residual force at the block that is farthest from balance [N]
-    double tolerated = 0;   // at that block [N]
+    // At the block that is farthest from balance: the largest component of the residual force, and
+    // what is tolerated of it [N].
+    double unbalanced = 0, tolerated = 0;
   };
   // At the potential's present point; the gradient is its. In units of what is tolerated.
   double imbalance(const VecX& gradient);
@@ -59,7 +61,7 @@ class Convergence {
   bool inertia_ = true;
   VecX mass_;                 // of each block [kg]
   double smallest_mass_ = 0;  // likewise, or what a vertex that several move has of theirs
-  VecX rounding_;             // force_groups.hpp: rounding_forces(); empty where the scene gives a floor
+  VecX rounding_;             // rounding_forces(); empty where the scene gives a floor
   ForceGroups groups_;
   Balance balance_;
 };

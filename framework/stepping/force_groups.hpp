@@ -1,10 +1,10 @@
-// Groups of unknown blocks, and the forces that each group bears: the scales by which residual forces are judged.
-// Two partitions, as two questions are asked:
-//   - Elements, joints and other terms whose stencils last connect the blocks of a *body group*: a body, or several that are
-//     attached to each other. A residual force is small against the largest stencil force of its body group; a contact counts for
-//     both groups that it is between.
-//   - Contacts and other dynamic terms that transmit a force connect body groups to a *contact group*. Forces with a cause (loads,
-//     elements, inertia) balance within it.
+// Groups of unknown blocks, and the forces that each group bears: the scales by which residual
+// forces are judged. Two partitions, as two questions are asked:
+//   - Elements, joints and other terms whose stencils last connect the blocks of a *body group*: a
+//     body, or several that are attached to each other. A residual force is small against the
+//     largest stencil force of its body group; a contact counts for both groups that it is between.
+//   - Contacts and other dynamic terms that transmit a force connect body groups to a *contact
+//     group*. Forces with a cause (loads, elements, inertia) balance within it.
 // Nothing outside its contact group changes the scale of a block.
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace tack {
 
-// The rounding error of the elements' forces, per vertex [N]: 64 roundings of the body group's largest coordinate, times the
-// stiffness of the elements around the vertex at rest.
+// The rounding error of the elements' forces, per vertex [N]: 64 roundings of the body group's
+// largest coordinate, times the stiffness of the elements around the vertex at rest.
 VecX rounding_forces(const World& world);
 
 class ForceGroups {
@@ -29,12 +29,15 @@ class ForceGroups {
 
   int blocks() const { return static_cast<int>(body_group_.size()); }
   double rounding(int block) const { return rounding_[block]; }                  // N
-  double stencil_force(int block) const { return stencil_[body_group_[block]]; }  // of its body group, contact included [N]
-  // Of its contact group: the largest load, element force or force of inertia [N], and the largest of the masses [kg].
+  // The largest stencil force of its body group, contact included [N].
+  double stencil_force(int block) const { return stencil_[body_group_[block]]; }
+  // Of its contact group: the largest load, element force or force of inertia [N], and the largest
+  // of the masses [kg].
   double cause(int block) const { return cause_[contact_group_[block]]; }
   double heaviest(int block) const { return heaviest_[contact_group_[block]]; }
   int contact_group(int block) const { return contact_group_[block]; }  // its smallest block
-  // Whether a stencil of its contact group ends at a held vertex, or some directions of a block of it are held.
+  // Whether a stencil of its contact group ends at a held vertex, or some directions of a block of
+  // it are held.
   bool held(int block) const { return held_[contact_group_[block]]; }
 
  private:
@@ -46,7 +49,8 @@ class ForceGroups {
   std::vector<int> body_group_, contact_group_;  // per block: the smallest block of the group
   std::vector<double> rounding_, load_, mass_;    // per block
   std::vector<double> stencil_, cause_, heaviest_;  // per group, at its smallest block
-  std::vector<char> own_held_, held_;  // per block: a lasting stencil of it ends at a held vertex; per contact group
+  // Per block whether a lasting stencil of it ends at a held vertex; per contact group.
+  std::vector<char> own_held_, held_;
 };
 
 }  // namespace tack

@@ -12,6 +12,7 @@
 #include "framework/stepping/bent_steps.hpp"
 #include "framework/stepping/convergence.hpp"
 #include "framework/stepping/feasible_steps.hpp"
+#include "framework/stepping/free_bodies.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/stepper.hpp"
@@ -54,6 +55,7 @@ class Minimization {
   std::optional<StraightWays> straight_;
   VecX from_;     // 3n [m]: where the latest step starts
   double h_ = 0;  // s: likewise
+  bool free_body_ = false;  // the latest attempt failed as nothing holds a body
 };
 
 Minimization::Minimization(const StepperContext& context, const StepObservers& observers)
@@ -76,6 +78,7 @@ void Minimization::begin(bool new_unknowns) {
 void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt) {
   from_ = step.state.x;
   h_ = step.h;
+  free_body_ = false;
   if (check_) check_->begin(step.state.step + 1, "the first guess");
   convergence_.begin_step(step.potential, step.h, step.prediction.inertia);
   VecX q;
@@ -88,7 +91,12 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
   problem.true_residuals = observers_.true_residuals;
   convergence_.judge(problem);
   bend_steps(world_, step.potential, problem);
-  minimize_lagged(problem, step, q, attempt);
+  try {
+    minimize_lagged(problem, step, q, attempt);
+  } catch (const FreeBody& free) {
+    attempt.failure = free.what();
+    free_body_ = true;
+  }
 }
 
 // A feasible q with the scripted vertices at their places; false if they do not get there.
@@ -174,7 +182,7 @@ std::string Minimization::failure(const Attempt& attempt) const {
 }
 
 Verdict Minimization::verdict(const Attempt& attempt) {
-  Verdict v{failure(attempt), attempt.failure.empty() ? loosen : leave_room};
+  Verdict v{failure(attempt), attempt.failure.empty() ? loosen : free_body_ ? FreeBody::remedy : leave_room};
   if (!v.wrong.empty()) return v;
   const PhaseScope scope(clock_, Phase::check);
   if (const int tet = first_inverted_tet(world_.tets, attempt.x); tet >= 0) {

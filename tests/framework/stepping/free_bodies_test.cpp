@@ -1,0 +1,57 @@
+// Quasi-static bodies that nothing holds.
+#include "framework/stepping/free_bodies.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "framework/stepping/stepper.hpp"
+#include "geometry/errors.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/test_run.hpp"
+
+using namespace tack;
+
+namespace {
+
+// A cube of 1 N on a floor, at that gap, with a traction on its upper face.
+std::string cube(const std::string& gap, const std::string& traction, const std::string& more = "") {
+  return "time: {step: 0.25, duration: 1, integrator: quasi_static}\ngravity: [0, -9.81, 0]\n"
+         "objects:\n"
+         "  - {name: floor, shape: {type: box, size: [0.4, 0.02, 0.4]}, place: {translate: [0, -0.01, 0]}, motion: [fixed]}\n"
+         "  - name: cube\n"
+         "    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}\n"
+         "    place: {translate: [0, " + gap + ", 0]}\n"
+         "    energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 101.94}]\n"
+         "    loads: [{type: traction, value: [0, " + traction + ", 0], ramp: [[0, 0], [1, 1]], select: {type: face, direction: [0, 1, 0]}}]\n" + more +
+         "contact: {distance: 1 mm}\n";
+}
+
+std::string error_of(const std::string& yaml, double until) {
+  TestRun s(yaml);
+  try {
+    while (s.state().time < until) s.step();
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("a quasi-static body that contact alone holds comes to rest, also from a distance", "[stepping]") {
+  CHECK(error_of(cube("0.0505", "50"), 0.99).empty());
+  CHECK(error_of(cube("0.055", "50"), 0.99).empty());
+}
+
+TEST_CASE("a quasi-static body that a load lifts off is named, with a remedy", "[stepping]") {
+  const std::string error = error_of(cube("0.0505", "250"), 0.99);
+  INFO(error);
+  CHECK(contains(error, "nothing holds 'cube' against the force ("));
+  CHECK(contains(error, "hold it (motion, attach)"));
+}
+
+TEST_CASE("a quasi-static body that falls past all others is named in its first step", "[stepping]") {
+  const std::string beside = "  - {name: other, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0.5, 0]}, energies: [{type: neo_hookean, young: 1e6}]}\n";
+  const std::string error = error_of(cube("0.0505", "50", beside), 0.1);
+  INFO(error);
+  CHECK(contains(error, "nothing holds 'other'"));
+}
