@@ -16,18 +16,19 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
     f.choice("form", form_, {{"plain", Form::plain, "logarithm of the gap"},
                              {"squared", Form::squared, "logarithm of the squared gap"}},
              "the argument of the barrier");
-    f.optional_number("stiffness", given_stiffness_, units::pressure,
+    f.optional_number("stiffness", stiffness_, units::pressure,
                       "kappa; by default a tenth of the softer Young's modulus (of an affine body: a hundredth of its stiffness; of a soft body that "
                       "may fly or fall faster than waves run in it: density times that speed squared, up to ten times the modulus; of a sheet that "
                       "nothing but weight and contact act on, at most a thousand times what presses it: the weight of all that moves, its own mass "
                       "stopped within a step, its tension), or a twentieth "
-                      "of the pair's peak adhesive traction if that is less")
+                      "of the pair's peak adhesive traction if that is less, but no less than the pressure of weight and loads less ten peak tractions")
         .positive();
   }
 
   void prepare(const PairMaterials& m) override {
     contact_distance_ = m.contact_distance;
-    kappa_ = given_stiffness_ ? *given_stiffness_ : default_stiffness(m);
+    if (!stiffness_) stiffness_ = default_stiffness(m);
+    kappa_ = *stiffness_;
     if (form_ == Form::plain) return;
     // plain: b'(dhat/2) = -kappa g(1/2); squared: -kappa_s 2 d g(1/4), g(r) = 2 (r-1) ln r + (r-1)^2 / r
     const auto g = [](double r) { return 2 * (r - 1) * std::log(r) + (r - 1) * (r - 1) / r; };
@@ -57,7 +58,7 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
   }
 
   Form form_ = Form::plain;
-  std::optional<double> given_stiffness_;
+  std::optional<double> stiffness_;
   double contact_distance_ = 1e-3;  // m
   double kappa_ = 1e5;              // Pa; for the squared form Pa/m
 };

@@ -35,7 +35,7 @@ BuiltExperiment::BuiltExperiment(LoadedExperiment loaded) : loaded_(std::move(lo
 
 void BuiltExperiment::build() {
   const Experiment& e = loaded_.experiment;
-  world_ = build_world(e, loaded_.root, e.time.step, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr, loaded_.flowed);
+  world_ = build_world(e, loaded_.root, {e.time.step, e.time.duration}, clock_, loaded_.earlier ? &*loaded_.earlier : nullptr, loaded_.flowed);
   check_damping(e, loaded_.root, *world_);
   at_place(loaded_.root.find("time"), [&] { e.time.stepper->admit(*world_, e, e.time); });
   world_->step_figures = e.time.stepper->figures();

@@ -1,4 +1,5 @@
-// What a solve may leave, where the experiment does not say: it scales with the scene, its steps and its contacts.
+// What a solve may leave, where the experiment does not say: it scales with the scene, its steps
+// and its contacts.
 #pragma once
 
 #include <memory>
@@ -10,8 +11,9 @@
 
 namespace tack {
 
-// The experiment's solver with the velocity tolerance that it lacks. The world's bodies must be there. The force floor belongs to
-// single unknowns and is found when steps are taken (framework/stepping/force_groups.hpp).
+// The experiment's solver with the velocity tolerance that it lacks. The world's bodies must be
+// there. The force floor belongs to single unknowns and is found when steps are taken
+// (framework/stepping/force_groups.hpp).
 std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world);
 
 // Tolerances that do not fit the contact distance or the friction, one line each with the remedy.

@@ -33,6 +33,13 @@ OrderedJson adhesion_json(const std::vector<AdhesionSummary>& pairs) {
   return list;
 }
 
+OrderedJson stiffness_json(const UsedStiffness& used) {
+  OrderedJson barriers = OrderedJson::array(), affine = OrderedJson::array();
+  for (const auto& b : used.barriers) barriers.push_back({{"between", b.between}, {"pairs", finite(b.pairs)}, {"stiffness", finite(b.stiffness)}});
+  for (const auto& a : used.affine) affine.push_back({{"object", a.object}, {"objects", a.objects}, {"stiffness", finite(a.stiffness)}});
+  return {{"barriers", std::move(barriers)}, {"affine", std::move(affine)}};
+}
+
 OrderedJson expect_json(const std::vector<ExpectationResult>& results) {
   OrderedJson list = OrderedJson::array();
   for (const ExpectationResult& r : results) {
@@ -115,6 +122,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"stepper", s.stepper},
           {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
+          {"stiffness", stiffness_json(s.stiffness)},
           {"remeshings", remeshings_json(s.remeshings)},
           {"warnings", warnings_json(s.warnings)},
           {"expect", expect_json(s.expect)}};

@@ -55,13 +55,14 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   if (checkpoint_ && !checkpoint_->flowed.empty()) watch_.emplace(simulation_.built());
   summary_.flows = EnergyFlows(world().records);
   if (checkpoint_) set_totals(summary_, checkpoint_->totals), summary_.warnings = checkpoint_->warnings, summary_.linear_solver = checkpoint_->linear_solver, summary_.remeshings = checkpoint_->remeshings;
-  else replace_file(folder_.scene(), to_yaml(fields_of(experiment_))), write_laws(folder_.laws(), world());
+  else replace_file(folder_.scene(), to_yaml(fields_of(experiment_)) + comments_of(used_stiffness(world()))), write_laws(folder_.laws(), world());
   phases_before_ = summary_.phases;
   summary_.name = experiment_.name;
   summary_.provenance = provenance;
   summary_.provenance.plugins = loaded_plugins();
   summary_.dofs = world().dofs.size();
   summary_.adhesion = world().adhesion;
+  summary_.stiffness = used_stiffness(world());
   if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);

@@ -10,7 +10,6 @@
 #include "framework/body/extent.hpp"
 #include "framework/body/local_mesh.hpp"
 #include "framework/setup/build_world.hpp"
-#include "framework/setup/loading.hpp"
 #include "geometry/errors.hpp"
 
 namespace tack {
@@ -22,7 +21,7 @@ class Affine : public BodyModel {
     f.number("density", density_, units::density, "mass per volume").positive();
     f.optional_number("stiffness", stiffness_, units::pressure,
                       "stress that strains it by one; unless given, what keeps strains below 1e-4 under the weight of all "
-                      "that moves, and where it is stopped within a step at the speed of a fall over the whole scene")
+                      "that may meet it in the run, and where it is stopped within a step at the speed of a fall over all that")
         .positive();
   }
   double density() const override { return density_; }
@@ -71,16 +70,16 @@ void add_affine_masses(const ObjectConfig& object, int index, World& world) {
   for (const int v : body.frame) world.mass(v) = object.body->density() * body.volume / 4;
 }
 
-void add_affine_terms(const SceneConfig& scene, const Value& root, double step, World& world) {
+void add_affine_terms(const SceneConfig& scene, const Value& root, const RunTimes& times, World& world) {
   auto term = std::make_unique<OrthogonalityTerm>();
-  const Loading loading = loading_of(scene, world);
+  const std::vector<Loading> loading = loadings(scene, world, times.duration);
   // Copies of one entry (fill) are as stiff as the stiffest of them, however they are turned.
   std::map<std::string, double> of_entry;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];
     if (body.frame.empty() || !body.movable) continue;
     body.stiffness = scene.objects[i].body->stiffness().value_or(0);
-    if (body.stiffness == 0) body.stiffness = default_stiffness(scene.objects[i], body, loading, world.rest, step);
+    if (body.stiffness == 0) body.stiffness = default_stiffness(scene.objects[i], body, loading[i], world.rest, times.step);
     double& stiffest = of_entry[place_of(root, "objects", i)];
     stiffest = std::max(stiffest, body.stiffness);
   }

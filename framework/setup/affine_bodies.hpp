@@ -2,20 +2,21 @@
 #pragma once
 
 #include "framework/scene/scene_config.hpp"
+#include "framework/setup/loading.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
 
-// Appends the frame of body `index` to the vertices of the world, whose mesh vertices are all there. Throws InputError
-// if it encloses no volume.
+// Appends the frame of body `index` to the vertices of the world, whose mesh vertices are all
+// there. Throws InputError if it encloses no volume.
 void add_frame(const ObjectConfig& object, int index, World& world);
 
-// The stiffness that the largest stress of the scene strains by 1e-4: the weight of all that moves on the smallest
-// face of the body, and what stops it within a step at the speed that it may reach [Pa].
-double default_stiffness(const SceneConfig& scene, const World& world, int index, double step);
-
-// Masses and the orthogonality term, once masses of all bodies have a place.
+// Masses and the orthogonality term, once masses of all bodies have a place. The default stiffness
+// is what the largest stress that bodies in reach may cause (loading.hpp) strains by 1e-4: their
+// weight on the smallest face of the body, and what stops it within a step at the speed that it may
+// reach.
 void add_affine_masses(const ObjectConfig& object, int index, World& world);
-void add_affine_terms(const SceneConfig& scene, const Value& root, double step, World& world);
+void add_affine_terms(const SceneConfig& scene, const Value& root, const RunTimes& times,
+                      World& world);
 
 }  // namespace tack

@@ -267,7 +267,7 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
   return value ? value->mark.text() + ": " : "";
 }
 
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, const EarlierState* earlier,
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, const EarlierState* earlier,
                                    const FlowedMeshes& flowed) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
@@ -321,10 +321,10 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   for (const UnknownGroup& group : world->unknowns)
     if (group.length > 0)
       for (const int v : group.vertices) world->weighing_mass(v) = 0;
-  add_affine_terms(scene, root, first_step, *world);
+  add_affine_terms(scene, root, times, *world);
   add_interactions(scene, root, *world);
-  const std::vector<char> active = world->script.active(first_step / 2), free = world->script.free(active);
-  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(first_step / 2)), world->script.held_directions(active));
+  const std::vector<char> active = world->script.active(times.step / 2), free = world->script.free(active);
+  world->dofs = DofMap(free, world->bindings.at(free, world->bindings.active(times.step / 2)), world->script.held_directions(active));
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;
@@ -332,7 +332,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   start_state(scene, *world);
   if (earlier)
     at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
-  build_contact(scene, root, first_step, clock, *world);
+  build_contact(scene, root, times, clock, *world);
   if (flowed.empty()) check_start(scene, root, *world);
 
   for (const auto& term : world->elastic_terms) world->terms.push_back(term.get());

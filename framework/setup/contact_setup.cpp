@@ -101,7 +101,7 @@ std::vector<int> rigid_groups(const World& world) {
 
 }  // namespace
 
-void build_contact(const SceneConfig& scene, const Value& root, double first_step, PhaseClock& clock, World& world) {
+void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, World& world) {
   if (!scene.contact) return;
   ContactSurface surface;
   std::vector<SurfaceSize> sizes;
@@ -117,7 +117,7 @@ void build_contact(const SceneConfig& scene, const Value& root, double first_ste
   surface.mesh.vertex_group = rigid_groups(world);
   std::vector<double> cells;
   for (const SurfaceSize& size : sizes) cells.push_back(size.per_vertex());
-  PairBuilder builder(scene, root, cells, first_step, world);
+  PairBuilder builder(scene, root, cells, times, world);
   builder.build();
   BondTable bonds = std::move(builder.bonds());
   check_range(builder.table(), root, world.rest);

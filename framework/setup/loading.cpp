@@ -1,14 +1,166 @@
 #include "framework/setup/loading.hpp"
 
-#include "framework/setup/reachable_speed.hpp"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "framework/body/extent.hpp"
+#include "framework/core/disjoint_sets.hpp"
 
 namespace tack {
+namespace {
 
-Loading loading_of(const SceneConfig& scene, const World& world) {
-  double mass = 0;
-  for (int v = 0; v < static_cast<int>(world.mass.size()); ++v)
-    if (world.script.ever_free(v)) mass += world.weighing_mass(v);
-  return {reachable_speed(scene, world), mass * scene.gravity.norm()};
+constexpr double caution = 2;        // times the way of a ballistic flight
+constexpr int motion_samples = 32;   // of a prescribed motion, over the duration
+
+bool is_named(const ObjectConfig& object, const std::string& name) {
+  return name == "*" || object.name == name || std::find(object.groups.begin(), object.groups.end(), name) != object.groups.end();
+}
+
+// Per body, the largest displacement of a vertex that a motion moves [m].
+std::vector<double> prescribed_displacements(const World& world, double duration) {
+  std::vector<double> displacements(world.bodies.size(), 0);
+  const Script& script = world.script;
+  std::vector<std::pair<int, int>> moved;  // body, vertex
+  for (const Script::Hold& hold : script.holds())
+    if (hold.motion->moves())
+      for (const int v : hold.vertices)
+        if (const int body = world.body_of(v); body >= 0 && !world.is_number(v)) moved.emplace_back(body, v);
+  if (moved.empty()) return displacements;
+  for (int k = 1; k <= motion_samples; ++k) {
+    const double t = duration * k / motion_samples;
+    VecX x = world.rest;
+    script.place(script.active(t), world.rest, world.rest, t, x);
+    for (const auto& [body, v] : moved)
+      displacements[body] = std::max(displacements[body], (vertex(x, v) - vertex(world.rest, v)).norm());
+  }
+  return displacements;
+}
+
+class MeetingGroups {
+ public:
+  MeetingGroups(const SceneConfig& scene, const World& world, double duration)
+      : scene_(scene), world_(world), duration_(duration), count_(static_cast<int>(world.bodies.size())), sets_(count_),
+        displacement_(prescribed_displacements(world, duration)), speed_(count_, 0), driven_(count_, 0) {
+    for (int i = 0; i < count_; ++i) {
+      boxes_.push_back(extent_of(world.bodies[i], world.rest));
+      if (movable(i)) speed_[i] = scene.objects[i].velocity.norm() + scene.objects[i].spin.norm() * diagonal(i) / 2;
+      if (!scene.objects[i].loads.empty()) driven_[i] = 1;
+    }
+    join_connected();
+    while (join_overlapping()) continue;
+  }
+
+  std::vector<Loading> loadings() {
+    std::vector<Eigen::AlignedBox3d> boxes(count_);
+    std::vector<Loading> groups(count_);
+    const std::vector<Eigen::AlignedBox3d> reaches = all_reaches();
+    for (int i = 0; i < count_; ++i) {
+      if (!movable(i)) continue;
+      boxes[root(i)].extend(boxes_[i]);
+      groups[root(i)].speed = speed_[root(i)];
+      for (const int v : world_.vertices_of(i))
+        if (world_.script.ever_free(v)) groups[root(i)].weight += world_.weighing_mass(v) * scene_.gravity.norm();
+    }
+    for_each_overlap(reaches, [&](int a, int b) {
+      if (!movable(a) && movable(b)) boxes[root(b)].extend(boxes_[a]);
+      if (!movable(b) && movable(a)) boxes[root(a)].extend(boxes_[b]);
+    });
+    std::vector<Loading> loadings(count_);
+    for (int i = 0; i < count_; ++i) {
+      if (!movable(i)) continue;
+      loadings[i] = groups[root(i)];
+      if (!scene_.gravity.isZero())
+        loadings[i].speed = std::hypot(loadings[i].speed, std::sqrt(2 * boxes[root(i)].diagonal().dot(scene_.gravity.cwiseAbs())));
+    }
+    return loadings;
+  }
+
+ private:
+  bool movable(int i) const { return world_.bodies[i].movable; }
+  double diagonal(int i) const { return boxes_[i].diagonal().norm(); }
+  int root(int i) { return sets_.find(i); }
+
+  // What the one knows of a group holds for both; held bodies pass on how far they push, and join nothing.
+  bool meet(int a, int b) {
+    if (!movable(a) && !movable(b)) return false;
+    if (!movable(a)) std::swap(a, b);
+    const int one = root(a), other = root(b);
+    if (!movable(b)) {
+      if (displacement_[one] >= displacement_[b]) return false;
+      displacement_[one] = displacement_[b];
+      return true;
+    }
+    if (one == other) return false;
+    sets_.join(one, other);
+    const int both = root(one);
+    speed_[both] = std::max(speed_[one], speed_[other]);
+    displacement_[both] = std::max(displacement_[one], displacement_[other]);
+    driven_[both] = driven_[one] || driven_[other];
+    return true;
+  }
+
+  void join_connected() {
+    for (const auto& [a, b] : world_.attached) meet(a, b);
+    for (int i = 0; i < count_; ++i)
+      for (const AttachConfig& attach : scene_.objects[i].attach)
+        if (const int to = world_.body_index(attach.to); to >= 0) meet(i, to);
+    for (const auto& interaction : scene_.interactions) {
+      int first = -1;
+      for (const std::string& name : interaction->objects())
+        for (int i = 0; i < count_; ++i) {
+          if (!is_named(scene_.objects[i], name)) continue;
+          if (first >= 0) meet(first, i);
+          driven_[root(i)] = 1;
+          if (first < 0 || !movable(first)) first = i;
+        }
+    }
+  }
+
+  std::vector<Eigen::AlignedBox3d> all_reaches() {
+    const double contact = scene_.contact ? scene_.contact->contact_distance : 0, fall = scene_.gravity.norm() * duration_ * duration_ / 2;
+    std::vector<Eigen::AlignedBox3d> reaches = boxes_;
+    for (int i = 0; i < count_; ++i) {
+      const int group = root(i);
+      double by = displacement_[group] + contact + scene_.objects[i].contact_offset + world_.bodies[i].radius;
+      if (movable(i)) by += driven_[group] ? std::numeric_limits<double>::infinity() : std::max(diagonal(i), caution * (speed_[group] * duration_ + fall));
+      reaches[i].min().array() -= by;
+      reaches[i].max().array() += by;
+    }
+    return reaches;
+  }
+
+  template <class Act>
+  void for_each_overlap(const std::vector<Eigen::AlignedBox3d>& boxes, const Act& act) const {
+    std::vector<int> order(count_);
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int a, int b) { return boxes[a].min().x() < boxes[b].min().x(); });
+    for (int i = 0; i < count_; ++i)
+      for (int j = i + 1; j < count_ && boxes[order[j]].min().x() <= boxes[order[i]].max().x(); ++j)
+        if (boxes[order[i]].intersects(boxes[order[j]])) act(order[i], order[j]);
+  }
+
+  bool join_overlapping() {
+    bool changed = false;
+    for_each_overlap(all_reaches(), [&](int a, int b) { changed = meet(a, b) || changed; });
+    return changed;
+  }
+
+  const SceneConfig& scene_;
+  const World& world_;
+  const double duration_;  // s
+  const int count_;
+  DisjointSets sets_;
+  std::vector<Eigen::AlignedBox3d> boxes_;           // of bodies, at rest [m]
+  std::vector<double> displacement_, speed_;         // of groups, at their first body; of held bodies [m, m/s]
+  std::vector<char> driven_;                         // likewise: it may be driven anywhere
+};
+
+}  // namespace
+
+std::vector<Loading> loadings(const SceneConfig& scene, const World& world, double duration) {
+  return MeetingGroups(scene, world, duration).loadings();
 }
 
 }  // namespace tack

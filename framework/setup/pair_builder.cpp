@@ -26,13 +26,13 @@ constexpr double most_uneven = 16;
 
 // Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
 // attached to the same ones.
-ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures, const std::vector<double>& sheets) {
+ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures, const std::vector<double>& sheets, const std::vector<double>& resting) {
   std::set<std::string> names;
   for (const PairConfig& pair : scene.contact->pairs)
     for (const PairSide& side : pair.between) names.insert(side.object);
   std::vector<std::set<int>> attached(world.bodies.size());
   for (const auto& [a, b] : world.attached) attached[a].insert(b), attached[b].insert(a);
-  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double, double>;
+  using Key = std::tuple<std::vector<NamedAs>, std::set<int>, bool, bool, double, double, double, double, double, double>;
   std::map<Key, int> known;
   std::vector<int> classes;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -40,17 +40,31 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
     const Body& body = world.bodies[i];
     std::vector<NamedAs> named;
     for (const std::string& name : names) named.push_back(named_as(object, name));
-    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i], sheets[i]};
+    const Key key{std::move(named), attached[i], body.movable, body.section.has_value(), object.contact_offset, softest_young(object), body.stiffness, pressures[i], sheets[i], resting[i]};
     classes.push_back(known.emplace(key, static_cast<int>(known.size())).first->second);
   }
   return ObjectClasses(std::move(classes));
 }
 
+// The traction that the default barrier answers with a twentieth as its stiffness: the peak of the adhesion. Where weight and loads press with
+// more than ten times that, such a barrier is left with next to no gap, and what adhesion adds is not felt: then it has the stiffness of
+// the pressure, less ten peaks so that nothing jumps, and a gap of about half the distance.
+double answered_traction(double adhesion_peak, double resting) {
+  constexpr double felt = 10, of_adhesion = 0.05;  // the latter as in energies/barrier/clamped_log.cpp
+  return adhesion_peak > 0 ? std::max(adhesion_peak, (resting - felt * adhesion_peak) / of_adhesion) : 0;
+}
+
+bool adheres(const ContactConfig& contact) {
+  return std::any_of(contact.pairs.begin(), contact.pairs.end(), [](const PairConfig& pair) { return pair.adhesion != nullptr; });
+}
+
 }  // namespace
 
-PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, double step, World& world)
-    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), pressures_(dynamic_pressures(scene, world)),
-      sheets_(sheet_stiffnesses(scene, world, step)), classes_(classes_of(scene, world, pressures_, sheets_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
+PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, const RunTimes& times, World& world)
+    : scene_(scene), contact_(*scene.contact), root_(root), world_(world), loadings_(loadings(scene, world, times.duration)),
+      pressures_(dynamic_pressures(scene, world, loadings_)), sheets_(sheet_stiffnesses(scene, world, loadings_, times.step)),
+      resting_(adheres(contact_) ? resting_pressures(scene, world, times.duration) : std::vector<double>(world.bodies.size(), 0)),
+      classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
       colliding_(classes_), bonds_(classes_) {
   table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   if (parts_.any()) table_.set_parts(parts_.of_vertices());
@@ -138,8 +152,8 @@ double PairBuilder::guard_of(int a, int b) const {
 
 PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
   PairMaterials materials = materials_of(a, b);
-  const double offset = table_.offset(a, b), guarded = guard_of(a, b);
-  const auto key = std::tuple{config, part, materials.softer_young, materials.softer_stiffness, offset, guarded};
+  const double offset = table_.offset(a, b), guarded = guard_of(a, b), resting = std::max(resting_[a], resting_[b]);
+  const auto key = std::tuple{config, part, materials.softer_young, materials.softer_stiffness, offset, guarded, resting};
   if (const auto found = laws_.find(key); found != laws_.end()) {
     if (found->second.summary >= 0) add_to(world_.adhesion[found->second.summary], a, b);
     return found->second;
@@ -160,9 +174,11 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
     }
     const BarrierLaw& barrier = pair && pair->barrier ? *pair->barrier : *contact_.barrier;
     std::shared_ptr<NormalLaw> full = barrier.clone(), close = barrier.clone();
-    full->prepare(materials);
-    materials.contact_distance *= guarded;
-    close->prepare(materials);
+    PairMaterials of_barrier = materials;
+    of_barrier.adhesion_peak = answered_traction(materials.adhesion_peak, resting);
+    full->prepare(of_barrier);
+    of_barrier.contact_distance *= guarded;
+    close->prepare(of_barrier);
     pressure.add(full);
     guard.add(close);
   } catch (const InputError& error) {

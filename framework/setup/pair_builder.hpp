@@ -11,6 +11,7 @@
 #include "framework/bond/bond_table.hpp"
 #include "framework/contact/pair_table.hpp"
 #include "framework/scene/pair_configs.hpp"
+#include "framework/setup/loading.hpp"
 #include "framework/setup/surface_parts.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
 
@@ -18,8 +19,8 @@ namespace tack {
 
 class PairBuilder {
  public:
-  // cells: per object, the area of its surface that a vertex has in the mean [m^2]; step: the first [s].
-  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, double step, World& world);
+  // cells: per object, the area of its surface that a vertex has in the mean [m^2]; times: of the run.
+  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, const RunTimes& times, World& world);
 
   void build();
 
@@ -67,15 +68,17 @@ class PairBuilder {
   const ContactConfig& contact_;
   const Value& root_;
   World& world_;
+  const std::vector<Loading> loadings_;  // of objects
   const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
   const std::vector<double> sheets_;     // stiffnesses of sheets, of objects [Pa]; 0: no sheet
+  const std::vector<double> resting_;    // pressures of weight and loads, of objects [Pa]; 0 where nothing adheres
   ObjectClasses classes_;
   PairConfigs configs_;
   SurfaceParts parts_;
   PairTable table_;
   CollidingObjects colliding_;
   BondTable bonds_;
-  std::map<std::tuple<int, int, double, double, double, double>, LawIds> laws_;
+  std::map<std::tuple<int, int, double, double, double, double, double>, LawIds> laws_;
 };
 
 }  // namespace tack

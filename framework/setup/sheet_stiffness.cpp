@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "framework/setup/dynamic_pressure.hpp"
-#include "framework/setup/loading.hpp"
 
 namespace tack {
 namespace {
@@ -11,11 +10,6 @@ namespace {
 constexpr double of_pressing = 1000;               // the barrier is a tenth of the modulus: a gap of 0.94 ranges under what is expected
 constexpr double of_tension = 10;
 constexpr double strain = 1e-3, radius = 0.1;      // of tension; in sizes of the sheet
-
-double to_two_digits(double value) {
-  const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return std::round(value / digit) * digit;
-}
 
 // What a script stretches, or a load or a spring pulls, presses with what its material can.
 bool is_left_alone(const ObjectConfig& object, const SceneConfig& scene) {
@@ -31,16 +25,15 @@ double sheet_stiffness(const ObjectConfig& object, const Body& body, const Loadi
   const double pressing = (loading.weight + mass * loading.speed / step) / area;
   const double tension = softest_young(object) * body.thickness * strain / (radius * std::sqrt(area));
   const double stiffness = of_pressing * pressing + of_tension * tension;
-  return stiffness > 0 ? to_two_digits(stiffness) : 0;
+  return to_two_digits(stiffness);
 }
 
 }  // namespace
 
-std::vector<double> sheet_stiffnesses(const SceneConfig& scene, const World& world, double step) {
-  const Loading loading = loading_of(scene, world);
+std::vector<double> sheet_stiffnesses(const SceneConfig& scene, const World& world, const std::vector<Loading>& loadings, double step) {
   std::vector<double> stiffnesses;
   for (size_t i = 0; i < world.bodies.size(); ++i)
-    stiffnesses.push_back(is_left_alone(scene.objects[i], scene) ? sheet_stiffness(scene.objects[i], world.bodies[i], loading, world, step) : 0);
+    stiffnesses.push_back(is_left_alone(scene.objects[i], scene) ? sheet_stiffness(scene.objects[i], world.bodies[i], loadings[i], world, step) : 0);
   return stiffnesses;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "framework/assembly/incremental_potential.hpp"
@@ -50,6 +51,29 @@ void for_each_contact(const Records& records, const Act& act) {
     last = whole;
     act(whole, whole ? nullptr : &record);
   }
+}
+
+// The kinetic energy, at the start and the end of a step of size h, that bodies as wholes carry through it while nothing but gravity acts
+// on them: they have no held vertex, and their mean velocity changes by g h, to within the solver's tolerance [m/s].
+std::array<double, 2> ballistic_energies(const World& world, const State& state, double h, double tolerance) {
+  std::array<double, 2> sums{};
+  if (state.v_before.size() != state.v.size()) return sums;
+  for (size_t i = 0; i < world.bodies.size(); ++i) {
+    double mass = 0;
+    Vec3 before = Vec3::Zero(), after = Vec3::Zero();
+    bool free = world.bodies[i].movable;
+    for (const int v : world.vertices_of(static_cast<int>(i))) {
+      if (world.mass(v) == 0 || world.is_number(v)) continue;
+      free = free && world.dofs.moves(v);
+      mass += world.mass(v);
+      before += world.mass(v) * vertex(state.v_before, v);
+      after += world.mass(v) * vertex(state.v, v);
+    }
+    if (!free || mass == 0 || (after - before - mass * h * world.gravity).norm() > mass * tolerance) continue;
+    sums[0] += before.squaredNorm() / (2 * mass);
+    sums[1] += after.squaredNorm() / (2 * mass);
+  }
+  return sums;
 }
 
 }  // namespace
@@ -224,8 +248,11 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   });
   flows.jerk = jerk_;
   flows.noise = solver_noise();
-  flows.at_play = end.at_play.most();
-  flows.moving = end.at_play.kinetic;
+  const auto [ballistic_before, ballistic] = ballistic_energies(world_, state, h, solver_.velocity_tolerance());
+  flows.moving = std::max(start_.kinetic - ballistic_before, end.kinetic - ballistic);
+  EnergyAtPlay concerned = end.at_play;
+  concerned.kinetic = flows.moving;
+  flows.at_play = concerned.most();
   flows.gained = watch(end, flows);
   warn_of_growth(end, state, flows);
   state.energy = std::move(end);
@@ -246,22 +273,23 @@ bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
   account.lowest = std::min(account.lowest, account.unexplained);
   account.bottom = std::min(account.bottom, account.unexplained);
   // What has just set out has next to nothing that it could lose; and what comes and goes, as Newmark's energy of vibrations does, is not lost.
-  lost_ = 2 * start_.kinetic >= flows.at_play && lowest - account.unexplained > tolerated_loss * flows.at_play + flows.noise;
+  const double at_play = account.at_play.most();
+  lost_ = 2 * start_.kinetic >= at_play && lowest - account.unexplained > tolerated_loss * at_play + flows.noise;
   // What friction and damping took, which is at play as well, is known to first order of the step only.
-  if (account.unexplained - account.lowest <= tolerated_gain * flows.at_play + flows.noise) return false;
+  if (account.unexplained - account.lowest <= tolerated_gain * at_play + flows.noise) return false;
   account.lowest = account.unexplained;
   return true;
 }
 
 void EnergyBalance::warn_of_growth(EnergyAccount& account, const State& state, const EnergyFlows& flows) {
-  const double gain = account.unexplained - account.bottom;
-  account.grown_steps = gain > growth * flows.at_play + flows.noise ? account.grown_steps + 1 : 0;
+  const double gain = account.unexplained - account.bottom, at_play = account.at_play.most();
+  account.grown_steps = gain > growth * at_play + flows.noise ? account.grown_steps + 1 : 0;
   warning_.clear();
   if (account.told || account.grown_steps < growing_steps) return;
   account.told = true;
   warning_ = fmt::format("step {} at t = {:.6g} s: energy has grown by {:.3g} J, {:.2g}% of the most that was at play so far, and "
                          "nothing put it in (steps.csv: {})",
-                         state.step, state.time, gain, 100 * gain / flows.at_play,
+                         state.step, state.time, gain, 100 * gain / at_play,
                          flows.made_by_areas() ? "dissipated_areas" : "dissipated_numerics");
 }
 
