@@ -26,7 +26,9 @@ struct EnergyFlows {
   double areas = 0, numerics = 0;     // dissipated
   double jerk = 0;     // by how much the script's work is more with its forces at the end of the step, with which implicit steps begin
   double noise = 0;    // what the solver's tolerance may change it by
-  double at_play = 0;  // the most that has moved in the run so far (core/energy_at_play.hpp)
+  // The most that has moved in the run so far (core/energy_at_play.hpp), with the kinetic energy of
+  // this step, less that of bodies that fly as wholes while nothing but gravity acts on them.
+  double at_play = 0;
   double moving = 0;   // its kinetic part
   bool in_contact = false;  // whether anything was in contact at its start or end, or stored between objects at its end
   bool damped = false;      // done again by the integrator's fallback, because energy would have grown
