@@ -30,6 +30,7 @@ class BondTerm : public Term {
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  void mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
 
   // What presses at each bond of the list in this step [Pa], of a stepper that knows it; otherwise it is the barrier.
   void press(std::vector<double> pressures) { pressures_ = std::move(pressures); }

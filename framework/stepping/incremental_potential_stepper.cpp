@@ -14,6 +14,7 @@
 #include "framework/stepping/feasible_steps.hpp"
 #include "framework/stepping/free_bodies.hpp"
 #include "framework/stepping/lagged_impulses.hpp"
+#include "framework/stepping/predicted_motion.hpp"
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "framework/stepping/straight_ways.hpp"
@@ -118,19 +119,26 @@ bool Minimization::start(const Step& step, const VecX* guess, Attempt& attempt, 
   return true;
 }
 
-// Where the motion would go with the acceleration of the last step, as far as that is feasible and
-// better than staying: minimisers start closer to the solution.
+// Where the motion would go with the acceleration of the last step, as far as nothing lets go on the way, as far as that is feasible, and if
+// it is better than staying: minimisers start closer to the solution.
 VecX Minimization::first_guess(const Step& step) {
-  VecX q, p;
+  VecX q, p, drift;
   world_.dofs.gather(step.state.x, q);
   if (!step.prediction.inertia) return q;
   world_.dofs.gather(step.h * (step.state.v + step.h * step.state.a), p);
   if (p.isZero()) return q;
+  world_.dofs.gather(step.h * step.state.v, drift);
   step.potential.move_to(q);
-  const double staying = step.potential.value();
-  const VecX guess = q + steps_.largest_tried(step.potential, q, p) * p;
-  step.potential.move_to(guess);
-  return step.potential.value() < staying ? guess : q;
+  double lowest = step.potential.value();
+  VecX best = q;
+  const PredictedMotion motion = predicted_motion(world_, step.potential.configuration(), VecX::Zero(step.state.x.size()), p, drift);
+  for (const VecX& way : motion.ways) {
+    if (way.isZero()) continue;
+    const VecX guess = q + steps_.largest_tried(step.potential, q, way) * way;
+    step.potential.move_to(guess);
+    if (const double value = step.potential.value(); value < lowest) lowest = value, best = guess;
+  }
+  return best;
 }
 
 // The fixed-point loop of friction: minimise, take normal forces and tangents anew, and so on.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "framework/stepping/held_vertices.hpp"
+#include "framework/stepping/predicted_motion.hpp"
 
 namespace tack {
 namespace {
@@ -17,10 +18,10 @@ ScriptWalk::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
   const State& state = step.state;
   const TimeIntegrator::Prediction& prediction = step.prediction;
   const int parts = step.held.straight_parts(state.time, step.h);
-  VecX along = VecX::Zero(state.x.size()), q;
+  Along along;
   if (prediction.inertia) {
-    world_.dofs.gather(step.h / parts * (state.v + step.h * state.a), q);
-    world_.dofs.scatter(q, along);
+    world_.dofs.gather(step.h / parts * (state.v + step.h * state.a), along.full);
+    world_.dofs.gather(step.h / parts * state.v, along.drift);
   }
   const Way way{step, check, observer};
   ScriptWalk::Result result{{}, state.x, ""};
@@ -28,23 +29,39 @@ ScriptWalk::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
     VecX places = result.x;
     step.held.place(state.time + step.h * i / parts, places);
     step.potential.begin_step(places, prediction.x, prediction.scales(), prediction.inertia);
+    if (i > 1) world_.participants.move_to(result.x);
     const MinimizerResult before = result.solve;
-    result = move(result.x, places, along, way);
+    result = move(result.x, places, prediction.inertia ? &along : nullptr, way);
     result.solve.add_work(before);
     if (!result.failure.empty() || result.solve.status != MinimizerStatus::converged) break;
   }
   return result;
 }
 
-// From x to where the scripted vertices are at their places: the straight way, with the free ones moving
-// along as far as they may, or not at all, whichever is better; a walk if that is blocked.
-ScriptWalk::Result ScriptFollower::move(const VecX& x, const VecX& places, const VecX& along, const Way& way) {
-  StepPotential& potential = way.step.potential;
+// From x to where the scripted vertices are at their places: the straight way with the free ones moving along as predicted; a walk if that is
+// blocked or takes bonds or adhesion past their peaks. Where these let go on a walk as well, they are being torn off, and it may be straight.
+ScriptWalk::Result ScriptFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
+  const VecX none = VecX::Zero(world_.dofs.size());
+  const PredictedMotion predicted = predicted_motion(world_, x, places - x, along ? along->full : none, along ? along->drift : none);
+  if (!predicted.lets_go) {
+    const ScriptWalk::Result straight = go_straight(x, places, predicted.ways, way.step.potential);
+    return straight.x.size() > 0 ? straight : walk(x, places, way);
+  }
+  const ScriptWalk::Result walked = walk(x, places, way);
+  if (walked.failure.empty()) return walked;
+  ScriptWalk::Result straight = go_straight(x, places, {along ? along->full : none}, way.step.potential);
+  if (straight.x.size() == 0) return walked;
+  straight.solve.add_work(walked.solve);
+  return straight;
+}
+
+// With the free vertices moving along one of these ways as far as they may, or not at all, whichever is best; without x if that is blocked.
+ScriptWalk::Result ScriptFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
   const VecX scripted = places - x;
   VecX q;
   ScriptWalk::Result best{{}, VecX(), ""};
   double lowest = std::numeric_limits<double>::infinity();
-  const auto reach_of = [&](double part) {
+  const auto reach_of = [&](const VecX& along, double part) {
     const VecX p = scripted + part * along;
     const double t = steps_.largest(x, p);
     if (t < 1) return t;
@@ -57,11 +74,18 @@ ScriptWalk::Result ScriptFollower::move(const VecX& x, const VecX& places, const
     }
     return t;
   };
-  const bool predicted = !along.isZero();
-  const double t = predicted ? reach_of(1) : 0;
-  if (t > 0 && t < 1) reach_of(most_of_it * t);
-  reach_of(0);
-  if (best.x.size() > 0) return best;
+  VecX along = VecX::Zero(x.size());
+  for (const VecX& way : ways) {
+    if (way.isZero()) continue;
+    world_.dofs.scatter(way, along);
+    const double t = reach_of(along, 1);
+    if (t > 0 && t < 1) reach_of(along, most_of_it * t);
+  }
+  reach_of(along, 0);
+  return best;
+}
+
+ScriptWalk::Result ScriptFollower::walk(const VecX& x, const VecX& places, const Way& way) {
   if (!walk_) walk_.emplace(world_, like_, clock_, steps_);
   if (way.check) way.check->begin(way.step.state.step + 1, "the walk of what the script moves");
   return walk_->run(x, places, way.step.prediction, way.observer);

@@ -1,5 +1,5 @@
 // Brings scripted vertices to their places at the end of a step, before the minimisation: the straight way if nothing
-// is in it, a walk otherwise (script_walk.hpp).
+// is in it and nothing lets go on it (predicted_motion.hpp), a walk otherwise (script_walk.hpp).
 #pragma once
 
 #include <optional>
@@ -28,7 +28,13 @@ class ScriptFollower {
     IterateCheck* check;
     const MinimizerProblem::Observer& observer;
   };
-  ScriptWalk::Result move(const VecX& x, const VecX& places, const VecX& along, const Way& way);
+  // along: h v + h^2 a and h v of the unknowns, of a part of the step; null without inertia.
+  struct Along {
+    VecX full, drift;
+  };
+  ScriptWalk::Result move(const VecX& x, const VecX& places, const Along* along, const Way& way);
+  ScriptWalk::Result go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential);
+  ScriptWalk::Result walk(const VecX& x, const VecX& places, const Way& way);
 
   World& world_;
   const Minimizer& like_;

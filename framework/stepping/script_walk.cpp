@@ -5,6 +5,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/stepping/bent_steps.hpp"
 #include "framework/stepping/obstacle.hpp"
+#include "framework/stepping/predicted_motion.hpp"
 
 namespace tack {
 namespace {
@@ -165,6 +166,8 @@ bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
   for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
   dofs_.follow(last);
   if (steps_.largest_tried(x, last) < 1) return false;
+  world_.participants.move_to(x);
+  if (lets_go(world_, x, x + last)) return false;
   for (const int v : moving_) vertex(x, v) = vertex(places, v);
   dofs_.follow(x);
   return true;

@@ -1,0 +1,43 @@
+// Surfaces that a motion takes past the peak of an adhesion of the gap, by the stencils of the configuration where it starts.
+#include <cmath>
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/stencil_distance.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double softening = 1e-6;  // the share of the secant stiffness by which a tangent is below zero for certain
+
+bool softens(const PairLaw& law, double distance) {
+  const LawSample s = law.at(distance);
+  return s.slope > 0 && s.curvature * (distance - law.offset()) < -softening * s.slope;
+}
+
+// Whether the sides are held at `distance`, and no longer at `end`, farther apart.
+bool lets_go(const PairLaw& law, double range, double distance, double end) {
+  return end > distance && distance < range && !softens(law, distance) && (!(end < range) || softens(law, end));
+}
+
+}  // namespace
+
+void ContactTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
+  std::vector<double> range;  // of the adhesion of each law; 0: none [m]
+  bool any = false;
+  for (const PairLaw& law : laws(LawPart::adhesion)) {
+    range.push_back(law.laws().empty() ? 0 : law.range());
+    any = any || range.back() > 0;
+  }
+  if (!any) return;
+  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double*) {
+    using K = decltype(kind);
+    for (const auto& stencil : stencils) {
+      if (!(range[stencil.law] > 0) || !(stencil.weight > 0)) continue;
+      const auto distance_at = [&](const VecX& x) { return std::sqrt(stencil_distance<ValueKernels>(K{}, x, stencil)); };
+      if (!lets_go(laws(LawPart::all)[stencil.law], range[stencil.law], distance_at(from), distance_at(to))) continue;
+      for (const int v : stencil.vertices) vertices[v] = 1;
+    }
+  });
+}
+
+}  // namespace tack

@@ -1,0 +1,105 @@
+#include "framework/stepping/predicted_motion.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "framework/core/disjoint_sets.hpp"
+#include "framework/core/term.hpp"
+
+namespace tack {
+namespace {
+
+// The vertices (n) of what lets go; empty: nothing does.
+std::vector<char> letting_go(const World& world, const VecX& from, const VecX& to) {
+  std::vector<char> marked(world.dofs.vertex_count(), 0);
+  for (const Term* term : world.terms) term->mark_letting_go(from, to, marked);
+  if (std::find(marked.begin(), marked.end(), 1) == marked.end()) marked.clear();
+  return marked;
+}
+
+// Of each vertex, the objects that move as one: bodies of which vertices depend on those of others are one with them.
+std::vector<int> groups_of_vertices(const World& world) {
+  const int bodies = static_cast<int>(world.bodies.size());
+  DisjointSets sets(bodies + 1);
+  std::vector<int> of(world.dofs.vertex_count());
+  for (size_t v = 0; v < of.size(); ++v) {
+    const int body = world.body_of(static_cast<int>(v));
+    of[v] = body < 0 ? bodies : body;
+  }
+  for (size_t k = 0; k < world.dofs.dependents().size(); ++k)
+    for (const DofMap::Part& part : world.dofs.parts(static_cast<int>(k))) sets.join(of[world.dofs.dependents()[k]], of[part.leaf]);
+  for (int& group : of) group = sets.find(group);
+  return of;
+}
+
+struct Prediction {
+  const World& world;
+  const VecX& x;
+  const VecX& scripted;
+  const VecX& full;
+  const VecX& drift;
+
+  std::vector<char> marks(const VecX& p) const {
+    VecX way = scripted;
+    world.dofs.scatter(p, way);
+    return letting_go(world, x, x + way);
+  }
+};
+
+// Object by object; nothing if something lets go even so.
+std::optional<VecX> by_objects(const Prediction& prediction, std::vector<char> marked) {
+  const DofMap& dofs = prediction.world.dofs;
+  enum Level : char { whole, uniform, none };
+  const std::vector<int> group = groups_of_vertices(prediction.world);
+  std::vector<Level> levels(prediction.world.bodies.size() + 1, whole);
+  for (VecX p = prediction.full;;) {
+    // Accelerations are left out first, wherever that may be enough.
+    Level lowest = none;
+    for (size_t v = 0; v < marked.size(); ++v)
+      if (marked[v]) lowest = std::min(lowest, levels[group[v]]);
+    if (lowest == none) return std::nullopt;
+    std::vector<char> lowered(levels.size(), 0);
+    for (size_t v = 0; v < marked.size(); ++v)
+      if (marked[v] && levels[group[v]] == lowest) lowered[group[v]] = 1;
+    for (size_t g = 0; g < levels.size(); ++g)
+      if (lowered[g]) levels[g] = lowest == whole ? uniform : none;
+    for (int b = 0; b < dofs.block_count(); ++b) {
+      const int g = group[dofs.vertex_of_block(b)];
+      if (!lowered[g]) continue;
+      if (levels[g] == uniform) p.segment<3>(3 * b) = prediction.drift.segment<3>(3 * b);
+      else p.segment<3>(3 * b).setZero();
+    }
+    marked = prediction.marks(p);
+    if (marked.empty()) return p;
+  }
+}
+
+// Vertex by vertex; nothing if that moves none, or something lets go even so.
+std::optional<VecX> by_vertices(const Prediction& prediction, std::vector<char> marked) {
+  const DofMap& dofs = prediction.world.dofs;
+  for (VecX p = prediction.full;;) {
+    bool changed = false;
+    for (int b = 0; b < dofs.block_count(); ++b)
+      if (marked[dofs.vertex_of_block(b)] && !p.segment<3>(3 * b).isZero(0)) p.segment<3>(3 * b).setZero(), changed = true;
+    if (!changed || p.isZero(0)) return std::nullopt;
+    marked = prediction.marks(p);
+    if (marked.empty()) return p;
+  }
+}
+
+}  // namespace
+
+bool lets_go(const World& world, const VecX& from, const VecX& to) { return !letting_go(world, from, to).empty(); }
+
+PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& scripted, const VecX& full, const VecX& drift) {
+  const Prediction prediction{world, x, scripted, full, drift};
+  const std::vector<char> marked = prediction.marks(full);
+  if (marked.empty()) return {{full}, false};
+  PredictedMotion motion;
+  if (auto p = by_objects(prediction, marked)) motion.ways.push_back(*std::move(p));
+  if (auto p = by_vertices(prediction, marked)) motion.ways.push_back(*std::move(p));
+  motion.lets_go = motion.ways.empty();
+  return motion;
+}
+
+}  // namespace tack

@@ -1,0 +1,31 @@
+// The motion that starts the minimisation of a step: h v + h^2 a of its unknowns, as far as it takes
+// no bond and no adhesion past the peak of its traction. Beyond the peak lies another minimum of the
+// incremental potential, of surfaces apart. A minimiser that starts there stays there, however far the
+// loads are from the strength. Two ways that let go of nothing are tried, and the better one is taken:
+// - an object of which something would let go is predicted without its acceleration, h v, as in uniform
+//   motion; if that is too far as well, it starts from where it is;
+// - only the vertices of what would let go start from where they are: those ahead of a crack, while the
+//   rest moves on.
+#pragma once
+
+#include <vector>
+
+#include "framework/world/world.hpp"
+
+namespace tack {
+
+struct PredictedMotion {
+  std::vector<VecX> ways;  // of the unknowns of the present step [m], none twice
+  bool lets_go = false;    // something does on all of them: what the script moves is the cause
+};
+
+// From x (3n), while the script moves held vertices by `scripted` (3n). full: h v + h^2 a, drift: h v,
+// of the unknowns. All that take part in the step are at x.
+PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& scripted,
+                                 const VecX& full, const VecX& drift);
+
+// Whether anything lets go between these configurations (3n). All that take part in the step are at
+// `from`.
+bool lets_go(const World& world, const VecX& from, const VecX& to);
+
+}  // namespace tack
