@@ -6,7 +6,10 @@
 // Its stationarity is implicit Euler of eta beta' = min(W - k beta, 0): never below 0, whatever the step. phi is C1 and concave in k.
 // Slow loading: onset at d = sqrt(W / C_N), peak sqrt(W C_N), beta = W / k beyond it, work W. W = 0: any pull debonds, and what resists
 // is viscosity alone.
-// Under a pressure p a bond heals after the step, beta' = r <p - beta p_0>, exactly for a constant p.
+// Under a pressure p a bond heals after the step, beta' = r <p - beta p_0>, exactly for a constant p. What heals is unstressed where it heals:
+// beside the old bond of stiffness C beta^2 it adds C (beta'^2 - beta^2), so that the force stays as it is. One bond of intensity beta' that
+// keeps the share (beta / beta')^2 of opening and slip pulls like the two; the energy that this drops, k beta^2 / 2 (1 - (beta / beta')^2), is
+// lost. So healing puts no energy in, and a bond that was worn out while it slid heals to a new one where it comes to rest.
 #include <algorithm>
 
 #include "energies/adhesion/rcc.hpp"
@@ -42,6 +45,7 @@ class RccAdhesion : public RccLawOf<RccAdhesion> {
     const double gained = x > 0 ? (at.pressure / saturation_ - m.beta) * -std::expm1(-x) : healing_ * at.pressure * at.h;
     return {std::min(m.beta + gained, 1.0)};
   }
+  double kept(const Memory& before, const Memory& healed) const { return before.beta / healed.beta * (before.beta / healed.beta); }
   bool gone(const Memory& m, const BondPlace& at) const { return m.beta < weak && heal(after(m, at), at).beta <= m.beta; }
 
  private:

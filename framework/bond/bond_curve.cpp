@@ -26,22 +26,25 @@ std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondSte
   std::vector<double> memory(law.width());
   law.fresh(on_contact, memory.data());
   double time = 0, dissipated = 0;
+  double unstressed_opening = 0, unstressed_slip = 0;  // m; healing moves them
   bool gone = false;
   for (const BondStep& step : way) {
-    const double s = step.slip * step.slip, h = step.time - time;
-    const double d = std::max(step.opening, 0.0);
+    const double slip = step.slip - unstressed_slip, s = slip * slip, h = step.time - time;
+    const double d = std::max(step.opening - unstressed_opening, 0.0);
     BondPoint p{step.time, step.opening, step.slip};
     if (gone) {
       p.intensity = 0;
     } else {
       const BondSample sample = law.at(d, s, memory.data(), h);
-      p.traction = step.opening > 0 ? sample.by_d : 0;
-      p.shear = 2 * sample.by_s * step.slip;
+      p.traction = step.opening > unstressed_opening ? sample.by_d : 0;
+      p.shear = 2 * sample.by_s * slip;
       const BondChange change = law.advance({d, s, h, step.pressure}, memory.data());
       dissipated += change.dissipated;
       gone = change.gone;
       p.intensity = law.intensity_of(memory.data());
-      p.stored = gone ? 0 : law.stored(d, s, memory.data());
+      p.stored = gone ? 0 : law.stored(change.kept * d, change.kept * change.kept * s, memory.data());
+      unstressed_opening += (1 - change.kept) * d;
+      unstressed_slip += (1 - change.kept) * slip;
     }
     p.dissipated = dissipated;
     time = step.time;

@@ -14,6 +14,8 @@
 // (without memory, `struct Memory {};`, the energy is enough) and, where that is not all,
 //     Memory begin(bool on_contact) const;                       // of a new bond: at the start of a run, or when surfaces met
 //     Memory heal(const Memory& m, const BondPlace& at) const;   // what a pressure makes of it, after the step
+//     double kept(const Memory& before, const Memory& healed) const;  // the share of opening and slip
+//                                                                     // that healing leaves; else 1
 //     double intensity(const Memory& m) const;                   // of a whole bond 1, of one without strength 0: for records
 // then TACK_REGISTER it in the same file, as an AdhesionLaw.
 #pragma once
@@ -46,6 +48,7 @@ struct BondSample {
 struct BondChange {
   double dissipated = 0;
   double healed = 0;  // what healing took from what is stored; below zero, what it put in
+  double kept = 1;    // the share of its opening and slip that the bond keeps: what has healed is unstressed
   bool gone = false;
 };
 
@@ -124,14 +127,20 @@ class BondLawOf : public BondLaw {
       now = law().after(before, at);
       change.dissipated = law().loss(before, now, at);
     }
+    BondPlace place = at;  // seen from the anchor that healing leaves
     if constexpr (requires { law().heal(now, at); }) {
       const auto healed = law().heal(now, at);
-      if (std::memcmp(&healed, &now, sizeof now) != 0) change.healed = law().energy(at.d, at.s, now, 0.0) - law().energy(at.d, at.s, healed, 0.0);
+      if (std::memcmp(&healed, &now, sizeof now) != 0) {
+        if constexpr (requires { law().kept(now, healed); }) change.kept = law().kept(now, healed);
+        place.d *= change.kept;
+        place.s *= change.kept * change.kept;
+        change.healed = law().energy(at.d, at.s, now, 0.0) - law().energy(place.d, place.s, healed, 0.0);
+      }
       now = healed;
     }
     store(now, memory);
-    if constexpr (!std::is_empty_v<typename Law::Memory> || requires { law().gone(now, at); }) change.gone = law().gone(now, at);
-    if (change.gone) change.dissipated += law().energy(at.d, at.s, now, 0.0);
+    if constexpr (!std::is_empty_v<typename Law::Memory> || requires { law().gone(now, place); }) change.gone = law().gone(now, place);
+    if (change.gone) change.dissipated += law().energy(place.d, place.s, now, 0.0);
     return change;
   }
 

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "framework/bond/bond_anchor.hpp"
 #include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
+#include "framework/contact/held_surface.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -245,7 +247,19 @@ BondPlace BondTerm::place_of(int i, const VecX& x) const {
 
 BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memory) const {
   memory.assign(list_.memory(bond), list_.memory(bond) + law_of(bond).width());
-  return law_of(bond).advance(place_of(bond, x), memory.data());
+  const BondPlace at = place_of(bond, x);
+  BondChange change = law_of(bond).advance(at, memory.data());
+  if (!change.gone && slid_off(list_.bonds()[bond], x)) {
+    change.gone = true;
+    change.dissipated += law_of(bond).stored(change.kept * at.d, change.kept * change.kept * at.s, memory.data());
+  }
+  return change;
+}
+
+// Whether the place has slid off the surface of its anchor, which it no longer faces: looked at from a slip as long as the bond's area is wide.
+bool BondTerm::slid_off(const Bond& bond, const VecX& x) const {
+  if (opening_of(bond, x).s <= bond.area) return false;
+  return !facing_triangle(system_.held().topology(), system_.surface().mesh, x, bond.anchor, place_at(bond, x));
 }
 
 BondTerm::Changes BondTerm::changes(const VecX& x) const {
@@ -264,8 +278,16 @@ void BondTerm::commit(const VecX& x, History& history) const {
   BondList kept(list_);
   kept.clear();
   std::vector<double> memory;
-  for (int i = 0; i < list_.size(); ++i)
-    if (!advance(i, x, memory).gone) kept.add(list_.bonds()[i], memory.data());
+  for (int i = 0; i < list_.size(); ++i) {
+    const BondChange change = advance(i, x, memory);
+    if (change.gone) continue;
+    Bond bond = list_.bonds()[i];
+    if (change.kept < 1) {
+      hold_frame(bond, x);
+      renew_anchor(bond, system_.held().topology(), system_.surface().mesh, x, change.kept);
+    }
+    kept.add(bond, memory.data());
+  }
   kept.write(history);
 }
 

@@ -73,6 +73,7 @@ class BondTerm : public Term {
   BondPlace place_of(int bond, const VecX& x) const;
   // What the step to x makes of a bond and, in its place, of its memory.
   BondChange advance(int bond, const VecX& x, std::vector<double>& memory) const;
+  bool slid_off(const Bond& bond, const VecX& x) const;
 
   ContactSystem& system_;
   const ContactTerm& normal_;

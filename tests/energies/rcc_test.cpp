@@ -165,10 +165,13 @@ TEST_CASE("rcc heals under pressure as for a constant one, whatever the step", "
   CHECK(bond.intensity() == Approx(0.3));
   bond.step(0, 0, 2, 1000);
   CHECK(bond.intensity() == 1);
-  // Where it is stretched, what heals is stored.
+  // Where it is stretched, what heals is unstressed: the force stays, and no energy is put in.
   PulledBond stretched(*unsaturated);
   stretched.step(0.5 * onset, 0, 0.2, 1000);
-  CHECK(stretched.change().healed == Approx(-0.25 * (0.09 - 0.01) / 2));
+  const double kept = stretched.change().kept;
+  CHECK(kept == Approx(1. / 9));
+  CHECK(stretched.change().healed == Approx(0.25 * 0.01 / 2 * (1 - kept)));
+  CHECK(unsaturated->at(kept * 0.5 * onset, 0, stretched.memory(), 1).by_d == Approx(stretched.traction()));
 }
 
 TEST_CASE("rcc: intensity of new bonds, and which are none", "[bonds]") {
@@ -185,9 +188,9 @@ TEST_CASE("rcc: intensity of new bonds, and which are none", "[bonds]") {
     CHECK(!pressed.change().gone);
   }
   CHECK(pressed.intensity() == Approx(1 - std::exp(-5e-3)));
-  // Slid far, it lets go although it is pressed: what comes to rest there bonds anew, unstressed.
-  for (int i = 0; i < 3; ++i) pressed.step(0, 1e-2, 1e-3, 1000);
-  CHECK(pressed.change().gone);
+  // Slid far while it is pressed, it is worn out, and what heals there is unstressed.
+  pressed.step(0, 1e-2, 1e-3, 1000);
+  CHECK((!pressed.change().gone && pressed.change().kept < 0.01));
 }
 
 TEST_CASE("rcc refuses what is no such law", "[bonds]") {
