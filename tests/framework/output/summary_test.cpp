@@ -90,7 +90,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
                                          "expect", "failed_solves", "intersections",
                                          "inverted_tets", "linear_solver", "lowest_quality", "max_affine_strain",
                                          "max_contacts", "max_unbalanced_force", "min_distance", "min_gap", "name",
-                                         "phases", "provenance", "remeshings", "repeated_steps", "status", "step_size", "stepper", "steps", "threads", "totals",
+                                         "phases", "provenance", "remeshings", "repeated_steps", "status", "step_size", "stepper", "steps", "stiffness", "threads", "totals",
                                          "unbalanced_steps", "unconverged_lags", "version", "wall_seconds", "warnings"});
   CHECK(json["expect"] == nlohmann::json::array());
   CHECK(json["min_distance"].is_null());  // nothing was ever near
