@@ -3,23 +3,39 @@
 #include <Eigen/Geometry>
 
 namespace tack {
+namespace {
 
-void hold_frame(Bond& bond, const VecX& x) {
+constexpr double least_sum = 0.2;  // of two unit normals that have a middle
+
+// Of a side's triangle, whose vertices begin at `first` of the bond's.
+void hold_side(Bond& bond, int side, int first, const VecX& x) {
   std::array<Vec3, 3> corner;
-  for (int j = 0; j < 3; ++j) corner[j] = vertex(x, bond.vertices[bond.leading + j]);
+  for (int j = 0; j < 3; ++j) corner[j] = vertex(x, bond.vertices[first + j]);
   const Vec3 normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);  // twice the area
   const double twice = normal.norm();
-  bond.normal = bond.side / twice * normal;
-  Vec3 r = Vec3::Zero();
-  for (int i = 0; i < bond.count(); ++i) r += bond.c[i] * vertex(x, bond.vertices[i]);
-  const double along = bond.normal.dot(r);
-  const Vec3 u = r - along * bond.normal;
-  bond.shift.setZero();
-  for (int j = 0; j < 3; ++j) {
-    const Vec3 g = (normal / twice).cross(corner[(j + 2) % 3] - corner[(j + 1) % 3]) / twice;  // of corner j's coordinate
-    bond.turns[j] = along * g - u.dot(g) * bond.normal;
-    bond.shift -= bond.turns[j] * bond.normal.dot(corner[j]);
+  bond.normals[side] = bond.side[side] / twice * normal;
+  for (int j = 0; j < 3; ++j)
+    bond.gradients[first + j] = (normal / twice).cross(corner[(j + 2) % 3] - corner[(j + 1) % 3]) / twice;
+}
+
+}  // namespace
+
+void hold_frame(Bond& bond, const VecX& x) {
+  bond.gradients.fill(Vec3::Zero());
+  hold_side(bond, 1, bond.leading, x);
+  bond.normal = bond.normals[0] = bond.normals[1];
+  double length = 1;
+  if (bond.leading == 3) {
+    hold_side(bond, 0, 0, x);
+    const Vec3 sum = bond.normals[0] + bond.normals[1];
+    if (const double norm = sum.norm(); norm > least_sum) length = norm, bond.normal = sum / norm;
   }
+  const Vec3& n = bond.normal;
+  Vec3 r = -bond.lever[0] * bond.normals[0] - bond.lever[1] * bond.normals[1];
+  for (int i = 0; i < bond.count(); ++i) r += bond.c[i] * vertex(x, bond.vertices[i]);
+  const double along = n.dot(r);
+  const Vec3 u = r - along * n;
+  bond.turn = (along * (Mat3::Identity() - n * n.transpose()) - n * u.transpose()) / length;
 }
 
 }  // namespace tack

@@ -58,17 +58,18 @@ Vec3 place_at(const Bond& bond, const VecX& x) {
 void renew_anchor(Bond& bond, const SurfaceTopology& topology, const CollisionMesh& mesh, const VecX& x, double kept) {
   const Opening o = opening_of(bond, x);
   const Vec3 p = place_at(bond, x);
-  Vec3 anchor = Vec3::Zero();
-  for (int i = bond.leading; i < bond.count(); ++i) anchor -= bond.c[i] * vertex(x, bond.vertices[i]);
-  anchor += (1 - kept) * o.u;
-  bond.anchor = facing_triangle(topology, mesh, x, bond.anchor, anchor).value_or(bond.anchor);
-  const Vec3 c = coordinates_of(mesh, x, bond.anchor, anchor);
+  // The anchor's point of the interface, moved towards the place's.
+  Vec3 point = bond.lever[1] * bond.normals[1] + (1 - kept) * (o.u + std::max(o.d, 0.0) * bond.normal);
+  for (int i = bond.leading; i < bond.count(); ++i) point -= bond.c[i] * vertex(x, bond.vertices[i]);
+  bond.anchor = facing_triangle(topology, mesh, x, bond.anchor, point).value_or(bond.anchor);
+  const Vec3 c = coordinates_of(mesh, x, bond.anchor, point);
   for (int i = 0; i < 3; ++i) {
     bond.vertices[bond.leading + i] = mesh.triangles[bond.anchor][i];
     bond.c[bond.leading + i] = -c[i];
   }
   const auto [t0, t1, t2] = corners(x, mesh.triangles[bond.anchor]);
-  const Vec3 n = bond.side * (t1 - t0).cross(t2 - t0).normalized();
+  const Vec3 n = bond.side[1] * (t1 - t0).cross(t2 - t0).normalized();
+  bond.lever[1] = n.dot(point - t0);
   bond.rest = n.dot(p - t0) - (o.d > 0 ? kept * o.d : o.d);
 }
 

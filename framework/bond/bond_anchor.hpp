@@ -18,8 +18,8 @@ std::optional<int> facing_triangle(const SurfaceTopology& topology, const Collis
 // The place of the bond at x.
 Vec3 place_at(const Bond& bond, const VecX& x);
 
-// Leaves the share `kept` of the slip and of an opening above zero: moves the anchor towards what the
-// place faces, and the unstressed length. The frame must be that of x.
+// Leaves the share `kept` of the slip and of an opening above zero: moves the anchor's point of the
+// interface towards the place's, and with it anchor and lever. The frame must be that of x.
 void renew_anchor(Bond& bond, const SurfaceTopology& topology, const CollisionMesh& mesh,
                   const VecX& x, double kept);
 

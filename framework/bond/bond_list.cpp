@@ -16,8 +16,8 @@ namespace {
 
 const std::string prefix = "contact/bonds/", begun_name = "contact/bonds_begun";
 
-// triangle (of the object; -1: the vertex of the key), u, v; triangle of the anchor, u, v; area, rest, side
-constexpr int place_width = 9;
+// triangle (of the object; -1: the vertex of the key), u, v; triangle of the anchor, u, v; area, rest; lever and side of either surface
+constexpr int place_width = 12;
 
 std::array<int, 2> key_of(const Bond& bond) { return {bond.vertices[0], bond.b}; }
 
@@ -86,7 +86,8 @@ void BondList::place(Bond& bond, const double* entry, const std::array<int, 2>& 
   for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -c[i];
   bond.area = entry[6];
   bond.rest = entry[7];
-  bond.side = entry[8];
+  bond.lever = {entry[8], entry[9]};
+  bond.side = {entry[10], entry[11]};
 }
 
 bool BondList::read(const History& history) {
@@ -129,7 +130,7 @@ void BondList::write(History& history) const {
       array.keys.push_back(key_of(b));
       const int anchor = b.anchor - first_triangle_[b.b], own = in_triangle ? b.triangle - first_triangle_[b.a] : -1;
       array.values.insert(array.values.end(), {double(own), in_triangle ? b.c[1] : 0.0, in_triangle ? b.c[2] : 0.0, double(anchor), -b.c[b.leading + 1],
-                                               -b.c[b.leading + 2], b.area, b.rest, b.side});
+                                               -b.c[b.leading + 2], b.area, b.rest, b.lever[0], b.lever[1], b.side[0], b.side[1]});
       array.values.insert(array.values.end(), memory(i), memory(i) + width - place_width);
     }
   }

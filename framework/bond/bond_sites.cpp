@@ -106,9 +106,21 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
 
   const Triangle& anchor = mesh.triangles[bond.anchor];
   const auto [t0, t1, t2] = corners(x, anchor);
-  const PlaneProjection at = project_onto_triangle(p, t0, t1, t2);
-  const Vec3 n = (t1 - t0).cross(t2 - t0).normalized();
-  bond.side = n.dot(p - t0) < 0 ? -1 : 1;
+  Vec3 n = (t1 - t0).cross(t2 - t0).normalized();
+  if (n.dot(p - t0) < 0) n = -n, bond.side[1] = -1;
+  const double height = n.dot(p - t0);
+  bond.rest = rule.from_touching ? offset : height;
+  // The point of the interface, straight before the place.
+  Vec3 interface = p;
+  if (bond.leading == 3) {
+    const auto [p0, p1, p2] = corners(x, mesh.triangles[site.triangle]);
+    Vec3 own = (p1 - p0).cross(p2 - p0).normalized();
+    if (own.dot(n) < 0) own = -own, bond.side[0] = -1;
+    bond.lever[0] = table.offset(bond.a) + (rule.from_touching ? 0 : std::max(height - offset, 0.0) / 2);
+    interface -= bond.lever[0] * own;
+  }
+  bond.lever[1] = rule.from_touching ? offset - bond.lever[0] : n.dot(interface - t0);
+  const PlaneProjection at = project_onto_triangle(interface, t0, t1, t2);
   for (int i = 0; i < bond.leading; ++i) {
     bond.vertices[i] = bond.leading == 1 ? site.vertex : mesh.triangles[site.triangle][i];
     bond.c[i] = site.inside[i];
@@ -117,7 +129,6 @@ std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system,
   const Vec3 closest_point(1 - at.u - at.v, at.u, at.v);
   for (int i = 0; i < 3; ++i) bond.c[bond.leading + i] = -closest_point[i];
   bond.area = site.area;
-  bond.rest = rule.from_touching ? offset : std::abs(n.dot(p - t0));
   return bond;
 }
 

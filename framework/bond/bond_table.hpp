@@ -25,7 +25,9 @@ struct BondRule {
 
 class BondTable {
  public:
-  explicit BondTable(ObjectClasses classes) : classes_(std::move(classes)), rule_(classes_.entries(), -1) {}
+  // offsets: of each object's contact surface from its mesh [m].
+  BondTable(ObjectClasses classes, std::vector<double> offsets)
+      : classes_(std::move(classes)), offsets_(std::move(offsets)), rule_(classes_.entries(), -1) {}
 
   int add(BondRule rule) {
     rules_.push_back(std::move(rule));
@@ -48,9 +50,11 @@ class BondTable {
   }
   const std::vector<BondRule>& rules() const { return rules_; }
   bool empty() const { return rules_.empty(); }
+  double offset(int object) const { return offsets_[object]; }
 
  private:
   ObjectClasses classes_;
+  std::vector<double> offsets_;
   std::vector<BondRule> rules_;
   std::vector<int> rule_;
   std::vector<std::vector<int>> of_parts_;  // empty without any

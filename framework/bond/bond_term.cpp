@@ -34,20 +34,38 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
          across * (Mat3::Identity() - n * n.transpose());
 }
 
-// B_v^T H B_w with B_v = c_v I + v_v n^T, of a place's corners c_v I.
-void write_blocks(const Bond& bond, const Mat3& h, double* out) {
-  const Vec3& n = bond.normal;
-  std::array<Vec3, 3> bent;  // H v_j
-  for (int j = 0; j < 3; ++j) bent[j] = h * bond.turns[j];
-  for (int v = 0; v < bond.count(); ++v)
+// B_v^T H B_w with B_v = c_v I + (M g_v) n_S^T, and the work of the traction on levers that turn: l_S (t . n_S) times the
+// second derivative of -(1 - q/2 - q^2/8) by the tilt, which is positive definite.
+void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3& traction, Projection projection, double* out) {
+  const std::array<Mat3, 2> turn = {turn_of(bond, o, 0), turn_of(bond, o, 1)};
+  const std::array<Mat3, 2> bend = {h * turn[0], h * turn[1]};
+  std::array<Mat3, 2> lever;
+  for (int side = 0; side < 2; ++side) {
+    const Vec3& tilt = o.tilts[side];
+    const double size = projected(bond.lever[side] * traction.dot(bond.normals[side]), projection);
+    lever[side] = size * tilt * tilt.transpose();
+    lever[side].diagonal().array() += size * (1 + tilt.squaredNorm() / 2);
+  }
+  std::array<Vec3, Bond::most> bent;  // H M g_w
+  for (int v = 0; v < bond.count(); ++v) {
+    const int side = bond.side_of(v);
+    const Vec3 &n = bond.normals[side], &g = bond.gradients[v];
+    bent[v] = bend[side] * g;
+    const Vec3 turned = turn[side] * g, levered = lever[side] * g;
+    const Mat3 left = bond.c[v] * h + n * bent[v].transpose();
     for (int w = 0; w <= v; ++w, out += 9) {
-      Eigen::Map<Mat3> block{out};
-      block = bond.c[v] * bond.c[w] * h;
-      const int j = v - bond.leading, k = w - bond.leading;
-      if (j >= 0) block += bond.c[w] * n * bent[j].transpose();
-      if (k >= 0) block += bond.c[v] * bent[k] * n.transpose();
-      if (k >= 0) block += bond.turns[j].dot(bent[k]) * n * n.transpose();
+      const int other = bond.side_of(w);
+      double both = turned.dot(bent[w]);
+      if (other == side) both += levered.dot(bond.gradients[w]);
+      // By numbers: vectors that are put together here and read at once stall.
+      const double c = bond.c[w], d = bond.c[v];
+      const double q[3] = {d * bent[w][0] + both * n[0], d * bent[w][1] + both * n[1], d * bent[w][2] + both * n[2]};
+      for (int k = 0; k < 3; ++k) {
+        const double m = bond.normals[other][k];
+        for (int r = 0; r < 3; ++r) out[3 * k + r] = c * left.data()[3 * k + r] + q[r] * m;
+      }
     }
+  }
 }
 
 // Where surfaces are closer than as they bonded, the barrier acts along the normal.
@@ -224,16 +242,12 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
       const Opening& o = openings[i - first];
       BondSample& sample = samples[i - first];
       if (o.d < 0) shut(sample);
-      const int n = bond.count();
       const Vec3 slope = bond.area * traction(sample, bond, o);
       double* g = gradient + slot(i, 3 * 4, 3 * 6);
-      for (int v = 0; v < n; ++v, g += 3) {
-        Eigen::Map<Vec3> gradient_of{g};
-        gradient_of = bond.c[v] * slope;
-        if (v >= bond.leading) gradient_of += bond.turns[v - bond.leading].dot(slope) * bond.normal;
-      }
+      for_each_vertex(bond, o, slope, [&](int v, const Vec3& of_vertex) { Eigen::Map<Vec3>{g + 3 * v} = of_vertex; });
       if (!hessian) continue;
-      write_blocks(bond, bond.area * curvature(sample, bond, o, projection), hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6)));
+      write_blocks(bond, o, bond.area * curvature(sample, bond, o, projection), slope, projection,
+                   hessian + slot(i, 9 * hessian_blocks(4), 9 * hessian_blocks(6)));
     }
   });
 }
@@ -311,10 +325,7 @@ VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> onl
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (only && !b.between(only->a, only->b)) continue;
-    for (int i = 0; i < b.count(); ++i) {
-      vertex(force, b.vertices[i]) += b.c[i] * pulled[k];
-      if (i >= b.leading) vertex(force, b.vertices[i]) += b.turns[i - b.leading].dot(pulled[k]) * b.normal;
-    }
+    for_each_vertex(b, opening_of(b, x), pulled[k], [&](int i, const Vec3& of_vertex) { vertex(force, b.vertices[i]) += of_vertex; });
   }
   return force;
 }

@@ -1,6 +1,6 @@
 // The potential of bonds, P = sum_k w_k phi(d_k, |u_k|^2; m_k, h) (bond.hpp, bond_law.hpp), with
 //     gradient by x_i:  w B_i^T f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w B_i^T H B_j,
-//     B_i = c_i I, of the anchor's corners c_j I + v_j n^T,
+//     B_i = c_i I + v_i n_S^T of a vertex of the side S, which adds l_S (f . n_S) of that side's levers to the Hessian,
 //     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
 // which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. Where d < 0 the barrier acts, and bonds
 // resist slip alone. One term for both directions: what one does to the memory counts for the other.

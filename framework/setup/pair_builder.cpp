@@ -58,6 +58,12 @@ bool adheres(const ContactConfig& contact) {
   return std::any_of(contact.pairs.begin(), contact.pairs.end(), [](const PairConfig& pair) { return pair.adhesion != nullptr; });
 }
 
+std::vector<double> contact_offsets(const SceneConfig& scene) {
+  std::vector<double> offsets;
+  for (const ObjectConfig& object : scene.objects) offsets.push_back(object.contact_offset);
+  return offsets;
+}
+
 }  // namespace
 
 PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, const RunTimes& times, World& world)
@@ -65,7 +71,7 @@ PairBuilder::PairBuilder(const SceneConfig& scene, const Value& root, const std:
       pressures_(dynamic_pressures(scene, world, loadings_)), sheets_(sheet_stiffnesses(scene, world, loadings_, times.step)),
       resting_(adheres(contact_) ? resting_pressures(scene, world, times.duration) : std::vector<double>(world.bodies.size(), 0)),
       classes_(classes_of(scene, world, pressures_, sheets_, resting_)), configs_(scene, root, classes_), parts_(scene, configs_, world), table_(classes_, cells),
-      colliding_(classes_), bonds_(classes_) {
+      colliding_(classes_), bonds_(classes_, contact_offsets(scene)) {
   table_.plain_sums = contact_.weights == ContactConfig::Weights::pair;
   if (parts_.any()) table_.set_parts(parts_.of_vertices());
 }

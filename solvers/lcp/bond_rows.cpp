@@ -28,11 +28,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
   unit.start = Vec3(from.d, frame.col(1).dot(from.u), frame.col(2).dot(from.u));
   unit.free = (Vec3(to.d, frame.col(1).dot(to.u), frame.col(2).dot(to.u)) - unit.start) / step.h();
   for (int k = 0; k < unit.rows; ++k) {
-    for (int v = 0; v < bond.count(); ++v) {
-      Vec3 along = bond.c[v] * frame.col(k);
-      if (v >= bond.leading) along += bond.turns[v - bond.leading].dot(frame.col(k)) * bond.normal;
-      rows.add(step.dofs(), bond.vertices[v], along);
-    }
+    for_each_vertex(bond, from, frame.col(k), [&](int v, const Vec3& along) { rows.add(step.dofs(), bond.vertices[v], along); });
     rows.finish();
   }
   const BondStiffness k = bond_stiffness(bonds, i, unit.start, step.h());
