@@ -34,6 +34,7 @@ class RccLawOf : public BondLawOf<Law> {
   double peak_traction() const override { return std::sqrt(work_ * normal_); }
   double work_of_adhesion() const override { return work_; }
   bool bonds_on_contact() const override { return healing_ > 0; }
+  bool resists_pressing() const override { return !(healing_ > 0); }
 
   Memory begin(bool on_contact) const { return {intensity_.value_or(on_contact && healing_ > 0 ? 0 : 1)}; }
   double intensity(const Memory& m) const { return m.beta; }

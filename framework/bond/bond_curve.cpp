@@ -30,20 +30,21 @@ std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondSte
   bool gone = false;
   for (const BondStep& step : way) {
     const double slip = step.slip - unstressed_slip, s = slip * slip, h = step.time - time;
-    const double d = std::max(step.opening - unstressed_opening, 0.0);
+    const double d = step.opening - unstressed_opening;
     BondPoint p{step.time, step.opening, step.slip};
     if (gone) {
       p.intensity = 0;
     } else {
       const BondSample sample = law.at(d, s, memory.data(), h);
-      p.traction = step.opening > unstressed_opening ? sample.by_d : 0;
+      p.traction = sample.by_d;
       p.shear = 2 * sample.by_s * slip;
       const BondChange change = law.advance({d, s, h, step.pressure}, memory.data());
+      const double healed = (1 - change.kept) * std::max(d, 0.0);
       dissipated += change.dissipated;
       gone = change.gone;
       p.intensity = law.intensity_of(memory.data());
-      p.stored = gone ? 0 : law.stored(change.kept * d, change.kept * change.kept * s, memory.data());
-      unstressed_opening += (1 - change.kept) * d;
+      p.stored = gone ? 0 : law.stored(d - healed, change.kept * change.kept * s, memory.data());
+      unstressed_opening += healed;
       unstressed_slip += (1 - change.kept) * slip;
     }
     p.dissipated = dissipated;

@@ -1,9 +1,16 @@
 // A bond law: energy per area phi(d, s; m, h) [J/m^2] of a bond between a place on one surface and a place on another that stick to
-// each other: d >= 0 [m], how far they have come apart along the normal since they bonded; s = |u|^2 [m^2], u across it; m, what the
+// each other: d [m], how far they have come apart along the normal since they bonded; s = |u|^2 [m^2], u across it; m, what the
 // bond remembers. It is the incremental potential of a step of size h [s]: the least, over all that m may become in the step, of the
 // energy stored then and what the change dissipates (Ortiz and Stainier 1999, The variational formulation of viscoplastic
 // constitutive updates). With h = 0 nothing changes: phi is the energy that is stored, 0 of a new bond where it was made.
 // s, not |u|, is the argument: the force across, 2 phi_s u, needs no division by |u|.
+// Surfaces that are closer than as they bonded, d < 0, are pressed apart as they would be pulled
+// together at -d, the memory held:
+//     phi(d, s; m, h) = phi(0, s; m, h) + phi(-d, s; m, 0) - phi(0, s; m, 0).
+// So a bond resists pressing with its normal stiffness, the less the more it is damaged, and
+// pressing damages nothing. Laws whose bonds heal under pressure leave pressing to the barrier
+// (resists_pressing): they heal at gaps at which they did not bond.
+// The formula of a law is asked for d >= 0 alone.
 //
 // To add one, derive from BondLawOf<MyLaw>, list the parameters in fields(), give the peak and the work, say what is remembered, and
 //     struct Memory { double damage = 0; };  // of a new bond; doubles only
@@ -31,11 +38,11 @@
 
 namespace tack {
 
-// Where a bond is at the end of a step.
+// Where a bond is at the end of a step. Laws see d >= 0.
 struct BondPlace {
   double d = 0, s = 0;  // m, m^2
   double h = 0;         // the size of the step [s]
-  double pressure = 0;  // of the barrier between the two surfaces there [Pa]
+  double pressure = 0;  // between the two surfaces there, of the barrier and of the bond [Pa]
 };
 
 struct BondSample {
@@ -57,6 +64,8 @@ class BondLaw : public AdhesionLaw {
   virtual std::unique_ptr<BondLaw> clone() const = 0;
   // Whether bonds are made, unless the pair says, whenever surfaces meet, and not at the start of a run alone.
   virtual bool bonds_on_contact() const { return false; }
+  // Whether a bond pushes where the surfaces are closer than as they bonded; else the barrier alone.
+  virtual bool resists_pressing() const { return true; }
   // Of what is not the minimum over a step but integrated: steps have to be shorter [s].
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 
@@ -100,18 +109,36 @@ class BondLawOf : public BondLaw {
       store(typename Law::Memory{}, memory);
   }
   void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const override {
+    const bool resists = resists_pressing();
     for (int i = 0; i < n; ++i) {
-      const Dual22 e = law().energy(Dual22::first(d[i]), Dual22::second(s[i]), load(memory + i * width()), h);
+      const auto m = load(memory + i * width());
+      const auto energy = [&](double opening, double step) {
+        return law().energy(Dual22::first(opening), Dual22::second(s[i]), m, step);
+      };
+      const Dual22 e = energy(std::max(d[i], 0.0), h);
       out[i].value += e.v;
-      out[i].by_d += e.a;
       out[i].by_s += e.b;
-      out[i].by_dd += e.aa;
-      out[i].by_ds += e.ab;
       out[i].by_ss += e.bb;
+      if (d[i] >= 0) {
+        out[i].by_d += e.a;
+        out[i].by_dd += e.aa;
+        out[i].by_ds += e.ab;
+      } else if (resists) {
+        const Dual22 pressed = energy(-d[i], 0), none = energy(0, 0);
+        out[i].value += pressed.v - none.v;
+        out[i].by_d -= pressed.a;
+        out[i].by_s += pressed.b - none.b;
+        out[i].by_dd += pressed.aa;
+        out[i].by_ds -= pressed.ab;
+        out[i].by_ss += pressed.bb - none.bb;
+      }
     }
   }
   void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const override {
-    for (int i = 0; i < n; ++i) out[i] += law().energy(d[i], s[i], load(memory + i * width()), h);
+    for (int i = 0; i < n; ++i) {
+      const auto m = load(memory + i * width());
+      out[i] += law().energy(std::max(d[i], 0.0), s[i], m, h) + pressed(d[i], s[i], m);
+    }
   }
   double intensity_of(const double* memory) const override {
     if constexpr (requires { law().intensity(load(memory)); })
@@ -119,33 +146,49 @@ class BondLawOf : public BondLaw {
     else
       return 1;
   }
-  BondChange advance(const BondPlace& at, double* memory) const override {
+  BondChange advance(const BondPlace& place, double* memory) const override {
+    const auto seen = [](BondPlace p) {
+      p.d = std::max(p.d, 0.0);
+      return p;
+    };
+    const auto stored = [&](const BondPlace& p, const auto& m) {
+      return law().energy(seen(p).d, p.s, m, 0.0) + pressed(p.d, p.s, m);
+    };
+    const BondPlace at = seen(place);
     const auto before = load(memory);
     auto now = before;
     BondChange change;
     if constexpr (!std::is_empty_v<typename Law::Memory>) {
       now = law().after(before, at);
       change.dissipated = law().loss(before, now, at);
+      change.dissipated += pressed(place.d, at.s, before) - pressed(place.d, at.s, now);
     }
-    BondPlace place = at;  // seen from the anchor that healing leaves
+    BondPlace end = place;  // seen from the anchor that healing leaves
     if constexpr (requires { law().heal(now, at); }) {
       const auto healed = law().heal(now, at);
       if (std::memcmp(&healed, &now, sizeof now) != 0) {
         if constexpr (requires { law().kept(now, healed); }) change.kept = law().kept(now, healed);
-        place.d *= change.kept;
-        place.s *= change.kept * change.kept;
-        change.healed = law().energy(at.d, at.s, now, 0.0) - law().energy(place.d, place.s, healed, 0.0);
+        if (end.d > 0) end.d *= change.kept;
+        end.s *= change.kept * change.kept;
+        change.healed = stored(place, now) - stored(end, healed);
       }
       now = healed;
     }
     store(now, memory);
-    if constexpr (!std::is_empty_v<typename Law::Memory> || requires { law().gone(now, place); }) change.gone = law().gone(now, place);
-    if (change.gone) change.dissipated += law().energy(place.d, place.s, now, 0.0);
+    if constexpr (!std::is_empty_v<typename Law::Memory> || requires { law().gone(now, at); })
+      change.gone = law().gone(now, seen(end));
+    if (change.gone) change.dissipated += stored(end, now);
     return change;
   }
 
  private:
   const Law& law() const { return static_cast<const Law&>(*this); }
+  // What it stores beyond d = 0 by being pressed.
+  template <class Memory>
+  double pressed(double d, double s, const Memory& m) const {
+    if (!(d < 0 && resists_pressing())) return 0;
+    return law().energy(-d, s, m, 0.0) - law().energy(0.0, s, m, 0.0);
+  }
   static auto load(const double* memory) {
     using Memory = typename Law::Memory;
     static_assert(std::is_trivially_copyable_v<Memory> && (std::is_empty_v<Memory> || sizeof(Memory) % sizeof(double) == 0));

@@ -68,9 +68,6 @@ void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3&
   }
 }
 
-// Where surfaces are closer than as they bonded, the barrier acts along the normal.
-void shut(BondSample& s) { s.by_d = s.by_dd = s.by_ds = 0; }
-
 }  // namespace
 
 BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table)
@@ -78,7 +75,7 @@ BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable t
 
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
-  ForceRecord force{"bonds", Acting::normal, {"adhesion"}};
+  ForceRecord force{"bonds", Acting::normal, {"barrier", "adhesion"}};
   force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_part(part)); };
   force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_part(part), pair); };
   force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_part(part)); };
@@ -207,7 +204,7 @@ double BondTerm::value(const VecX& x) const {
       std::array<double, most_in_block> d, s, phi{};
       for (int i = first; i < last; ++i) {
         const Opening o = opening_of(list_.bonds()[i], x);
-        d[i - first] = std::max(o.d, 0.0);
+        d[i - first] = o.d;
         s[i - first] = o.s;
       }
       table_.rules()[list_.bonds()[first].rule].law->add_values(last - first, d.data(), s.data(), list_.memory(first), h_, phi.data());
@@ -233,15 +230,14 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
     std::array<BondSample, most_in_block> samples{};
     for (int i = first; i < last; ++i) {
       openings[i - first] = opening_of(list_.bonds()[i], x);
-      d[i - first] = std::max(openings[i - first].d, 0.0);
+      d[i - first] = openings[i - first].d;
       s[i - first] = openings[i - first].s;
     }
     table_.rules()[list_.bonds()[first].rule].law->add_samples(last - first, d.data(), s.data(), list_.memory(first), h_, samples.data());
     for (int i = first; i < last; ++i) {
       const Bond& bond = list_.bonds()[i];
       const Opening& o = openings[i - first];
-      BondSample& sample = samples[i - first];
-      if (o.d < 0) shut(sample);
+      const BondSample& sample = samples[i - first];
       const Vec3 slope = bond.area * traction(sample, bond, o);
       double* g = gradient + slot(i, 3 * 4, 3 * 6);
       for_each_vertex(bond, o, slope, [&](int v, const Vec3& of_vertex) { Eigen::Map<Vec3>{g + 3 * v} = of_vertex; });
@@ -255,8 +251,10 @@ void BondTerm::derivatives(const VecX& x, Projection projection, double* gradien
 BondPlace BondTerm::place_of(int i, const VecX& x) const {
   const Bond& bond = list_.bonds()[i];
   const Opening o = opening_of(bond, x);
-  const PairLaw& barrier = table_.rules()[bond.rule].barrier;
-  return {std::max(o.d, 0.0), o.s, h_, pressures_.empty() ? std::max(0.0, -barrier.at(o.d + bond.rest).slope) : pressures_[i]};
+  const BondRule& rule = table_.rules()[bond.rule];
+  double pressure = pressures_.empty() ? std::max(0.0, -rule.barrier.at(o.d + bond.rest).slope) : pressures_[i];
+  if (o.d < 0) pressure -= rule.law->at(o.d, o.s, list_.memory(i), h_).by_d;
+  return {o.d, o.s, h_, pressure};
 }
 
 BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memory) const {
@@ -265,7 +263,7 @@ BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memor
   BondChange change = law_of(bond).advance(at, memory.data());
   if (!change.gone && slid_off(list_.bonds()[bond], x)) {
     change.gone = true;
-    change.dissipated += law_of(bond).stored(change.kept * at.d, change.kept * change.kept * at.s, memory.data());
+    change.dissipated += law_of(bond).stored(at.d > 0 ? change.kept * at.d : at.d, change.kept * change.kept * at.s, memory.data());
   }
   return change;
 }
@@ -305,23 +303,22 @@ void BondTerm::commit(const VecX& x, History& history) const {
   kept.write(history);
 }
 
-std::vector<Vec3> BondTerm::pulls(const VecX& x) const {
+std::vector<Vec3> BondTerm::pulls(const VecX& x, LawPart part) const {
   frame_at(x);
   std::vector<Vec3> pulls(list_.size());
   for_each(list_.size(), [&](int i) {
     const Bond& bond = list_.bonds()[i];
     const Opening o = opening_of(bond, x);
-    BondSample sample = table_.rules()[bond.rule].law->at(std::max(o.d, 0.0), o.s, list_.memory(i), h_);
-    if (o.d < 0) shut(sample);
-    pulls[i] = -bond.area * traction(sample, bond, o);
+    const BondSample sample = table_.rules()[bond.rule].law->at(o.d, o.s, list_.memory(i), h_);
+    const Vec3 all = traction(sample, bond, o), pressing = o.d < 0 ? Vec3(sample.by_d * bond.normal) : Vec3(Vec3::Zero());
+    pulls[i] = -bond.area * (part == LawPart::all ? all : part == LawPart::barrier ? pressing : Vec3(all - pressing));
   });
   return pulls;
 }
 
 VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
-  if (part == LawPart::barrier) return force;
-  const std::vector<Vec3> pulled = pulls(x);
+  const std::vector<Vec3> pulled = pulls(x, part);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (only && !b.between(only->a, only->b)) continue;
@@ -332,19 +329,17 @@ VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> onl
 
 VecX BondTerm::compressions(const VecX& x, LawPart part) const {
   VecX pressed = VecX::Zero(x.size());
-  if (part == LawPart::barrier) return pressed;
-  const std::vector<Vec3> pulled = pulls(x);
+  const std::vector<Vec3> pulled = pulls(x, part);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
-    for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += std::abs(b.c[i]) * pulled[k].dot(b.normal);
+    for (int i = 0; i < b.count(); ++i) pressed(3 * b.vertices[i]) += (i < b.leading ? b.c[i] : -b.c[i]) * pulled[k].dot(b.normal);
   }
   return pressed;
 }
 
 Vec3 BondTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {
   Vec3 sum = Vec3::Zero();
-  if (part == LawPart::barrier) return sum;
-  const std::vector<Vec3> pulled = pulls(x);
+  const std::vector<Vec3> pulled = pulls(x, part);
   for (int k = 0; k < list_.size(); ++k) {
     const Bond& b = list_.bonds()[k];
     if (b.between(pair.a, pair.b)) sum += b.a == pair.a ? pulled[k] : Vec3(-pulled[k]);

@@ -2,8 +2,8 @@
 //     gradient by x_i:  w B_i^T f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w B_i^T H B_j,
 //     B_i = c_i I + v_i n_S^T of a vertex of the side S, which adds l_S (f . n_S) of that side's levers to the Hessian,
 //     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
-// which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. Where d < 0 the barrier acts, and bonds
-// resist slip alone. One term for both directions: what one does to the memory counts for the other.
+// which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. Where d < 0 bonds press (bond_law.hpp),
+// beside the barrier; friction counts what the barrier presses with. One term for both directions: what one does to the memory counts for the other.
 // Bonds are history: a step begins with those that are remembered and the new ones that the start of the step allows, and what it
 // made of them is remembered when it is kept.
 #pragma once
@@ -42,11 +42,12 @@ class BondTerm : public Term {
   Changes changes(const VecX& x) const;
   void publish(Records& records) const override;
 
-  // The force of each bond of the list on its place; on the anchor acts the opposite [N].
-  std::vector<Vec3> pulls(const VecX& x) const;
-  // The forces of bonds, which are adhesion, on every vertex (3n) [N]; with a pair, of its bonds only.
+  // The force of each bond of the list on its place; on the anchor acts the opposite [N]. Its part
+  // that presses belongs to the barrier, all else is adhesion.
+  std::vector<Vec3> pulls(const VecX& x, LawPart part = LawPart::all) const;
+  // The forces of bonds on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
-  // As ContactTerm::compressions: below zero, as bonds only pull.
+  // As ContactTerm::compressions: below zero where bonds pull.
   VecX compressions(const VecX& x, LawPart part) const;
   // That object b exerts on object a [N].
   Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;

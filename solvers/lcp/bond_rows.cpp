@@ -9,9 +9,10 @@
 namespace tack {
 
 BondStiffness bond_stiffness(const BondTerm& bonds, int i, const Vec3& at, double h) {
-  const double d = std::max(at[0], 0.0), area = bonds.list().bonds()[i].area;
-  const BondSample sample = bonds.law_of(i).at(d, at.tail<2>().squaredNorm(), bonds.list().memory(i), h);
-  return {area * (d > 0 ? sample.by_d / d : sample.by_dd), area * 2 * sample.by_s};
+  const BondLaw& law = bonds.law_of(i);
+  const double d = law.resists_pressing() ? at[0] : std::max(at[0], 0.0), area = bonds.list().bonds()[i].area;
+  const BondSample sample = law.at(d, at.tail<2>().squaredNorm(), bonds.list().memory(i), h);
+  return {area * (d != 0 ? sample.by_d / d : sample.by_dd), area * 2 * sample.by_s};
 }
 
 void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end, const LinearizedStep& step, Rows& rows, GaussSeidel& sweeps) {
@@ -25,6 +26,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
   unit.first = rows.count();
   unit.rows = fresh.across > 0 ? 3 : 1;
   unit.bond = i;
+  unit.presses = bonds.law_of(i).resists_pressing();
   unit.start = Vec3(from.d, frame.col(1).dot(from.u), frame.col(2).dot(from.u));
   unit.free = (Vec3(to.d, frame.col(1).dot(to.u), frame.col(2).dot(to.u)) - unit.start) / step.h();
   for (int k = 0; k < unit.rows; ++k) {
@@ -32,7 +34,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
     rows.finish();
   }
   const BondStiffness k = bond_stiffness(bonds, i, unit.start, step.h());
-  sweeps.add(unit, -step.h() * Vec3(k.along * std::max(unit.start[0], 0.0), k.across * unit.start[1], k.across * unit.start[2]));
+  sweeps.add(unit, -step.h() * Vec3(k.along * (unit.presses ? unit.start[0] : std::max(unit.start[0], 0.0)), k.across * unit.start[1], k.across * unit.start[2]));
 }
 
 std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<ContactRow>& contacts, const ContactSystem& system) {

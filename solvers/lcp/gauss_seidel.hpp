@@ -1,7 +1,7 @@
 // Projected Gauss-Seidel over contacts and bonds, one after the other (Otaduy et al. 2009, Gascon et al. 2010): with the velocities
 // u = u* + W lambda along rows,
 //     contact    0 <= lambda_n, u_n + g/h >= 0, one of them 0;  |lambda_t| <= mu lambda_n, against the slip (cone)
-//     bond       a_n = -h k_n <d + h u_n>,  a_t = -h k_t (s + h u_t): rows of compliance 1/(h^2 k)
+//     bond       a_n = -h k_n <d + h u_n> (of bonds that resist pressing: without <>),  a_t = -h k_t (s + h u_t): rows of compliance 1/(h^2 k)
 // g: the gap at the start of the step less what is kept; d, s: opening and slip of the bond there. k is that of the law at the end of the step.
 #pragma once
 
@@ -19,6 +19,7 @@ struct RowUnit {
   Vec3 free = Vec3::Zero();         // u* [m/s]
   Vec3 start = Vec3::Zero();        // g, or d and s [m]
   double mu = 0;
+  bool presses = false;             // a bond that resists pressing
 
   int end() const { return first + rows; }
 };

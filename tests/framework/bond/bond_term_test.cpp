@@ -118,7 +118,35 @@ TEST_CASE("bonds that opened by d pull with beta^2 C_N d, slid ones with beta^2 
       CHECK(pull.x() == Approx(-area * b * b * 4e6 * u).margin(1e-12));
       CHECK(std::abs(pull.z()) < 1e-9 * area * 1e3);
     }
-  CHECK(force({0, -2e-4, 0}).norm() < 1e-12);  // what is closer than it bonded does not push
+  CHECK(force({0, -2e-4, 0}).norm() < 1e-12);  // what presses is no adhesion
+}
+
+TEST_CASE("bonds resist pressing as they resist opening, unless they heal", "[bonds]") {
+  const auto pressed = [](const std::string& law, LawPart part) {
+    Bonded bonded(plates("between: [lower, upper], adhesion: " + law));
+    const VecX x = bonded.moved("upper", {1e-5, -1e-5, 0});
+    const World& world = *bonded.scene.world;
+    return Vec3(bonded.term().force_between(x, part, {world.body_index("upper"), world.body_index("lower")}) / bonded.area());
+  };
+  const std::string stiff = "{type: rcc, normal_stiffness: 1e7, tangential_stiffness: 4e6, work_of_adhesion: 0.5";
+  CHECK(pressed(stiff + "}", LawPart::barrier).y() == Approx(1e7 * 1e-5));
+  CHECK(pressed(stiff + "}", LawPart::adhesion).x() == Approx(-4e6 * 1e-5));
+  CHECK(std::abs(pressed(stiff + "}", LawPart::adhesion).y()) < 1e-9);
+  CHECK(pressed(stiff + ", healing: 1e-3, intensity: 1}", LawPart::all).y() == Approx(0).margin(1e-9));
+  CHECK(pressed("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1, onset: 2e-5}", LawPart::all).y() == Approx(1e4 / 2));
+  CHECK(pressed("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1, onset: 2e-5}", LawPart::barrier).x() == Approx(0).margin(1e-9));
+
+  // Derivatives, and pressure at the place, which heals: that of the barrier and of the bond.
+  Bonded bonded(plates());
+  RandomMotions random(3);
+  const VecX x = bonded.moved("upper", {1e-4, -5e-5, -5e-5}) + 2e-6 * random.vectors(bonded.x.size());
+  const auto value = [&](const VecX& y) { return bonded.term().value(y); };
+  const auto gradient = [&](const VecX& y) { return dense_gradient(bonded.term(), y); };
+  const VecX g = gradient(x);
+  CHECK((g - gradient_by_differences(value, x, 1e-7)).norm() < 1e-6 * g.norm());
+  const MatX h = dense_hessian(bonded.term(), x, Projection::none);
+  CHECK((h - hessian_by_differences(gradient, x, 1e-8)).norm() < 1e-5 * h.norm());
+  CHECK(smallest_eigenvalue(dense_hessian(bonded.term(), x, Projection::clamp)) > -1e-12 * h.norm());
 }
 
 TEST_CASE("bonds: a rigid motion of both surfaces changes nothing, also by steps", "[bonds]") {
