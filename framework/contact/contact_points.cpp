@@ -30,18 +30,24 @@ void add_laws_of_area(const PairTable& pairs, int a, int b, std::vector<char>& l
   }
 }
 
+// Those that are cut down stand for what the whole ones do.
+std::vector<char> with_cut_down(const PairTable& pairs, std::vector<char> laws) {
+  for (size_t law = 0; law < laws.size(); ++law) laws[law] = laws[pairs.whole(static_cast<int>(law))];
+  return laws;
+}
+
 }  // namespace
 
 std::vector<char> laws_of_area(const PairTable& pairs) {
   std::vector<char> laws(pairs.laws().size(), 0);
   for (const auto& [a, b] : pairs.classes().examples()) add_laws_of_area(pairs, a, b, laws);
-  return laws;
+  return with_cut_down(pairs, std::move(laws));
 }
 
 std::vector<char> laws_of_area(const PairTable& pairs, int a, int b) {
   std::vector<char> laws(pairs.laws().size(), 0);
   add_laws_of_area(pairs, a, b, laws);
-  return laws;
+  return with_cut_down(pairs, std::move(laws));
 }
 
 TangentBasis tangents_of(const Vec3& normal) {

@@ -51,7 +51,7 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
         const double squared = squared_distance(corners(x, a), corners(x, b)), wanted = least + filled;
         if (wanted > 0 && squared >= wanted * wanted) continue;
         const double distance = std::sqrt(squared);
-        if (filled > 0 && distance - filled < least && rest_neighbours(surface, a, b, pairs.edge(of_a, of_b).range)) filled = 0;
+        if (filled > 0 && distance - filled < least) filled = filled_between(surface, pairs, a, b);
         least = std::min(least, distance - filled);
       }
     });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "framework/contact/pair_table.hpp"
@@ -12,6 +13,8 @@
 #include "geometry/mesh/collision_mesh.hpp"
 
 namespace tack {
+
+class RestGaps;
 
 template <int K>
 struct ContactStencil {
@@ -60,6 +63,7 @@ struct ContactSurface {
   std::vector<double> rod_width;        // per object: of its edges that are in no triangle [m]
   std::vector<double> particle_radius;  // per object: of its points that are in no edge [m]
   VecX rest;                            // rest configuration
+  std::shared_ptr<const RestGaps> rest_gaps;  // of each object to itself; null: every pair has its whole law
 
   template <std::size_t K>
   bool is_particle(const std::array<int, K>& vertices) const {
@@ -70,8 +74,8 @@ struct ContactSurface {
 // The candidates between objects a and b.
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b);
 
-// The smallest gaps among the candidates: the distance less the offset of the pair [m]; of neighbours at rest (rest_neighbours.hpp),
-// which do not press, the distance. Infinity without candidates.
+// The smallest gaps among the candidates: the distance less what the objects fill of it (rest_neighbours.hpp) [m]. Infinity without
+// candidates.
 struct SmallestGaps {
   double of_all = 0;
   double between_objects = 0;  // without what an object has to itself

@@ -5,6 +5,7 @@
 #include "framework/contact/contact_history.hpp"
 #include "framework/contact/narrow_phase.hpp"
 #include "framework/contact/pair_reaches.hpp"
+#include "framework/contact/rest_gaps.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/distance/point_triangle.hpp"
 
@@ -43,6 +44,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
   reaches_ = pair_reaches(surface_, pairs_);
+  surface_.rest_gaps = std::make_shared<RestGaps>(surface_, pairs_);
   stride_ = std::max(2 * mean_edge, range_);
   forget();
 }

@@ -145,26 +145,31 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
     if (candidates.distances.edge_edge[edge_pairs[i].candidate] - strays.edge(ia) - strays.edge(ib) >= largest) continue;
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = edge_role(mesh, pairs, a, b);
+    const int law = edge_pairs[i].law;
+    const double range = law == role.law ? role.range : surface.rest_gaps->range(law);
     const auto ca = corners(x, a), cb = corners(x, b);
-    if (box_gaps(ca, cb).maxCoeff() >= role.range) continue;  // their boxes are too far apart already
-    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
+    if (box_gaps(ca, cb).maxCoeff() >= range) continue;  // their boxes are too far apart already
+    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) continue;
     if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
     const double weight = role.share * shared_area(surface.edge_area[ia], surface.edge_area[ib], role.most_uneven);
-    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, weight});
+    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, weight});
   }
 }
 
 // Where rods cross, with the area that they have in common.
-void search_crossings(const CollisionMesh& mesh, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
+void search_crossings(const ContactSurface& surface, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
                       const std::vector<char>& free, const VecX& x, Found& found) {
+  const CollisionMesh& mesh = surface.mesh;
   for (const auto& [edges, area] : crossings) {
     const Edge &a = mesh.edges[edges[0]], &b = mesh.edges[edges[1]];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
     const PairRole& role = pairs.thin(object, other, pairs.part(object, other, a, b));
+    const int law = object == other && surface.rest_gaps ? surface.rest_gaps->law_of_edges(role.law, a, b) : role.law;
+    const double range = law == role.law ? role.range : surface.rest_gaps->range(law);
     const auto ca = corners(x, a), cb = corners(x, b);
-    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < role.range * role.range)) continue;
+    if (!(edge_edge_distance(ca[0], ca[1], cb[0], cb[1]) < range * range)) continue;
     if (!any_of(free, std::array{a[0], a[1], b[0], b[1]})) continue;
-    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, role.law, area});
+    found.edge_edge.push_back({{a[0], a[1], b[0], b[1]}, law, area});
   }
 }
 
@@ -224,19 +229,21 @@ std::vector<GroupView> NarrowPhase::look(const Candidates& candidates, const std
   return seen;
 }
 
-// Edges of one object that are close at rest are neighbours: they are watched, but do not press. changed: for others it stays as it was decided.
+// Edges of one object that are neighbours at rest do not press. changed: for others it stays as it was decided.
 void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimitives* changed) {
   constexpr int chunk = 4096;
   const CollisionMesh& mesh = surface_.mesh;
-  const auto presses = [&, largest = pairs_.largest_edge_range()](int i) {
-    if (candidates.clearances.edge_edge[i] >= largest) return false;
+  // The law of a pair of candidates; -1: it does not press.
+  const auto law_of = [&, largest = pairs_.largest_edge_range()](int i) {
+    if (candidates.clearances.edge_edge[i] >= largest) return -1;
     const auto [ia, ib] = candidates.edge_edge[i];
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
     const PairRole& role = edge_role(mesh, pairs_, a, b);
-    if (role.law < 0 || candidates.clearances.edge_edge[i] >= role.range) return false;
-    if (object != other || pairs_.plain_sums) return true;
-    return !rest_neighbours(surface_, a, b, role.range);
+    if (role.law < 0 || candidates.clearances.edge_edge[i] >= role.range) return -1;
+    if (object != other || pairs_.plain_sums || !close_at_rest(surface_, a, b, role.range)) return role.law;
+    if (!surface_.rest_gaps || !surface_.rest_gaps->gap_between(a, b)) return -1;
+    return surface_.rest_gaps->law_of_edges(role.law, a, b);
   };
   const int n = static_cast<int>(candidates.edge_edge.size());
   std::vector<std::vector<EdgePair>> chunks(chunk_count(n, chunk));
@@ -245,7 +252,9 @@ void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimit
     for (int i = first; i < last; ++i) {
       const std::array<int, 2>& edges = candidates.edge_edge[i];
       const bool decided = changed && !changed->edges[edges[0]] && !changed->edges[edges[1]];
-      if (decided ? before.find(edges) != nullptr : presses(i)) chunks[c].push_back({i, edges});
+      const EdgePair* known = decided ? before.find(edges) : nullptr;
+      const int law = known ? known->law : decided ? -1 : law_of(i);
+      if (law >= 0) chunks[c].push_back({i, edges, law});
     }
   }, chunk);
   std::vector<EdgePair> all;
@@ -328,7 +337,7 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
     search_edges(surface_, pairs_, candidates, edge_pairs_, strays, free_.free, x, first, last, found_edges[c]);
   });
   if (!rods_.crossings().empty())
-    search_crossings(surface_.mesh, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());
+    search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());
   const int samples = static_cast<int>(coverage_.samples().size());
   std::vector<Found> found_samples(chunk_count(samples));
   for_each_chunk(samples, [&](int c, int first, int last) {

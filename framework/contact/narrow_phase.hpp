@@ -23,6 +23,7 @@ struct FreeVertices {
 struct EdgePair {
   int candidate = 0;
   std::array<int, 2> edges{};
+  int law = -1;  // of the pair table
 
   const std::array<int, 2>& key() const { return edges; }
 };

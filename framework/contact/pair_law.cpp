@@ -8,13 +8,14 @@
 namespace tack {
 namespace {
 
+constexpr int most_at_once = 64;
+
 // Calls act(first, n, gaps) for some of the distances at a time.
 template <class Act>
 void in_gaps(int n, const double* d, double offset, const Act& act) {
-  constexpr int most = 64;
-  std::array<double, most> gap;
-  for (int first = 0; first < n; first += most) {
-    const int count = std::min(most, n - first);
+  std::array<double, most_at_once> gap;
+  for (int first = 0; first < n; first += most_at_once) {
+    const int count = std::min(most_at_once, n - first);
     for (int i = 0; i < count; ++i) gap[i] = d[first + i] - offset;
     act(first, count, gap.data());
   }
@@ -22,12 +23,70 @@ void in_gaps(int n, const double* d, double offset, const Act& act) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+constexpr double filled_at_rest = 0.95;  // of a distance at rest: the most that an offset takes, so that there is room to press in
+
+// phi(k g) / k of a barrier phi: k times shorter, with the same pressures.
+class ShortenedBarrier final : public NormalLaw {
+ public:
+  ShortenedBarrier(std::shared_ptr<const NormalLaw> whole, double k) : whole_(std::move(whole)), k_(k) {}
+
+  std::string_view name() const override { return whole_->name(); }
+  void prepare(const PairMaterials&) override {}
+  double range() const override { return whole_->range() / k_; }
+  void add_samples(int n, const double* gap, LawSample* out) const override {
+    in_gaps(n, gap, 0, [&](int first, int count, double* longer) {
+      std::array<LawSample, most_at_once> samples{};
+      for (int i = 0; i < count; ++i) longer[i] *= k_;
+      whole_->add_samples(count, longer, samples.data());
+      for (int i = 0; i < count; ++i) {
+        out[first + i].value += samples[i].value / k_;
+        out[first + i].slope += samples[i].slope;
+        out[first + i].curvature += samples[i].curvature * k_;
+      }
+    });
+  }
+  void add_values(int n, const double* gap, double* out) const override {
+    in_gaps(n, gap, 0, [&](int first, int count, double* longer) {
+      std::array<double, most_at_once> values{};
+      for (int i = 0; i < count; ++i) longer[i] *= k_;
+      whole_->add_values(count, longer, values.data());
+      for (int i = 0; i < count; ++i) out[first + i] += values[i] / k_;
+    });
+  }
+  std::unique_ptr<NormalLaw> clone() const override { return std::make_unique<ShortenedBarrier>(*this); }
+
+ private:
+  std::shared_ptr<const NormalLaw> whole_;
+  double k_;
+};
+
+bool is_barrier(const NormalLaw& law) { return dynamic_cast<const NormalAdhesion*>(&law) == nullptr; }
+
 }  // namespace
 
 double PairLaw::range() const {
   double range = 0;
   for (const auto& law : laws_) range = std::max(range, law->range());
   return range > 0 ? range + offset_ : 0;
+}
+
+double PairLaw::barrier_range() const {
+  double range = 0;
+  for (const auto& law : laws_)
+    if (is_barrier(*law)) range = std::max(range, law->range());
+  return range;
+}
+
+double PairLaw::offset_from_rest(double offset, double distance) { return std::min(offset, filled_at_rest * distance); }
+
+PairLaw PairLaw::from_rest(double distance) const {
+  PairLaw cut(offset_from_rest(offset_, distance));
+  const double room = distance - cut.offset();
+  for (const auto& law : laws_) {
+    if (is_barrier(*law) && law->range() > room) cut.add(std::make_shared<ShortenedBarrier>(law, law->range() / room));
+    else cut.add(law);
+  }
+  return cut;
 }
 
 void PairLaw::gap_samples(int n, const double* gap, LawSample* out) const {

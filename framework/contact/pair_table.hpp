@@ -82,8 +82,17 @@ class PairTable {
   int add_law(PairLaw law, const TangentialLaw& tangential = {}) {
     laws_.push_back(std::move(law));
     tangential_.push_back(tangential);
-    return static_cast<int>(laws_.size()) - 1;
+    whole_.push_back(static_cast<int>(laws_.size()) - 1);
+    return whole_.back();
   }
+  // A law that acts in place of another one where an object is close to itself at rest (rest_gaps.hpp).
+  int add_cut_down(int law, PairLaw cut_down) {
+    const int added = add_law(std::move(cut_down), TangentialLaw(tangential_[law]));
+    whole_[added] = law;
+    return added;
+  }
+  // The law of the roles: of one that is cut down, that in whose place it acts.
+  int whole(int law) const { return whole_[law]; }
   const std::vector<PairLaw>& laws() const { return laws_; }
   const TangentialLaw& tangential(int law) const { return tangential_[law]; }
   bool any_tangential() const {
@@ -171,6 +180,7 @@ class PairTable {
   std::vector<double> cells_;  // m^2
   std::vector<PairLaw> laws_;
   std::vector<TangentialLaw> tangential_;  // per law
+  std::vector<int> whole_;                 // likewise
   std::vector<PairRole> point_, edge_, thin_;
   std::vector<PartSet> part_of_vertex_;
   std::vector<std::vector<PartRoles>> parts_;  // empty without any

@@ -113,7 +113,10 @@ class PieceMaker {
   // Whether the pair may come within a range [m] while the candidates hold.
   bool reaches(int i, double range) const { return r_.candidates.clearances.point_triangle[i] < range; }
 
-  void begin(const PointGroup& group, const Acting& acting) {
+  // Within one object the law is the one that presses from rest on.
+  void begin(const PointGroup& group, Acting acting) {
+    if (const RestGaps* gaps = r_.surface.rest_gaps.get(); gaps && within_object(group))
+      if (const int law = gaps->law_of_point(acting.law, group.point); law != acting.law) acting = {law, gaps->range(law), acting.area};
     const auto end = [](const std::vector<int>& list) { return static_cast<int>(list.size()); };
     const int t = end(out_.triangles), e = end(out_.edges), o = end(out_.others);
     out_.pieces.push_back({group.point, acting.law, acting.area, acting.range, t, t, -1, e, e, o, o});
@@ -159,21 +162,21 @@ class PieceMaker {
     if (guard.law < 0) return;
     begin(group, {guard.law, guard.range, area});
     for (int i = group.triangle_begin; i < group.triangle_end; ++i)
-      if (reaches(i, guard.range) && !at_rest(group, mesh_.triangles[triangle(i)], guard.range))
+      if (reaches(i, guard.range) && !neighbours(group, mesh_.triangles[triangle(i)], guard.range))
         out_.triangles.push_back(i);
     end();
   }
 
+  bool within_object(const PointGroup& group) const { return mesh_.vertex_object[group.point] == group.object; }
   template <size_t K>
-  bool at_rest(const PointGroup& group, const std::array<int, K>& vertices, double range) const {
-    return mesh_.vertex_object[group.point] == group.object &&
-           rest_neighbours(r_.surface, std::array{group.point}, vertices, range);
+  bool neighbours(const PointGroup& group, const std::array<int, K>& vertices, double range) const {
+    return within_object(group) && rest_neighbours(r_.surface, std::array{group.point}, vertices, range);
   }
 
   // Of the rods and particles of the group, those that are within reach.
   void list_rods(const PointGroup& group, double range) {
     for (int i = group.edge_begin; i < group.edge_end; ++i)
-      if (r_.candidates.clearances.point_edge[i] < range && !at_rest(group, mesh_.edges[rod(i)], range))
+      if (r_.candidates.clearances.point_edge[i] < range && !neighbours(group, mesh_.edges[rod(i)], range))
         out_.edges.push_back(rod(i));
     for (int i = group.other_begin; i < group.other_end; ++i) out_.others.push_back(particle(i));
   }
@@ -233,10 +236,12 @@ class PieceMaker {
     }
     const Viewpoint from = viewer_.vertex_view(group.point);
     const double reach = std::max(role.reach(), guard.law >= 0 ? guard.range : 0);
+    // A sheet that bends sharply faces its neighbours, nearer than it is thick.
+    const bool thick = within_object(group) && r_.pairs.offset(group.object, group.object) > 0;
     near_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
       if (!reaches(i, reach)) continue;
-      const int piece = viewer_.piece_of(from, view, triangle(i));
+      const int piece = thick && neighbours(group, mesh_.triangles[triangle(i)], reach) ? -1 : viewer_.piece_of(from, view, triangle(i));
       near_.push_back({i, piece >= 0 && areas[piece] > 0 ? piece : -1});
     }
     for (int k = 0; k < view.count; ++k) {
@@ -250,7 +255,7 @@ class PieceMaker {
     begin(group, {guard.law, guard.range, r_.held.whole(group.point)});
     for (const NearTriangle& t : near_)
       if (t.piece < 0 && reaches(t.candidate, guard.range) &&
-          !at_rest(group, mesh_.triangles[triangle(t.candidate)], guard.range))
+          !neighbours(group, mesh_.triangles[triangle(t.candidate)], guard.range))
         out_.triangles.push_back(t.candidate);
     end();
   }
@@ -264,11 +269,13 @@ class PieceMaker {
     std::vector<TriangleShare>& shares = thin_viewer_.look(group.point, triangles_, pressure.range);
     share_out(group.point, pressure.range, shares);
     relax_shares(group.point, triangles_, pressure.range, r_.shares_before, shares, out_.held);
-    add_shares(group, {pressure.law, pressure.range, area}, shares, [&](int, const TriangleShare& s) { return s.share; });
+    add_shares(group, {pressure.law, pressure.range, area}, shares, [&](int i, const TriangleShare& s) {
+      return neighbours(group, mesh_.triangles[triangle(i)], pressure.range) ? 0 : s.share;
+    });
     const Guard guard = guard_of(role);
     if (guard.law < 0) return;
     add_shares(group, {guard.law, guard.range, area}, shares, [&](int i, const TriangleShare& s) {
-      if (s.share >= little || at_rest(group, mesh_.triangles[triangle(i)], guard.range)) return 0.0;
+      if (s.share >= little || neighbours(group, mesh_.triangles[triangle(i)], guard.range)) return 0.0;
       const double part = s.share / little;
       return 1 - part * part * (3 - 2 * part);
     });
@@ -335,53 +342,6 @@ class PieceMaker {
   std::vector<std::pair<double, Vec3>> places_;  // where a point is near
 };
 
-// Where the parts of each chunk begin.
-struct PlaceOfPieces {
-  size_t piece = 0, group = 0, triangle = 0, share = 0, edge = 0, other = 0, held = 0;
-
-  PlaceOfPieces after(const PointPieces& p) const {
-    return {piece + p.pieces.size(), group + p.group_begin.size(), triangle + p.triangles.size(), share + p.shares.size(),
-            edge + p.edges.size(),   other + p.others.size(),      held + p.held.size()};
-  }
-};
-
-PointPieces joined(const std::vector<PointPieces>& chunks) {
-  std::vector<PlaceOfPieces> places(1);
-  for (const PointPieces& chunk : chunks) places.push_back(places.back().after(chunk));
-  const PlaceOfPieces& end = places.back();
-  PointPieces all;
-  all.pieces.resize(end.piece);
-  all.group_begin.resize(end.group + 1);
-  all.group_begin.back() = static_cast<int>(end.piece);
-  all.triangles.resize(end.triangle);
-  all.shares.resize(end.share);
-  all.edges.resize(end.edge);
-  all.others.resize(end.other);
-  all.held.resize(end.held);
-  for_each(static_cast<int>(chunks.size()), [&](int c) {
-    const PointPieces& chunk = chunks[c];
-    const PlaceOfPieces& at = places[c];
-    const auto shift = [](size_t by, int& begin, int& end) {
-      begin += static_cast<int>(by);
-      end += static_cast<int>(by);
-    };
-    for (size_t i = 0; i < chunk.pieces.size(); ++i) {
-      PointPiece& p = all.pieces[at.piece + i] = chunk.pieces[i];
-      shift(at.triangle, p.triangle_begin, p.triangle_end);
-      if (p.share_begin >= 0) p.share_begin += static_cast<int>(at.share);
-      shift(at.edge, p.edge_begin, p.edge_end);
-      shift(at.other, p.other_begin, p.other_end);
-    }
-    for (size_t i = 0; i < chunk.group_begin.size(); ++i) all.group_begin[at.group + i] = chunk.group_begin[i] + static_cast<int>(at.piece);
-    std::copy(chunk.triangles.begin(), chunk.triangles.end(), all.triangles.begin() + static_cast<std::ptrdiff_t>(at.triangle));
-    std::copy(chunk.shares.begin(), chunk.shares.end(), all.shares.begin() + static_cast<std::ptrdiff_t>(at.share));
-    std::copy(chunk.edges.begin(), chunk.edges.end(), all.edges.begin() + static_cast<std::ptrdiff_t>(at.edge));
-    std::copy(chunk.others.begin(), chunk.others.end(), all.others.begin() + static_cast<std::ptrdiff_t>(at.other));
-    std::copy(chunk.held.begin(), chunk.held.end(), all.held.begin() + static_cast<std::ptrdiff_t>(at.held));
-  }, 16);
-  return all;
-}
-
 }  // namespace
 
 PointPieces make_pieces(const PieceRequest& request, const EarlierPieces* earlier) {
@@ -392,7 +352,7 @@ PointPieces make_pieces(const PieceRequest& request, const EarlierPieces* earlie
     for (int g = first; g < last; ++g) maker.add(g);
     chunks[c] = maker.take();
   });
-  return joined(chunks);
+  return joined_pieces(chunks);
 }
 
 }  // namespace tack

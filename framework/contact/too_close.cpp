@@ -36,14 +36,13 @@ class Search {
     if (found_.size() == most) return;
     const ContactSurface& surface = contact_.surface();
     const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
-    const double offset = contact_.pairs().offset(object_a, object_b);
-    if (clearance > offset) return;
+    if (clearance > contact_.pairs().offset(object_a, object_b)) return;
+    const double offset = filled_between(surface, contact_.pairs(), a, b);
     const auto ca = corners(x_, a);
     const auto cb = corners(x_, b);
     const double distance = std::sqrt(squared_distance(ca, cb));
     const bool touching = distance <= touching_part * std::max(extent(ca), extent(cb));
-    const bool overlapping = offset > 0 && distance <= offset;
-    if (!touching && (!overlapping || rest_neighbours(surface, a, b, contact_.pairs().edge(object_a, object_b).range))) return;
+    if (!touching && (offset == 0 || distance > offset)) return;
     found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset, touching, place(ca, cb)});
   }
   std::vector<TooClose> take() { return std::move(found_); }

@@ -14,7 +14,7 @@ struct TooClose {
   Vec3 at;                         // m, on the first
 };
 
-// The first few among the candidates, which must cover x; parts of one object that are close at rest are none, unless they touch.
+// The first few among the candidates, which must cover x. Within one object the offset is what is left of it (rest_gaps.hpp).
 std::vector<TooClose> find_too_close(const ContactSystem& contact, const VecX& x);
 
 }  // namespace tack

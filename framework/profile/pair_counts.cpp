@@ -36,7 +36,7 @@ void count_candidates(const CollisionMesh& mesh, const Candidates& candidates, C
 bool guards(const PairTable& pairs, int a, int b, int law) {
   if (pairs.plain_sums) return false;
   for (int part = -1; part < pairs.parts(a, b); ++part)
-    if (law == pairs.edge(a, b, part).law) return true;
+    if (pairs.whole(law) == pairs.edge(a, b, part).law) return true;
   return false;
 }
 

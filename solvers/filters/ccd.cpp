@@ -191,16 +191,10 @@ class Ccd : public StepFilter {
                }});
   }
 
-  // What is filled of the distance of two primitives [m]. Parts of one object that are close at rest are neighbours:
-  // their mid-surfaces alone may not meet.
+  // What two primitives fill of their distance [m].
   template <size_t A, size_t B>
   double offset_of(const std::array<int, A>& a, const std::array<int, B>& b) const {
-    if (largest_offset_ == 0) return 0;
-    const ContactSurface& surface = contact_->surface();
-    const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
-    if (object_a == object_b && rest_neighbours(surface, a, b, contact_->pairs().edge(object_a, object_a).range))
-      return 0;
-    return contact_->pairs().offset(object_a, object_b);
+    return largest_offset_ == 0 ? 0 : filled_between(contact_->surface(), contact_->pairs(), a, b);
   }
 
   bool out_of_time() const { return deadline_ && deadline_->passed(); }

@@ -72,7 +72,7 @@ void ContactFinder::add_points(const Candidates& candidates, int first, int last
   const auto add = [&](const NearPoint& n, double side, bool behind, const HeldPoint* held) {
     const double strayed = held ? held->depth + relative_way(way, std::array{p}, mesh.triangles[held->triangle]) : 0;
     if (n.distance > near_in_margins * margin_ + offset + strayed) return;
-    if (own == object && rest_neighbours(surface_, std::array{p}, mesh.triangles[n.triangle], std::max(margin_ + offset, of_neighbours * n.distance))) return;
+    if (own == object && close_at_rest(surface_, std::array{p}, mesh.triangles[n.triangle], std::max(margin_ + offset, of_neighbours * n.distance))) return;
     const double distance = (behind ? -n.distance : n.distance) - offset;
     const double kept = held ? held->gap : before.begun ? margin_ : distance;
     const double gap = std::min(margin_, std::max(kept, distance));
@@ -157,7 +157,7 @@ void ContactFinder::add_edges(int a, int b, const VecX& x, const VecX& way, cons
   if ((a0 + a1 - b0 - b1).norm() > 2 * reach + (a1 - a0).norm() + (b1 - b0).norm()) return;
   NearEdges near;
   if (!features_.near_edges(a, b, x, near) || near.distance > reach) return;
-  if (object == opposite && rest_neighbours(surface_, ea, eb, std::max(margin + offset, of_neighbours * near.distance))) return;
+  if (object == opposite && close_at_rest(surface_, ea, eb, std::max(margin + offset, of_neighbours * near.distance))) return;
   const bool a_faces = features_.two_sided_at(a) || near.facing_a > 0, b_faces = features_.two_sided_at(b) || near.facing_b > 0;
   bool crossed = false;
   if (a_faces && b_faces) crossed = side_of_edges(near, x, sides, held) < 0;

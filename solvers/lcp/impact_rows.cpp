@@ -38,7 +38,7 @@ bool ImpactFinder::meets(int point, int triangle, const VecX& x, const VecX& way
   const Vec3 q = vertex(x, point), dq = vertex(way, point);
   const double distance = std::sqrt(squared_distance(corners(x, p), corners(x, t)));
   if (distance <= offset || distance - offset > relative_way(way, p, t)) return false;
-  if (object == opposite && rest_neighbours(surface_, p, t, margin_ + offset)) return false;
+  if (object == opposite && close_at_rest(surface_, p, t, margin_ + offset)) return false;
   const double when = point_triangle_accd(q, a, b, c, dq, da, db, dc, of_gap, 1, offset);
   if (when >= 1) return false;
   const Vec3 at_a = a + when * da, at_b = b + when * db, at_c = c + when * dc, at_q = q + when * dq;
@@ -72,7 +72,7 @@ bool ImpactFinder::edges_meet(int a, int b, const VecX& x, const VecX& way, Impa
   const auto [db0, db1] = corners(way, eb);
   const double distance = std::sqrt(squared_distance(corners(x, ea), corners(x, eb)));
   if (distance <= offset || distance - offset > relative_way(way, ea, eb)) return false;
-  if (object == opposite && rest_neighbours(surface_, ea, eb, margin_ + offset)) return false;
+  if (object == opposite && close_at_rest(surface_, ea, eb, margin_ + offset)) return false;
   const double when = edge_edge_accd(a0, a1, b0, b1, da0, da1, db0, db1, of_gap, 1, offset);
   if (when >= 1) return false;
   const Vec3 p0 = a0 + when * da0, p1 = a1 + when * da1, q0 = b0 + when * db0, q1 = b1 + when * db1;

@@ -1,0 +1,124 @@
+#include "framework/contact/rest_gaps.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "framework/contact/rest_gap_finder.hpp"
+#include "geometry/broad_phase/broad_phase.hpp"
+#include "geometry/concatenate.hpp"
+#include "geometry/distance/squared_distance.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+// Ratio of two distances next to each other that have laws of their own.
+constexpr double level_ratio = 0.98;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double own_reach(const PairTable& pairs, int object) {
+  double reach = 0;
+  for (int part = -1; part < pairs.parts(object, object); ++part) {
+    const PairRole& point = pairs.point(object, object, part);
+    reach = std::max({reach, point.range, point.guard_range, pairs.edge(object, object, part).range, pairs.thin(object, object, part).range});
+  }
+  return reach;
+}
+
+// Pairs within one object alone.
+CollidingObjects only_themselves(const ObjectClasses& classes) {
+  CollidingObjects colliding(classes);
+  for (const auto& [a, b] : classes.examples())
+    if (a != b) colliding.set(a, b, false);
+  return colliding;
+}
+
+// The largest power of the ratio that is not above a distance [m].
+double rounded_down(double distance) {
+  const double level = std::pow(level_ratio, std::ceil(std::log(distance) / std::log(level_ratio)));
+  return level > distance ? level * level_ratio : level;
+}
+
+}  // namespace
+
+RestGaps::RestGaps(const ContactSurface& surface, PairTable& pairs) : surface_(surface), laws_(static_cast<int>(pairs.laws().size())) {
+  for (int object = 0; object < pairs.objects(); ++object) reach_.push_back(own_reach(pairs, object));
+  if (!pairs.plain_sums && std::any_of(reach_.begin(), reach_.end(), [](double reach) { return reach > 0; })) find_levels(pairs);
+  add_laws(pairs);
+}
+
+void RestGaps::find_levels(const PairTable& pairs) {
+  const CollisionMesh& mesh = surface_.mesh;
+  BroadPhase broad_phase(mesh, only_themselves(pairs.classes()));
+  Reaches reaches{reach_, reach_};
+  for (auto* list : {&reaches.surface, &reaches.edge})
+    for (double& reach : *list) reach /= 2;
+  broad_phase.update(surface_.rest, VecX(), reaches, 0);
+  const Candidates& candidates = broad_phase.candidates();
+  PointGroups groups;
+  groups.make(candidates, mesh);
+  const RestShape shape(surface_, pairs, reach_);
+  std::vector<double> of_point(mesh.vertex_object.size(), infinity);
+  const int points = static_cast<int>(groups.groups.size()), edges = static_cast<int>(candidates.edge_edge.size());
+  std::vector<Keys> found_points(chunk_count(points)), found_edges(chunk_count(edges));
+  std::vector<std::vector<double>> of_edges(chunk_count(edges));
+  for_each_chunk(points, [&](int c, int first, int last) {
+    RestGapFinder finder(shape, candidates);
+    for (int g = first; g < last; ++g) of_point[groups.groups[g].point] = finder.of_point(groups.groups[g], found_points[c]);
+  });
+  for_each_chunk(edges, [&](int c, int first, int last) {
+    RestGapFinder finder(shape, candidates);
+    for (int i = first; i < last; ++i)
+      if (const double distance = finder.of_edges(i, found_edges[c]); distance < infinity) of_edges[c].push_back(distance);
+  });
+  concatenate(found_points, point_gaps_);
+  concatenate(found_edges, edge_gaps_);
+  std::sort(point_gaps_.begin(), point_gaps_.end());
+  std::sort(edge_gaps_.begin(), edge_gaps_.end());
+  concatenate(of_edges, levels_);
+  for (const double distance : of_point)
+    if (distance < infinity) levels_.push_back(distance);
+  for (double& level : levels_) level = rounded_down(level);
+  std::sort(levels_.begin(), levels_.end());
+  levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
+  if (levels_.empty()) return;
+  for (const double distance : of_point) level_of_point_.push_back(distance < infinity ? level_below(distance) : -1);
+}
+
+void RestGaps::add_laws(PairTable& pairs) {
+  std::vector<char> own(laws_, 0);
+  for (const auto& [a, b] : pairs.classes().examples()) {
+    if (a != b || reach_[a] == 0) continue;
+    for (int part = -1; part < pairs.parts(a, a); ++part) {
+      const PairRole& point = pairs.point(a, a, part);
+      for (const int law : {point.law, point.guard_law, pairs.edge(a, a, part).law, pairs.thin(a, a, part).law})
+        if (law >= 0) own[law] = 1;
+    }
+  }
+  for (int law = 0; law < laws_; ++law)
+    for (const double level : levels_) {
+      const PairLaw whole = pairs.laws()[law];
+      const bool cut = own[law] && level < whole.offset() + whole.barrier_range();
+      cut_down_.push_back(cut ? pairs.add_cut_down(law, whole.from_rest(level)) : law);
+    }
+  for (const PairLaw& law : pairs.laws()) ranges_.push_back(law.range());
+}
+
+int RestGaps::level_below(double distance) const {
+  const auto above = std::upper_bound(levels_.begin(), levels_.end(), distance);
+  return std::max(0, static_cast<int>(above - levels_.begin()) - 1);
+}
+
+int RestGaps::level_of(const Edge& a, const Edge& b) const {
+  if (!gap_between(a, b)) return -1;
+  return level_below(std::sqrt(squared_distance(corners(surface_.rest, a), corners(surface_.rest, b))));
+}
+
+int RestGaps::law_of_edges(int law, const Edge& a, const Edge& b) const { return cut_down(law, level_of(a, b)); }
+
+double RestGaps::offset(double o, const Edge& a, const Edge& b) const { return offset_at(o, level_of(a, b)); }
+
+double RestGaps::offset_at(double o, int level) const { return level < 0 ? o : PairLaw::offset_from_rest(o, levels_[level]); }
+
+}  // namespace tack
