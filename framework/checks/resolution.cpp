@@ -5,8 +5,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
 #include <set>
 
+#include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/stencil_kinds.hpp"
 #include "framework/contact/surface_topology.hpp"
@@ -76,6 +80,32 @@ double young_of(const ObjectConfig& object) {
     if (const auto young = energy->young()) return *young;
   return 0;
 }
+
+// Two objects that press on each other at the start are squeezed if this fraction of their forces is balanced by others of the pair, and the
+// forces are more than the weight of the lighter one. They are thrown apart if the barrier's energy lifts that one by so many contact distances:
+// what is put down to rest has less than one.
+constexpr double squeezed_fraction = 0.5, thrown_distances = 10;
+constexpr double standard_gravity = 9.81;  // m/s^2, of these weights
+
+// What two objects press with.
+struct PressedPair {
+  Vec3 resultant = Vec3::Zero();  // N
+  double sum = 0;                 // of magnitudes [N]
+  double energy = 0;              // of the barrier [J]
+  double gap = std::numeric_limits<double>::infinity();  // the smallest [m]
+};
+
+// The pairs of which one thing is told, by the worst of them.
+struct WorstPair {
+  double measure = 0;
+  int lighter = -1, count = 0;
+  std::string line;
+
+  void add(double of_pair, int lighter_object, const std::function<std::string()>& text) {
+    ++count;
+    if (of_pair > measure) measure = of_pair, lighter = lighter_object, line = text();
+  }
+};
 
 class Warnings {
  public:
@@ -173,6 +203,58 @@ class Warnings {
           "lower contact.distance or the range of its adhesion below the gaps between its parts",
           world_.bodies[i].name, largest, world_.number_in_body(static_cast<int>(at / 3))));
     }
+    between_objects();
+  }
+
+  // Forces of bodies on each other that no rest can have.
+  void between_objects() {
+    const std::vector<PairLaw>& barriers = world_.contact_term->laws(LawPart::barrier);
+    const std::vector<char> all(barriers.size(), 1);
+    std::map<std::array<int, 2>, PressedPair> pairs;
+    for_each_record(contact_points({*world_.contact, barriers, all, world_.start.x}), [&](const auto& c) {
+      if (c.object == c.opposite || !(c.normal_force > 0)) return;
+      PressedPair& pair = pairs[c.objects()];
+      pair.resultant += (c.object < c.opposite ? c.normal_force : -c.normal_force) * c.normal;
+      pair.sum += c.normal_force;
+      pair.energy += c.area * barriers[c.law].at(c.gap).value;
+      pair.gap = std::min(pair.gap, c.gap - barriers[c.law].offset());
+    });
+    WorstPair squeezed, thrown;
+    for (const auto& [objects, pair] : pairs) {
+      const auto [a, b] = objects;
+      const double mass_a = mass_of(a), mass_b = mass_of(b);
+      const int lighter = mass_b == 0 || (mass_a > 0 && mass_a <= mass_b) ? a : b;
+      const double weight = standard_gravity * (lighter == a ? mass_a : mass_b), distance = scene_.contact->contact_distance;
+      if (!(weight > 0)) continue;
+      const std::string start = fmt::format("'{}' and '{}' start {:.3g} m apart, within contact.distance ({:.3g} m), and press on each other ",
+                                            world_.bodies[a].name, world_.bodies[b].name, pair.gap, distance);
+      const std::string& name = world_.bodies[lighter].name;
+      if (pair.sum > weight && pair.sum - pair.resultant.norm() > squeezed_fraction * pair.sum)
+        squeezed.add(pair.sum / weight, lighter, [&] {
+          return fmt::format("{}from opposite sides with {:.3g} N, {:.3g} times the weight of '{}': it is squeezed, and rubs, before anything moves", start,
+                             pair.sum, pair.sum / weight, name);
+        });
+      else if (pair.energy > thrown_distances * distance * weight)
+        thrown.add(pair.energy / weight, lighter, [&] {
+          return fmt::format("{}with {:.3g} N, {:.3g} times the weight of '{}': it is thrown off ({:.3g} m high, by its weight)", start, pair.resultant.norm(),
+                             pair.resultant.norm() / weight, name, pair.energy / weight);
+        });
+    }
+    for (const auto& [worst, kind] : {std::pair(&squeezed, "squeezed"), std::pair(&thrown, "thrown")})
+      if (worst->count > 0)
+        tell(worst->lighter, kind, fmt::format("{}{}; leave more than contact.distance between them, or lower it", worst->line,
+                                               worst->count > 1 ? fmt::format(" (and so {} more pairs)", worst->count - 1) : ""));
+  }
+
+  // Of the vertices that carry a body [kg]; 0 if it is held.
+  double mass_of(int i) const {
+    const Body& body = world_.bodies[i];
+    double mass = 0;
+    if (!body.frame.empty())
+      for (const int v : body.frame) mass += world_.mass(v);
+    else
+      for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) mass += world_.mass(v);
+    return mass;
   }
 
   // One warning of a kind is enough for an object, however many it adheres to, and for all copies of one (fill.hpp).

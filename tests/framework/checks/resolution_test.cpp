@@ -90,3 +90,20 @@ TEST_CASE("resolution: copies of an object are warned of in one line") {
   REQUIRE(lines.size() == 1);
   CHECK_THAT(lines[0], Catch::Contains("exceeds the elements of 'grain_1'") && Catch::Contains("(and so it is for 4 more copies of 'grain')"));
 }
+
+TEST_CASE("resolution: two objects that start within the contact distance are told where it squeezes one or throws it off") {
+  const auto bar = [](double gap) {
+    return fmt::format("  - {{name: walls, shape: {{type: parts, parts: [{{shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, {0}, 0]}}}},\n"
+                       "     {{shape: {{type: box, size: [0.3, 0.1, 0.3]}}, place: {{translate: [0, -{0}, 0]}}}}]}}, motion: [fixed]}}\n"
+                       "  - {{name: cube, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, energies: [{{type: neo_hookean, young: 1e7}}]}}\n", 0.1 + gap);
+  };
+  CHECK(one_with(warnings(bar(1e-4), "  distance: 0.5 mm\n"), "'walls' and 'cube' start 0.0001 m apart, within contact.distance (0.0005 m), and press on each other from opposite sides with"));
+  CHECK_FALSE(one_with(warnings(bar(6e-4), "  distance: 0.5 mm\n"), "press on each other"));
+  // What is put down with a gap that carries it, and what is pinched between it and the floor.
+  const auto above = [](double gap) {
+    return fmt::format("  - {{name: cube, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, place: {{translate: [0, {}, 0]}}, energies: [{{type: neo_hookean, young: 1e7}}]}}\n",
+                       0.05 + gap);
+  };
+  CHECK_FALSE(one_with(warnings(ground + above(0.98e-3), "  distance: 1 mm\n"), "press on each other"));
+  CHECK(one_with(warnings(ground + above(1e-5), "  distance: 1 mm\n"), "'cube': it is thrown off"));
+}
