@@ -4,26 +4,23 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
-#include <set>
 #include <vector>
 
 #include "framework/contact/contact_system.hpp"
-#include "framework/scene/copied_lines.hpp"
 #include "framework/scene/rolling_energy.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
 namespace {
 
-// Vertices that other vertices or motions lead throughout.
-std::set<int> led_vertices(const World& world) {
-  std::set<int> led;
-  for (const Dependence& d : world.bindings.lasting()) led.insert(d.vertex);
+// Per vertex: other vertices or motions lead it throughout.
+std::vector<char> led_vertices(const World& world) {
+  std::vector<char> led(world.rest.size() / 3, 0);
+  for (const Dependence& d : world.bindings.lasting()) led[d.vertex] = 1;
   for (const Tie& tie : world.bindings.ties())
-    for (const Dependence& d : tie.dependences) led.insert(d.vertex);
+    for (const Dependence& d : tie.dependences) led[d.vertex] = 1;
   for (int v = 0; v < world.mesh_vertex_count(); ++v)
-    if (!world.script.ever_free(v)) led.insert(v);
+    if (!world.script.ever_free(v)) led[v] = 1;
   return led;
 }
 
@@ -72,19 +69,30 @@ class RoundFriction {
         tell(i, "rod", static_cast<int>(std::count_if(rods.begin(), rods.end(), [&](const auto& rod) { return free(rod); })), rods.size() > 1);
       }
       if (body.radius > 0)
-        tell(i, "particle", static_cast<int>(std::count_if(body.points.begin(), body.points.end(), [&](int v) { return !led_.contains(v); })),
+        tell(i, "particle", static_cast<int>(std::count_if(body.points.begin(), body.points.end(), [&](int v) { return !led_[v]; })),
              body.points.size() > 1);
     }
-    return lines_.texts();
+    std::vector<std::string> texts;
+    for (const Line& line : lines_) texts.push_back(text(line));
+    return texts;
   }
 
  private:
+  // Of all objects with the same partner, coefficient and remedy.
+  struct Line {
+    std::string kind, remedy;
+    std::string first;  // object
+    int partner;
+    double mu;
+    int more = 0;  // objects
+  };
+
   bool free(const std::vector<int>& vertices) const {
-    return std::none_of(vertices.begin(), vertices.end(), [&](int v) { return led_.contains(v); });
+    return std::none_of(vertices.begin(), vertices.end(), [&](int v) { return led_[v] != 0; });
   }
 
   // several: some of the object can touch others of it.
-  void tell(int i, const char* kind, int loose, bool several) {
+  void tell(int i, const std::string& kind, int loose, bool several) {
     if (loose == 0) return;
     const PairTable& pairs = world_.contact->pairs();
     double mu = 0;
@@ -94,22 +102,31 @@ class RoundFriction {
       if (const double here = friction_between(pairs, i, j); here > mu) mu = here, partner = j;
     }
     if (partner < 0) return;
-    const std::string& name = world_.bodies[i].name;
-    lines_.tell(scene_.objects[i], kind,
-                fmt::format("the {}s of '{}' are round and can rub on '{}' (mu {:g}), and they slide without turning: on a slope they stick where they "
-                            "would roll; {}, or set its friction to 0",
-                            kind, name, world_.bodies[partner].name, mu, remedy(i, kind)));
+    Line line{kind, remedy(i, kind), world_.bodies[i].name, partner, mu};
+    for (Line& told : lines_)
+      if (told.kind == line.kind && told.remedy == line.remedy && told.partner == partner && told.mu == mu) {
+        ++told.more;
+        return;
+      }
+    lines_.push_back(std::move(line));
   }
 
-  std::string remedy(int i, std::string_view kind) const {
+  std::string text(const Line& line) const {
+    const std::string others = line.more > 0 ? fmt::format(", and of {} more object{},", line.more, line.more > 1 ? "s" : "") : "";
+    return fmt::format("the {}s of '{}'{} are round and can rub on '{}' (mu {:g}), and they slide without turning: on a slope they stick where they "
+                       "would roll; {}, or set its friction to 0",
+                       line.kind, line.first, others, world_.bodies[line.partner].name, line.mu, line.remedy);
+  }
+
+  std::string remedy(int i, const std::string& kind) const {
     if (kind == "rod" && !world_.bodies[i].rod) return "give it the energy elastic_rod with `rolling: true`";
     return fmt::format("give its energy {} `rolling: true`", kind == "rod" ? "elastic_rod" : "particle");
   }
 
   const SceneConfig& scene_;
   const World& world_;
-  std::set<int> led_;
-  CopiedLines lines_;
+  std::vector<char> led_;
+  std::vector<Line> lines_;
 };
 
 }  // namespace

@@ -15,8 +15,7 @@ namespace tack {
 struct SceneConfig;
 struct World;
 
-// One line for an object and kind (rods, particles); copies of an object share one
-// (copied_lines.hpp).
+// One line for each kind (rods, particles), partner and coefficient, with the first object of it.
 std::vector<std::string> round_friction_warnings(const SceneConfig& scene, const World& world);
 
 }  // namespace tack

@@ -38,6 +38,10 @@ TEST_CASE("rods and particles that can rub are told to slide without turning") {
   CHECK_THAT(warnings(particles())[0], Catch::StartsWith("the particles of 'it'"));
   // Where a pair alone rubs.
   CHECK(warnings(rod(), "pairs: [{between: [it, floor], friction: {mu: 0.2}}]").size() == 1);
+  // Several objects, one line.
+  const auto lines = warnings(rod() + "}\n  - {name: other, contact_offset: 5 mm, place: {translate: [0, 0.1, 0]}, " + rod());
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], Catch::StartsWith("the rods of 'it', and of 1 more object, are round"));
   // One end that is let go later on: then it rolls.
   CHECK(warnings(rod(", motion: [{type: fixed, until: 1 s, select: {type: indices, vertices: [0]}}]")).size() == 1);
 }
