@@ -26,7 +26,9 @@ Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Ev
   Calibration found{search_for(scenes.numbers(), config, evaluator, tell, scenes.noise_known()), {}, {}};
   const SearchResult& s = found.search;
   if (s.derivatives.problem.empty()) {
-    found.confidence = confidence_of(scenes.numbers(), s.best.values, s.derivatives.of_residuals, s.best.residuals, scenes.noise_known());
+    std::vector<size_t> series;
+    for (const MeasuredPoints& m : scenes.measured()) series.push_back(m.curve.size());
+    found.confidence = confidence_of(scenes.numbers(), s.best.values, s.derivatives.of_residuals, s.best.residuals, scenes.noise_known(), series);
     found.warnings = found.confidence->warnings;
   } else {
     found.warnings.push_back(fmt::format("there are no confidence intervals: {}", s.derivatives.problem));

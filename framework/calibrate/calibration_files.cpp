@@ -72,6 +72,9 @@ std::string description(const CalibrationFolder& folder, const CalibrationRecord
             {"status", "done"}, {"wall_seconds", r.wall_seconds}, {"runs", search_json(found.search, r.started)}, {"misfit", found.search.best.misfit}};
   const auto& c = found.confidence;
   json["noise"] = {{"known", scenes.noise_known()}, {"of_residuals", c ? finite(c->noise) : Json()}};
+  if (c) json["residuals"] = {{"points", c->residuals.points}, {"effective_points", finite(c->residuals.effective_points)}, {"correlation", c->residuals.correlation},
+                              {"chi_squared", scenes.noise_known() ? finite(c->residuals.chi_squared) : Json()}, {"chi_squared_limit", finite(c->residuals.chi_squared_limit)}};
+  json["fits"] = c && c->fits;
   json["numbers"] = Json::array();
   for (size_t i = 0; i < scenes.numbers().size(); ++i) json["numbers"].push_back(number_json(scenes.numbers()[i], i, found, r.config));
   json["derivatives"] = {{"missed", found.search.derivatives.missed}, {"compared", found.search.derivatives.compared}};

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
@@ -17,7 +18,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double nothing = 1e-14;     // of the largest eigenvalue: rounding
 constexpr double unnoticed = 0.005;   // of the largest power: not written
-constexpr double too_far = 2;         // times the noise, at which the model misses something
+constexpr double chance = 0.01;       // with which noise alone makes a fit look wrong
+constexpr double significant = 2;     // deviations of the correlation of independent neighbours, 1 / sqrt(points)
 
 std::string power(const std::string& name, double exponent) {
   if (std::abs(exponent - 1) < 0.005) return name;
@@ -65,23 +67,78 @@ void warn_of_bounds(Confidence& c, const std::vector<FittedNumber>& numbers, con
         c.warnings.push_back(fmt::format("{} ended at its bound '{}', {:.6g}: the best value may lie beyond it", numbers[i].name, name, values[i]));
 }
 
+// About zero, as residuals of a model that fits are: an offset is a correlation too.
+double autocorrelation(const std::vector<double>& r, const std::vector<size_t>& series, size_t lag) {
+  double sum = 0, squares = 0;
+  size_t first = 0;
+  for (const size_t count : series) {
+    for (size_t i = first; i < first + count; ++i) {
+      squares += r[i] * r[i];
+      if (i + lag < first + count) sum += r[i] * r[i + lag];
+    }
+    first += count;
+  }
+  return squares > 0 ? sum / squares : 0;
+}
+
+void warn_of_misfit(Confidence& c, bool noise_known) {
+  const ResidualStatistics& r = c.residuals;
+  const std::string fewer = r.correlation > 0 ? fmt::format("; residuals of neighbouring points are correlated ({:.2g}), so that {:.0f} points count as {:.3g}", r.correlation,
+                                                            r.points, r.effective_points)
+                                              : "";
+  if (noise_known && r.chi_squared > r.chi_squared_limit) {
+    c.fits = false;
+    c.warnings.push_back(fmt::format("the best fit is off by {:.2g} times the noise, where noise alone exceeds {:.3g} in 1 of 100 fits{}: the model misses something that was "
+                                     "measured, or the noise is larger; intervals are wider by that, and hold no error of the model", std::sqrt(r.chi_squared),
+                                     std::sqrt(r.chi_squared_limit), fewer));
+  }
+  if (c.fits && r.correlation > 0) {
+    c.fits = false;
+    c.warnings.push_back(fmt::format("the model misses something that was measured, unless the noise is correlated as well{}; intervals hold no error of the model", fewer));
+  }
+}
+
 }  // namespace
 
-Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
-                         const std::vector<double>& residuals, bool noise_known) {
-  const Eigen::Index n = static_cast<Eigen::Index>(numbers.size());
-  const double points = static_cast<double>(residuals.size()), free = points - static_cast<double>(n);
+ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t numbers, bool noise_known, const std::vector<size_t>& series) {
+  ResidualStatistics s;
+  const std::vector<size_t> parts = series.empty() ? std::vector<size_t>{residuals.size()} : series;
+  s.points = s.effective_points = static_cast<double>(residuals.size());
   double squares = 0;
   for (const double r : residuals) squares += r * r;
+  const double free = s.points - static_cast<double>(numbers);
+  s.chi_squared = free > 0 ? squares / free : nan;
+  const double neighbours = autocorrelation(residuals, parts, 1);
+  if (neighbours > significant / std::sqrt(s.points)) {
+    s.correlation = neighbours;
+    double tau = 1;
+    for (size_t lag = 1; lag < residuals.size(); ++lag) {  // as far as it is positive: beyond is noise
+      const double one = autocorrelation(residuals, parts, lag);
+      if (one <= 0) break;
+      tau += 2 * one;
+    }
+    s.effective_points = std::max(1.0, s.points / tau);
+  }
+  s.chi_squared_limit = noise_known && free > 0 ? boost::math::quantile(boost::math::chi_squared(free), 1 - chance) / free : nan;
+  return s;
+}
+
+Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
+                         const std::vector<double>& residuals, bool noise_known, const std::vector<size_t>& series) {
+  const Eigen::Index n = static_cast<Eigen::Index>(numbers.size());
+  const double points = static_cast<double>(residuals.size()), free = points - static_cast<double>(n);
   Confidence c;
-  const double left = free > 0 ? std::sqrt(squares / free) : nan;
-  c.noise = noise_known ? 1 : left;
+  c.residuals = residual_statistics(residuals, numbers.size(), noise_known, series);
+  c.noise = noise_known ? 1 : std::sqrt(c.residuals.chi_squared);
+  // Numbers take more of fewer points: what is left is less than the noise by as much.
+  const double effective = c.residuals.effective_points, degrees = std::max(1.0, effective - static_cast<double>(n));
+  const double left = c.residuals.chi_squared * free * effective / (points * degrees);
+  const double spread = std::sqrt((noise_known ? std::max(1.0, left) : left) * points / effective);
   if (!noise_known && free <= 0)
     c.warnings.push_back(fmt::format("{:.0f} measured points do not tell how sure {} numbers are: give their noise, or more points", points, n));
-  if (noise_known && left > too_far)
-    c.warnings.push_back(fmt::format("the best fit is off by {:.2g} times the noise: the model misses something that was measured, and intervals are too narrow", left));
+  warn_of_misfit(c, noise_known);
 
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobian.transpose() * jacobian / (c.noise * c.noise));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(jacobian.transpose() * jacobian / (spread * spread));
   const Eigen::VectorXd& values_of_h = eigen.eigenvalues();
   const Eigen::MatrixXd& v = eigen.eigenvectors();
   const double top = std::max(values_of_h.maxCoeff(), 0.0);
@@ -94,7 +151,9 @@ Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::ve
   for (Eigen::Index k = 0; k < n; ++k)
     if (std::isfinite(variance[k])) covariance += variance[k] * v.col(k) * v.col(k).transpose();
   c.correlation = Eigen::MatrixXd::Identity(n, n);
-  const double t = noise_known || !(free > 0) ? 1.959964 : boost::math::quantile(boost::math::students_t(free), 0.975);
+  // Where the spread is that of the residuals, it is as uncertain as they are few.
+  const bool estimated = free > 0 && (!noise_known || c.residuals.correlation > 0);
+  const double t = estimated ? boost::math::quantile(boost::math::students_t(degrees), 0.975) : 1.959964;
   for (Eigen::Index i = 0; i < n; ++i) {
     double sigma = std::sqrt(covariance(i, i));
     for (Eigen::Index k = 0; k < n; ++k)

@@ -1,8 +1,12 @@
 // How well data determine the numbers that were fitted to them, as far as residuals are linear around the best point.
 //
 // With J = d residuals / d u and the standard deviation s of a residual, H = J^T J / s^2 and C = H^-1 hold for independent errors; s is 1 where noise is
-// known (residuals are in units of it), else |r| / sqrt(points - numbers). An interval holds the true value with 95%: +-t s_i, t that of Student's distribution, or
-// 1.96. Eigenvectors of H with large eigenvalues are what the data determine: v_1 ln a + v_2 ln b is that of a^v_1 b^v_2.
+// known (residuals are in units of it), else |r| / sqrt(points - numbers).
+// Residuals that follow each other are correlated where the noise is, or where the model misses something. n points then tell as much as n / tau, tau their
+// integrated autocorrelation time, and C is multiplied by tau. Where known noise is exceeded, C is also multiplied by chi^2 per degree of freedom (Birge).
+// An interval holds the true value with 95%: +-t s_i, t that of Student's distribution for n / tau - numbers, or 1.96; unless the model is wrong, whose bias
+// no interval holds: `fits` says whether there is evidence of that.
+// Eigenvectors of H with large eigenvalues are what the data determine: v_1 ln a + v_2 ln b is that of a^v_1 b^v_2.
 #pragma once
 
 #include <string>
@@ -19,8 +23,23 @@ struct DeterminedCombination {
   std::string text;             // "strength^0.02 work", the largest power being 1
 };
 
+// What the residuals of the best fit tell of its errors.
+struct ResidualStatistics {
+  double points = 0;
+  double correlation = 0;       // of neighbours; 0 where it could be chance
+  double effective_points = 0;  // points / tau
+  double chi_squared = 0;       // per degree of freedom, of residuals in units of the noise; NaN without such degrees
+  double chi_squared_limit = 0;  // which noise alone exceeds in 1 of 100 fits; NaN where the noise is not known
+};
+
+// series: how many residuals follow each other, of each experiment; empty: all do.
+ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t numbers, bool noise_known,
+                                       const std::vector<size_t>& series = {});
+
 struct Confidence {
   double noise = 1;                         // s; of residuals
+  ResidualStatistics residuals;
+  bool fits = true;                         // no evidence that the model misses what was measured
   std::vector<double> sigma;                // of u: 0.05 is 5% of the value on a logarithmic scale; infinite if nothing is known
   std::vector<double> low, high;            // of values, 95%; on a logarithmic scale never below zero, infinite if nothing is known
   Eigen::MatrixXd correlation;              // of u; NaN where a sigma is infinite
@@ -31,8 +50,8 @@ struct Confidence {
 // Above this, a number counts as not determined.
 inline constexpr double largest_sigma = 0.25;
 
-// `noise_known`: residuals are in units of it. `values`: the best ones.
+// `noise_known`: residuals are in units of it. `values`: the best ones. `series`: as above.
 Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
-                         const std::vector<double>& residuals, bool noise_known);
+                         const std::vector<double>& residuals, bool noise_known, const std::vector<size_t>& series = {});
 
 }  // namespace tack

@@ -21,13 +21,19 @@ export function calibrationWarnings({ warnings = [] }) {
   return warnings.length > 0 && h("div", { class: "notice warnings", role: "note" }, h("p", {}, "What to know of the result:"), h("ul", {}, warnings.map((text) => h("li", {}, text))));
 }
 
-function numbers({ numbers: all = [] }) {
+// Green where the data determine a number and the model follows them; a number of a model that misses something is open.
+function trust(number, fits) {
+  if (!number.determined) return "bad";
+  return fits === false ? "open" : "good";
+}
+
+function numbers({ numbers: all = [], fits }) {
   const interval = ({ low, high, unit }) => (low === null || high === null || low === undefined ? "not known" : `${scaledNumber(low, unit)} to ${scaledNumber(high, unit)}`);
   const sigma = ({ scale, sigma: s, from, to, unit }) => (scale === "log" ? percent(s) : s === null || s === undefined ? "not known" : scaledNumber((s * (to - from)) / 3, unit));
   const derivatives = ({ derivatives: from, why_differences: why }) =>
     from === "run" ? "of the run itself" : from === "differences" ? (why ? `differences of runs: ${why}` : "differences of runs") : "not known";
   return section("numbers", "The numbers", plainTable(["number", "value", "95 % interval", "standard deviation", "searched from", "to", "derivatives", "keys"],
-    all.map((n) => [n.name, h("strong", {}, scaledNumber(n.value, n.unit)), interval(n), h("span", { class: `mark ${n.determined ? "good" : "bad"}` }, sigma(n)), scaledNumber(n.from, n.unit),
+    all.map((n) => [n.name, h("strong", {}, scaledNumber(n.value, n.unit)), interval(n), h("span", { class: `mark ${trust(n, fits)}` }, sigma(n)), scaledNumber(n.from, n.unit),
       scaledNumber(n.to, n.unit), derivatives(n), [...new Set(Object.values(n.keys ?? {}).flat())].join(", ")]), "The numbers"));
 }
 

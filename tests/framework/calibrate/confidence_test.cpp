@@ -98,3 +98,80 @@ TEST_CASE("a fit that leaves more than the noise, and one of too few points, are
   const Confidence few = confidence_of(two(), {1, 1}, j.topRows(2), {0.1, 0.1}, false);
   CHECK(mentions(few.warnings, "2 measured points do not tell how sure 2 numbers are"));
 }
+
+namespace {
+
+struct Coverage {
+  double held = 0, flagged = 0, held_or_flagged = 0, width = 0;
+};
+
+// Straight lines a + b x through 100 points of the truth 1 + 2 x + bend x^2, with noise of deviation 0.1 that is correlated from one point to the next. With s the
+// deviation that is known or not, least squares give a and b in closed form.
+Coverage of_lines(double bend, double correlated, bool known, double said = 0.1) {
+  const int n = 100, fits = 200;
+  std::vector<FittedNumber> line = two(false);
+  for (FittedNumber& number : line) number.from = 0, number.to = 3;  // u is the value
+  Eigen::MatrixXd j(n, 2);
+  for (int i = 0; i < n; ++i) j.row(i) << 1, i / double(n);
+  Coverage c;
+  for (int seed = 1; seed <= fits; ++seed) {
+    Noise random(static_cast<unsigned>(seed));
+    Eigen::VectorXd y(n);
+    double error = random.next();
+    for (int i = 0; i < n; ++i) {
+      const double x = j(i, 1);
+      y[i] = 1 + 2 * x + bend * x * x + 0.1 * error;
+      error = correlated * error + std::sqrt(1 - correlated * correlated) * random.next();
+    }
+    const Eigen::VectorXd best = (j.transpose() * j).ldlt().solve(j.transpose() * y);
+    const double unit = known ? said : 1;
+    const Eigen::VectorXd r = (j * best - y) / unit;
+    const Confidence one = confidence_of(line, {best[0], best[1]}, j / unit, {r.data(), r.data() + n}, known);
+    const bool held = one.low[1] <= 2 && 2 <= one.high[1];
+    c.held += held / double(fits);
+    c.flagged += !one.fits / double(fits);
+    c.held_or_flagged += (held || !one.fits) / double(fits);
+    c.width += (one.high[1] - one.low[1]) / fits;
+  }
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("intervals hold the truth, or the fit is flagged", "[calibrate]") {
+  for (const bool known : {true, false}) {
+    CAPTURE(known);
+    const Coverage white = of_lines(0, 0, known);
+    CHECK(white.held >= 0.93);
+    CHECK(white.flagged <= 0.06);
+    CHECK(white.width == Approx(2 * 1.96 * 0.1 / std::sqrt(100 / 12.)).epsilon(0.05));
+
+    const Coverage correlated = of_lines(0, 0.9, known);
+    UNSCOPED_INFO("correlated: held " << correlated.held << ", flagged " << correlated.flagged);
+    CHECK(correlated.held >= 0.8);
+    CHECK(correlated.held_or_flagged >= 0.99);
+    CHECK(correlated.width > 2.5 * white.width);
+
+    for (const double bend : {1.2, 3.0}) {
+      CAPTURE(bend);
+      CHECK(of_lines(bend, 0, known).flagged >= 0.97);
+      CHECK(of_lines(bend, 0.9, known).held_or_flagged >= 0.97);
+    }
+  }
+  // Noise that is larger than said.
+  const Coverage understated = of_lines(0, 0, true, 0.06);
+  CHECK(understated.flagged >= 0.99);
+  CHECK(understated.held >= 0.93);
+}
+
+TEST_CASE("residuals of one experiment do not follow those of another", "[calibrate]") {
+  std::vector<double> residuals;
+  for (int e = 0; e < 20; ++e)
+    for (int i = 0; i < 2; ++i) residuals.push_back(i == 0 ? 1 : -1);
+  residuals.insert(residuals.end(), residuals.begin(), residuals.end());
+  const std::vector<size_t> pairs(40, 2);
+  CHECK(residual_statistics(residuals, 2, true, pairs).effective_points == 80);
+  for (size_t i = 0; i < residuals.size(); ++i) residuals[i] = (i / 2) % 2 == 0 ? 1 : -1;
+  CHECK(residual_statistics(residuals, 2, true, pairs).effective_points == Approx(40));
+  CHECK(residual_statistics(residuals, 2, true, {80}).effective_points == 80);
+}
