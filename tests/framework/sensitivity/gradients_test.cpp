@@ -281,3 +281,51 @@ TEST_CASE("a run with gradients has the bits of one without, also resumed", "[se
   const auto resumed = run("resumed", true, 0, true);
   CHECK(file_text(resumed / "gradients.csv") == file_text(with / "gradients.csv"));
 }
+
+// Scenes of every kind of state that a neighbour has, none of which but one asks what was dissipated.
+TEST_CASE("checkpoints end no run with gradients, and resumed runs have the same derivatives", "[sensitivity]") {
+  const TemporaryFolder folder;
+  struct Case {
+    std::string name, text, key;
+  };
+  std::vector<Case> cases{{"drawn", drawn, "objects.block.energies.0.young"}, {"pressed", pressed, "contact.barrier.stiffness"},
+                          {"parted", parted, "contact.pairs.0.adhesion.peak_traction"}, {"peeled", peeled, "contact.pairs.0.adhesion.peak_traction"},
+                          {"slid", slid("{iterations: 1}"), "contact.friction.mu"}, {"iterated", slid("{iterations: 30, until: 1e-9}"), "contact.friction.mu"}};
+  for (const char* integrator : {"implicit_euler", "newmark", "bdf2"}) cases.push_back({integrator, bounced(integrator), "objects.block.velocity.1"});
+  for (const std::string more : {"springs", "bonds"}) {
+    const bool springs = more == "springs";
+    const std::string hung = R"(
+time: {step: 1 ms, duration: 1 s}
+gravity: [0, -9.81, 0]
+objects:
+  - {name: ceiling, shape: {type: box, size: [30 mm, 2 mm, 30 mm], cells: [2, 1, 2]}, place: {translate: [0, 1.05 mm, 0]}, motion: [fixed]}
+  - name: block
+    shape: {type: box, size: [10 mm, 10 mm, 10 mm], cells: [2, 2, 2]}
+    place: {translate: [0, -5 mm, 0]}
+    energies: [{type: von_mises, young: 1 MPa, poisson: 0.3, density: 1000, yield_stress: 1 kPa}]
+)" + std::string(springs ? R"(interactions: [{type: spring, stiffness: 10 N/m, from: {object: block, select: {type: face, direction: [0, 1, 0]}}, to: {object: ceiling}}]
+)" : R"(contact: {distance: 0.04 mm, pairs: [{between: [block, ceiling], bond_distance: 0.06 mm, adhesion: {type: rcc, normal_stiffness: 1e8 Pa/m, work_of_adhesion: 1 J/m^2}}]}
+)") + "probes: [{name: height, type: centre_of_mass, object: block, direction: [0, 1, 0]}]\nsolver: {tolerance: 1e-9}\n";
+    cases.push_back({more, hung, "objects.block.energies.0.young"});
+  }
+  for (const Case& c : cases) {
+    INFO(c.name);
+    const auto run = [&](const std::string& name, const char* interval, int steps, bool resume) {
+      RunSettings settings;
+      settings.output = (folder.path() / c.name / name).string();
+      settings.steps = steps;
+      settings.resume = resume;
+      std::ostringstream told;
+      const std::string output = fmt::format("output: {{frames: false{}, gradients: [{{key: {}}}]}}\n", interval, c.key);
+      RecordedRun recorded(scene(c.text + output), settings, Provenance(), told, {});
+      CHECK(recorded.execute().status == RunStatus::done);
+      return read_csv(folder.path() / c.name / name / "gradients.csv");
+    };
+    const CsvTable without = run("without", "", 4, false), with = run("with", ", checkpoint_interval: 1 us", 4, false);
+    run("resumed", ", checkpoint_interval: 1 us", 2, false);
+    const CsvTable resumed = run("resumed", ", checkpoint_interval: 1 us", 4, true);
+    CHECK(resumed.rows == with.rows);
+    REQUIRE(with.rows.size() == 5);
+    for (size_t k = 1; k < with.rows[4].size(); ++k) CHECK(with.rows[4][k] == Approx(without.rows[4][k]).epsilon(1e-3).margin(1e-3 * std::abs(without.rows[4][1])));
+  }
+}
