@@ -225,11 +225,11 @@ int batch_command(const BatchOptions& options) {
   d.limits.memory = config.memory;
   d.limits.time_limit = config.time_limit;
   d.provenance = provenance_text(provenance_of(options.command_line, d.limits.threads));
+  check_names(d.plan, options.only);
   const std::filesystem::path root = RunFolder::chosen_root(options.output, config.name);
   const bool other = is_other_batch(BatchFolder{std::filesystem::weakly_canonical(root), nullptr}, d);
   const BatchFolder folder = options.dry_run ? BatchFolder{std::filesystem::weakly_canonical(root), nullptr} : BatchFolder::opened(root, other);
   if (folder.moved_aside && !options.quiet) fmt::print("another batch that was there is moved to {}\n", folder.moved_aside->string());
-  check_names(d.plan, options.only);
   std::vector<const BatchCase*> open = open_cases(folder, d.plan, options.failed);
   const size_t done = d.plan.cases.size() - open.size();
   std::erase_if(open, [&](const BatchCase* one) { return !is_named(options.only, *one); });

@@ -22,7 +22,7 @@ int compare_command(const CompareOptions& options) {
   const CompareConfig config = load_comparison(options.file.file, options.file.overrides);
   const std::vector<CompareCase> cases = cases_of(config);
   const RunFolder folder =
-      RunFolder::create(RunFolder::chosen_root(options.output, config.name), RunFolder::Content::anything);
+      RunFolder::create(RunFolder::chosen_root(options.output, config.name));
   if (folder.moved_aside() && !options.quiet) fmt::print("earlier results moved to {}\n", folder.moved_aside()->string());
   const Comparison result = compare(config, cases, [&](const std::string& line) {
     if (!options.quiet) fmt::print("{}\n", line);

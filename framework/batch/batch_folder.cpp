@@ -17,7 +17,7 @@ BatchFolder BatchFolder::found(const fs::path& root) {
 
 BatchFolder BatchFolder::opened(const fs::path& root, bool other) {
   BatchFolder folder{fs::weakly_canonical(fs::absolute(root)), nullptr};
-  if (other || !fs::exists(folder.description())) folder.moved_aside = RunFolder::create(folder.root, RunFolder::Content::anything).moved_aside();
+  if (other || !fs::exists(folder.description())) folder.moved_aside = RunFolder::create(folder.root).moved_aside();
   folder.lock = std::make_shared<FolderLock>(folder.root);
   std::error_code failed;
   for (const char* name : {"scenes", "cases", "state", "output"}) {

@@ -26,7 +26,7 @@ std::string name_in(const fs::path& description) {
 CalibrationFolder CalibrationFolder::opened(const fs::path& root, const std::string& name) {
   CalibrationFolder folder{fs::weakly_canonical(fs::absolute(root)), {}, nullptr};
   if (name_in(folder.description()) != name) {
-    folder.moved_aside = RunFolder::create(folder.root, RunFolder::Content::anything).moved_aside();
+    folder.moved_aside = RunFolder::create(folder.root).moved_aside();
     replace_file(folder.description(), nlohmann::json{{"name", name}, {"status", "running"}}.dump(2) + "\n");
   }
   folder.lock = std::make_shared<FolderLock>(folder.root);

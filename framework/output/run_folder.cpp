@@ -59,15 +59,12 @@ std::optional<fs::path> make_way(const fs::path& root) {
 
 }  // namespace
 
-RunFolder RunFolder::create(const fs::path& root, Content content) {
+RunFolder RunFolder::create(const fs::path& root) {
   try {
     RunFolder made(real_path(root));
     made.moved_aside_ = make_way(made.root_);
     fs::create_directories(made.root_);
     made.lock_ = std::make_shared<FolderLock>(made.root_);
-    if (content == Content::anything) return made;
-    fs::create_directory(made.frames());
-    fs::create_directory(made.checkpoints());
     return made;
   } catch (const fs::filesystem_error& e) {
     refuse_folder(root, fmt::format("cannot be made ({})", e.code().message()));

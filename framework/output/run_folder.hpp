@@ -17,11 +17,10 @@ namespace tack {
 
 class RunFolder {
  public:
-  enum class Content { run, anything };
-  // Makes the folder, of a run with frames/ and checkpoints/ inside. Refuses a folder that holds anything but
-  // a run, a file of that name, and the working directory itself or one around it. root() is
+  // Makes the folder; frames/, checkpoints/ and problems/ are made when there is something to put there. Refuses a
+  // folder that holds anything but a run, a file of that name, and the working directory itself or one around it. root() is
   // absolute and without links.
-  static RunFolder create(const std::filesystem::path& root, Content content = Content::run);
+  static RunFolder create(const std::filesystem::path& root);
 
   // The folder of an earlier run, to go on with it.
   static RunFolder open(const std::filesystem::path& root);
@@ -44,7 +43,7 @@ class RunFolder {
   std::filesystem::path log() const { return root_ / "log.txt"; }
   std::filesystem::path frames() const { return root_ / "frames"; }
   std::filesystem::path checkpoints() const { return root_ / "checkpoints"; }
-  std::filesystem::path problems() const { return root_ / "problems"; }  // made when it is needed
+  std::filesystem::path problems() const { return root_ / "problems"; }
 
   // frames/frame_000012.vtu, relative to root().
   static std::filesystem::path frame(int number);

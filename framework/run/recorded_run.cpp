@@ -338,6 +338,8 @@ void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   file.warnings = summary_.warnings;
   file.linear_solver = summary_.linear_solver;
   file.remeshings = summary_.remeshings;
+  std::error_code failed;  // which writing tells
+  std::filesystem::create_directory(path.parent_path(), failed);
   write_state_file(path, file);
 }
 

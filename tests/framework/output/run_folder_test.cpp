@@ -19,12 +19,13 @@ std::string text_of(const fs::path& path) {
 
 }  // namespace
 
-TEST_CASE("a run gets its folders") {
+TEST_CASE("a run gets its folder, and others in it once there is something to put there") {
   const TemporaryFolder folder;
   const RunFolder run = RunFolder::create(folder.path() / "results" / "tape");
   CHECK(run.root() == folder.path() / "results" / "tape");
-  CHECK(fs::is_directory(run.frames()));
-  CHECK(fs::is_directory(run.checkpoints()));
+  CHECK(fs::is_directory(run.root()));
+  CHECK_FALSE(fs::exists(run.frames()));
+  CHECK_FALSE(fs::exists(run.checkpoints()));
   CHECK_FALSE(run.moved_aside());
   CHECK(run.steps() == run.root() / "steps.csv");
   CHECK(run.root() / RunFolder::frame(12) == run.frames() / "frame_000012.vtu");
@@ -51,7 +52,7 @@ TEST_CASE("a run behind a link is moved aside where it lies") {
   fs::create_directory_symlink(disk, folder.path() / "link");
   const RunFolder run = RunFolder::create(folder.path() / "link");
   CHECK(text_of(folder.path() / "disk" / "tape.1" / "log.txt") == "old");
-  CHECK(fs::is_directory(disk / "frames"));
+  CHECK(fs::is_directory(disk));
   CHECK(run.root() == fs::canonical(disk));
   CHECK(fs::is_symlink(folder.path() / "link"));
 }
@@ -82,6 +83,7 @@ TEST_CASE("the working directory is never moved") {
   const fs::path before = fs::current_path();
   const TemporaryFolder folder;
   const RunFolder run = RunFolder::create(folder.path() / "tape");
+  fs::create_directory(run.frames());
   fs::current_path(run.frames());
   CHECK_THROWS_WITH(RunFolder::create("."), Catch::Contains("working directory"));
   CHECK_THROWS_WITH(RunFolder::create(run.root()), Catch::Contains("working directory"));
@@ -106,7 +108,7 @@ TEST_CASE("two runs do not write into one folder") {
     CHECK_THROWS_WITH(RunFolder::create(root), Catch::Contains(root.string() + ": another run (process ") &&
                                                    Catch::Contains("choose another results folder with -o"));
     CHECK_THROWS_WITH(RunFolder::open(root), Catch::Contains("another run"));
-    CHECK(fs::exists(first.frames()));
+    CHECK(fs::exists(first.root()));
     CHECK_FALSE(fs::exists(root.string() + ".1"));
     const RunFolder copy = first;  // one lock for both
   }
