@@ -10,6 +10,7 @@
 #include "framework/config/yaml_text.hpp"
 #include "framework/output/checkpoints.hpp"
 #include "geometry/checksum.hpp"
+#include "geometry/own_library.hpp"
 
 namespace tack {
 namespace {
@@ -50,6 +51,12 @@ const std::string& CaseResolver::digest_of_file(const std::string& name) {
   return known->second;
 }
 
-std::string program_digest() { return file_digest("/proc/self/exe"); }
+std::string program_digest() {
+  std::string digest = file_digest("/proc/self/exe");
+  // Those that are built: a library that is built later makes cases run once more.
+  for (const char* library : {"libtack_further.so", "libtack_meshing.so", "libtack_msh.so"})
+    if (const std::string one = file_digest(own_library_path(library)); !one.empty()) digest += "+" + one;
+  return digest;
+}
 
 }  // namespace tack

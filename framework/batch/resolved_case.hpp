@@ -14,7 +14,7 @@ struct ResolvedCase {
   LoadedExperiment loaded;
   Value resolved;      // with units as comments
   std::string scene;   // the same as YAML
-  std::string digest;  // of the scene, the files that it reads and the program
+  std::string digest;  // of the scene, the files that it reads, the program and its libraries
 };
 
 class CaseResolver {
@@ -33,7 +33,7 @@ class CaseResolver {
   std::map<std::string, std::string> files_;  // each is read once
 };
 
-// Size and checksum of the running program.
+// Sizes and checksums of the running program and of its libraries that are built: what makes meshes, reads them, and further components.
 std::string program_digest();
 
 }  // namespace tack
