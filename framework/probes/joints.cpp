@@ -40,8 +40,6 @@ DofMap unjoined(const World& world, const State& state) {
 Eigen::MatrixXd multipliers(const World& world, const State& state) {
   const DofMap dofs = unjoined(world, state);
   VecX unbalanced = unbalanced_forces(world, state);
-  if (state.contact.size() > 0)
-    for (int v = 0; v < dofs.vertex_count(); ++v) vertex(unbalanced, v) += world.mass(v) * vertex(state.contact, v);
   dofs.collect(unbalanced);
   std::vector<Eigen::Triplet<double>> entries;  // block, relation, weight
   int relations = 0;
