@@ -20,18 +20,22 @@ class EdgeStretching {
   int count() const { return static_cast<int>(edges_.size()); }
   StencilBatch batch() const { return {2, count(), edges_.empty() ? nullptr : edges_.front().data()}; }
 
-  double value(const VecX& x) const {
+  // lengths: of each edge, instead of those at rest; null: those.
+  double value(const VecX& x, const double* lengths = nullptr) const {
     return sum_chunks(count(), [&](int first, int last) {
       double sum = 0;
-      for (int e = first; e < last; ++e) sum += springs_[e].energy(span(e, x));
+      for (int e = first; e < last; ++e) sum += spring(e, lengths).energy(span(e, x));
       return sum;
     });
   }
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian, const double* lengths = nullptr) const {
     for_each(count(), [&](int e) {
-      springs_[e].derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
-                              hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);
+      spring(e, lengths).derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
+                                     hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);
     });
+  }
+  void lengths(const VecX& x, double* out) const {
+    for (int e = 0; e < count(); ++e) out[e] = span(e, x).norm();
   }
   // See ResidualView: one for each edge.
   ResidualBatch residual_batch() const { return {2, 1, count(), batch().vertices}; }
@@ -40,6 +44,7 @@ class EdgeStretching {
   }
 
  private:
+  PairSpring spring(int e, const double* lengths) const { return lengths ? PairSpring{springs_[e].stiffness, lengths[e]} : springs_[e]; }
   Vec3 span(int e, const VecX& x) const { return vertex(x, edges_[e][1]) - vertex(x, edges_[e][0]); }
 
   std::vector<Edge> edges_;

@@ -90,13 +90,20 @@ void RodTerm::commit(const VecX& x, History& history) const {
   history[memory_ + turns_name] = std::move(turns);
 }
 
-double RodTerm::value(const VecX& x) const {
-  return stretching_.value(x) + sum_chunks(pair_count(), [&](int first, int last) {
+VecX RodTerm::strains(const VecX& x) const {
+  VecX strains(stretching_.count() + 3 * pair_count());
+  stretching_.lengths(x, strains.data());
+  for_each(pair_count(), [&](int p) { strains.segment<3>(stretching_.count() + 3 * p) = bends_[p].strains(place(p, x)); });
+  return strains;
+}
+
+double RodTerm::value_of(const VecX& x, const double* strains) const {
+  return stretching_.value(x, strains) + sum_chunks(pair_count(), [&](int first, int last) {
     double sum = 0;
     for (int p = first; p < last; ++p) {
       const BendTwist::Place at = place(p, x);
       if (!BendTwist::within_reach(at.first) || !BendTwist::within_reach(at.second)) return std::numeric_limits<double>::infinity();
-      sum += (pairs_[p].root * (bends_[p].strains(at) - pairs_[p].rest)).squaredNorm() / 2;
+      sum += (pairs_[p].root * (bends_[p].strains(at) - rest_of(p, strains))).squaredNorm() / 2;
     }
     return sum;
   });
@@ -119,15 +126,15 @@ RodTerm::Chain RodTerm::chain(int p) const {
   return chain;
 }
 
-void RodTerm::derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const {
-  stretching_.derivatives(x, projection, gradient, hessian);
+void RodTerm::derivatives_of(const VecX& x, const double* strains, Projection projection, double* gradient, double* hessian) const {
+  stretching_.derivatives(x, projection, gradient, hessian, strains);
   gradient += 6 * static_cast<size_t>(stretching_.count());
   if (hessian) hessian += 27 * static_cast<size_t>(stretching_.count());
   for_each(pair_count(), [&](int p) {
     const Pair& pair = pairs_[p];
     BendTwist::Vec8 slope;
     BendTwist::Mat8 local;
-    bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, pair.rest, slope, hessian ? &local : nullptr);
+    bends_[p].derivatives(place(p, x), pair.root.transpose() * pair.root, rest_of(p, strains), slope, hessian ? &local : nullptr);
     // From the committed frames to x and arcs, then from edges to vertices: -1, 1 of the first and -1, 1 of the second.
     const std::array<Mat3, 2> back = {axes_[p][0].transpose(), (pair.second_from_end ? -1 : 1) * axes_[p][1].transpose()};
     const std::array<double, 2> arcs = {sign(pair, 0) / frames_->radius(), sign(pair, 1) / frames_->radius()};

@@ -12,6 +12,7 @@
 #include "energies/rod/bend_twist.hpp"
 #include "energies/rod/edge_stretching.hpp"
 #include "energies/rod/rod_pairs.hpp"
+#include "framework/core/strain_view.hpp"
 
 namespace tack {
 
@@ -27,7 +28,7 @@ struct RodRest {
   double twist = 0;              // 1/m
 };
 
-class RodTerm : public Term, public ResidualView {
+class RodTerm : public Term, public ResidualView, public StrainView {
  public:
   // frames: of these edges, perhaps among others. history: in which its arrays have the prefix `memory`.
   RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
@@ -36,9 +37,18 @@ class RodTerm : public Term, public ResidualView {
   void remember(const History& history) override;
   void commit(const VecX& x, History& history) const override;
 
-  double value(const VecX& x) const override;
+  double value(const VecX& x) const override { return value_of(x, nullptr); }
   std::vector<StencilBatch> batches() const override;
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+    derivatives_of(x, nullptr, projection, gradient, hessian);
+  }
+
+  // The lengths of the edges, then three strains of each pair.
+  VecX strains(const VecX& x) const override;
+  double value_from(const VecX& x, const VecX& rest) const override { return value_of(x, rest.data()); }
+  void derivatives_from(const VecX& x, const VecX& rest, Projection projection, double* gradient, double* hessian) const override {
+    derivatives_of(x, rest.data(), projection, gradient, hessian);
+  }
 
   // Stretches, and three strains of each pair.
   const ResidualView* residual_view() const override { return this; }
@@ -57,6 +67,12 @@ class RodTerm : public Term, public ResidualView {
     Vec3 rest;                       // likewise
   };
   int pair_count() const { return static_cast<int>(pairs_.size()); }
+  // From other strains than those at rest; null: from those.
+  double value_of(const VecX& x, const double* strains) const;
+  void derivatives_of(const VecX& x, const double* strains, Projection projection, double* gradient, double* hessian) const;
+  Vec3 rest_of(int pair, const double* strains) const {
+    return strains ? Vec3(Eigen::Map<const Vec3>(strains + stretching_.count() + 3 * static_cast<size_t>(pair))) : pairs_[pair].rest;
+  }
   Quaternion frame(const Pair& pair, int side) const;
   double sign(const Pair& pair, int side) const { return pair.backwards[side] ? -1 : 1; }
   void settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape, const VecX& rest);

@@ -5,7 +5,8 @@
 
 namespace tack {
 
-// Erases which sides integrate and the shares of rods and particles: surfaces are put elsewhere, by no step.
+// Erases which sides integrate and the shares of rods and particles: surfaces are put elsewhere, by
+// no step.
 void forget_contact_history(History& history);
 void forget_shares(History& history);  // of these the shares alone (share_memory.hpp)
 

@@ -175,7 +175,7 @@ void add_energies(const ObjectConfig& object, int index, World& world) {
     ++body.energy;
     if (!term) continue;
     if (object.damping && object.damping->stiffness > 0)
-      world.damping_terms.push_back(std::make_unique<StiffnessDamping>(*term, object.damping->stiffness));
+      world.damping_terms.push_back(stiffness_damping(*term, object.damping->stiffness));
     world.elastic_terms.push_back(std::move(term));
   }
   weigh_spins(index, world);

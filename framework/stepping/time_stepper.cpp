@@ -76,7 +76,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
 // Begins a step of no length at the state, so that terms can be asked for forces, energies and fields there before the first step is opened.
 void TimeStepper::begin_records() {
   const bool inertia = integrator_->predict(state_, time_.step).inertia;
-  const EndVelocity now{1, inertia ? VecX(state_.x - state_.v) : state_.x};
+  const EndVelocity now{1 / time_.step, inertia ? VecX(state_.x - time_.step * state_.v) : state_.x};
   world_.participants.begin_step({state_.x, state_.time, 0, &now, inertia ? &state_.v : nullptr});
 }
 

@@ -24,6 +24,7 @@ const std::vector<TetBody>& boxes() {
 const std::set<std::string> of_other_bodies = {
     "remembering",  // springs of tests/framework/stepping/history_test.cpp
   "tether",       // of tests/framework/core/records_test.cpp
+    "snapping",     // of tests/framework/stepping/dynamic_terms_test.cpp
     "unsplit",      // of tests/framework/scene/elements_test.cpp
     "test_middles", // of tests/framework/scene/interactions_test.cpp
     "stvk_membrane", "neo_hookean_membrane", "von_mises_membrane", "hinge_bending", "elastic_rod", "string", "particle"};

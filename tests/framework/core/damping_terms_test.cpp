@@ -32,7 +32,8 @@ TEST_CASE("stiffness damping: stencils of as many vertices as there may be") {
   const int n = largest_arity;
   const Wide wide(n);
   const double beta = 0.1, h = 0.01;
-  StiffnessDamping damping(wide, beta);
+  const auto owned = stiffness_damping(wide, beta);
+  DampingTerm& damping = *owned;
   const VecX start = VecX::Zero(3 * n);
   VecX end(3 * n);
   for (int i = 0; i < n; ++i) end.segment<3>(3 * i).setConstant(i + 1.0);
@@ -57,5 +58,5 @@ TEST_CASE("stiffness damping: stencils of as many vertices as there may be") {
 
 TEST_CASE("stiffness damping: stencils of more vertices are refused") {
   const Wide wide(largest_arity + 1);
-  CHECK_THROWS_WITH(StiffnessDamping(wide, 0.1), Catch::Contains(fmt::format("stencils of {} vertices, and {} are the most", largest_arity + 1, largest_arity)));
+  CHECK_THROWS_WITH(stiffness_damping(wide, 0.1), Catch::Contains(fmt::format("stencils of {} vertices, and {} are the most", largest_arity + 1, largest_arity)));
 }
