@@ -241,7 +241,7 @@ class PieceMaker {
     near_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
       if (!reaches(i, reach)) continue;
-      const int piece = thick && neighbours(group, mesh_.triangles[triangle(i)], reach) ? -1 : viewer_.piece_of(from, view, triangle(i));
+      const int piece = thick && neighbours(group, mesh_.triangles[triangle(i)], guard.range) ? -1 : viewer_.piece_of(from, view, triangle(i));
       near_.push_back({i, piece >= 0 && areas[piece] > 0 ? piece : -1});
     }
     for (int k = 0; k < view.count; ++k) {

@@ -106,12 +106,11 @@ bool RestGapFinder::is_far(const std::array<int, B>& vertices, double distance) 
 double RestGapFinder::of_point(const PointGroup& group, std::vector<std::array<int, 4>>& gaps) {
   const int p = group.point;
   const double range = shape_.reach[group.object];
-  // What faces a point of a surface without an offset presses, whether there is a gap or not.
-  const bool faces = shape_.pairs.offset(group.object, group.object) == 0;
+  // What faces a point presses, whether there is a gap or not; neighbours that are guarded against do not where there is an offset.
+  const double faces_from = shape_.pairs.offset(group.object, group.object) == 0 ? 0 : shape_.pairs.point(group.object, group.object).guard_range;
   const Viewpoint from = viewer_.vertex_view(p);
-  const FacingView view = faces ? viewer_.look(from, group.triangle_end - group.triangle_begin,
-                                               [&](int k) { return candidates_.point_triangle[group.triangle_begin + k][1]; })
-                                : FacingView();
+  const FacingView view = viewer_.look(from, group.triangle_end - group.triangle_begin,
+                                       [&](int k) { return candidates_.point_triangle[group.triangle_begin + k][1]; });
   double least = infinity;
   bool walked = false;
   const auto look = [&](const auto& vertices, bool over, bool seen, const std::array<int, 4>& key) {
@@ -121,7 +120,7 @@ double RestGapFinder::of_point(const PointGroup& group, std::vector<std::array<i
     if (over && !walked) walk_from(std::array{p}, neighbours_way * range), walked = true;
     const bool gap = over && is_far(vertices, distance);
     if (gap) gaps.push_back(key);
-    if (gap || seen) least = std::min(least, distance);
+    if (gap || (seen && distance >= faces_from)) least = std::min(least, distance);
   };
   for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
     const int triangle = candidates_.point_triangle[i][1];

@@ -17,11 +17,16 @@ constexpr double level_ratio = 0.98;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double own_reach(const PairTable& pairs, int object) {
+// How close to itself an object is of interest: of barriers, and of rods, whose pairs adhere only where they press [m].
+double own_reach(const ContactSurface& surface, const PairTable& pairs, int object) {
   double reach = 0;
+  const auto add = [&](int law) {
+    if (law >= 0) reach = std::max(reach, pairs.laws()[law].offset() + pairs.laws()[law].barrier_range());
+  };
   for (int part = -1; part < pairs.parts(object, object); ++part) {
     const PairRole& point = pairs.point(object, object, part);
-    reach = std::max({reach, point.range, point.guard_range, pairs.edge(object, object, part).range, pairs.thin(object, object, part).range});
+    for (const int law : {point.law, point.guard_law, pairs.edge(object, object, part).law}) add(law);
+    if (surface.rod_width[object] > 0) reach = std::max(reach, pairs.thin(object, object, part).range);
   }
   return reach;
 }
@@ -43,7 +48,7 @@ double rounded_down(double distance) {
 }  // namespace
 
 RestGaps::RestGaps(const ContactSurface& surface, PairTable& pairs) : surface_(surface), laws_(static_cast<int>(pairs.laws().size())) {
-  for (int object = 0; object < pairs.objects(); ++object) reach_.push_back(own_reach(pairs, object));
+  for (int object = 0; object < pairs.objects(); ++object) reach_.push_back(own_reach(surface, pairs, object));
   if (!pairs.plain_sums && std::any_of(reach_.begin(), reach_.end(), [](double reach) { return reach > 0; })) find_levels(pairs);
   add_laws(pairs);
 }
