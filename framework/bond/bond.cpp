@@ -7,7 +7,8 @@ namespace {
 
 constexpr double least_sum = 0.2;  // of two unit normals that have a middle
 
-// Of a side's triangle, whose vertices begin at `first` of the bond's.
+// Stores the unit normal and the barycentric gradients of a side's triangle at x. The triangle's
+// vertices begin at bond.vertices[first].
 void hold_side(Bond& bond, int side, int first, const VecX& x) {
   std::array<Vec3, 3> corner;
   for (int j = 0; j < 3; ++j) corner[j] = vertex(x, bond.vertices[first + j]);

@@ -10,13 +10,13 @@
 // The interface lies in the middle of the gap. So the moment that a traction has about a surface,
 // over contact offset and gap, acts on either side as a couple on its own triangle. A vertex of a
 // rod or a particle has no normal and no lever: the anchor takes the whole moment.
-// Frames are held in a step. With the gradients g_j of a triangle's barycentric coordinates, its
+// Frames are lagged in a step. With the gradients g_j of a triangle's barycentric coordinates, its
 // normal is at x
 //     n_S (1 - q/2 - q^2/8) - b_S,   b_S = sum_j g_j (n_S . x_j),   q = |b_S|^2,
 // which a tilt by an angle a gets right to a^6/16, and r seen from the frame, r_0 being that of
-// where frames are held, is
+// where frames were taken, is
 //     r + G sum_S b_S,   G = ((n . r_0) (I - n n^T) - n u_0^T) / L.
-// Bonds have no net force, and where their frames are held no moment.
+// Bonds have no net force, and where their frames were taken no moment.
 // Limits: a tilt by a in a step is off by a^2/2 of d and u; with a spin by b about the normal in
 // the same step by about a b / 2 of the lever, across. Triangles face each other by less than 168
 // degrees.
@@ -40,10 +40,10 @@ struct Bond {
   std::array<double, most> c{};
   double area = 0;        // m^2
   double rest = 0;        // distance of the unstressed place from the anchor's plane [m]
-  // Of the place's side, and of the anchor's.
+  // Per side: the place's, then the anchor's.
   std::array<double, 2> lever{0, 0};  // l_S [m]
   std::array<double, 2> side{1, 1};   // -1: n_S is opposite to the normal by the order of vertices
-  // The frame, as held.
+  // The lagged frame.
   Vec3 normal = Vec3::Zero();
   std::array<Vec3, 2> normals{Vec3::Zero(), Vec3::Zero()};
   std::array<Vec3, most> gradients{};  // g_j by vertex [1/m]; 0 of a place that is a vertex

@@ -1,16 +1,18 @@
-// A bond law: energy per area phi(d, s; m, h) [J/m^2] of a bond between a place on one surface and a place on another that stick to
-// each other: d [m], how far they have come apart along the normal since they bonded; s = |u|^2 [m^2], u across it; m, what the
-// bond remembers. It is the incremental potential of a step of size h [s]: the least, over all that m may become in the step, of the
-// energy stored then and what the change dissipates (Ortiz and Stainier 1999, The variational formulation of viscoplastic
-// constitutive updates). With h = 0 nothing changes: phi is the energy that is stored, 0 of a new bond where it was made.
+// A bond law: energy per area phi(d, s; m, h) [J/m^2] of a bond between a place on one surface and
+// a place on another that stick to each other: d [m], the opening along the normal since they
+// bonded; s = |u|^2 [m^2], u the slip across it; m, what the bond remembers. It is the incremental
+// potential of a step of size h [s]: the least, over all that m may become in the step, of the
+// energy stored then and what the change dissipates (Ortiz and Stainier 1999, The variational
+// formulation of viscoplastic constitutive updates). With h = 0 nothing changes: phi is the energy
+// that is stored, 0 of a new bond where it was made.
 // s, not |u|, is the argument: the force across, 2 phi_s u, needs no division by |u|.
-// Surfaces that are closer than as they bonded, d < 0, are pressed apart as they would be pulled
-// together at -d, the memory held:
+// Surfaces closer than when they bonded, d < 0, are pressed apart as they would be pulled together
+// at -d, with m fixed:
 //     phi(d, s; m, h) = phi(0, s; m, h) + phi(-d, s; m, 0) - phi(0, s; m, 0).
-// So a bond resists pressing with its normal stiffness, the less the more it is damaged, and
-// pressing damages nothing. Laws whose bonds heal under pressure leave pressing to the barrier
-// (resists_pressing): they heal at gaps at which they did not bond.
-// The formula of a law is asked for d >= 0 alone.
+// A bond thus resists pressing with its normal stiffness, which damage reduces. Pressing damages
+// nothing. Laws whose bonds heal under pressure leave pressing to the barrier (resists_pressing):
+// they heal at gaps at which they did not bond.
+// The formula of a law is evaluated at d >= 0 alone.
 //
 // To add one, derive from BondLawOf<MyLaw>, list the parameters in fields(), give the peak and the work, say what is remembered, and
 //     struct Memory { double damage = 0; };  // of a new bond; doubles only
@@ -21,8 +23,8 @@
 // (without memory, `struct Memory {};`, the energy is enough) and, where that is not all,
 //     Memory begin(bool on_contact) const;                       // of a new bond: at the start of a run, or when surfaces met
 //     Memory heal(const Memory& m, const BondPlace& at) const;   // what a pressure makes of it, after the step
-//     double kept(const Memory& before, const Memory& healed) const;  // the share of opening and slip
-//                                                                     // that healing leaves; else 1
+//     // The fraction of opening and slip that healing leaves; else 1.
+//     double kept(const Memory& before, const Memory& healed) const;
 //     double intensity(const Memory& m) const;                   // of a whole bond 1, of one without strength 0: for records
 // then TACK_REGISTER it in the same file, as an AdhesionLaw.
 #pragma once
@@ -38,7 +40,7 @@
 
 namespace tack {
 
-// Where a bond is at the end of a step. Laws see d >= 0.
+// State of a bond at the end of a step. Laws see d >= 0.
 struct BondPlace {
   double d = 0, s = 0;  // m, m^2
   double h = 0;         // the size of the step [s]
@@ -55,7 +57,7 @@ struct BondSample {
 struct BondChange {
   double dissipated = 0;
   double healed = 0;  // what healing took from what is stored; below zero, what it put in
-  double kept = 1;    // the share of its opening and slip that the bond keeps: what has healed is unstressed
+  double kept = 1;    // fraction of opening and slip left: what has healed is unstressed
   bool gone = false;
 };
 
@@ -64,7 +66,8 @@ class BondLaw : public AdhesionLaw {
   virtual std::unique_ptr<BondLaw> clone() const = 0;
   // Whether bonds are made, unless the pair says, whenever surfaces meet, and not at the start of a run alone.
   virtual bool bonds_on_contact() const { return false; }
-  // Whether a bond pushes where the surfaces are closer than as they bonded; else the barrier alone.
+  // Returns whether a bond resists d < 0, surfaces closer than when they bonded. If not, the
+  // barrier alone does.
   virtual bool resists_pressing() const { return true; }
   // Of what is not the minimum over a step but integrated: steps have to be shorter [s].
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
@@ -183,7 +186,7 @@ class BondLawOf : public BondLaw {
 
  private:
   const Law& law() const { return static_cast<const Law&>(*this); }
-  // What it stores beyond d = 0 by being pressed.
+  // Returns the energy per area stored at d < 0, less that at d = 0 [J/m^2].
   template <class Memory>
   double pressed(double d, double s, const Memory& m) const {
     if (!(d < 0 && resists_pressing())) return 0;

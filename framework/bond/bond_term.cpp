@@ -268,7 +268,8 @@ BondChange BondTerm::advance(int bond, const VecX& x, std::vector<double>& memor
   return change;
 }
 
-// Whether the place has slid off the surface of its anchor, which it no longer faces: looked at from a slip as long as the bond's area is wide.
+// Returns whether the place has slid off the surface of its anchor, which it no longer faces. Slips
+// up to the width of the bond's area are not examined.
 bool BondTerm::slid_off(const Bond& bond, const VecX& x) const {
   if (opening_of(bond, x).s <= bond.area) return false;
   return !facing_triangle(system_.held().topology(), system_.surface().mesh, x, bond.anchor, place_at(bond, x));

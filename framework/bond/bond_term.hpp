@@ -1,9 +1,11 @@
 // The potential of bonds, P = sum_k w_k phi(d_k, |u_k|^2; m_k, h) (bond.hpp, bond_law.hpp), with
 //     gradient by x_i:  w B_i^T f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w B_i^T H B_j,
-//     B_i = c_i I + v_i n_S^T of a vertex of the side S, which adds l_S (f . n_S) of that side's levers to the Hessian,
+//     B_i = c_i I + v_i n_S^T  for a vertex i of the side S,
 //     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
-// which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. Where d < 0 bonds press (bond_law.hpp),
-// beside the barrier; friction counts what the barrier presses with. One term for both directions: what one does to the memory counts for the other.
+// which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. The levers
+// of each side S add terms with the factor l_S (f . n_S) to the Hessian. At d < 0 bonds press
+// (bond_law.hpp), beside the barrier. Friction counts the pressure of the barrier alone.
+// One term covers both directions, as both change the same memory.
 // Bonds are history: a step begins with those that are remembered and the new ones that the start of the step allows, and what it
 // made of them is remembered when it is kept.
 #pragma once
@@ -30,7 +32,8 @@ class BondTerm : public Term {
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
-  void mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
+  void mark_letting_go(const VecX& from, const VecX& to,
+                       std::vector<char>& vertices) const override;
 
   // What presses at each bond of the list in this step [Pa], of a stepper that knows it; otherwise it is the barrier.
   void press(std::vector<double> pressures) { pressures_ = std::move(pressures); }
@@ -42,8 +45,8 @@ class BondTerm : public Term {
   Changes changes(const VecX& x) const;
   void publish(Records& records) const override;
 
-  // The force of each bond of the list on its place; on the anchor acts the opposite [N]. Its part
-  // that presses belongs to the barrier, all else is adhesion.
+  // Returns the force of each bond of the list on its place [N]. The opposite force acts on the
+  // anchor. Forces that press belong to the barrier, all others to adhesion.
   std::vector<Vec3> pulls(const VecX& x, LawPart part = LawPart::all) const;
   // The forces of bonds on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;

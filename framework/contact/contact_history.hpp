@@ -1,4 +1,4 @@
-// What contact remembers of the step before, beside bonds.
+// History variables of contact from the step before, other than bonds.
 #pragma once
 
 #include "framework/core/history.hpp"

@@ -14,7 +14,8 @@ bool softens(const PairLaw& law, double distance) {
   return s.slope > 0 && s.curvature * (distance - law.offset()) < -softening * s.slope;
 }
 
-// Whether the sides are held at `distance`, and no longer at `end`, farther apart.
+// Returns whether the sides adhere at `distance` and no longer at `end`, farther apart: there the
+// law softens or is out of range.
 bool lets_go(const PairLaw& law, double range, double distance, double end) {
   return end > distance && distance < range && !softens(law, distance) && (!(end < range) || softens(law, end));
 }

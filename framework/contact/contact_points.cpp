@@ -30,7 +30,7 @@ void add_laws_of_area(const PairTable& pairs, int a, int b, std::vector<char>& l
   }
 }
 
-// Those that are cut down stand for what the whole ones do.
+// Marks each cut-down law for which the whole law that it replaces is marked, and no other one.
 std::vector<char> with_cut_down(const PairTable& pairs, std::vector<char> laws) {
   for (size_t law = 0; law < laws.size(); ++law) laws[law] = laws[pairs.whole(static_cast<int>(law))];
   return laws;

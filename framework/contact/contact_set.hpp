@@ -63,7 +63,7 @@ struct ContactSurface {
   std::vector<double> rod_width;        // per object: of its edges that are in no triangle [m]
   std::vector<double> particle_radius;  // per object: of its points that are in no edge [m]
   VecX rest;                            // rest configuration
-  std::shared_ptr<const RestGaps> rest_gaps;  // of each object to itself; null: every pair has its whole law
+  std::shared_ptr<const RestGaps> rest_gaps;  // of each object to itself; null: no law is cut down
 
   template <std::size_t K>
   bool is_particle(const std::array<int, K>& vertices) const {
@@ -74,8 +74,8 @@ struct ContactSurface {
 // The candidates between objects a and b.
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b);
 
-// The smallest gaps among the candidates: the distance less what the objects fill of it (rest_neighbours.hpp) [m]. Infinity without
-// candidates.
+// Smallest gaps among the candidates [m]: the distance less the offset that counts between the two
+// primitives (filled_between, rest_neighbours.hpp). Infinity without candidates.
 struct SmallestGaps {
   double of_all = 0;
   double between_objects = 0;  // without what an object has to itself

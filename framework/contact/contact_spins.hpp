@@ -3,12 +3,14 @@
 // particle has three arcs at its radius of gyration r, one for each axis of space. With the unit
 // normal n from the opposite side to the point of contact, a rotation w of either side adds
 //     R n x w
-// to the slip: the material at the contact lies R before the axis. Each number thus has a direction,
+// to the slip: the material at the contact lies R before the axis. Each number has a direction,
 //     (R / r) n x t  of a rod,    (R / r) n x e_k  of a particle,
 // by which a change of the number moves the point of contact as seen from the other side.
-//     Limits: the lever is the contact offset and not the gap beside it, so the moment of friction
-// over the gap is left out, as it is between all surfaces; a rod does not tilt by friction along it;
-// vertices where more than two edges meet do not turn.
+//     Limits:
+//  * The lever is the contact offset without the gap beside it. The moment of friction over the gap
+//    is left out, as between all surfaces.
+//  * A rod does not tilt by friction along it.
+//  * Vertices where more than two edges meet do not turn.
 #pragma once
 
 #include <array>
@@ -30,15 +32,17 @@ class ContactSpins {
     void add(int number, const Vec3& direction);
   };
 
-  explicit ContactSpins(int vertices = 0) : particle_(vertices, {-1, -1, -1}), lever_(vertices, 0), rods_(vertices) {}
+  explicit ContactSpins(int vertices = 0)
+      : particle_(vertices, {-1, -1, -1}), lever_(vertices, 0), rods_(vertices) {}
 
   // arcs: the numbers for the axes x, y, z. lever: R / r.
   void add_particle(int vertex, const std::array<int, 3>& arcs, double lever);
   void add_rod(const Edge& edge, int arc, double lever);
 
   bool empty() const { return !any_; }
-  // Appends the columns of a vertex, an edge or a triangle that touches, by its vertices; x: 3n [m].
-  void append(std::span<const int> vertices, const Vec3& normal, const VecX& x, Columns& columns) const;
+  // Appends the columns of a vertex, an edge or a triangle in contact, by its vertices; x: 3n [m].
+  void append(std::span<const int> vertices, const Vec3& normal, const VecX& x,
+              Columns& columns) const;
 
  private:
   struct RodEdge {

@@ -28,7 +28,8 @@ class ContactTerm : public Term {
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
   const ResidualView* residual_view() const override { return &residuals_; }
-  void mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const override;
+  void mark_letting_go(const VecX& from, const VecX& to,
+                       std::vector<char>& vertices) const override;
   void publish(Records& records) const override;
 
   double part_value(const VecX& x, LawPart part) const;

@@ -26,11 +26,13 @@ namespace tack {
 class FrictionTerm : public Term, public ResidualView {
  public:
   // system, normal: must outlive the term. spins: of what turns by friction.
-  FrictionTerm(const ContactSystem& system, const ContactTerm& normal, ContactSpins spins = ContactSpins());
+  FrictionTerm(const ContactSystem& system, const ContactTerm& normal,
+               ContactSpins spins = ContactSpins());
 
   void forget() override { take({}); }
   void begin_step(const StepStart& start) override;
-  // Takes magnitudes and tangents at x, where the contact system must be. Nothing slides in a step of no length: such a step has no points.
+  // Takes magnitudes and tangents at x, where the contact system must be. A step of zero length has
+  // no points, as nothing slides in it.
   bool lags() const override { return true; }
   void lag(const VecX& x) override { take(h_ > 0 ? lagged_at(x) : ContactPoints()); }
   // What lag(x) would hold.
@@ -74,7 +76,7 @@ class FrictionTerm : public Term, public ResidualView {
   const ContactPoints& points() const { return points_; }
 
  private:
-  // What friction acts on from now on.
+  // Sets the contact points on which friction acts from now on.
   void take(ContactPoints points);
   const ContactPoints& sliding() const { return spins_.empty() ? points_ : sliding_; }
   VecX forces_of(const ContactPoints& sliding, const std::vector<RollingGroup>& rolling,

@@ -20,10 +20,11 @@ class PairLaw {
   void add(std::shared_ptr<const NormalLaw> law) { laws_.push_back(std::move(law)); }
   double range() const;
   double barrier_range() const;  // of its largest barrier alone, as a gap [m]; 0 without any
-  // The law of two places of one object that are this far apart at rest [m]: less of the offset, and a barrier that begins there
-  // at the latest. Pressures are those of the whole law at the same fraction of the barrier's range. Adhesion stays as it is.
+  // Returns the law between two points of one object that are `distance` apart at rest [m]. The
+  // offset is reduced, and the barrier begins at `distance` at the latest. Pressures are those of
+  // the whole law at the same fraction of the barrier's range. Adhesion stays as it is.
   PairLaw from_rest(double distance) const;
-  // What is left of an offset where two places are that far apart at rest [m].
+  // Returns the offset that remains where two points are `distance` apart at rest [m].
   static double offset_from_rest(double offset, double distance);
   void samples(int n, const double* d, LawSample* out) const;  // overwrites
   void values(int n, const double* d, double* out) const;      // overwrites

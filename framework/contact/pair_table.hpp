@@ -85,7 +85,7 @@ class PairTable {
     whole_.push_back(static_cast<int>(laws_.size()) - 1);
     return whole_.back();
   }
-  // A law that acts in place of another one where an object is close to itself at rest (rest_gaps.hpp).
+  // Adds a law that replaces `law` where an object is close to itself at rest (rest_gaps.hpp).
   int add_cut_down(int law, PairLaw cut_down) {
     const int added = add_law(std::move(cut_down), TangentialLaw(tangential_[law]));
     whole_[added] = law;

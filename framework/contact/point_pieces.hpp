@@ -65,7 +65,7 @@ struct EarlierPieces {
 };
 // earlier: null: there is nothing.
 PointPieces make_pieces(const PieceRequest& request, const EarlierPieces* earlier);
-// Those of all chunks of groups, in their order.
+// Joins the pieces of all chunks of groups, in their order.
 PointPieces joined_pieces(const std::vector<PointPieces>& chunks);
 
 }  // namespace tack

@@ -12,11 +12,13 @@
 namespace tack {
 namespace {
 
-// Sine of the angle between a primitive and the line to the closest point of another, from which on there is a gap between them: 45 degrees.
+// Sine of the smallest angle, 45 degrees, between a primitive and the line to the closest point of
+// another at which there is a gap between them.
 const double gap_sine = std::sqrt(0.5);
 
-// The way over the mesh from one to the other, as a multiple of their distance, up to which they are neighbours: over a right-angled crease it is
-// at most twice as long, and over the edges of a mesh up to 1.4 times longer than it need be.
+// Largest length of the path over the mesh between two neighbours, as a multiple of their distance.
+// The path over a right-angled crease is at most twice as long, and paths over the edges of a mesh
+// are up to 1.4 times longer than need be.
 constexpr double neighbours_way = 3;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -43,7 +45,7 @@ double RestGapFinder::sine_from(int triangle, const Vec3& foot, const Vec3& to) 
   return shape_.held.topology().two_sided(triangle) ? std::abs(sine) : sine;
 }
 
-// The largest of the triangles at an edge, or that of a rod.
+// Returns the largest sine of the triangles at an edge, or that of a rod.
 double RestGapFinder::sine_from(const Edge& edge, const Vec3& foot, const Vec3& to) const {
   double largest = -infinity;
   for (const int t : shape_.held.topology().triangles_at(edge[0])) {
@@ -75,7 +77,7 @@ bool RestGapFinder::lie_over(const Edge& a, const Edge& b) const {
   return std::max(sine_from(a, on_a, on_b), sine_from(b, on_b, on_a)) >= gap_sine;
 }
 
-// Dijkstra's shortest ways over edges, up to a length [m].
+// Finds the shortest paths over edges up to a length [m], by Dijkstra's algorithm.
 template <std::size_t A>
 void RestGapFinder::walk_from(const std::array<int, A>& sources, double length) {
   for (const int v : reached_) way_[v] = infinity;
@@ -106,7 +108,8 @@ bool RestGapFinder::is_far(const std::array<int, B>& vertices, double distance) 
 double RestGapFinder::of_point(const PointGroup& group, std::vector<std::array<int, 4>>& gaps) {
   const int p = group.point;
   const double range = shape_.reach[group.object];
-  // What faces a point presses, whether there is a gap or not; neighbours that are guarded against do not where there is an offset.
+  // Primitives that face the point press, with or without a gap. With an offset, neighbours within
+  // the guard range do not press.
   const double faces_from = shape_.pairs.offset(group.object, group.object) == 0 ? 0 : shape_.pairs.point(group.object, group.object).guard_range;
   const Viewpoint from = viewer_.vertex_view(p);
   const FacingView view = viewer_.look(from, group.triangle_end - group.triangle_begin,

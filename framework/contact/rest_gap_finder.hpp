@@ -13,7 +13,8 @@ namespace tack {
 // All objects at rest, for all finders.
 struct RestShape {
   // reach: per object, how close to itself it is of interest [m].
-  RestShape(const ContactSurface& surface, const PairTable& pairs, const std::vector<double>& reach);
+  RestShape(const ContactSurface& surface, const PairTable& pairs,
+            const std::vector<double>& reach);
 
   const ContactSurface& surface;
   const PairTable& pairs;
@@ -22,15 +23,17 @@ struct RestShape {
   std::vector<int> start, beside;  // the vertices on an edge with each global vertex
 };
 
-// Of one thread.
+// Finder of one thread, with its own buffers.
 class RestGapFinder {
  public:
   RestGapFinder(const RestShape& shape, const Candidates& candidates);
 
-  // The smallest distance at rest of a vertex to its own object from which on it presses [m]; infinity: there is none. Appends the pairs with
-  // a gap between them.
+  // Returns the smallest distance at rest of a vertex to its own object, from which on it presses
+  // [m]; infinity: there is none. Appends the pairs with a gap between them to `gaps`.
   double of_point(const PointGroup& group, std::vector<std::array<int, 4>>& gaps);
-  // Likewise of a candidate between two edges, which come in ascending order.
+  // Returns the distance at rest of a candidate between two edges, from which on it presses [m];
+  // infinity: there is no gap. Appends the pair to `gaps` if there is one. Candidates come in
+  // ascending order.
   double of_edges(int candidate, std::vector<std::array<int, 4>>& gaps);
 
  private:
@@ -49,8 +52,9 @@ class RestGapFinder {
   const VecX& x_;
   const Candidates& candidates_;
   FacingViewer viewer_;
-  std::vector<double> way_;                   // per global vertex, over the mesh from the sources [m]; infinity: farther than was walked
-  std::vector<int> reached_;                  // those that are not
+  // Path length over the mesh from the sources, per global vertex [m]; infinity: not reached.
+  std::vector<double> way_;
+  std::vector<int> reached_;                  // vertices with a finite path length
   std::vector<std::pair<double, int>> open_;  // a heap
   std::array<int, 2> walked_{-1, -1};         // the edge walked from last
 };

@@ -1,4 +1,5 @@
-// Primitives of one object that are close to each other at rest (rest_gaps.hpp). Particles are bodies of their own.
+// Primitives of one object that are close to each other at rest (rest_gaps.hpp). Particles are
+// bodies of their own.
 #pragma once
 
 #include "framework/contact/rest_gaps.hpp"
@@ -9,7 +10,8 @@ namespace tack {
 
 // Whether two primitives (global vertices) of one object are closer than range [m] at rest.
 template <size_t A, size_t B>
-bool close_at_rest(const ContactSurface& surface, const std::array<int, A>& a, const std::array<int, B>& b, double range) {
+bool close_at_rest(const ContactSurface& surface, const std::array<int, A>& a,
+                   const std::array<int, B>& b, double range) {
   if (surface.mesh.vertex_object[a[0]] != surface.mesh.vertex_object[b[0]] || surface.is_particle(a) || surface.is_particle(b))
     return false;
   const auto ca = corners(surface.rest, a);
@@ -17,18 +19,24 @@ bool close_at_rest(const ContactSurface& surface, const std::array<int, A>& a, c
   return box_gaps(ca, cb).maxCoeff() < range && squared_distance(ca, cb) < range * range;
 }
 
-// Likewise, without a gap between them: they do not press.
+// Returns whether two primitives are close at rest without a gap between them. Such neighbours do
+// not press.
 template <size_t A, size_t B>
-bool rest_neighbours(const ContactSurface& surface, const std::array<int, A>& a, const std::array<int, B>& b, double range) {
-  return close_at_rest(surface, a, b, range) && !(surface.rest_gaps && surface.rest_gaps->gap_between(a, b));
+bool rest_neighbours(const ContactSurface& surface, const std::array<int, A>& a,
+                     const std::array<int, B>& b, double range) {
+  return close_at_rest(surface, a, b, range) &&
+         !(surface.rest_gaps && surface.rest_gaps->gap_between(a, b));
 }
 
-// What two primitives fill of their distance [m]: the offsets of their objects, or what is left of them within one object.
+// Returns the offset that counts between two primitives [m]: that of their objects, or what remains
+// of it within one object.
 template <size_t A, size_t B>
-double filled_between(const ContactSurface& surface, const PairTable& pairs, const std::array<int, A>& a, const std::array<int, B>& b) {
+double filled_between(const ContactSurface& surface, const PairTable& pairs,
+                      const std::array<int, A>& a, const std::array<int, B>& b) {
   const int object = surface.mesh.vertex_object[a[0]], other = surface.mesh.vertex_object[b[0]];
   const double offset = pairs.offset(object, other);
-  if (offset == 0 || object != other || surface.is_particle(a) || surface.is_particle(b)) return offset;
+  if (offset == 0 || object != other || surface.is_particle(a) || surface.is_particle(b))
+    return offset;
   if (rest_neighbours(surface, a, b, pairs.edge(object, object).range)) return 0;
   return surface.rest_gaps ? surface.rest_gaps->offset(offset, a, b) : offset;
 }

@@ -22,7 +22,9 @@ struct RollingPoint {
   int law;
 
   int arity() const { return places + numbers; }
-  bool between(int a, int b) const { return (object == a && opposite == b) || (object == b && opposite == a); }
+  bool between(int a, int b) const {
+    return (object == a && opposite == b) || (object == b && opposite == a);
+  }
   Vec3 moved(const VecX& x, const VecX& start) const;  // m
   // The derivative by vertex i of what has this slope by the moved point.
   Vec3 slope_of(int i, const Vec3& slope) const;
@@ -35,16 +37,19 @@ struct RollingGroup {
   std::vector<RollingPoint> points;
   std::vector<int> vertices;  // of all points, as batches have them
 
-  StencilBatch batch() const { return {places + numbers, static_cast<int>(points.size()), vertices.data(), numbers}; }
+  StencilBatch batch() const {
+    return {places + numbers, static_cast<int>(points.size()), vertices.data(), numbers};
+  }
 };
 
-// What friction acts on at one configuration.
+// Contact points on which friction acts at one configuration.
 struct FrictionPoints {
   ContactPoints sliding;              // at which nothing turns
   std::vector<RollingGroup> rolling;  // ascending by (places, numbers)
 };
 
 // x: of the tangents of rods (3n) [m].
-FrictionPoints divided_by_spin(const ContactPoints& points, const ContactSpins& spins, const VecX& x);
+FrictionPoints divided_by_spin(const ContactPoints& points, const ContactSpins& spins,
+                               const VecX& x);
 
 }  // namespace tack

@@ -1,7 +1,7 @@
 // The slip u = T^T sum_i c_i (x_i - x_i^n) of one contact point [m], and its part of the potential,
 //     E = mu lambda f0(y) + mu_a lambda_a f_t0(y),   y = |u|,
-// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T. Where something turns, the moved point
-// has the numbers of its rotation as well (rolling_points.hpp).
+// with derivatives by the moved point sum_i c_i x_i: T u E'/y, and T H T^T. The moved point of a
+// side that turns depends on the numbers of its rotation as well (rolling_points.hpp).
 #pragma once
 
 #include "framework/contact/contact_points.hpp"

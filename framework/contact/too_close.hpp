@@ -14,7 +14,8 @@ struct TooClose {
   Vec3 at;                         // m, on the first
 };
 
-// The first few among the candidates, which must cover x. Within one object the offset is what is left of it (rest_gaps.hpp).
+// Returns the first few such pairs among the candidates, which must cover x. Within one object the
+// offset is what remains of it (rest_gaps.hpp).
 std::vector<TooClose> find_too_close(const ContactSystem& contact, const VecX& x);
 
 }  // namespace tack
