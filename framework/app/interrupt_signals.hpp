@@ -1,4 +1,5 @@
-// Ctrl-C, `kill`, the end of the terminal, a reader of the output that goes away (SIGPIPE) and a limit of file sizes (SIGXFSZ) end what runs in an orderly way (geometry/interrupt.hpp).
+// Signals that end a run in an orderly way (geometry/interrupt.hpp): Ctrl-C, `kill`, the end of the
+// terminal, SIGPIPE (the reader of the output goes away) and SIGXFSZ (a limit of file sizes).
 #pragma once
 
 namespace tack {

@@ -30,7 +30,7 @@ void give_blas_its_buffers(int threads) {
   for (void* buffer : buffers) blas_memory_free(buffer);
 }
 
-// What OpenBLAS maps for a thread that calls it: its BUFFER_SIZE on x86-64, 32 << 22 bytes.
+// Buffer that OpenBLAS maps for each calling thread: its BUFFER_SIZE on x86-64, 32 << 22 bytes.
 constexpr double blas_buffer = 134217728;
 
 // Bytes of this process: "VmSize", all that is mapped, "VmData", all that it may write into, "RssAnon", what it has written into. 0 if the kernel does not tell.

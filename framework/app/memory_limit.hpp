@@ -4,8 +4,10 @@
 
 namespace tack {
 
-// Throws InputError if the limit of the address space (RLIMIT_AS) leaves too little for the program and for linear algebra in so many threads: OpenBLAS
-// asks for its buffers for ever, deaf to signals, and does not let the process end. 0 threads: for its own, which are there before main().
+// Throws InputError if the limit of the address space (RLIMIT_AS) is too small for the program and
+// for linear algebra on `threads` threads. Otherwise OpenBLAS requests its buffers forever: it
+// ignores signals, and the process does not end. `threads` = 0 stands for the threads of OpenBLAS
+// itself, which exist before main().
 void check_address_space(int threads);
 
 // Of this process, from now on: so many bytes of data, of which it has some already. `threads`: that may compute side by side. Throws

@@ -1,4 +1,4 @@
-// What numbers options may have.
+// Validators of options that take a number.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,13 +8,14 @@
 
 namespace tack {
 
-// A number of something. CLI11's own says the whole range of doubles, digit by digit.
+// A count. CLI11's own validator prints the whole range of doubles, digit by digit.
 inline const CLI::Validator whole_number_above_zero(
     [](std::string& text) {
       int number = 0;
       const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
       const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0;
-      return good ? std::string() : fmt::format("expects a whole number above zero, got '{}'", text);
+      return good ? std::string()
+                  : fmt::format("expects a whole number above zero, got '{}'", text);
     },
     "POSITIVE");
 
@@ -22,7 +23,8 @@ inline const CLI::Validator number_above_zero(
     [](std::string& text) {
       double number = 0;
       const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), number);
-      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0 && number < 1e6;
+      const bool good = status == std::errc() && stop == text.data() + text.size() && number > 0 &&
+                        number < 1e6;
       return good ? std::string() : fmt::format("expects a number above zero, got '{}'", text);
     },
     "POSITIVE");

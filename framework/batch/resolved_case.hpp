@@ -33,7 +33,8 @@ class CaseResolver {
   std::map<std::string, std::string> files_;  // each is read once
 };
 
-// Sizes and checksums of the running program and of its libraries that are built: what makes meshes, reads them, and further components.
+// Returns the sizes and checksums of the running program and of its libraries that are built: the
+// mesher, the mesh reader and the further components.
 std::string program_digest();
 
 }  // namespace tack

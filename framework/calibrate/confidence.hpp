@@ -2,11 +2,15 @@
 //
 // With J = d residuals / d u and the standard deviation s of a residual, H = J^T J / s^2 and C = H^-1 hold for independent errors; s is 1 where noise is
 // known (residuals are in units of it), else |r| / sqrt(points - numbers).
-// Residuals that follow each other are correlated where the noise is, or where the model misses something. n points then tell as much as n / tau, tau their
-// integrated autocorrelation time, and C is multiplied by tau. Where known noise is exceeded, C is also multiplied by chi^2 per degree of freedom (Birge).
-// An interval holds the true value with 95%: +-t s_i, t that of Student's distribution for n / tau - numbers, or 1.96; unless the model is wrong, whose bias
-// no interval holds: `fits` says whether there is evidence of that.
-// Eigenvectors of H with large eigenvalues are what the data determine: v_1 ln a + v_2 ln b is that of a^v_1 b^v_2.
+// Successive residuals are correlated where the noise is, or where the model misses something. Then
+// n points determine as much as n / tau, with tau their integrated autocorrelation time, and C is
+// multiplied by tau. Where known noise is exceeded, C is also multiplied by chi^2 per degree of
+// freedom (Birge).
+// An interval holds the true value with 95%: +-t s_i. t is that of Student's distribution for n /
+// tau - numbers, or 1.96. No interval holds the bias of a wrong model: `fits` says whether there is
+// evidence of one.
+// Eigenvectors of H with large eigenvalues are the combinations that the data determine:
+// v_1 ln a + v_2 ln b is that of a^v_1 b^v_2.
 #pragma once
 
 #include <string>
@@ -23,17 +27,20 @@ struct DeterminedCombination {
   std::string text;             // "strength^0.02 work", the largest power being 1
 };
 
-// What the residuals of the best fit tell of its errors.
+// Statistics of the best fit's residuals, as evidence of its errors.
 struct ResidualStatistics {
   double points = 0;
   double correlation = 0;       // of neighbours; 0 where it could be chance
   double effective_points = 0;  // points / tau
-  double chi_squared = 0;       // per degree of freedom, of residuals in units of the noise; NaN without such degrees
-  double chi_squared_limit = 0;  // which noise alone exceeds in 1 of 100 fits; NaN where the noise is not known
+  // Sum of the squared residuals, in units of the noise where it is known, per degree of freedom;
+  // NaN without such degrees.
+  double chi_squared = 0;
+  double chi_squared_limit = 0;  // noise alone exceeds it in 1 of 100 fits; NaN for unknown noise
 };
 
 // series: how many residuals follow each other, of each experiment; empty: all do.
-ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t numbers, bool noise_known,
+ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t numbers,
+                                       bool noise_known,
                                        const std::vector<size_t>& series = {});
 
 struct Confidence {
@@ -51,7 +58,9 @@ struct Confidence {
 inline constexpr double largest_sigma = 0.25;
 
 // `noise_known`: residuals are in units of it. `values`: the best ones. `series`: as above.
-Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
-                         const std::vector<double>& residuals, bool noise_known, const std::vector<size_t>& series = {});
+Confidence confidence_of(const std::vector<FittedNumber>& numbers,
+                         const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
+                         const std::vector<double>& residuals, bool noise_known,
+                         const std::vector<size_t>& series = {});
 
 }  // namespace tack

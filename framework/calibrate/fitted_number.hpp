@@ -14,7 +14,9 @@ namespace tack {
 struct FittedNumber {
   std::string name;                            // of tables
   std::vector<std::vector<std::string>> keys;  // of each experiment
-  std::vector<std::vector<std::string>> units;  // of each experiment and key: that its text has in the scene, as parameters have, or ""
+  // Per experiment and key: the unit that the number's text has in the scene, as the text of a
+  // parameter has one; "" if it has none.
+  std::vector<std::vector<std::string>> units;
   std::string unit;                            // SI; "" until it is known, "1" of a plain number
   double from = 0, to = 1, start = 0;          // SI
   bool log = false;

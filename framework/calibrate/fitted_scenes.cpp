@@ -30,7 +30,8 @@ std::string number_text(double value) { return fmt::format("{:.6g}", value); }
 
 std::optional<WrittenNumber> number_of(const Value* value) { return value && value->is_scalar() ? written_number(value->text) : std::nullopt; }
 
-// Of a parameter, whose unit the scene has in base units: as the range of the fit has it, "Pa" of "50 kPa", if it does.
+// Returns the unit of a parameter, which the scene has in base units. It is the unit of the fit's
+// range, "Pa" of "50 kPa", if the range has a unit of the same dimension, else `unit`.
 std::string named_unit(const std::string& unit, const std::optional<Quantity>& bound) {
   const std::optional<WrittenNumber> written = bound ? written_number(bound->written) : std::nullopt;
   return written && base_dimension(written->unit) == base_dimension(unit) ? written->unit : unit;

@@ -87,7 +87,7 @@ double young_of(const ObjectConfig& object) {
 constexpr double squeezed_fraction = 0.5, thrown_distances = 10;
 constexpr double standard_gravity = 9.81;  // m/s^2, of these weights
 
-// What two objects press with.
+// Contact between two objects that press on each other at the start.
 struct PressedPair {
   Vec3 resultant = Vec3::Zero();  // N
   double sum = 0;                 // of magnitudes [N]
@@ -95,7 +95,7 @@ struct PressedPair {
   double gap = std::numeric_limits<double>::infinity();  // the smallest [m]
 };
 
-// The pairs of which one thing is told, by the worst of them.
+// Pairs with the same kind of warning, which reports the worst of them.
 struct WorstPair {
   double measure = 0;
   int lighter = -1, count = 0;
@@ -246,7 +246,7 @@ class Warnings {
                                                worst->count > 1 ? fmt::format(" (and so {} more pairs)", worst->count - 1) : ""));
   }
 
-  // Of the vertices that carry a body [kg]; 0 if it is held.
+  // Returns the mass of the vertices that carry a body [kg]; 0 if it is fixed.
   double mass_of(int i) const {
     const Body& body = world_.bodies[i];
     double mass = 0;

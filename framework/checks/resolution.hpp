@@ -7,8 +7,9 @@
 //    changes by about h theta / 2 (h: edge). It should be small against the range.
 //  * A contact distance above the elements, or a range above the thickness of a body, reaches its other parts.
 //  * A body alone should have no contact forces at the start.
-//  * Two bodies that start within the contact distance press at once. They are told where that squeezes one of them from opposite sides, as in
-//    a fit that is narrower than the distance, or throws it off.
+//  * Two bodies that start within the contact distance press at once. A warning is printed if that
+//    squeezes one of them from opposite sides, as in a fit narrower than the distance, or throws it
+//    off.
 #pragma once
 
 #include <string>

@@ -78,7 +78,7 @@ class RoundFriction {
   }
 
  private:
-  // Of all objects with the same partner, coefficient and remedy.
+  // One warning for all objects with the same partner, coefficient and remedy.
   struct Line {
     std::string kind, remedy;
     std::string first;  // object

@@ -14,7 +14,8 @@
 namespace tack {
 namespace {
 
-// Of the contact distance over the middle side of a body's box; below the geometric mean of what is usual (1e-3) and of that a thousandth as large.
+// Contact distance over the middle side of a body's box, below which a warning is printed. It is
+// below the geometric mean of the usual ratio (1e-3) and a thousandth of that.
 constexpr double least_distance_part = 3e-5;
 // Millimetres that were read as metres: a thousandth of what is smaller would be less than a millimetre [m]. Contact distances of nanometres belong to such bodies.
 constexpr double smallest_doubted = 1;

@@ -13,7 +13,8 @@ namespace tack {
 std::string list_kinds();
 std::string list_kind(const std::string& kind);
 std::string list_component(const std::string& kind, const std::string& name);
-// The components of that name, of whichever kinds; "" if there are none, or if it is the name of a kind.
+// Returns the components of that name, of any kind; "" if there are none, or if it is the name of a
+// kind.
 std::string list_named(const std::string& name);
 
 // Markdown: the parameters of `root` as a table.

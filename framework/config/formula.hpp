@@ -11,8 +11,9 @@ namespace tack {
 
 class Formula {
  public:
-  // Throws InputError, without a place, with the position and what is wrong there: a syntax error, an assignment
-  // (`=` in place of `==`), a comma outside of a function's arguments, a number above 1e150.
+  // Throws InputError with the position in the text and the error there, but without a source
+  // location. Errors are a syntax error, an assignment (`=` in place of `==`), a comma outside of a
+  // function's arguments, a number above 1e150.
   Formula(const std::string& text, const std::vector<std::string>& variables);
   // Whether a name is that of a function or a constant of all formulas.
   static bool knows(const std::string& name);

@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// What other programs and papers call a key.
+// A key by its name in other programs and papers (`other`) and by its name `here`.
 struct OtherName {
   std::string_view other, here;
 };

@@ -15,7 +15,8 @@ int edit_distance(std::string_view a, std::string_view b);
 // contains the word; else "".
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
-// "; did you mean 'young'? (keys: density, young)", also for what other programs call it, "E"; `label` says what the names are.
+// Returns "; did you mean 'young'? (keys: density, young)". Knows the names of other programs, "E".
+// `label` says what the names are.
 std::string suggestion(std::string_view word, const std::vector<std::string>& names,
                        std::string_view label);
 

@@ -1,4 +1,5 @@
-// Decimal numbers at the beginning of a text, as formulas and scenes write them: digits with a point and an exponent, whatever the locale.
+// Decimal numbers at the beginning of a text, as in formulas and scenes: digits with a point and an
+// exponent, in any locale.
 #pragma once
 
 #include <charconv>
@@ -19,7 +20,8 @@ inline NumberText number_text(std::string_view text) {
   number.length = static_cast<std::size_t>(stop - text.data());
   if (status != std::errc::result_out_of_range) return number;
   const std::string_view digits = text.substr(0, number.length);
-  const bool small = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos || digits.starts_with("0.") || digits.starts_with('.');
+  const bool small = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos ||
+                     digits.starts_with("0.") || digits.starts_with('.');
   number.value = small ? 0 : std::numeric_limits<double>::infinity();
   return number;
 }

@@ -65,7 +65,8 @@ size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
     if (to > from) end = to;
   };
   exponent();
-  // What follows behind a point or a space is of the unit, as no expression has a name there; behind a slash unless it is a parameter.
+  // A word behind a point or a space is of the unit, as no expression has a name there. A word
+  // behind a slash is of the unit unless it is a parameter.
   for (;;) {
     size_t from = end;
     while (from < text.size() && text[from] == ' ') ++from;

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 // Includes of includes can grow exponentially; no scene comes near so many values.
 constexpr std::size_t most_values = 1'000'000;
 
-// What is known while a file is read.
+// State of reading a file and its includes.
 struct Reading {
   struct File {
     fs::path written, canonical;

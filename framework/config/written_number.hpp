@@ -1,4 +1,5 @@
-// A number as a scene's text has it, with the unit behind it: "100000 kg m^-1 s^-2" of a parameter, "2e5" of a key whose unit is known.
+// A number with the unit behind it, as in a scene's text: "100000 kg m^-1 s^-2" of a parameter,
+// "2e5" of a key whose unit is known.
 #pragma once
 
 #include <optional>

@@ -81,7 +81,7 @@ struct Site {
   std::vector<std::string> hosts;  // by which this machine calls itself
 
   bool ours(std::string_view name) const { return std::find(hosts.begin(), hosts.end(), name) != hosts.end(); }
-  // Whether the path is that of a page here: "/TOKEN/..."
+  // Returns whether the path is that of a page here: "/TOKEN/..."
   bool has_token(std::string_view path) const {
     return path.size() >= token.size() + 2 && path[0] == '/' && path[token.size() + 1] == '/' && same(path.substr(1, token.size()), token);
   }
