@@ -1,4 +1,4 @@
-// What a shell or a queue gives the program: limits, closed streams, readers that go away.
+// The surroundings that a shell or a queue gives the program: limits, closed streams, readers that go away.
 #include <catch2/catch.hpp>
 
 #include "tests/support/json.hpp"

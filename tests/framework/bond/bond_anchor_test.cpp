@@ -99,7 +99,7 @@ solver: {{type: projected_newton, tolerance: 1e-8}}
       if (r.time > 0.1) pull = std::max(pull, -run.world->bonds->force_between(run.state().x, LawPart::all, {1, 0}).y());
       else slip_left = run.world->bonds->openings(run.state().x).empty() ? 0 : std::sqrt(run.world->bonds->openings(run.state().x).front().s);
     }
-    // What is left of the slip at the end is shear that the old bonds still carry: together with it the onset is reached a little sooner.
+    // The slip that remains at the end is shear that the old bonds still carry. With this shear the onset is reached a little sooner.
     const double intensity = 0.675 * (1 - std::exp(-100 * 0.08)), most = intensity * std::sqrt(intensity * work * stiffness);
     const double along = work / intensity - 5e8 * slip_left * slip_left;
     CHECK(pull == Approx(area * intensity * intensity * std::sqrt(stiffness * along)).epsilon(0.06));

@@ -99,7 +99,7 @@ TEST_CASE("resolution: two objects that start within the contact distance are to
   };
   CHECK(one_with(warnings(bar(1e-4), "  distance: 0.5 mm\n"), "'walls' and 'cube' start 0.0001 m apart, within contact.distance (0.0005 m), and press on each other from opposite sides with"));
   CHECK_FALSE(one_with(warnings(bar(6e-4), "  distance: 0.5 mm\n"), "press on each other"));
-  // What is put down with a gap that carries it, and what is pinched between it and the floor.
+  // There is no warning of a cube at the gap that carries its weight. There is one of a cube that starts much nearer and is thrown off.
   const auto above = [](double gap) {
     return fmt::format("  - {{name: cube, shape: {{type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, place: {{translate: [0, {}, 0]}}, energies: [{{type: neo_hookean, young: 1e7}}]}}\n",
                        0.05 + gap);

@@ -25,7 +25,7 @@ TEST_CASE("the nearest name is found, or none") {
   CHECK(suggestion("yong", names, "keys") ==
         "; did you mean 'young'? (keys: density, poisson, young)");
   CHECK(suggestion("q", {"a"}, "keys") == " (keys: a)");
-  // What other programs and papers call it.
+  // Names of these keys in other programs and papers.
   CHECK(suggestion("dt", {"duration", "step"}, "keys") == "; did you mean 'step'? (keys: duration, step)");
   CHECK(suggestion("E", {"density", "young"}, "keys") == "; did you mean 'young'? (keys: density, young)");
   CHECK(suggestion("nu", {"mu", "poisson"}, "keys") == "; did you mean 'poisson'? (keys: mu, poisson)");

@@ -125,7 +125,7 @@ TEST_CASE("parameters may be called as units are") {
     CHECK(number(p, "total", units::pressure) == Approx(100001).epsilon(1e-15));
     CHECK(number(p, "2 * " + name, units::length) == Approx(0.004).epsilon(1e-15));
     CHECK(number(p, "twice", units::length) == Approx(0.004).epsilon(1e-15));
-    // What is kept of a scene runs by itself.
+    // The resolved scene is complete: parsed again, it resolves to the same text.
     std::string text = scene;
     const std::string from = "{width: 20 mm, height: width / 2, speed: 4 mm/s, n: 3, stiffness: 1 MPa}";
     text.replace(text.find(from), from.size(), "{width: 20 mm, height: width / 2, speed: 4 mm/s, n: 3, stiffness: 1 MPa, " + name + ": 2 mm}");

@@ -40,7 +40,7 @@ std::string on_floor(const std::string& objects, double angle, double mu, const 
 double way(const TestRun& run, int body) { return (run.world->centre_of_mass(body, run.state().x) - run.world->centre_of_mass(body, run.world->start.x)).x(); }
 Vec3 speed(const TestRun& run, int body) { return run.world->centre_of_mass(body, run.state().v) ; }
 
-// Of the angular velocity of a body with one particle, or of the first edge of a rod about its tangent.
+// Returns the angular velocity [rad/s] of a body with one particle, or that of the first edge of a rod about its tangent.
 Vec3 angular_velocity(const TestRun& run, int body) {
   const Body& b = run.world->bodies[body];
   const auto& extra = b.extra_vertices;
@@ -49,7 +49,7 @@ Vec3 angular_velocity(const TestRun& run, int body) {
   return Vec3(arc(0), arc(1), arc(2)) / (std::sqrt(0.4) * R);
 }
 
-// By which the same has turned since the start.
+// Returns the angle [rad] by which the particle or the first edge of the rod has turned since the start.
 double angle_about_z(const TestRun& run, int body) {
   const Body& b = run.world->bodies[body];
   const auto arc = [&](int i) { return run.state().x(3 * b.extra_vertices[i]); };

@@ -39,7 +39,7 @@ struct Shape {
       for (const int twist : rod->frames->twists()) field(3 * twist + 1) = field(3 * twist + 2) = 0;
     return field;
   }
-  // What forces do in small turns.
+  // Returns the moment of the forces: their work in small rotations about each axis, per angle.
   Vec3 moment(const VecX& x, const VecX& forces) const {
     constexpr double angle = 1e-5;
     const auto turned = [&](int axis, double by) { return moved(x, Eigen::AngleAxisd(by, Vec3::Unit(axis)).toRotationMatrix(), Vec3::Zero()); };
@@ -72,7 +72,7 @@ void for_each_energy(const Check& check) {
       if (!term || term->dynamic()) continue;
       term->remember({});
       term->begin_step({*shape.rest, 0, h});
-      // What knows a place in space is damped in its rotation.
+      // Terms that depend on the orientation in space are left out: they are damped in their rotation as well.
       const Mat3 turn = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
       RandomMotions random(9);
       const VecX x = *shape.rest + shape.places(2e-4 * random.vectors(shape.rest->size()));
@@ -150,7 +150,7 @@ TEST_CASE("damping of strain: derivatives, projections, and beta K of small stra
     const VecX g = gradient(y), by_value = gradient_by_differences([&](const VecX& z) { return damping->value(z); }, y, 1e-6);
     CHECK((g - by_value).norm() <= 1e-6 * g.norm());
     const MatX exact = dense_hessian(*damping, y, Projection::none), differences = hessian_by_differences(gradient, y, 1e-6);
-    // Of stencils of rank one, their squares are what is left of it.
+    // The Hessian of stencils of rank one holds the squares of their gradients only.
     bool rank_one = false;
     for (const StencilBatch& b : elastic.batches()) rank_one = rank_one || b.rank_one;
     CHECK((exact - differences).norm() <= (rank_one ? 0.05 : 1e-6) * exact.norm());

@@ -1,4 +1,4 @@
-// What joints and held vertices carry, as probes tell it: statics with contact, and bodies that turn, with every integrator.
+// Probes of the forces of joints and of fixed vertices: statics with contact, and bodies that turn, with every integrator.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What is advised where a scene starts with what may not be: only what helps.
+// Errors of scenes whose start is not allowed advise only remedies that help.
 #include <catch2/catch.hpp>
 
 #include "framework/output/state_file.hpp"

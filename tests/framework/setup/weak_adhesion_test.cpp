@@ -9,7 +9,7 @@ using namespace tack;
 
 namespace {
 
-// Of a block of 1.96 N, that is 280 Pa on a quarter of its surface, on a floor [Pa].
+// Returns the barrier stiffness [Pa] between a floor and a block of 1.96 N, that is 280 Pa on a quarter of its surface.
 double barrier(double peak) {
   const TestScene scene(fmt::format(
       "time: {{step: 5 ms, duration: 0.2}}\ngravity: [0, -9.81, 0]\n"

@@ -101,7 +101,7 @@ std::string cube(double size, const std::string& more = "") {
                      more, size, size, size);
 }
 
-// What a step tolerates where nothing acts.
+// Returns the imbalance that a step tolerates where nothing acts [N].
 double floor_of(const std::string& yaml) {
   StepProblem step(yaml);
   const auto minimizer = component<Minimizer>("{type: projected_newton, tolerance: 0.01}");

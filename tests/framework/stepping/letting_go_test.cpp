@@ -1,4 +1,4 @@
-// What holds in statics holds in long steps: no step starts beyond the peak of a bond or an adhesion.
+// A bond or an adhesion that holds in statics holds in long steps: no step starts beyond its peak.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

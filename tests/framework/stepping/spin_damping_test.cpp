@@ -21,7 +21,7 @@ double kinetic_energy(const TestRun& run) {
   for (int v = 0; v < run.world->mass.size(); ++v) sum += run.world->mass(v) / 2 * vertex(run.state().v, v).squaredNorm();
   return sum;
 }
-// Of what damping did in the last step [N m].
+// Returns the moment of the damping forces in the last step [N m].
 double damping_moment(const TestRun& run) {
   VecX gradient = VecX::Zero(run.state().x.size());
   for (const auto& term : run.world->damping_terms) add_term_gradient(*term, run.state().x, gradient);
@@ -46,7 +46,7 @@ TEST_CASE("stiffness damping keeps the angular momentum of what spins freely", "
         taken += run.config.time.step * damping_moment(run);
       }
       CHECK(taken <= 1e-8 * momentum);
-      // What the integrator loses, and what stretches it.
+      // The tolerances leave room for the losses of the integrator and for stretching.
       const bool damps = integrator == "implicit_euler";
       CHECK(angular_momentum(run) == Approx(momentum).epsilon(damps ? 0.1 : 2e-3));
       CHECK(kinetic_energy(run) == Approx(energy).epsilon(damps ? 0.2 : 0.02));
