@@ -36,8 +36,8 @@ class Assembler {
 
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;
-  // Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices, the largest component of
-  // its force [N], and whether its term is dynamic.
+  // Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices,
+  // the largest component of its force [N], and whether its term is dynamic.
   template <class Act>
   void for_each_stencil_force(const Act& act) const;
 
@@ -86,7 +86,8 @@ class Assembler {
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 
-// The vertices are those that the slots were placed for: a dynamic term may have other stencils by now.
+// The vertices are those that the slots were placed for: a dynamic term may have other stencils by
+// now.
 template <class Act>
 void Assembler::Group::for_each_stencil_force(const Act& act) const {
   const double* slot = gradient_slots.data();

@@ -13,13 +13,15 @@ namespace tack {
 // solids, outwards of a closed sheet, along its normals from an open one. Throws InputError if there are none, or no two sides.
 std::vector<Triangle> pressed_triangles(const Selection& selection, const SelectionContext& context);
 
-// Triangles of an object all of whose vertices are chosen, by the sides from which a medium around the object reaches them.
+// Triangles of an object all of whose vertices are chosen, by the sides from which a medium around
+// the object reaches them.
 struct ExposedTriangles {
   std::vector<Triangle> open;    // of sheets with a boundary: both sides
-  std::vector<Triangle> closed;  // of solids and closed sheets: the outside, to which their normals lead
+  std::vector<Triangle> closed;  // of solids and closed sheets: the outside, where normals lead
 };
 
-// The walls of a solid's cavities are in neither list. What is closed is decided on the whole surface, whatever is chosen of it.
+// Returns the exposed triangles of a selection. The walls of a solid's cavities are in neither
+// list. The whole surface decides what is closed, whatever is chosen of it.
 ExposedTriangles exposed_triangles(const Selection& selection, const SelectionContext& context);
 
 // A part of what surrounds a chamber.

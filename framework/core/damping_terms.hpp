@@ -29,7 +29,8 @@ class DampingTerm : public Term {
   bool stores() const override { return false; }
   void publish(Records& records) const override;
 
-  // What the step to x dissipates, the work of its mean forces [J]; never negative.
+  // Returns the energy that the step to x dissipates: the work of its mean forces [J], never
+  // negative.
   double dissipated(const VecX& x) const { return std::max(0.0, square(x, Reference::start) / h_); }
   // Adds the mean forces of the step to x, those of P_d with v' = (x - x_n) / h (3n) [N].
   virtual void add_mean_forces(const VecX& x, VecX& forces) const = 0;

@@ -108,7 +108,8 @@ class Minimizer : public Component {
   void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }
   void set_force_floor(double floor) { force_floor_ = floor; }
 
-  // Returns a minimiser with the same settings and no memory of earlier minimisations: for problems beside those of the steps.
+  // Returns a minimiser with the same settings and no history of earlier minimisations: for
+  // problems beside those of the steps.
   virtual std::unique_ptr<Minimizer> fresh() const;
   // What solves linear systems and why, once it is known; "" for methods without.
   virtual std::string linear_solver() const { return {}; }

@@ -13,7 +13,9 @@ namespace tack {
 struct State {
   double time = 0;  // s
   int step = 0;     // accepted steps
-  VecX x, v, a;     // 3n: positions [m], velocities [m/s], accelerations [m/s^2]; no a: it follows from no step
+  // 3n: positions [m], velocities [m/s], accelerations [m/s^2]; no a: the state follows from no
+  // step.
+  VecX x, v, a;
 
   VecX anchor;          // 3n: where vertices were when they were last seized [m]; empty before the first step
   std::vector<char> held;  // per hold of the script: whether it acted in the step before
@@ -23,7 +25,8 @@ struct State {
   double h_before = 0;  // s; 0: there is none
   double acted_before = 0;  // for how long contact and friction acted on velocities in it [s]; 0: not known
 
-  // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty: not followed.
+  // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty:
+  // not followed.
   VecX contact, contact_before;
 
   History history;

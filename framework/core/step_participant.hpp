@@ -26,7 +26,7 @@ struct EndVelocity {
 struct StepStart {
   const VecX& x;    // 3n [m]
   double time = 0;  // s
-  double h = 0;     // the size of the step [s]; 0: nothing is solved, and records are asked for at x
+  double h = 0;     // step size [s]; 0: nothing is solved, and records are asked for at x
   const EndVelocity* velocity = nullptr;  // null: the step over h
   const VecX* before = nullptr;  // velocities at the start (3n) [m/s]; null: nothing has any, as in quasi-static steps
 };

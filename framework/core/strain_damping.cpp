@@ -47,7 +47,7 @@ Square matrix_of(const double* blocks, int arity) {
   return k;
 }
 
-// Whether the blocks of K have a sum that is more than rounding.
+// Returns whether the sum of the blocks of K exceeds round-off.
 bool resists_translation(const double* blocks, const StencilBatch& b) {
   constexpr double round_off = 1e-9;
   Mat3 sum = Mat3::Zero();
@@ -108,7 +108,7 @@ class CorotatedDamping : public DampingTerm {
         const Column f = k * stencil.u();
         Eigen::Map<VecX>(gradient + width * s, static_cast<Eigen::Index>(width)) = velocity_.rate * stencil.gradient(f);
         if (!hessian) return;
-        // What is projected is near enough: u is what a stencil strains in a step.
+        // The projected Hessian omits second derivatives of the strain: u is only the strain of one step.
         Square h;
         if (projection == Projection::none && !b.rank_one) {
           h = stencil.hessian(k, f);

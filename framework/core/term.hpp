@@ -72,9 +72,9 @@ class Term : public StepParticipant {
   // The term as least squares (residual_view.hpp); null if it has no such form.
   virtual const ResidualView* residual_view() const { return nullptr; }
 
-  // Marks the vertices (n) of every stencil that lets go between `from` and `to` (3n): its pull grows
-  // with its opening at `from`, and has passed its peak at `to`. A step does not start that far
-  // (predicted_motion.hpp). All that take part in the step are at `from`.
+  // Marks the vertices (n) of every stencil that lets go between `from` and `to` (3n): its pull
+  // grows with its opening at `from`, and has passed its peak at `to`. A step does not start that
+  // far (predicted_motion.hpp). All that take part in the step are at `from`.
   virtual void mark_letting_go(const VecX& /*from*/, const VecX& /*to*/,
                                std::vector<char>& /*vertices*/) const {}
 

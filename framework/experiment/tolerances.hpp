@@ -1,5 +1,5 @@
-// What a solve may leave, where the experiment does not say: it scales with the scene, its steps
-// and its contacts.
+// Default tolerances of solves, where the experiment states none. They scale with the scene, its
+// steps and its contacts.
 #pragma once
 
 #include <memory>

@@ -23,8 +23,9 @@ std::map<std::string, std::uint32_t> plugin_checksums();
 std::filesystem::path newest_checkpoint_in(const std::filesystem::path& checkpoints, bool due = false);
 
 // Throws InputError, with the remedy, if there is none, or it is of another scene than `scene` (resolved,
-// as YAML), of other meshes or plugins than those that are loaded, or of other `files` (path: digest) than
-// the scene reads now: tables of laws, measured curves. What differs is named.
+// as YAML), of other meshes or plugins than those that are loaded, or of other `files` (path:
+// digest) than the scene reads now: tables of laws, measured curves. The message names what
+// differs.
 StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world,
                             const std::map<std::string, std::string>& files);
 

@@ -17,9 +17,9 @@ namespace tack {
 
 class RunFolder {
  public:
-  // Makes the folder; frames/, checkpoints/ and problems/ are made when there is something to put there. Refuses a
-  // folder that holds anything but a run, a file of that name, and the working directory itself or one around it. root() is
-  // absolute and without links.
+  // Makes the folder; frames/, checkpoints/ and problems/ are made when there is something to put
+  // there. Refuses a folder that contains anything but a run, a file of that name, and the working
+  // directory itself or one around it. root() is absolute and without links.
   static RunFolder create(const std::filesystem::path& root);
 
   // The folder of an earlier run, to go on with it.

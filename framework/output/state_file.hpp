@@ -6,12 +6,17 @@
 // follows), then a map: kind ("problem", "checkpoint"), program, commit, scene (resolved,
 // as YAML), meshes {object: {vertices, tets, triangles, edges, points, tags}} of the objects whose meshes
 // were read from files (not in checkpoints), file_meshes {object: digest of such a mesh (geometry/mesh/digest.hpp):
-// [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path: CRC-32 of the file} of a checkpoint, files {path: digest (framework/config/file_digest.hpp)} that its scene reads, objects {object: {vertices: those of the
-// state that are its mesh's and its others', mesh: digest}}, state {time, step, whole_steps, h_before, acted_before, h_next, held, x, v,
-// a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}}, energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} and linear_solver of a checkpoint's run
-// so far and warnings [[text, kind, times]] of it, flowed {object: {vertices, tets, tags, surface, shapes, volumes}} of objects that were meshed anew
-// (framework/body/flowed_mesh.hpp) and remeshings, what a checkpoint's run has told of that. All in SI. A field that a later program adds is absent from older files, and is then what a State
-// holds by default; the version rises when what is there changes its meaning.
+// [vertex count, element count, checksums of vertices, elements and groups]} and plugins {path:
+// CRC-32 of the file} of a checkpoint, files {path: digest (framework/config/file_digest.hpp)} that
+// its scene reads, objects {object: {vertices: those of the state that are its mesh's and its
+// others', mesh: digest}}, state {time, step, whole_steps, h_before, acted_before, h_next, held, x,
+// v, a, anchor, x_before, v_before, contact, contact_before, history {name: {width, values, keys}},
+// energy (energy_account.hpp)}, step_size of a problem [s], totals {name: number} and linear_solver
+// of a checkpoint's run so far and warnings [[text, kind, times]] of it, flowed {object: {vertices,
+// tets, tags, surface, shapes, volumes}} of objects that were meshed anew
+// (framework/body/flowed_mesh.hpp) and remeshings, what a checkpoint's run has told of that. All in
+// SI. A field that a later program adds is absent from older files, and is then what a State holds
+// by default; the version rises when what is there changes its meaning.
 #pragma once
 
 #include <filesystem>
@@ -37,7 +42,8 @@ struct StateFile {
   std::map<std::string, Mesh> meshes;  // by object
   std::map<std::string, MeshDigest> file_meshes;  // by object
   std::map<std::string, std::uint32_t> plugins;   // checksums of their files, by path
-  std::map<std::string, std::string> files;       // digests of those that the scene of a checkpoint reads, by path
+  // Digests of the files that the scene of a checkpoint reads, by path.
+  std::map<std::string, std::string> files;
   std::map<std::string, StateObject> objects;     // by name; empty in older files
   State state;
   double step_size = 0;  // of a problem [s]

@@ -6,8 +6,11 @@
 // inverted_tets, stepper {what it tells of its steps beside all that: the sum or the most}, energy {work_loads, work_script, work_rim, work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
 // dissipated_numerics, and what else terms publish, at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator, repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
 // damped_steps, refined_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
-// peak_traction [Pa]}], stiffness {barriers [{between, pairs, stiffness [Pa]}], affine [{object, objects, stiffness [Pa]}]}, remeshings [{object, step, time [s], quality_before, quality_after, tets_before, tets_after, lost [J]}] (where objects may be meshed anew), warnings [{text, times}] (the first of a kind, and how often there was one), expect [{name, value, target, tolerance, at_least, at_most, pass, text}].
-// Numbers that are not finite are null.
+// peak_traction [Pa]}], stiffness {barriers [{between, pairs, stiffness [Pa]}], affine [{object,
+// objects, stiffness [Pa]}]}, remeshings [{object, step, time [s], quality_before, quality_after,
+// tets_before, tets_after, lost [J]}] (where objects may be meshed anew), warnings [{text, times}]
+// (the first of a kind, and how often there was one), expect [{name, value, target, tolerance,
+// at_least, at_most, pass, text}]. Numbers that are not finite are null.
 #pragma once
 
 #include <array>

@@ -18,7 +18,7 @@ double number_of(const std::string& text) {
   return number;
 }
 
-// Of the barrier in a law; 0: it has no such key.
+// Returns the stiffness of the barrier in a law; 0 if the law has no such key.
 double barrier_stiffness(const PairLaw& law) {
   for (const auto& term : law.laws())
     if (const auto* barrier = dynamic_cast<const BarrierLaw*>(term.get())) {

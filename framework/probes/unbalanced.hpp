@@ -6,10 +6,10 @@
 
 namespace tack {
 
-// Of every vertex (3n), its inertia and minus all that acts on it, forces in the place of terms
-// included [N]. Of a step by the trapezoidal rule (Newmark's) it is the mean over the step, what
-// balances its momentum: elastic forces of both ends and the change of velocity; dynamic terms act
-// with the force of the end.
+// Returns the inertia of every vertex minus all forces on it (3n) [N]. Forces that replace those of
+// terms are included. After a step by the trapezoidal rule (Newmark's) it is the mean over the
+// step, which balances the momentum: elastic forces of both ends and the change of velocity.
+// Dynamic terms act with the force of the end.
 VecX unbalanced_forces(const World& world, const State& state);
 
 }  // namespace tack

@@ -43,7 +43,7 @@ void check_followed(const World& world, const VecX& asked, const VecX& x) {
   }
 }
 
-// What has been dissipated or done so far stays; all that is known of the state's energies goes.
+// Returns the account without the state's energies. Dissipation and work so far stay.
 EnergyAccount reopened(EnergyAccount account) {
   account.open = false;
   account.kinetic = account.gravity = account.elastic = account.contact = 0;

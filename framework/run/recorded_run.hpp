@@ -91,7 +91,8 @@ class RecordedRun {
   std::optional<Watch> watch_;
   std::optional<Gradients> gradients_;  // if the experiment asks for any
   std::optional<ProbesCsv> gradients_csv_;
-  std::map<std::string, std::string> files_;  // that the scene reads, with their digests when it did
+  // Digests of the files that the scene reads, taken when it read them, by path.
+  std::map<std::string, std::string> files_;
   RunFolder folder_;
   std::optional<StateFile> checkpoint_;  // that the run goes on from
   std::ofstream log_;

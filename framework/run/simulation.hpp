@@ -30,9 +30,10 @@ class Simulation {
   void start() { start_from(world().start); }
   void start_from(State state);
   bool started() const { return stepper_.has_value(); }
-  // Between steps: goes on from other positions and velocities of the meshes' vertices (3 per vertex) [m, m/s], as moved_state() says. From
-  // those that the state has, nothing changes. Throws InputError, and leaves everything as it was, for positions that intersect, touch, invert
-  // elements, or that vertices which follow others cannot have.
+  // Sets positions and velocities of the meshes' vertices (3 per vertex) [m, m/s] between steps, as
+  // moved_state() says. Those that the state already has change nothing. Throws InputError, and
+  // leaves everything as it was, for positions that intersect, touch, invert elements, or that
+  // dependent vertices cannot have.
   void move(const VecX& x, const VecX& v);
 
   // One accepted step. Throws SimulationError when no step small enough succeeds. Of scenes in which objects may be meshed anew, due_elements() has to

@@ -23,7 +23,7 @@ class RollingEnergy : public Energy {
   bool rolling_ = false;
 };
 
-// Whether an energy of the object is one that rolls.
+// Returns whether one of the object's energies is a rolling energy.
 inline bool rolls(const ObjectConfig& object) {
   return std::any_of(object.energies.begin(), object.energies.end(), [](const auto& energy) {
     const auto* rolling = dynamic_cast<const RollingEnergy*>(energy.get());

@@ -199,7 +199,7 @@ void Neighbour::start_from(const State& run, const History& history) {
     const std::vector<double>& values = values_of(what);
     s.*field = VecX::Map(values.data(), static_cast<Eigen::Index>(values.size()));
   }
-  // What was dissipated is its own, and kept only where a probe asks for it.
+  // Dissipation is the neighbour's own, and is stored only where a probe asks for it.
   std::erase_if(s.energy.dissipated, [&](const auto& entry) { return !history.contains(own + entry.first); });
   for (auto& [name, amount] : s.energy.dissipated) amount = values_of(name)[0];
   begin();

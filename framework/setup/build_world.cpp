@@ -229,7 +229,7 @@ void for_each_object(const SceneConfig& scene, const Value& root, const Action& 
     at_place(entry_of(root.find("objects"), i), [&] { action(i); });
 }
 
-// Of a scene that names friction and has none, `mu: 0`: whatever asks for it gets zero.
+// Returns the record of a scene that names friction and has none (`mu: 0`): its forces are zero.
 ForceRecord no_friction() {
   ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
   force.add = [](const VecX&, std::string_view, VecX&) {};

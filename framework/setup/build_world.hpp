@@ -15,15 +15,18 @@ namespace tack {
 
 struct EarlierState;
 
-// Builds the world as it is before the first step of a run; it points into the scene. `root` is the parsed
-// file, for places in messages. Throws InputError for anything that does not fit together, also for a start that
-// intersects. `earlier`: the state that the scene's `start` speaks of; null without. `flowed`: the meshes of objects that were meshed anew
-// in a run that is gone on with, whose start is behind it.
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock,
+// Builds the world as it is before the first step of a run; it points into the scene. `root` is the
+// parsed file, for places in messages. Throws InputError for anything that does not fit together,
+// also for a start that intersects. `earlier`: the state that the scene's `start` speaks of; null
+// without. `flowed`: the meshes of objects that were meshed anew in a run that is gone on with,
+// whose start is behind it.
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root,
+                                   const RunTimes& times, PhaseClock& clock,
                                    const EarlierState* earlier = nullptr, const FlowedMeshes& flowed = {});
 
 // The pairs of objects and their laws (contact_setup.cpp).
-void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, World& world);
+void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times,
+                   PhaseClock& clock, World& world);
 
 // Entry i of a list as it stands in the file; null if the list is not there.
 const Value* entry_of(const Value* list, size_t i);

@@ -82,7 +82,7 @@ class MeetingGroups {
   double diagonal(int i) const { return boxes_[i].diagonal().norm(); }
   int root(int i) { return sets_.find(i); }
 
-  // What the one knows of a group holds for both; held bodies pass on how far they push, and join nothing.
+  // Joins the groups of two bodies that may meet. A fixed body joins no group, but passes on its prescribed displacement.
   bool meet(int a, int b) {
     if (!movable(a) && !movable(b)) return false;
     if (!movable(a)) std::swap(a, b);

@@ -1,16 +1,16 @@
-// What bodies may be pressed with, as far as a scene tells before it runs: the speed that something
-// near them may reach, and the weight that may lie on them. Both belong to a meeting group: bodies
-// that may touch each other in the run, directly or through others. What a body cannot meet changes
-// nothing for it.
+// Loads that may press on bodies, estimated from the scene before it runs: the speed that something
+// near a body may attain, and the weight that may lie on a body. Both belong to a meeting group:
+// bodies that may touch each other in the run, directly or through others. Bodies outside the group
+// change nothing for it.
 //
-// Each body has a reach: the box around it at rest, inflated by how far it may go,
+// Each body has a search box: its box at rest, inflated by a bound of its displacement,
 //     R = max(diagonal, 2 (v T + g T^2 / 2)) + s,
-// v: the largest initial speed in its group, T: the duration of the run, s: the largest displacement
-// of a prescribed motion in its group. Bodies whose reaches overlap, and those that are attached or
-// that an interaction names, are of one group. Held bodies are of none: a common floor joins
+// v: the largest initial speed in its group, T: the duration of the run, s: the largest
+// displacement of a prescribed motion in its group. Bodies whose search boxes overlap, are attached
+// or are named by an interaction are of one group. Fixed bodies are of none: a common floor joins
 // nothing. A body with loads, or in an interaction, may be driven anywhere.
-// Limits: energy that is stored at the start and a mass that a heavier one throws may reach farther;
-// it is an estimate for defaults.
+// Limits: the bound is an estimate for defaults. Energy that is stored at the start, or a mass that
+// a heavier one throws, may go farther.
 #pragma once
 
 #include <vector>
@@ -26,8 +26,8 @@ struct RunTimes {
 };
 
 struct Loading {
-  // Of the initial velocities in the group, and of a fall over the box of it and of the held bodies
-  // that it may meet [m/s].
+  // Speed from the initial velocities in the group, and from a fall over the box of the group and
+  // of the fixed bodies that it may meet [m/s].
   double speed = 0;
   double weight = 0;  // of all in the group that is ever free [N]
 };

@@ -19,8 +19,10 @@ namespace tack {
 
 class PairBuilder {
  public:
-  // cells: per object, the area of its surface that a vertex has in the mean [m^2]; times: of the run.
-  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells, const RunTimes& times, World& world);
+  // cells: per object, the area of its surface that a vertex has in the mean [m^2]; times: of the
+  // run.
+  PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells,
+              const RunTimes& times, World& world);
 
   void build();
 
@@ -71,7 +73,8 @@ class PairBuilder {
   const std::vector<Loading> loadings_;  // of objects
   const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
   const std::vector<double> sheets_;     // stiffnesses of sheets, of objects [Pa]; 0: no sheet
-  const std::vector<double> resting_;    // pressures of weight and loads, of objects [Pa]; 0 where nothing adheres
+  // Pressure of weight and loads, per object [Pa]; 0 where nothing adheres.
+  const std::vector<double> resting_;
   ObjectClasses classes_;
   PairConfigs configs_;
   SurfaceParts parts_;

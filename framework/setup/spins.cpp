@@ -23,7 +23,7 @@ std::vector<int> arcs_of(int index, const World& world) {
 
 double gyration_of(const Body& body) { return std::sqrt(0.4) * body.radius; }
 
-// What is held of a particle does not turn either.
+// The motion of the arcs of fixed particles: they do not turn.
 class Unturned : public Motion {
  public:
   explicit Unturned(const Motion& motion) : Motion(motion.from(), motion.until()) {}

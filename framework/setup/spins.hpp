@@ -12,9 +12,10 @@ namespace tack {
 
 // Appends the arcs of the particles of body `index` if they roll.
 void add_spins(const ObjectConfig& object, int index, World& world);
-// Those have the masses of the particles.
+// Gives the arcs of body `index` the masses of its particles.
 void weigh_spins(int index, World& world);
-// Of a motion that holds these vertices whole: particles that it holds do not turn.
+// Fixes the arcs of the particles of body `index` among `vertices`, unless `motion` is partial:
+// particles that are fixed in all directions do not turn.
 void hold_spins(const Motion& motion, const std::vector<int>& vertices, const std::string& name,
                 int index, World& world);
 // The velocities of the arcs of a body that starts with that angular velocity [rad/s].

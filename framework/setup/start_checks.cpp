@@ -14,16 +14,16 @@
 namespace tack {
 namespace {
 
-// Whether contact.push_out could help: it places objects, as `start` does, and is refused beside it.
+// Returns whether contact.push_out could help. It moves objects, as `start` does, and is refused beside `start`.
 bool may_push_out(const SceneConfig& scene) { return !scene.contact->push_out && !scene.start; }
 
-// What to do about objects that are where others are.
+// Returns the remedy for objects that intersect each other.
 std::string apart(const SceneConfig& scene) {
   const char* pushed = may_push_out(scene) ? ", have them pushed apart if they overlap a little (contact.push_out: 1 mm)" : "";
   return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
 }
 
-// What to do about an object that is where it is itself.
+// The remedy for an object that intersects itself.
 constexpr const char* mend_mesh =
     "have its mesh mended (`tack mesh repair MESH -o NEW`, or `repair` among the steps of a shape `processed`), or turn the object's contact with itself off "
     "(contact.pairs, contact: false)";

@@ -5,9 +5,10 @@
 //   where stencils are made positive semi-definite, H >= M, and for every unknown i
 //       |e_i| <= sqrt(r . M^-1 r / m_i).
 // - Forces balance. Where a contact or an element is very stiff, a large force moves nothing far, and a norm
-//   of velocities is blind to it. The residual force at a block must be a small part of the largest force
-//   that has a cause, of inertia, loads or elements, in its contact group (force_groups.hpp). Contact forces are no
-//   measure: they may be what is wrong. A floor keeps the round-off of bodies without stress out of it.
+//   of velocities is blind to it. The residual force at a block must be a small fraction of the
+//   reference force: the largest force of inertia, loads or elements in its contact group
+//   (force_groups.hpp). Contact forces are no measure: they may be wrong themselves. A floor keeps
+//   the round-off of bodies without stress out of it.
 // Scales belong to groups of unknowns: what a body does not touch changes nothing for it.
 #pragma once
 
@@ -27,8 +28,8 @@ class Convergence {
   void begin_step(const IncrementalPotential& potential, double h, bool inertia);
 
   Stopping stopping() const { return inertia_ ? solver_.stopping() : Stopping::force; }
-  // Of a direction p and the gradient where it starts; converged when not above 1. Throws FreeBody
-  // where a step without inertia has no equilibrium (free_bodies.hpp).
+  // Returns the norm of a direction p, given the gradient where p starts; converged when not above
+  // 1. Throws FreeBody where a step without inertia has no equilibrium (free_bodies.hpp).
   double norm(const VecX& p, const VecX& gradient);
   // By how much the norm of the exact direction may exceed that of one that leaves the residual r.
   double direction_error(const VecX& r) const;

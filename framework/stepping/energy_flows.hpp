@@ -30,7 +30,8 @@ struct EnergyFlows {
   // this step, less that of bodies that fly as wholes while nothing but gravity acts on them.
   double at_play = 0;
   double moving = 0;   // its kinetic part
-  bool in_contact = false;  // whether anything was in contact at its start or end, or stored between objects at its end
+  // Contact at the step's start or end, or energy stored between objects at its end.
+  bool in_contact = false;
   bool damped = false;      // done again by the integrator's fallback, because energy would have grown
   bool refined = false;     // smaller than the scene's step, because a larger one made or lost energy
   bool gained = false;      // energy has grown noticeably, and nothing put it in

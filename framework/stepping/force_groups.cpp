@@ -57,7 +57,7 @@ void ForceGroups::for_each_block(int vertex, const Act& act) const {
   for (const DofMap::Part& part : dofs_->blocks(vertex)) act(part.leaf);
 }
 
-// Whether nothing moves a vertex, or something held does so, too.
+// Returns whether no unknown moves the vertex.
 bool ForceGroups::is_held(int vertex) const { return dofs_->block(vertex) < 0 && !dofs_->mixed(vertex); }
 
 void ForceGroups::begin_step(const World& world, const IncrementalPotential& potential, const VecX& rounding) {

@@ -31,13 +31,13 @@ class ForceGroups {
   double rounding(int block) const { return rounding_[block]; }                  // N
   // The largest stencil force of its body group, contact included [N].
   double stencil_force(int block) const { return stencil_[body_group_[block]]; }
-  // Of its contact group: the largest load, element force or force of inertia [N], and the largest
-  // of the masses [kg].
+  // The largest load, element force or inertia force of the block's contact group [N].
   double cause(int block) const { return cause_[contact_group_[block]]; }
+  // The largest mass of the block's contact group [kg].
   double heaviest(int block) const { return heaviest_[contact_group_[block]]; }
   int contact_group(int block) const { return contact_group_[block]; }  // its smallest block
-  // Whether a stencil of its contact group ends at a held vertex, or some directions of a block of
-  // it are held.
+  // Returns whether a stencil of the block's contact group ends at a fixed vertex, or some
+  // directions of a block of the group are fixed.
   bool held(int block) const { return held_[contact_group_[block]]; }
 
  private:

@@ -20,7 +20,7 @@ struct FreeGroup {
   std::set<int> bodies;
 };
 
-// Whether a ray from the centre of a box along a direction hits another one that is larger by the half of the first.
+// Returns whether a ray from the centre of `moving` along `direction` hits `other`, inflated by half the size of `moving`.
 bool lies_ahead(const Eigen::AlignedBox3d& moving, const Vec3& direction, const Eigen::AlignedBox3d& other) {
   const Vec3 centre = moving.center(), half = moving.sizes() / 2;
   double first = 0, last = std::numeric_limits<double>::infinity();

@@ -1,11 +1,12 @@
-// The motion that starts the minimisation of a step: h v + h^2 a of its unknowns, as far as it takes
-// no bond and no adhesion past the peak of its traction. Beyond the peak lies another minimum of the
-// incremental potential, of surfaces apart. A minimiser that starts there stays there, however far the
-// loads are from the strength. Two ways that let go of nothing are tried, and the better one is taken:
-// - an object of which something would let go is predicted without its acceleration, h v, as in uniform
-//   motion; if that is too far as well, it starts from where it is;
-// - only the vertices of what would let go start from where they are: those ahead of a crack, while the
-//   rest moves on.
+// The motion that starts the minimisation of a step: h v + h^2 a of its unknowns, as far as it
+// takes no bond and no adhesion past the peak of its traction. Beyond the peak lies another minimum
+// of the incremental potential, of surfaces apart. A minimiser that starts there stays there,
+// however far the loads are from the strength. Two displacements that let go of nothing are tried,
+// and the better one is taken:
+// - an object of which something would let go is predicted without its acceleration, h v, as in
+//   uniform motion; if that is too far as well, the object starts from its present position;
+// - only the vertices of stencils that would let go start from their present positions: those ahead
+//   of a crack, while the rest moves on.
 #pragma once
 
 #include <vector>
@@ -19,13 +20,13 @@ struct PredictedMotion {
   bool lets_go = false;    // something does on all of them: what the script moves is the cause
 };
 
-// From x (3n), while the script moves held vertices by `scripted` (3n). full: h v + h^2 a, drift: h v,
-// of the unknowns. All that take part in the step are at x.
+// Returns the motion from x (3n). scripted: the prescribed displacement of vertices (3n); full:
+// h v + h^2 a, drift: h v, both of the unknowns. All participants of the step are at x.
 PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& scripted,
                                  const VecX& full, const VecX& drift);
 
-// Whether anything lets go between these configurations (3n). All that take part in the step are at
-// `from`.
+// Returns whether a bond or an adhesion lets go between two configurations (3n). All participants
+// of the step are at `from`.
 bool lets_go(const World& world, const VecX& from, const VecX& to);
 
 }  // namespace tack

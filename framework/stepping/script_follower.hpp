@@ -33,7 +33,8 @@ class ScriptFollower {
     VecX full, drift;
   };
   ScriptWalk::Result move(const VecX& x, const VecX& places, const Along* along, const Way& way);
-  ScriptWalk::Result go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential);
+  ScriptWalk::Result go_straight(const VecX& x, const VecX& places,
+                                 const std::vector<VecX>& ways, StepPotential& potential);
   ScriptWalk::Result walk(const VecX& x, const VecX& places, const Way& way);
 
   World& world_;

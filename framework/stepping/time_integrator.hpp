@@ -1,6 +1,7 @@
 // Time integration as a minimisation: one step solves
 //     x* = argmin 1/2 |x - x~|_M^2 + beta h^2 P(x)      (the paper, eq. 1),
-// where dynamic terms (contact, friction, bonds, ...: Term::dynamic) may have a factor of their own.
+// where dynamic terms (contact, friction, bonds, ...: Term::dynamic) may have a factor of their
+// own.
 #pragma once
 
 #include <string>

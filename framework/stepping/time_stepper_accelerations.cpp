@@ -9,7 +9,7 @@
 
 namespace tack {
 
-// Of a state that follows from no step: what steps have left in its history goes, and accelerations have to be set.
+// Starts from a state that follows from no step: erases the history that steps have left. Accelerations have to be set.
 void TimeStepper::begin_anew() {
   state_.a = VecX::Zero(state_.x.size());
   state_.history.erase(owed_friction_name);
