@@ -1,5 +1,6 @@
-// Numbers with a point for libraries that read and write them by the locale (strtod, printf), whatever locale an embedding program has set: Qt, GTK and
-// Python's locale.setlocale() do. Of this thread, while it lives.
+// Numbers with a decimal point for libraries that read and write them by the locale (strtod,
+// printf), whatever locale an embedding program has set: Qt, GTK and Python's locale.setlocale()
+// do. The guard acts on its thread, while it lives.
 #pragma once
 
 #include <clocale>

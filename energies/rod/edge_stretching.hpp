@@ -28,7 +28,8 @@ class EdgeStretching {
       return sum;
     });
   }
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian, const double* lengths = nullptr) const {
+  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian,
+                   const double* lengths = nullptr) const {
     for_each(count(), [&](int e) {
       spring(e, lengths).derivatives(span(e, x), projection, gradient + 6 * static_cast<size_t>(e),
                                      hessian ? hessian + 27 * static_cast<size_t>(e) : nullptr);

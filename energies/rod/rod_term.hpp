@@ -39,14 +39,16 @@ class RodTerm : public Term, public ResidualView, public StrainView {
 
   double value(const VecX& x) const override { return value_of(x, nullptr); }
   std::vector<StencilBatch> batches() const override;
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override {
     derivatives_of(x, nullptr, projection, gradient, hessian);
   }
 
   // The lengths of the edges, then three strains of each pair.
   VecX strains(const VecX& x) const override;
   double value_from(const VecX& x, const VecX& rest) const override { return value_of(x, rest.data()); }
-  void derivatives_from(const VecX& x, const VecX& rest, Projection projection, double* gradient, double* hessian) const override {
+  void derivatives_from(const VecX& x, const VecX& rest, Projection projection, double* gradient,
+                        double* hessian) const override {
     derivatives_of(x, rest.data(), projection, gradient, hessian);
   }
 
@@ -69,7 +71,8 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   int pair_count() const { return static_cast<int>(pairs_.size()); }
   // From other strains than those at rest; null: from those.
   double value_of(const VecX& x, const double* strains) const;
-  void derivatives_of(const VecX& x, const double* strains, Projection projection, double* gradient, double* hessian) const;
+  void derivatives_of(const VecX& x, const double* strains, Projection projection, double* gradient,
+                      double* hessian) const;
   Vec3 rest_of(int pair, const double* strains) const {
     return strains ? Vec3(Eigen::Map<const Vec3>(strains + stretching_.count() + 3 * static_cast<size_t>(pair))) : pairs_[pair].rest;
   }

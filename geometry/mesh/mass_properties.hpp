@@ -13,8 +13,8 @@ struct MassProperties {
 };
 
 // Throws InputError if there are neither tets nor triangles, or if the surface is not closed, not oriented alike
-// throughout, inside out, or has closed parts within each other that would count the inner one twice (a cavity faces
-// inwards). Edges and points are not asked.
+// throughout, inside out, or has closed parts within each other that would count the inner one
+// twice (a cavity faces inwards). Edges and points are not asked.
 MassProperties mass_properties(const Mesh& mesh);
 
 }  // namespace tack

@@ -36,7 +36,7 @@ Remeshed remeshed(CgalMesh m, const RemeshOptions& o, double crease_angle) {
   return {std::move(m), creases};
 }
 
-// Of such edges nothing keeps the shape: of a ball, a tetrahedron would be left.
+// Throws InputError for edges longer than the surface. They would not keep its shape: a ball would become a tetrahedron.
 void refuse_too_long_edges(const Mesh& mesh, double edge_length, const std::string& name) {
   const double size = bounding_box(mesh).diagonal().norm();
   if (edge_length <= size) return;

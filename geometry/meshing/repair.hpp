@@ -17,7 +17,8 @@ enum class Holes {
 };
 
 struct RepairOptions {
-  // Vertices that close [m] become one; unless given, as close as single precision (STL) rounds coordinates of that size, and no ends of one edge.
+  // Vertices that close [m] become one; unless given, as close as single precision (STL) rounds
+  // coordinates of that size, and no ends of one edge.
   std::optional<double> merge;
   Holes holes = Holes::of_solids;
 };

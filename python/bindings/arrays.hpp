@@ -14,7 +14,8 @@
 namespace tack::python {
 
 namespace py = pybind11;
-using Numbers = py::object;  // an array of numbers, or nested lists of them, as a caller gave it: vector_of() checks it
+// An array of numbers, or nested lists of them, as a caller gave it: vector_of() checks it.
+using Numbers = py::object;
 
 // All of it as (size / columns, columns), or flat where columns is 0: memory of the vector itself, which lives as long as the array does. Not writable.
 py::array view(const std::shared_ptr<const VecX>& values, int columns);
@@ -22,8 +23,10 @@ py::array view(const std::shared_ptr<const VecX>& values, int columns);
 // Copies, of the same shapes.
 py::array copy(const VecX& values, int columns);
 
-// Flat, from an array that is flat, (size), or (size / 3, 3): another shape of as many numbers would scramble them. Throws TypeError for
-// what is no array of real numbers, or a masked one, and ValueError for another shape and for numbers that are not finite; `what`: "positions".
+// Returns a flat vector from an array of shape (size) or (size / 3, 3): another shape of the same
+// size would scramble the numbers. Throws TypeError for anything but an array of real numbers and
+// for a masked array, ValueError for another shape and for numbers that are not finite. `what`: the
+// name in messages, such as "positions".
 VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& what);
 
 // (n, K) of whole numbers.

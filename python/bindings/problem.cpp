@@ -33,7 +33,8 @@ Objective& Problem::at(const Numbers& q) {
   return objective;
 }
 
-// Whether nothing intersects and no tet is inverted where it is: exactly, as steps are checked. Barriers do not tell of what is on the other side.
+// Returns whether nothing intersects and no tet is inverted, exactly, as steps are checked. Barriers do not detect
+// surfaces that have passed through each other.
 bool Problem::feasible() {
   if (feasible_) return *feasible_;
   const VecX& x = dynamic_cast<const IncrementalPotential&>(there().objective).configuration();

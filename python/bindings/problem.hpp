@@ -14,11 +14,14 @@ namespace tack::python {
 // Valid while its step lasts; afterwards every call throws RuntimeError.
 class Problem {
  public:
-  // start: unknowns where it begins, feasible (3m). The objective is an IncrementalPotential of the world, which must outlive the step.
-  Problem(MinimizerProblem problem, const World& world, VecX start) : problem_(std::move(problem)), world_(world), start_(std::move(start)) { judge_.begin(); }
+  // start: the feasible unknowns where the minimisation begins (3m). The objective is an
+  // IncrementalPotential of the world, which must outlive the step.
+  Problem(MinimizerProblem problem, const World& world, VecX start)
+      : problem_(std::move(problem)), world_(world), start_(std::move(start)) { judge_.begin(); }
 
   void end() { problem_.reset(); }
-  void leave() { q_.resize(0), judged_.reset(), feasible_.reset(); }  // others have moved what it shares with the simulation
+  // Clears stored results: others have moved the state that it shares with the simulation.
+  void leave() { q_.resize(0), judged_.reset(), feasible_.reset(); }
 
   int size();
   py::array start() const { return copy(start_, 0); }
@@ -46,8 +49,10 @@ class Problem {
   MinimizerResult work_;
 };
 
-// A function of Python in the place of a minimiser of steps of that world: q = function(problem), feasible as the start is. Tolerances are those of `like`.
-std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like, const World& world);
+// Returns a minimiser of steps of `world` that calls a Python function: q = function(problem),
+// feasible as the start is. Tolerances are those of `like`.
+std::unique_ptr<Minimizer> minimizer_of(py::function function, const Minimizer& like,
+                                        const World& world);
 
 void bind_problem(py::module_& module);
 

@@ -236,7 +236,7 @@ std::shared_ptr<Problem> Running::problem() {
   return problem_;
 }
 
-// Those of a step that is under way are told when it is over.
+// Returns the warnings since the last call. Warnings of a step that is under way are reported when it is over.
 std::vector<std::string> Running::take_warnings() {
   if (busy_) return {};
   return std::exchange(warnings_, {});

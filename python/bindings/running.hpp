@@ -1,6 +1,6 @@
 // A simulation as Python has it: nothing is written, and threads are its own.
-// One call at a time: while a step is under way, calls from other threads and from its own minimiser throw std::runtime_error, but for those that
-// only read what the newest step has left.
+// One call at a time: while a step is under way, calls from other threads and from its own
+// minimiser throw std::runtime_error, except calls that only read the results of the newest step.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -65,7 +65,8 @@ class Running {
   std::vector<std::string> take_warnings();
 
  private:
-  // Holds the simulation for one call; the constructor throws std::runtime_error if another call has it.
+  // Locks the simulation for one call; the constructor throws std::runtime_error if another call
+  // has locked it.
   class Claim {
    public:
     explicit Claim(std::atomic<bool>& busy);

@@ -191,7 +191,7 @@ class Ccd : public StepFilter {
                }});
   }
 
-  // What two primitives fill of their distance [m].
+  // Returns how much of the distance between two primitives their contact offsets fill [m].
   template <size_t A, size_t B>
   double offset_of(const std::array<int, A>& a, const std::array<int, B>& b) const {
     return largest_offset_ == 0 ? 0 : filled_between(contact_->surface(), contact_->pairs(), a, b);

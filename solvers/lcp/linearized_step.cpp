@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-// Whether rows and impulses stand for the term. Any other term, dynamic or not, acts linearised.
+// Returns whether rows and impulses represent the term. Any other term, dynamic or not, acts linearised.
 bool has_rows(const World& world, const Term* term) {
   return term == world.contact_term.get() || term == world.rim.get() || term == world.bonds.get() || term == world.friction.get();
 }

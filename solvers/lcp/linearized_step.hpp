@@ -1,7 +1,8 @@
 // Implicit Euler, linearised at the start of the step: of displacements p of the unknowns
 //     A p = M h v + h^2 f - h^2 K_s p_s + h J^T lambda,    A = M + h^2 K
-// with the forces f and the stiffness K (projected, with damping) of all terms but contact, friction and bonds, dynamic ones too, the displacements p_s that
-// the script imposes, and impulses lambda along rows J [N s].
+// with the forces f and the stiffness K (projected, with damping) of all terms but contact,
+// friction and bonds, dynamic ones too, the prescribed displacements p_s, and impulses lambda along
+// rows J [N s].
 #pragma once
 
 #include <memory>
