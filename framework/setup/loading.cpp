@@ -7,6 +7,7 @@
 
 #include "framework/body/extent.hpp"
 #include "framework/core/disjoint_sets.hpp"
+#include "geometry/errors.hpp"
 
 namespace tack {
 namespace {
@@ -18,7 +19,8 @@ bool is_named(const ObjectConfig& object, const std::string& name) {
   return name == "*" || object.name == name || std::find(object.groups.begin(), object.groups.end(), name) != object.groups.end();
 }
 
-// Per body, the largest displacement of a vertex that a motion moves [m].
+// Per body, the largest displacement of a vertex that a motion moves [m]; infinite from a time on at which
+// a motion has no finite position. The step that comes there ends the run with the reason.
 std::vector<double> prescribed_displacements(const World& world, double duration) {
   std::vector<double> displacements(world.bodies.size(), 0);
   const Script& script = world.script;
@@ -31,7 +33,12 @@ std::vector<double> prescribed_displacements(const World& world, double duration
   for (int k = 1; k <= motion_samples; ++k) {
     const double t = duration * k / motion_samples;
     VecX x = world.rest;
-    script.place(script.active(t), world.rest, world.rest, t, x);
+    try {
+      script.place(script.active(t), world.rest, world.rest, t, x);
+    } catch (const SimulationError&) {
+      for (const auto& [body, v] : moved) displacements[body] = std::numeric_limits<double>::infinity();
+      break;
+    }
     for (const auto& [body, v] : moved)
       displacements[body] = std::max(displacements[body], (vertex(x, v) - vertex(world.rest, v)).norm());
   }

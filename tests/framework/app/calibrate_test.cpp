@@ -82,7 +82,10 @@ TEST_CASE("a calibration finds strength and work, writes what it found, and asks
     CHECK(number["high"].get<double>() > number["value"].get<double>());
   }
   CHECK(result["numbers"][0]["unit"] == "Pa");
-  CHECK(result["warnings"].empty());
+  // Steps of 50 ms are an error of the model, beside the noise of the data.
+  CHECK(result["fits"] == false);
+  REQUIRE(result["warnings"].size() == 1);
+  CHECK(contains(result["warnings"][0].get<std::string>(), "the model misses something that was measured"));
   CHECK(result["runs"]["started"] == result["runs"]["points"]);
   CHECK(result["runs"]["with_derivatives"].get<int>() > 0);
   CHECK(contains(found.out, "derivatives by strength"));

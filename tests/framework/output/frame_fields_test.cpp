@@ -126,7 +126,7 @@ TEST_CASE("friction's traction is mu times the pressure of what slides", "[field
   for (int v = f.body("block").first_vertex; v < f.body("block").first_vertex + f.body("block").vertex_count; ++v) moved(3 * v) += 1e-4;
   FrictionTerm& friction = *f.scene.world->friction;
   const double h = 1e-4;
-  friction.begin_step({f.state.x, h});
+  friction.begin_step({f.state.x, 0, h});
   friction.lag(f.state.x);
   f.state.x = moved;
   f.scene.world->contact->move_to(moved);
