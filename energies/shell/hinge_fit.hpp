@@ -12,7 +12,7 @@
 // needed, and more makes coarse meshes stiff. Each hinge in turn changes what is its own as little as meets its conditions
 // (Kaczmarz), and each fan is made definite again, a little more than it has to be, so that this comes to an end. Fans of six hinges
 // will do where meshes are regular; where they do not, fans of eight are taken, which couple more vertices. What else was
-// tried, and why no C of the hinges of a triangle will do: docs/design.md.
+// tried, and why no C of the hinges of a triangle will do: docs/decisions/45-sheet-bending.md.
 //
 // Source of the moments: the constant moments of Morley's and Hellan-Herrmann-Johnson's plate elements (Comodi 1989).
 #pragma once

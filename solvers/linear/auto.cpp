@@ -1,7 +1,7 @@
 // Chooses between a factor that is kept and conjugate gradients with an incomplete one, by what they
 // read and compute: the operations and entries of the factor as its symbolic analysis predicts them,
 // against the blocks of the matrix and the iterations that were needed. Counts, not seconds, so that
-// runs repeat bit for bit; the constants are measured, see docs/performance.md.
+// runs repeat bit for bit; the constants are measured, see docs/log/performance_linear_solvers.md.
 #include <fmt/format.h>
 
 #include <limits>
