@@ -92,6 +92,16 @@ class Stepping(unittest.TestCase):
         sim.run(until=0.05)
         self.assertEqual(sim.steps, 5)
 
+    def test_the_snippet_of_the_README_runs_to_the_end(self):
+        page = (source / "README.md").read_text(encoding="utf-8")
+        code = re.search(r"```python\n(.*?)```", page, re.S).group(1)
+        printed = []
+        scope = {"print": lambda *values: printed.append(values)}
+        exec(code.replace("experiments/", f"{source}/experiments/"), scope)
+        self.assertTrue(scope["sim"].finished)
+        self.assertEqual(len(printed), scope["sim"].steps)
+        self.assertAlmostEqual(max(adhesion for _, adhesion in printed), 10, delta=0.1)
+
     def test_simulations_side_by_side(self):
         sims = [tack.Simulation(blocks, set=small, threads=1) for _ in range(2)]
         threads = [threading.Thread(target=lambda s=s: [s.step() for _ in range(5)]) for s in sims]
