@@ -1,6 +1,9 @@
 // What the README and docs/ show is true: their scenes are files that run, and the files they name exist.
 #include <catch2/catch.hpp>
+#include <cctype>
 #include <regex>
+#include <set>
+#include <sstream>
 
 #include "tests/support/program.hpp"
 
@@ -30,6 +33,29 @@ std::vector<std::string> all_matches(const std::string& text, const std::regex& 
   std::vector<std::string> found;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) found.push_back((*it)[1].str());
   return found;
+}
+
+// The anchor that a heading gets on the web: lower case, without punctuation, hyphens for spaces.
+std::string anchor_of(const std::string& heading) {
+  std::string anchor;
+  for (const char c : std::regex_replace(heading, std::regex(R"(\[([^\]]*)\]\([^)]*\))"), "$1")) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == ' ') anchor += '-';
+    else if (std::isalnum(byte) || c == '_' || c == '-' || byte >= 0x80) anchor += static_cast<char>(std::tolower(byte));
+  }
+  return anchor;
+}
+
+// The anchors of a page: those of its headings, and `<a id="...">`.
+std::set<std::string> anchors_of(const std::string& text) {
+  const std::vector<std::string> ids = all_matches(text, std::regex(R"re(<a id="([^"]+)")re"));
+  std::set<std::string> anchors(ids.begin(), ids.end());
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const size_t level = line.find_first_not_of('#');
+    if (level != std::string::npos && level > 0 && line[level] == ' ') anchors.insert(anchor_of(line.substr(level + 1)));
+  }
+  return anchors;
 }
 
 // The fenced blocks of a language.
@@ -74,15 +100,18 @@ TEST_CASE("what the README shows of files is what they hold") {
   }
 }
 
-TEST_CASE("every link of the README and docs and every file that pages on the code name exists") {
+TEST_CASE("every link, anchor included, of the README and docs and every file that pages on the code name exists") {
   const std::regex link_to(R"(\]\(([^)\s]+)\))"), code(R"(`((?:framework|solvers|energies|geometry|tests)/[^`\s]*)`)");
   int links = 0, files = 0;
   for (const fs::path& document : documents()) {
     const std::string text = file_text(document);
     for (const std::string& link : all_matches(text, link_to)) {
-      if (link.starts_with("http:") || link.starts_with("https:") || link.starts_with("#")) continue;
+      if (link.starts_with("http:") || link.starts_with("https:")) continue;
       INFO(document.string() << " links to " << link);
-      CHECK(fs::exists(document.parent_path() / link.substr(0, link.find('#'))));
+      const size_t hash = link.find('#');
+      const fs::path target = hash == 0 ? document : document.parent_path() / link.substr(0, hash);
+      REQUIRE(fs::exists(target));
+      if (hash != std::string::npos && target.extension() == ".md") CHECK(anchors_of(file_text(target)).contains(link.substr(hash + 1)));
       ++links;
     }
     if (!describes_the_present(document)) continue;
