@@ -77,7 +77,7 @@ grep -q '"adhesion.parabolic"' schema.json || fail "the schema does not know the
 
 # What must be refused, with its place: refused LIBRARY PATTERN
 cd "$scratch/elsewhere"
-block '## A law that remembers' "$source/docs/extending.md" >fading.cpp
+block '## A cohesive law with history variables' "$source/docs/extending.md" >fading.cpp
 block '## Add an interaction' "$source/docs/extending.md" >tether.cpp
 block '## Ask for unknowns' "$source/docs/extending.md" >moisture.cpp
 cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null

@@ -13,7 +13,7 @@ using namespace tack;
 
 TEST_CASE("the documented law that remembers fits on a page") {
   const std::string page = file_text(TACK_SOURCE_DIR "/docs/extending.md");
-  const size_t begin = page.find("```cpp\n", page.find("\n## A law that remembers\n")), end = page.find("```\n", begin + 7);
+  const size_t begin = page.find("```cpp\n", page.find("\n## A cohesive law with history variables\n")), end = page.find("```\n", begin + 7);
   REQUIRE(end != std::string::npos);
   CHECK(std::count(page.begin() + begin, page.begin() + end, '\n') <= 50);
 }
