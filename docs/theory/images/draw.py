@@ -276,7 +276,7 @@ def levers():
 
 def step():
     picture = Picture("step", 760, 250)
-    boxes = [(10, ["state: x, v,", "history variables"]), (165, ["start of the step", "lag surfaces,", "frames, friction"]), (335, ["prescribed vertices", "to their places"]),
+    boxes = [(10, ["state: x, v,", "history variables"]), (165, ["start of the step", "lag surfaces,", "frames, friction"]), (335, ["prescribed vertices", "to their positions"]),
              (505, ["minimise E(q)", "CCD bounds", "every step"]), (650, ["validate"])]
     widths = [125, 140, 140, 120, 100]
     for (x, lines), width in zip(boxes, widths):
