@@ -136,7 +136,7 @@ def rod_frames():
 
     edge((40, 200), 0.10, 0, COLOURS[1], ("reference", "", "t̄"))
     edge((330, 215), 0.62, 0.75, COLOURS[1], ("carried along", "first director", "t"))
-    out.append(text(590, 205, "θ = u / r: angle between the two arrows", "end", "s"))
+    out.append(text(640, 205, "θ = u / r: angle between the two arrows", "end", "s"))
     out.append(text(130, 265, "committed at the end of the last step", "middle", "s"))
     out.append(text(470, 265, "within the step: smallest rotation from t̄ to t, then θ about t", "middle", "s"))
     save("rods_frames.svg", 650, 285, out)
