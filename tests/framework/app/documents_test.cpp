@@ -125,6 +125,21 @@ TEST_CASE("every link, anchor included, of the README and docs and every file th
   CHECK(files > 200);
 }
 
+// Each theory page ends with the files that implement it and the tests that check it, so a file that moves takes its name there along.
+TEST_CASE("every file that a page of docs/theory names exists") {
+  const std::regex code(R"(`((?:energies|framework|geometry|solvers|tests)/[^`\s]*)`)");
+  int pages = 0;
+  for (const auto& entry : fs::directory_iterator(source / "docs/theory")) {
+    if (entry.path().extension() != ".md") continue;
+    for (const std::string& file : all_matches(file_text(entry.path()), code)) {
+      INFO(entry.path().string() << " names " << file);
+      CHECK(fs::exists(source / file));
+    }
+    ++pages;
+  }
+  CHECK(pages >= 10);
+}
+
 TEST_CASE("the index of docs names every page and schema") {
   const std::string index = file_text(source / "docs/README.md");
   int named = 0;
