@@ -4,7 +4,7 @@
 // the second director and against the first; tau: the angle by which the second frame is twisted from the first, which
 // was carried along by the smallest rotation that takes one tangent to the other.
 //     The rotation from frame to frame is the quaternion u + v j of complex numbers u = w + x i, v = y + z i, and
-//     tau = 2 arg u + theta_2 - theta_1,   kappa_1 - i kappa_2 ~ -i 2 v e^(-i (theta_1 + theta_2) / 2) / |u|,
+//     tau = 2 arg u + theta_2 - theta_1,   kappa_1 + i kappa_2 = -i 2 v e^(-i (theta_1 + theta_2) / 2) / |u|,
 // i.e. kappa_1 = 2 z'/|u|, kappa_2 = -2 y'/|u|. That resolves the curvature in the frame half-way between the two, which differs from the
 // mean of both that Bergou et al. take by the length cos(tau/2) of that mean: a section with I1 = I2 bends the same however much it is twisted.
 //     With the frames committed at the end of the last step, and edges l = (l_t, l_p, l_q) in components along those, the frame of

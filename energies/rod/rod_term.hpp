@@ -2,7 +2,8 @@
 // each two that meet (rod_pairs.hpp, bend_twist.hpp),
 //     P = sum_e E A / (2 L) (|x_b - x_a| - L)^2 + sum_pairs 1 / (2 l) (E I1 (kappa_1 - rest)^2 + E I2 (kappa_2 - rest)^2 + G J (tau - rest)^2).
 // The directors of a pair are turned, each by half of the twist that the mesh has at rest, so that they agree there; and where edges meet at
-// an acute angle, one is followed backwards, so that the angle between tangents is at most a right one.//     Where the rest shape turns by an angle phi, curvature and twist change by more than the frames turn against each other: by 1 / cos^2(phi / 2)
+// an acute angle, one is followed backwards, so that the angle between tangents is at most a right one.
+//     Where the rest shape turns by an angle phi, curvature and twist change by more than the frames turn against each other: by 1 / cos^2(phi / 2)
 // per angle in the plane of the turn, and by 1 / cos(phi / 2) across it. That is taken out of the stiffness, so that small bending of a
 // corner costs what it does of a straight rod.
 #pragma once
