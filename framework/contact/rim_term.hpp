@@ -14,6 +14,9 @@ class RimTerm : public LinearTerm {
   // The system must outlive it, and be told of steps before it.
   explicit RimTerm(const ContactSystem& system) : LinearTerm("rim"), system_(system) {}
 
+  // Adhesion and the change of its area have the same factor in every integrator (assembly/term_scales.hpp).
+  bool dynamic() const override { return true; }
+
   void forget() override { set_force({}); }
   void begin_step(const StepStart& start) override {
     set_force(system_.rim_forces().all());

@@ -10,6 +10,7 @@
 #include "framework/scene/energy.hpp"
 #include "framework/stepping/time_integrator.hpp"
 #include "tests/support/bond_laws.hpp"
+#include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
 
 using namespace tack;
@@ -187,4 +188,32 @@ TEST_CASE("a linear dynamic term has the scale of dynamic terms in value and gra
   potential.move_to(VecX::Constant(6, 0.5));
   CHECK(potential.value() == Approx(-0.5 * 6 * (3 * 5 + 2 * 7 * 2)));
   CHECK(potential.gradient().isApprox(VecX::Constant(6, -(3 * 5 + 2 * 7 * 2))));
+}
+
+TEST_CASE("every term that publishes forces or energies of contact is dynamic", "[dynamic]") {
+  TestScene test(
+      "time: {step: 1e-4, duration: 1e-3, integrator: newmark}\n"
+      "objects:\n"
+      "  - {name: lower, shape: {type: box, size: [1, 0.1, 1], cells: [2, 1, 2]}, motion: [fixed]}\n"
+      "  - {name: upper, shape: {type: box, size: [1, 0.1, 1], cells: [3, 1, 3]}, place: {translate: [0.1, 0.1005, 0]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3}]}\n"
+      "  - {name: stamp, shape: {type: box, size: [1, 0.1, 1], cells: [1, 1, 1]}, place: {translate: [0.1, 0.201, 0]}, energies: [{type: neo_hookean, young: 1 MPa, poisson: 0.3}]}\n"
+      "contact:\n"
+      "  distance: 0.4 mm\n"
+      "  pairs:\n"
+      "    - {between: [upper, lower], adhesion: {type: fang, peak_traction: 1 kPa, peak_distance: 1 mm, range: 2 mm}, friction: {mu: 0.3}}\n"
+      "    - {between: [upper, stamp], adhesion: {type: bonded, peak_traction: 10 kPa}, bond_distance: 0.7 mm}\n");
+  int in_contact = 0;
+  for (const Term* term : test.world->terms) {
+    Records records;
+    records.publish(*term);
+    const bool of_contact =
+        std::any_of(records.energies().begin(), records.energies().end(),
+                    [](const EnergyRecord& e) { return e.kind == EnergyKind::contact; }) ||
+        std::any_of(records.forces().begin(), records.forces().end(), [](const ForceRecord& f) { return f.acting != Acting::otherwise; });
+    if (!of_contact) continue;
+    ++in_contact;
+    INFO(term->name());
+    CHECK(term->dynamic());
+  }
+  CHECK(in_contact == 4);  // contact, overlap-boundary forces, bonds, friction
 }
