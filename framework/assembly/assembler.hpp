@@ -3,8 +3,6 @@
 // summed chunk by chunk before (local_sums.hpp). The maps of static terms are made once, those of dynamic terms whenever a configuration with other stencils is linearised.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,6 +14,7 @@
 #include "framework/assembly/term_scales.hpp"
 #include "framework/core/objective.hpp"
 #include "framework/core/phase_clock.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 
@@ -37,9 +36,13 @@ class Assembler {
   // The largest component of any stencil's force at the last evaluation [N].
   double largest_stencil_force() const;
   // Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices,
-  // the largest component of its force [N], and whether its term is dynamic.
+  // the largest component of its force [N], and whether its term is dynamic. Several threads call
+  // act at the same time, in any order.
   template <class Act>
   void for_each_stencil_force(const Act& act) const;
+  // Calls act(vertices) for each stencil of a term that is not dynamic, one after the other.
+  template <class Act>
+  void for_each_lasting_stencil(const Act& act) const;
 
  private:
   struct Group {
@@ -56,7 +59,7 @@ class Assembler {
 
     double largest_force() const;
     template <class Act>
-    void for_each_stencil_force(const Act& act) const;
+    void for_each_batch(const Act& act) const;
     void place(const DofMap& dofs, bool with_hessian);
     void evaluate(const VecX& x, Projection projection, bool with_hessian, TermTimes* times);
     void clamp_at(const std::vector<char>& block, const DofMap& dofs);
@@ -86,26 +89,38 @@ class Assembler {
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 
-// The vertices are those that the slots were placed for: a dynamic term may have other stencils by
-// now.
+// Calls act(arity, count, vertices, slots) for each batch. The vertices are those that the slots
+// were placed for: a dynamic term may have other stencils by now.
 template <class Act>
-void Assembler::Group::for_each_stencil_force(const Act& act) const {
-  const double* slot = gradient_slots.data();
+void Assembler::Group::for_each_batch(const Act& act) const {
+  const double* slots = gradient_slots.data();
   for (size_t i = 0; i < mapped.size();) {
     const int arity = mapped[i], count = mapped[i + 1];
-    i += 2;
-    for (int s = 0; s < count; ++s, i += arity) {
-      double largest = 0;
-      for (const double* end = slot + 3 * arity; slot < end; ++slot) largest = std::max(largest, std::abs(*slot));
-      act(std::span<const int>(mapped.data() + i, arity), largest);
-    }
+    act(arity, count, mapped.data() + i + 2, slots);
+    const auto entries = static_cast<size_t>(arity) * count;
+    i += 2 + entries;
+    slots += 3 * entries;
   }
 }
 
 template <class Act>
 void Assembler::for_each_stencil_force(const Act& act) const {
   for (const Group* group : {&ranged_, &static_, &dynamic_})
-    group->for_each_stencil_force([&](std::span<const int> vertices, double largest) { act(vertices, largest, group == &dynamic_); });
+    group->for_each_batch([&](int arity, int count, const int* vertices, const double* slots) {
+      for_each(count, [&, dynamic = group == &dynamic_](int s) {
+        const auto first = static_cast<size_t>(arity) * s;
+        const double largest = Eigen::Map<const VecX>(slots + 3 * first, 3 * arity).lpNorm<Eigen::Infinity>();
+        act(std::span<const int>(vertices + first, arity), largest, dynamic);
+      });
+    });
+}
+
+template <class Act>
+void Assembler::for_each_lasting_stencil(const Act& act) const {
+  for (const Group* group : {&ranged_, &static_})
+    group->for_each_batch([&](int arity, int count, const int* vertices, const double*) {
+      for (int s = 0; s < count; ++s) act(std::span<const int>(vertices + static_cast<size_t>(arity) * s, arity));
+    });
 }
 
 }  // namespace tack

@@ -37,9 +37,11 @@ class IncrementalPotential : public Objective {
   VecX gradient_at_all_vertices(const VecX& x);
   // The largest component of any stencil's force at the gradient that was evaluated last [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
-  // Calls act(vertices, largest, dynamic) for each stencil there (assembler.hpp).
+  // As those of the assembler; the stencil forces are those there.
   template <class Act>
   void for_each_stencil_force(const Act& act) const { assembler_.for_each_stencil_force(act); }
+  template <class Act>
+  void for_each_lasting_stencil(const Act& act) const { assembler_.for_each_lasting_stencil(act); }
   // The largest component of the force of inertia on a block, at the present point [N].
   double inertial_force(int block) const;
 

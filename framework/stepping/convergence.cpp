@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "framework/stepping/free_bodies.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 
@@ -42,9 +43,15 @@ void Convergence::begin_step(const IncrementalPotential& potential, double h, bo
   h_ = h;
   inertia_ = inertia;
   balance_ = {};
+  if (!unknowns_known_) take_unknowns(potential);
+  groups_.begin_step(world_);
+}
+
+void Convergence::take_unknowns(const IncrementalPotential& potential) {
+  unknowns_known_ = true;
   const DofMap& dofs = world_.dofs;
   mass_ = masses_to_judge_by(dofs.own_masses(world_.mass), dofs.block_masses(world_.mass));
-  groups_.begin_step(world_, potential, rounding_);
+  groups_.begin_unknowns(world_, potential, rounding_);
   // Of e = H^-1 r, M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.
   smallest_mass_ = mass_.size() > 0 ? mass_.minCoeff() : 0;
   for_each_mixed([&](int v) {
@@ -74,7 +81,7 @@ double Convergence::norm(const VecX& p, const VecX& gradient) {
     return largest / potential_->scale() / solver_.acceleration_tolerance();
   }
   const Balance worst = worst_balance(gradient);
-  if (!inertia_) check_free_bodies(world_, groups_, potential_->configuration(), gradient / potential_->scale());
+  if (!inertia_ && !groups_.all_held()) check_free_bodies(world_, groups_, potential_->configuration(), gradient / potential_->scale());
   return worst.unbalanced == 0 ? 0 : worst.unbalanced / worst.tolerated;
 }
 
@@ -88,11 +95,19 @@ double Convergence::tolerated_force(int block) const {
 
 Convergence::Balance Convergence::worst_balance(const VecX& gradient) {
   groups_.measure(*potential_);
-  Balance worst;
-  for (int b = 0; b < groups_.blocks(); ++b) {
-    const Balance own{gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / potential_->scale(), tolerated_force(b)};
-    if (b == 0 || own.unbalanced * worst.tolerated > worst.unbalanced * own.tolerated) worst = own;
-  }
+  const auto at = [&](int b) { return Balance{gradient.segment<3>(3 * b).lpNorm<Eigen::Infinity>() / potential_->scale(), tolerated_force(b)}; };
+  const auto worse = [](const Balance& a, const Balance& b) { return a.unbalanced * b.tolerated > b.unbalanced * a.tolerated; };
+  worst_of_chunk_.resize(chunk_count(groups_.blocks()));
+  for_each_chunk(groups_.blocks(), [&](int c, int first, int last) {
+    Balance worst = at(first);
+    for (int b = first + 1; b < last; ++b)
+      if (const Balance own = at(b); worse(own, worst)) worst = own;
+    worst_of_chunk_[c] = worst;
+  });
+  if (worst_of_chunk_.empty()) return {};
+  Balance worst = worst_of_chunk_[0];
+  for (const Balance& of_chunk : worst_of_chunk_)
+    if (worse(of_chunk, worst)) worst = of_chunk;
   return worst;
 }
 

@@ -12,6 +12,8 @@
 // Scales belong to groups of unknowns: what a body does not touch changes nothing for it.
 #pragma once
 
+#include <vector>
+
 #include "framework/assembly/incremental_potential.hpp"
 #include "framework/core/minimizer.hpp"
 #include "framework/stepping/force_groups.hpp"
@@ -24,6 +26,8 @@ class Convergence {
   // whole_step: of the scene [s]; substeps tolerate no larger forces.
   Convergence(const World& world, const Minimizer& solver, double whole_step);
 
+  // The unknowns of the next step are others than before, or of another potential.
+  void begin_unknowns() { unknowns_known_ = false; }
   // A step of size h that the potential has begun.
   void begin_step(const IncrementalPotential& potential, double h, bool inertia);
 
@@ -51,6 +55,7 @@ class Convergence {
   void for_each_mixed(const Body& body) const;
   double largest_way(const VecX& p) const;     // m
   double tolerated_force(int block) const;     // N
+  void take_unknowns(const IncrementalPotential& potential);
   Balance worst_balance(const VecX& gradient);
 
   const World& world_;
@@ -58,12 +63,14 @@ class Convergence {
   const double whole_step_;  // s
 
   const IncrementalPotential* potential_ = nullptr;
+  bool unknowns_known_ = false;
   double h_ = 0;
   bool inertia_ = true;
   VecX mass_;                 // of each block [kg]
   double smallest_mass_ = 0;  // likewise, or what a vertex that several move has of theirs
   VecX rounding_;             // rounding_forces(); empty where the scene gives a floor
   ForceGroups groups_;
+  std::vector<Balance> worst_of_chunk_;  // of blocks
   Balance balance_;
 };
 

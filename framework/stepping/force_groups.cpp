@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "framework/core/concurrent_maximum.hpp"
+#include "framework/core/dependent_sets.hpp"
+#include "framework/core/disjoint_sets.hpp"
+#include "geometry/parallel.hpp"
+
 namespace tack {
 namespace {
 
 constexpr double roundings = 64;  // of a coordinate, in the force of the elements around a vertex
-
-std::vector<int> groups_of(DisjointSets& sets, int count) {
-  std::vector<int> groups(count);
-  for (int b = 0; b < count; ++b) groups[b] = sets.find(b);
-  return groups;
-}
-
-void raise(double& largest, double value) { largest = std::max(largest, value); }
 
 }  // namespace
 
@@ -35,7 +32,7 @@ VecX rounding_forces(const World& world) {
   const BlockMatrix& hessian = potential.hessian({Projection::none});
 
   DisjointSets sets(vertices);
-  potential.for_each_stencil_force([&](std::span<const int> stencil, double, bool) {
+  potential.for_each_lasting_stencil([&](std::span<const int> stencil) {
     for (const int v : stencil) sets.join(stencil[0], v);
   });
   std::vector<double> coordinate(vertices, 0);
@@ -49,90 +46,118 @@ VecX rounding_forces(const World& world) {
   return forces;
 }
 
-// Calls act(block) for the blocks that move a vertex.
-template <class Act>
-void ForceGroups::for_each_block(int vertex, const Act& act) const {
-  if (const int b = dofs_->block(vertex); b >= 0) return act(b);
-  if (!dofs_->mixed(vertex)) return;
-  for (const DofMap::Part& part : dofs_->blocks(vertex)) act(part.leaf);
+void ForceGroups::begin_unknowns(const World& world, const IncrementalPotential& potential, const VecX& rounding) {
+  const DofMap& dofs = world.dofs;
+  find_body_groups(dofs, potential);
+  find_held(dofs, potential);
+  rounding_.assign(dofs.block_count(), 0);
+  mass_.assign(groups(), 0);
+  for (int v = 0; v < dofs.vertex_count(); ++v) {
+    if (group_of_vertex_[v] < 0) continue;
+    raise(mass_[group_of_vertex_[v]], world.mass(v));
+    if (rounding.size() == 0) continue;
+    if (const int b = dofs.block(v); b >= 0) rounding_[b] += rounding(v);
+    else
+      for (const DofMap::Part& part : dofs.blocks(v)) rounding_[part.leaf] += std::abs(part.weight) * rounding(v);
+  }
 }
 
-// Returns whether no unknown moves the vertex.
-bool ForceGroups::is_held(int vertex) const { return dofs_->block(vertex) < 0 && !dofs_->mixed(vertex); }
-
-void ForceGroups::begin_step(const World& world, const IncrementalPotential& potential, const VecX& rounding) {
-  dofs_ = &world.dofs;
-  const int count = dofs_->block_count();
+void ForceGroups::find_body_groups(const DofMap& dofs, const IncrementalPotential& potential) {
+  const int count = dofs.block_count();
   DisjointSets sets(count);
-  own_held_.assign(count, 0);
-  potential.for_each_stencil_force([&](std::span<const int> stencil, double, bool dynamic) {
-    if (dynamic) return;
+  std::vector<int> block(dofs.vertex_count());  // one of those that move the vertex
+  for (int v = 0; v < dofs.vertex_count(); ++v) block[v] = dofs.mixed(v) ? dofs.blocks(v)[0].leaf : dofs.block(v);
+  join_dependent(dofs, block, sets);
+  potential.for_each_lasting_stencil([&](std::span<const int> stencil) {
     int first = -1;
-    bool held = false;
     for (const int v : stencil) {
-      for_each_block(v, [&](int b) { first < 0 ? void(first = b) : sets.join(first, b); });
-      held = held || is_held(v);
+      if (block[v] < 0) continue;
+      if (first >= 0) sets.join(first, block[v]);
+      first = block[v];
     }
-    if (first >= 0 && held) own_held_[first] = 1;
   });
-  for (size_t k = 0; k < dofs_->dependents().size(); ++k) {
-    const int v = dofs_->dependents()[k];
-    if (!dofs_->mixed(v)) continue;
-    const int first = dofs_->blocks(v)[0].leaf;
-    for (const DofMap::Part& part : dofs_->blocks(v)) sets.join(first, part.leaf);
-    for (const DofMap::Part& part : dofs_->parts(static_cast<int>(k)))
-      if (is_held(part.leaf)) own_held_[first] = 1;
+  group_of_block_.resize(count);
+  first_block_.clear();
+  for (int b = 0; b < count; ++b) {
+    const int smallest = sets.find(b);
+    if (smallest == b) first_block_.push_back(b);
+    group_of_block_[b] = smallest == b ? groups() - 1 : group_of_block_[smallest];
   }
-  for (const DofMap::HeldBlock& h : dofs_->held_blocks())
-    if (!h.twist) own_held_[h.block] = 1;
-  body_group_ = groups_of(sets, count);
+  group_of_vertex_.resize(block.size());
+  for (size_t v = 0; v < block.size(); ++v) group_of_vertex_[v] = block[v] < 0 ? -1 : group_of_block_[block[v]];
+}
 
-  rounding_.assign(count, 0);
-  for (int v = 0; v < static_cast<int>(rounding.size()); ++v) {
-    if (const int b = dofs_->block(v); b >= 0) rounding_[b] += rounding(v);
-    else if (dofs_->mixed(v))
-      for (const DofMap::Part& part : dofs_->blocks(v)) rounding_[part.leaf] += std::abs(part.weight) * rounding(v);
-  }
-  VecX load = VecX::Zero(world.rest.size());
-  world.gravity_term.add_linear_gradient(load);
-  world.load_term.add_linear_gradient(load);
-  dofs_->collect(load);
-  load_.resize(count);
-  mass_.assign(count, 0);
-  for (int b = 0; b < count; ++b) load_[b] = vertex(load, dofs_->vertex_of_block(b)).lpNorm<Eigen::Infinity>();
-  for (int v = 0; v < static_cast<int>(world.mass.size()); ++v) for_each_block(v, [&](int b) { raise(mass_[b], world.mass(v)); });
+void ForceGroups::find_held(const DofMap& dofs, const IncrementalPotential& potential) {
+  lastingly_held_.assign(groups(), 0);
+  const auto mark_if_fixed = [&](const auto& vertices, const auto& vertex_of) {
+    int group = -1;
+    bool fixed = false;
+    for (const auto& entry : vertices) {
+      const int of_vertex = group_of_vertex_[vertex_of(entry)];
+      group = std::max(group, of_vertex);
+      fixed = fixed || of_vertex < 0;
+    }
+    if (group >= 0 && fixed) lastingly_held_[group] = 1;
+  };
+  potential.for_each_lasting_stencil([&](std::span<const int> stencil) { mark_if_fixed(stencil, [](int v) { return v; }); });
+  for (size_t k = 0; k < dofs.dependents().size(); ++k)
+    if (dofs.mixed(dofs.dependents()[k])) mark_if_fixed(dofs.parts(static_cast<int>(k)), [](const DofMap::Part& part) { return part.leaf; });
+  for (const DofMap::HeldBlock& h : dofs.held_blocks())
+    if (!h.twist) lastingly_held_[group_of_block_[h.block]] = 1;
+}
+
+void ForceGroups::begin_step(const World& world) {
+  load_force_.setZero(world.rest.size());
+  world.gravity_term.add_linear_gradient(load_force_);
+  world.load_term.add_linear_gradient(load_force_);
+  world.dofs.collect(load_force_);
+  load_.assign(groups(), 0);
+  for_each(blocks(), [&](int b) {
+    raise(load_[group_of_block_[b]], vertex(load_force_, world.dofs.vertex_of_block(b)).lpNorm<Eigen::Infinity>());
+  });
+}
+
+void ForceGroups::measure_stencils(const IncrementalPotential& potential) {
+  element_.assign(groups(), 0);
+  dynamic_.assign(groups(), 0);
+  touches_fixed_ = lastingly_held_;
+  contact_sets_.reset(groups());
+  potential.for_each_stencil_force([&](std::span<const int> stencil, double largest, bool dynamic) {
+    int last = -1;
+    bool fixed = false;
+    for (const int v : stencil) {
+      const int group = group_of_vertex_[v];
+      fixed = fixed || group < 0;
+      if (group < 0 || group == last) continue;
+      raise((dynamic ? dynamic_ : element_)[group], largest);
+      if (!dynamic) return;  // all of its vertices that move are of one group
+      if (last >= 0 && largest > 0) contact_sets_.join(last, group);
+      last = group;
+    }
+    if (last >= 0 && fixed && largest > 0) mark(touches_fixed_[last]);
+  });
 }
 
 void ForceGroups::measure(const IncrementalPotential& potential) {
-  const int count = blocks();
-  std::vector<double> element(count, 0);
-  stencil_.assign(count, 0);
-  DisjointSets sets(count);
-  for (int b = 0; b < count; ++b) sets.join(b, body_group_[b]);
-  std::vector<char> held = own_held_;
-  potential.for_each_stencil_force([&](std::span<const int> stencil, double largest, bool dynamic) {
-    int first = -1;
-    bool ends_at_held = false;
-    for (const int v : stencil) {
-      ends_at_held = ends_at_held || is_held(v);
-      for_each_block(v, [&](int b) {
-        raise(stencil_[body_group_[b]], largest);
-        if (!dynamic) raise(element[body_group_[b]], largest);
-        else if (first >= 0 && largest > 0) sets.join(first, b);
-        first = b;
-      });
-    }
-    if (dynamic && first >= 0 && ends_at_held && largest > 0) held[first] = 1;
+  measure_stencils(potential);
+  inertia_.assign(groups(), 0);
+  for_each(blocks(), [&](int b) { raise(inertia_[group_of_block_[b]], potential.inertial_force(b)); });
+  stencil_.resize(groups());
+  contact_root_.resize(groups());
+  cause_.assign(groups(), 0);
+  heaviest_.assign(groups(), 0);
+  held_.assign(groups(), 0);
+  for_each(groups(), [&](int g) {
+    const int root = contact_root_[g] = contact_sets_.find(g);
+    stencil_[g] = std::max(element_[g], dynamic_[g]);
+    raise(cause_[root], std::max({load_[g], element_[g], inertia_[g]}));
+    raise(heaviest_[root], mass_[g]);
+    if (touches_fixed_[g]) mark(held_[root]);
   });
-  contact_group_ = groups_of(sets, count);
-  held_.assign(count, 0);
-  cause_.assign(count, 0);
-  heaviest_.assign(count, 0);
-  for (int b = 0; b < count; ++b) {
-    raise(cause_[contact_group_[b]], std::max({load_[b], element[body_group_[b]], potential.inertial_force(b)}));
-    raise(heaviest_[contact_group_[b]], mass_[b]);
-    held_[contact_group_[b]] |= held[b];
-  }
+  free_ = 0;
+  for_each(groups(), [&](int g) {
+    if (contact_root_[g] == g && !held_[g]) mark(free_);
+  });
 }
 
 }  // namespace tack

@@ -73,7 +73,10 @@ Minimization::Minimization(const StepperContext& context, const StepObservers& o
 
 void Minimization::begin(bool new_unknowns) {
   steps_.reset();
-  if (new_unknowns) follower_.reset();
+  if (new_unknowns) {
+    follower_.reset();
+    convergence_.begin_unknowns();
+  }
 }
 
 void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt) {
