@@ -1,9 +1,12 @@
 // Bonds that a motion takes past the peak of their traction. The traction is taken along the opening (d, u) of the bond, lambda its length:
 //     d phi / d lambda,   d^2 phi / d lambda^2   with d = lambda cos(theta), |u| = lambda sin(theta).
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "framework/bond/bond_term.hpp"
+#include "framework/core/concurrent_maximum.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
@@ -17,32 +20,57 @@ struct AlongOpening {
 
 bool softens(const AlongOpening& at, double length) { return at.stiffness * length < -softening * at.traction; }
 
-// At the opening `length` [m] along the direction whose part along the normal is `cosine`.
-AlongOpening along_opening(const BondLaw& law, const double* memory, double h, double length, double cosine) {
-  const double across = 1 - cosine * cosine;  // sin^2
-  const BondSample s = law.at(length * cosine, length * length * across, memory, h);
-  return {s.by_d * cosine + 2 * s.by_s * length * across,
-          s.by_dd * cosine * cosine + 4 * s.by_ds * cosine * across * length + 4 * s.by_ss * length * length * across * across + 2 * s.by_s * across};
-}
+// Opening of a bond along a direction whose component along the normal is `cosine`.
+struct Path {
+  double length, cosine;  // m
+  double across() const { return 1 - cosine * cosine; }  // sin^2
+
+  double d(double opening) const { return opening * cosine; }
+  double s(double opening) const { return opening * opening * across(); }
+  // Of the law's sample at that opening.
+  AlongOpening along(const BondSample& s, double opening) const {
+    return {s.by_d * cosine + 2 * s.by_s * opening * across(),
+            s.by_dd * cosine * cosine + 4 * s.by_ds * cosine * across() * opening + 4 * s.by_ss * opening * opening * across() * across() +
+                2 * s.by_s * across()};
+  }
+};
+
+double length_of(const Opening& o) { return std::hypot(std::max(o.d, 0.0), std::sqrt(o.s)); }
 
 }  // namespace
 
 void BondTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
   frame_at(from);
-  for (int i = 0; i < list_.size(); ++i) {
-    const Bond& bond = list_.bonds()[i];
-    const Opening before = opening_of(bond, from), after = opening_of(bond, to);
-    const double d = std::max(after.d, 0.0), length = std::hypot(d, std::sqrt(after.s));
-    const double length_before = std::hypot(std::max(before.d, 0.0), std::sqrt(before.s));
-    if (!(length > length_before)) continue;
-    const double cosine = d / length;
-    const auto at = [&](double opening) { return along_opening(law_of(i), list_.memory(i), h_, opening, cosine); };
-    const double soon = std::min(at_limit * length_before, length);
-    if (!(at(length_before).stiffness > 0) || softens(at(soon), soon)) continue;
-    const AlongOpening end = at(length);
-    if (end.traction > 0 && !softens(end, length)) continue;
-    for (int v = 0; v < bond.count(); ++v) vertices[bond.vertices[v]] = 1;
-  }
+  constexpr int blocks_at_once = 8;
+  for_each(static_cast<int>(blocks_.size()), [&](int k) {
+    const auto [first, last] = blocks_[k];
+    std::array<double, most_in_block> length_before, d{}, s{};  // at the end
+    std::array<Path, most_in_block> paths;
+    std::array<BondSample, most_in_block> ends{};
+    const auto widens = [&](int i) { return paths[i].length > length_before[i]; };
+    for (int i = 0; i < last - first; ++i) {
+      const Bond& bond = list_.bonds()[first + i];
+      const Opening after = opening_of(bond, to);
+      const double length = length_of(after);
+      paths[i] = {length, std::max(after.d, 0.0) / length};
+      length_before[i] = length_of(opening_of(bond, from));
+      if (widens(i)) d[i] = paths[i].d(length), s[i] = paths[i].s(length);
+    }
+    const BondLaw& law = law_of(first);
+    law.add_samples(last - first, d.data(), s.data(), list_.memory(first), h_, ends.data());
+    for (int i = 0; i < last - first; ++i) {
+      if (!widens(i)) continue;
+      const Path& path = paths[i];
+      const AlongOpening end = path.along(ends[i], path.length);
+      if (end.traction > 0 && !softens(end, path.length)) continue;
+      // Few bonds are past their peak. Those that were there before go on as they did.
+      const auto at = [&](double opening) { return path.along(law.at(path.d(opening), path.s(opening), list_.memory(first + i), h_), opening); };
+      const double soon = std::min(at_limit * length_before[i], path.length);
+      if (!(at(length_before[i]).stiffness > 0) || softens(at(soon), soon)) continue;
+      const Bond& bond = list_.bonds()[first + i];
+      for (int v = 0; v < bond.count(); ++v) mark(vertices[bond.vertices[v]]);
+    }
+  }, blocks_at_once);
 }
 
 }  // namespace tack

@@ -3,6 +3,8 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/stencil_distance.hpp"
+#include "framework/core/concurrent_maximum.hpp"
+#include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
@@ -16,8 +18,8 @@ bool softens(const PairLaw& law, double distance) {
 
 // Returns whether the sides adhere at `distance` and no longer at `end`, farther apart: there the
 // law softens or is out of range.
-bool lets_go(const PairLaw& law, double range, double distance, double end) {
-  return end > distance && distance < range && !softens(law, distance) && (!(end < range) || softens(law, end));
+bool passes_peak(const PairLaw& law, double range, double distance, double end) {
+  return end > distance && distance < range && (!(end < range) || softens(law, end)) && !softens(law, distance);
 }
 
 }  // namespace
@@ -32,12 +34,13 @@ void ContactTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<
   if (!any) return;
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double*) {
     using K = decltype(kind);
-    for (const auto& stencil : stencils) {
-      if (!(range[stencil.law] > 0) || !(stencil.weight > 0)) continue;
+    for_each(static_cast<int>(stencils.size()), [&](int i) {
+      const auto& stencil = stencils[i];
+      if (!(range[stencil.law] > 0) || !(stencil.weight > 0)) return;
       const auto distance_at = [&](const VecX& x) { return std::sqrt(stencil_distance<ValueKernels>(K{}, x, stencil)); };
-      if (!lets_go(laws(LawPart::all)[stencil.law], range[stencil.law], distance_at(from), distance_at(to))) continue;
-      for (const int v : stencil.vertices) vertices[v] = 1;
-    }
+      if (!passes_peak(laws(LawPart::all)[stencil.law], range[stencil.law], distance_at(from), distance_at(to))) return;
+      for (const int v : stencil.vertices) mark(vertices[v]);
+    });
   });
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "framework/core/dependent_sets.hpp"
 #include "framework/core/disjoint_sets.hpp"
 #include "framework/core/term.hpp"
 
@@ -26,8 +27,7 @@ std::vector<int> groups_of_vertices(const World& world) {
     const int body = world.body_of(static_cast<int>(v));
     of[v] = body < 0 ? bodies : body;
   }
-  for (size_t k = 0; k < world.dofs.dependents().size(); ++k)
-    for (const DofMap::Part& part : world.dofs.parts(static_cast<int>(k))) sets.join(of[world.dofs.dependents()[k]], of[part.leaf]);
+  join_dependent(world.dofs, of, sets);
   for (int& group : of) group = sets.find(group);
   return of;
 }
@@ -89,7 +89,7 @@ std::optional<VecX> by_vertices(const Prediction& prediction, std::vector<char> 
 
 }  // namespace
 
-bool lets_go(const World& world, const VecX& from, const VecX& to) { return !letting_go(world, from, to).empty(); }
+bool anything_lets_go(const World& world, const VecX& from, const VecX& to) { return !letting_go(world, from, to).empty(); }
 
 PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& scripted, const VecX& full, const VecX& drift) {
   const Prediction prediction{world, x, scripted, full, drift};

@@ -17,7 +17,8 @@ namespace tack {
 
 struct PredictedMotion {
   std::vector<VecX> ways;  // of the unknowns of the present step [m], none twice
-  bool lets_go = false;    // something does on all of them: what the script moves is the cause
+  // Something lets go on every such way: the prescribed motion is the cause.
+  bool lets_go = false;
 };
 
 // Returns the motion from x (3n). scripted: the prescribed displacement of vertices (3n); full:
@@ -27,6 +28,6 @@ PredictedMotion predicted_motion(const World& world, const VecX& x, const VecX& 
 
 // Returns whether a bond or an adhesion lets go between two configurations (3n). All participants
 // of the step are at `from`.
-bool lets_go(const World& world, const VecX& from, const VecX& to);
+bool anything_lets_go(const World& world, const VecX& from, const VecX& to);
 
 }  // namespace tack
