@@ -32,6 +32,15 @@ void BondList::clear() {
   memory_at_.clear();
 }
 
+BondList BondList::none() const {
+  BondList list;
+  list.surface_ = surface_;
+  list.pairs_ = pairs_;
+  list.table_ = table_;
+  list.first_triangle_ = first_triangle_;
+  return list;
+}
+
 void BondList::add(const Bond& bond, const double* memory) {
   bonds_.push_back(bond);
   memory_at_.push_back(memory_.size());
@@ -45,8 +54,7 @@ void BondList::sort() {
     const Bond &p = bonds_[i], &q = bonds_[j];
     return std::tuple(p.leading, p.rule, key_of(p), p.triangle) < std::tuple(q.leading, q.rule, key_of(q), q.triangle);
   });
-  BondList sorted(*this);
-  sorted.clear();
+  BondList sorted = none();
   for (const int i : order) sorted.add(bonds_[i], memory(i));
   bonds_ = std::move(sorted.bonds_);
   memory_ = std::move(sorted.memory_);

@@ -25,6 +25,8 @@ class BondList {
   int size() const { return static_cast<int>(bonds_.size()); }
 
   void clear();
+  // Returns a list of the same scene without bonds.
+  BondList none() const;
   void add(const Bond& bond, const double* memory);
   // After the last add().
   void sort();
@@ -36,11 +38,12 @@ class BondList {
   std::vector<std::pair<int, int>> pairs() const;
 
  private:
+  BondList() = default;
   void place(Bond& bond, const double* entry, const std::array<int, 2>& key) const;
 
-  const ContactSurface* surface_;
-  const PairTable* pairs_;
-  const BondTable* table_;
+  const ContactSurface* surface_ = nullptr;
+  const PairTable* pairs_ = nullptr;
+  const BondTable* table_ = nullptr;
   std::vector<int> first_triangle_;  // of each object, and the end
   std::vector<Bond> bonds_;
   std::vector<double> memory_;

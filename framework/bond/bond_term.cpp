@@ -288,8 +288,7 @@ BondTerm::Changes BondTerm::changes(const VecX& x) const {
 }
 
 void BondTerm::commit(const VecX& x, History& history) const {
-  BondList kept(list_);
-  kept.clear();
+  BondList kept = list_.none();
   std::vector<double> memory;
   for (int i = 0; i < list_.size(); ++i) {
     const BondChange change = advance(i, x, memory);
