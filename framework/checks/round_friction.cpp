@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include "framework/contact/contact_system.hpp"
+#include "framework/core/disjoint_sets.hpp"
 #include "framework/scene/rolling_energy.hpp"
 #include "framework/world/world.hpp"
 
@@ -24,20 +24,28 @@ std::vector<char> led_vertices(const World& world) {
   return led;
 }
 
-// The vertices of each connected component of the edges.
+// Returns the vertices of each connected component of the edges, in the order of their smallest vertices.
 std::vector<std::vector<int>> components_of(const std::vector<Edge>& edges) {
-  std::map<int, int> parent;
-  for (const auto& [a, b] : edges) parent[a] = a, parent[b] = b;
-  const auto root = [&](int v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& [a, b] : edges) parent[root(a)] = root(b);
-  std::map<int, std::vector<int>> by_root;
-  for (const auto& [v, unused] : parent) by_root[root(v)].push_back(v);
-  std::vector<std::vector<int>> all;
-  for (auto& [unused, vertices] : by_root) all.push_back(std::move(vertices));
-  return all;
+  int end = 0;
+  for (const auto& [a, b] : edges) end = std::max({end, a + 1, b + 1});
+  DisjointSets sets(end);
+  std::vector<char> used(end, 0);
+  for (const auto& [a, b] : edges) {
+    sets.join(a, b);
+    used[a] = used[b] = 1;
+  }
+  std::vector<std::vector<int>> components;
+  std::vector<int> component_of(end);  // of each set, at its smallest vertex
+  for (int v = 0; v < end; ++v) {
+    if (!used[v]) continue;
+    const int smallest = sets.find(v);
+    if (smallest == v) {
+      component_of[v] = static_cast<int>(components.size());
+      components.emplace_back();
+    }
+    components[component_of[smallest]].push_back(v);
+  }
+  return components;
 }
 
 // The largest coefficient of friction of two objects, wherever they touch; 0 if they are in no contact.
