@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "framework/config/field.hpp"
+#include "framework/config/file_digest.hpp"
 #include "framework/config/read_file.hpp"
 #include "framework/config/yaml_text.hpp"
 #include "geometry/checksum.hpp"
@@ -34,10 +35,7 @@ std::string this_program() {
 
 void add_files(const Value& value, std::string& recipe) {
   const Value *type = value.find("type"), *path = value.find("path");
-  if (type && path && type->text == "file") {
-    const std::string bytes = read_file(path->text, largest_file);
-    recipe += fmt::format("\nfile of {} bytes, {:08x}", bytes.size(), crc32_of(bytes.data(), bytes.size()));
-  }
+  if (type && path && type->text == "file") recipe += "\nfile " + file_digest(path->text);
   for (const Value& item : value.items) add_files(item, recipe);
   for (const Value::Entry& entry : value.entries) add_files(entry.value, recipe);
 }
