@@ -38,6 +38,9 @@ BondList BondList::none() const {
   list.pairs_ = pairs_;
   list.table_ = table_;
   list.first_triangle_ = first_triangle_;
+  list.bonds_.reserve(bonds_.size());
+  list.memory_.reserve(memory_.size());
+  list.memory_at_.reserve(memory_at_.size());
   return list;
 }
 

@@ -25,7 +25,7 @@ class BondList {
   int size() const { return static_cast<int>(bonds_.size()); }
 
   void clear();
-  // Returns a list of the same scene without bonds.
+  // Returns a list of the same scene without bonds, with room for as many.
   BondList none() const;
   void add(const Bond& bond, const double* memory);
   // After the last add().
