@@ -109,7 +109,8 @@ void Assembler::for_each_stencil_force(const Act& act) const {
     group->for_each_batch([&](int arity, int count, const int* vertices, const double* slots) {
       for_each(count, [&, dynamic = group == &dynamic_](int s) {
         const auto first = static_cast<size_t>(arity) * s;
-        const double largest = Eigen::Map<const VecX>(slots + 3 * first, 3 * arity).lpNorm<Eigen::Infinity>();
+        const Eigen::Map<const VecX> force(slots + 3 * first, 3 * arity);
+        const double largest = force.lpNorm<Eigen::Infinity>();
         act(std::span<const int>(vertices + first, arity), largest, dynamic);
       });
     });
@@ -119,7 +120,8 @@ template <class Act>
 void Assembler::for_each_lasting_stencil(const Act& act) const {
   for (const Group* group : {&ranged_, &static_})
     group->for_each_batch([&](int arity, int count, const int* vertices, const double*) {
-      for (int s = 0; s < count; ++s) act(std::span<const int>(vertices + static_cast<size_t>(arity) * s, arity));
+      for (int s = 0; s < count; ++s)
+        act(std::span<const int>(vertices + static_cast<size_t>(arity) * s, arity));
     });
 }
 

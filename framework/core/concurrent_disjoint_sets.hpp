@@ -1,6 +1,6 @@
 // Disjoint sets (disjoint_sets.hpp) that several threads join at the same time without locks
-// (Anderson and Woll 1991, Wait-free parallel algorithms for the union-find problem). A set is known
-// by its smallest member, so that the order of the joins changes nothing.
+// (Anderson and Woll 1991, Wait-free parallel algorithms for the union-find problem). A set is
+// known by its smallest member, so that the order of the joins changes nothing.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,8 @@ class ConcurrentDisjointSets {
       if (i == j) return;
       const int larger = std::max(i, j);
       int expected = larger;  // or another thread has joined it to a set meanwhile
-      if (at(larger).compare_exchange_strong(expected, std::min(i, j), std::memory_order_relaxed)) return;
+      const int smaller = std::min(i, j);
+      if (at(larger).compare_exchange_strong(expected, smaller, std::memory_order_relaxed)) return;
     }
   }
 

@@ -1,4 +1,4 @@
-// Vertices that depend on each other (dof_map.hpp) move together, and so do the sets that they are in.
+// Vertices that depend on each other (dof_map.hpp) move together, and so do their sets.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace tack {
 
-// Joins the sets of each dependent vertex and of the vertices that it depends on. set_of: per vertex,
-// a member of its set; below zero: it is in none.
+// Joins the sets of each dependent vertex and of the vertices that it depends on. set_of: per
+// vertex, a member of its set; below zero: it is in none.
 inline void join_dependent(const DofMap& dofs, std::span<const int> set_of, DisjointSets& sets) {
   for (size_t k = 0; k < dofs.dependents().size(); ++k) {
     int first = set_of[dofs.dependents()[k]];

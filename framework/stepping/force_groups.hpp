@@ -26,7 +26,8 @@ class ForceGroups {
  public:
   // Finds the body groups of the world's unknowns, which are those of the potential. rounding: per
   // vertex [N]; empty: none.
-  void begin_unknowns(const World& world, const IncrementalPotential& potential, const VecX& rounding);
+  void begin_unknowns(const World& world, const IncrementalPotential& potential,
+                      const VecX& rounding);
   // Takes the loads of the step.
   void begin_step(const World& world);
   // Finds the contact groups and all scales, of the stencils that were evaluated last.
@@ -59,9 +60,11 @@ class ForceGroups {
   // Body groups are numbered in the order of their smallest blocks.
   std::vector<int> group_of_block_, first_block_;
   // Per body group:
-  std::vector<char> lastingly_held_, touches_fixed_;  // by lasting stencils; by all that transmit a force
+  std::vector<char> lastingly_held_;  // whether a lasting stencil ends at a fixed vertex
+  std::vector<char> touches_fixed_;   // whether any stencil that transmits a force does
   std::vector<double> mass_, load_;                          // the largest [kg, N]
-  std::vector<double> element_, dynamic_, inertia_, stencil_;  // the largest, by the last measure [N]
+  // The largest forces, by the last measure [N]; stencil_: of elements and dynamic terms.
+  std::vector<double> element_, dynamic_, inertia_, stencil_;
   ConcurrentDisjointSets contact_sets_;
   std::vector<int> contact_root_;  // the first body group of the contact group
   // Per contact group, at its first body group:
