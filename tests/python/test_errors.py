@@ -1,0 +1,121 @@
+"""Errors, the process around the package, and the notebook."""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import numpy as np
+
+import tack
+from tack_test_scenes import source, blocks, small, falling, run_python
+
+
+class Notebook(unittest.TestCase):
+    def test_the_tutorial_runs(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        matplotlib.use("agg")
+        notebook = json.loads((source / "docs/tutorial.ipynb").read_text(encoding="utf-8"))
+        scope = {}
+        before = pathlib.Path.cwd()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                os.chdir(folder)
+                for cell in notebook["cells"]:
+                    if cell["cell_type"] == "code":
+                        exec("".join(cell["source"]).replace("../experiments", str(source / "experiments")), scope)
+            finally:
+                os.chdir(before)
+        force = scope["force"]
+        self.assertGreater(force.max(), 0)
+        self.assertLess(abs(force[-1]), 1e-5)
+        soft, middle, stiff = scope["peaks"].values()
+        self.assertLess(soft, middle)
+        self.assertLess(middle, stiff)
+        self.assertLess(stiff, 5.1e3)
+        self.assertLess(np.abs(scope["own"].x - scope["ours"].x).max(), 1e-6)
+        self.assertEqual(scope["results"].summary["status"], "done")
+
+    def test_what_notebooks_show(self):
+        if not (pathlib.Path(tack.__file__).parent / "share/report.html").exists():
+            self.skipTest("the page of reports is not built")
+        sim = tack.Simulation(blocks, set=small)
+        sim.step()
+        shown = sim._repr_html_()
+        self.assertTrue(shown.startswith("<iframe"))
+        self.assertGreater(len(shown), 100000)
+
+
+class Errors(unittest.TestCase):
+    def test_errors_name_the_place(self):
+        with self.assertRaisesRegex(tack.InputError, "yong.*young"):
+            tack.Simulation(falling, set={"objects.cube.energies.0.yong": "1 MPa"})
+        with self.assertRaises(ValueError):
+            tack.Simulation("nowhere.yaml")
+        with self.assertRaisesRegex(tack.InputError, "neither a run"):
+            tack.read(source / "docs")
+
+    def test_a_locale_with_commas_changes_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            made = shutil.which("localedef") and subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", f"{folder}/de_DE.UTF-8"], capture_output=True)
+            if not made or made.returncode != 0:
+                self.skipTest("no locale with commas can be made here")
+            code = """
+import locale, resource, tack
+resource.setrlimit(resource.RLIMIT_CPU, (30, 31))
+scene = {"name": "p", "parameters": {"w": "0.1 m", "h": "5 ms"}, "time": {"step": "h", "duration": "0.5 s"}, "objects": [
+    {"name": "b", "shape": {"type": "box", "size": ["0.5 * w", "w", "1.5 * w"]}, "energies": [{"type": "neo_hookean", "young": "0.1 MPa"}],
+     "motion": [{"type": "formula", "x": "0.5 * t", "select": {"type": "face", "direction": [0, 1, 0]}}]}]}
+if SET: locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+sim = tack.Simulation(scene, threads=1)
+sim.step()
+print(sim.x.tolist())
+"""
+            environment = {**os.environ, "LOCPATH": folder}
+            plain, commas = (run_python(code.replace("SET", answer), env=environment) for answer in ("False", "True"))
+            self.assertEqual(commas.returncode, 0, commas.stderr)
+            self.assertEqual(commas.stdout, plain.stdout)
+
+    def test_characters_beyond_the_first_plane(self):
+        for about in ("\u00fc 1 \u00b5m", "\U0001d6fe = 3", "\U0001f600"):
+            sim = tack.Simulation({**falling, "about": about})
+            self.assertIn(about, sim.scene())
+            self.assertIn(about, tack.Simulation(falling, set={"about": about}).scene())
+
+    def test_ctrl_c(self):
+        code = f"""
+import tack, sys
+sim = tack.Simulation({str(blocks)!r}, set={{"objects.lower.shape.cells": [24, 24, 24], "objects.upper.shape.cells": [24, 24, 24], "time.duration": "100 s"}})
+print("ready", flush=True)
+try:
+    sim.run()
+except KeyboardInterrupt:
+    steps = sim.steps
+    print("stopped", flush=True)
+"""
+        process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+        try:
+            self.assertEqual(process.stdout.readline().strip(), "ready")
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            out, _ = process.communicate(timeout=60)
+        finally:
+            process.kill()
+        self.assertEqual(out.strip(), "stopped")
+        self.assertEqual(process.returncode, 0)
+
+    def test_no_traces_are_left_in_the_process(self):
+        result = run_python(f"import signal, tack; sim = tack.Simulation({str(blocks)!r}); sim.step(); "
+                            "assert signal.getsignal(signal.SIGINT) is signal.default_int_handler; print(sim.steps)")
+        self.assertEqual(result.stdout.strip(), "1", result.stderr)
+
+if __name__ == "__main__":
+    unittest.main()
