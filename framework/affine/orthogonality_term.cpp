@@ -69,12 +69,19 @@ bool OrthogonalityTerm::bend(const DofMap& dofs, const VecX& q, VecX& p, double 
   return std::any_of(bent.begin(), bent.end(), [](char b) { return b != 0; });
 }
 
+double OrthogonalityTerm::energy(int b, const VecX& x) const { return bodies_[b].modulus / 2 * strain_of(map_of(b, x)).squaredNorm(); }
+
 double OrthogonalityTerm::value(const VecX& x) const {
   return sum_chunks(static_cast<int>(bodies_.size()), [&](int first, int last) {
     double sum = 0;
-    for (int b = first; b < last; ++b) sum += bodies_[b].modulus / 2 * strain_of(map_of(b, x)).squaredNorm();
+    for (int b = first; b < last; ++b) sum += energy(b, x);
     return sum;
   });
+}
+
+bool OrthogonalityTerm::share_energy(const VecX& x, const EnergyShare& share) const {
+  for (size_t b = 0; b < bodies_.size(); ++b) share(frames_[b], energy(static_cast<int>(b), x));
+  return true;
 }
 
 std::vector<StencilBatch> OrthogonalityTerm::batches() const {

@@ -29,6 +29,7 @@ class OrthogonalityTerm : public Term, public ResidualView {
   double largest_strain(const VecX& x) const;
 
   double value(const VecX& x) const override;
+  bool share_energy(const VecX& x, const EnergyShare& share) const override;
   std::vector<StencilBatch> batches() const override;
   void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
 
@@ -41,6 +42,7 @@ class OrthogonalityTerm : public Term, public ResidualView {
     Mat3 shape;    // rest edges^-1 [1/m]
     double modulus;  // kappa V [J]
   };
+  double energy(int body, const VecX& x) const;  // J
   Mat3 map_of(int body, const VecX& x) const;  // A
   Eigen::Matrix<double, 3, 4> corners(int body) const;  // d A / d x: A = sum_a x_a corners.col(a)^T
 

@@ -43,6 +43,9 @@ class BondTerm : public Term {
     double dissipated = 0, healed = 0;
   };
   Changes changes(const VecX& x) const;
+  // The same by bonds: what they dissipate, and what healing takes.
+  void share_changes(const VecX& x, const EnergyShare& share) const;
+  bool share_energy(const VecX& x, const EnergyShare& share) const override;
   void publish(Records& records) const override;
 
   // Returns the force of each bond of the list on its place [N]. The opposite force acts on the

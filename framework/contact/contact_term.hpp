@@ -30,6 +30,7 @@ class ContactTerm : public Term {
   const ResidualView* residual_view() const override { return &residuals_; }
   void mark_letting_go(const VecX& from, const VecX& to,
                        std::vector<char>& vertices) const override;
+  bool share_energy(const VecX& x, const EnergyShare& share) const override;
   void publish(Records& records) const override;
 
   double part_value(const VecX& x, LawPart part) const;

@@ -67,6 +67,8 @@ class FrictionTerm : public Term, public ResidualView {
   void publish(Records& records) const override;
   // Force times slip since the start of the step: what a part dissipates on the way to x [J].
   double dissipated(const VecX& x, TangentialPart part) const;
+  // The same of both parts, by contact points.
+  void share_dissipation(const VecX& x, const EnergyShare& share) const;
   // The force of a part on every vertex (3n) [N]; with a pair, of its points only.
   VecX forces(const VecX& x, TangentialPart part,
               std::optional<ObjectPair> only = std::nullopt) const;

@@ -23,6 +23,12 @@ class RimTerm : public LinearTerm {
     set_reference(start.x);
   }
 
+  bool share_energy(const VecX& x, const EnergyShare& share) const override {
+    for (int v = 0; v < force().size() / 3; ++v)
+      if (!vertex(force(), v).isZero(0)) share({&v, 1}, -vertex(force(), v).dot(vertex(x, v) - vertex(reference(), v)));
+    return true;
+  }
+
   // All of it is adhesion, and the forces those of the step, wherever it is. Its work is within what contact stores.
   void publish(Records& records) const override {
     ForceRecord force_record{"rim", Acting::normal, {"adhesion"}};

@@ -10,6 +10,14 @@
 
 namespace tack {
 
+// The same for a group of bodies (stepping/group_balance.hpp).
+struct GroupAccount {
+  double kinetic = 0, gravity = 0, elastic = 0, contact = 0;  // J
+  double dissipated = 0;  // so far [J]
+  EnergyAtPlay at_play;   // so far
+  bool met_another = false;  // a stencil of contact has ended in another group: its own energy is not known
+};
+
 struct EnergyAccount {
   bool open = false;  // false: nothing is known of the state's energies yet
   // Of the state, of all that was free in the step before [J].
@@ -25,6 +33,7 @@ struct EnergyAccount {
   double bottom = 0;       // the smallest value of all of `unexplained` [J]
   int grown_steps = 0;     // steps behind us in all of which it was far above that
   bool told = false;       // that it was for long
+  std::vector<GroupAccount> groups;  // empty: all bodies are one group
 
   double dissipated_as(const std::string& name) const {  // 0 of what was not
     for (const auto& [other, amount] : dissipated)

@@ -14,6 +14,7 @@ class LinearTerm : public Term, public ResidualView {
   void set_force(VecX force) { force_ = std::move(force); }              // N, 3n
   void set_reference(VecX reference) { reference_ = std::move(reference); }  // where it is zero [m], 3n
   const VecX& force() const { return force_; }
+  const VecX& reference() const { return reference_; }
 
   double value(const VecX& x) const override {
     return force_.size() == 0 ? 0.0 : -force_.dot(x - reference_);

@@ -67,6 +67,7 @@ void Records::add(FlowRecord record) {
     if (!column.name.starts_with(prefix))
       throw std::logic_error(fmt::format("the flow '{}' of '{}' does not begin with '{}'", column.name, record.name, prefix));
   }
+  record.term = publisher_;
   flows_.push_back(std::move(record));
 }
 
@@ -96,6 +97,7 @@ void Records::replace(EnergyRecord record) {
 }
 
 void Records::replace(FlowRecord record) {
+  record.term = nullptr;
   put_in_place(flows_, std::move(record), "flows", [](const FlowRecord&) {});
 }
 

@@ -11,11 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "framework/core/term.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
-
-class Term;
 
 struct ObjectPair {
   int a, b;
@@ -86,6 +85,10 @@ struct FlowRecord {
   std::vector<FlowColumn> columns;  // columns of one name add up
   // Writes the amount of each for the step to x, while all that takes part still holds what it held in it [J].
   std::function<void(const VecX& x, double* amounts)> amounts = {};
+  // Calls share(vertices, energy) for each stencil: what the step to x dissipates there, less what it
+  // feeds [J]. None: all stencils of the term belong together (Term::share_energy).
+  std::function<void(const VecX& x, const EnergyShare& share)> shares = {};
+  const Term* term = nullptr;  // that published it
 };
 
 struct FieldRecord {

@@ -6,6 +6,8 @@
 // blocks [N/m], lower triangle by rows: (0,0) (1,0) (1,1) (2,0) ...
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ namespace tack {
 
 class Records;
 class ResidualView;
+
+// Receives the vertices of a stencil and an energy that belongs to it [J].
+using EnergyShare = std::function<void(std::span<const int> vertices, double joules)>;
 
 inline constexpr int largest_arity = 10;    // of a stencil
 inline constexpr int largest_rank_one = 24;  // of one whose Hessian is of rank one
@@ -80,6 +85,10 @@ class Term : public StepParticipant {
 
   // Whether its value is an energy that bodies have, and not one that stands for what a step dissipates.
   virtual bool stores() const { return true; }
+  // Calls share(vertices, energy) for each stencil at x and returns true: the energies add up to the
+  // value. Returns false if the term does not offer it; all its stencils then belong together where
+  // energy is counted by groups of bodies (stepping/group_balance.hpp).
+  virtual bool share_energy(const VecX& /*x*/, const EnergyShare& /*share*/) const { return false; }
 
   // Adds what results show of it: once, when the world is built (records.hpp). Unless overridden: its value, as the energy of its name.
   virtual void publish(Records& records) const;

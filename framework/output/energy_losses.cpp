@@ -11,9 +11,10 @@ namespace tack {
 namespace {
 
 constexpr double most_of_it = 0.8;
+constexpr size_t most_told = 3;  // lines of groups
 
 struct Told {
-  double joules;
+  double fraction;  // of what was at play
   std::string text;
 };
 
@@ -21,14 +22,22 @@ std::string percent(double share) { return share < 0.1 ? fmt::format("{:.2g}%", 
 
 }  // namespace
 
-void EnergyLosses::Cause::add(const StepReport& report, double dissipated, double jerk) {
+void EnergyLosses::Cause::add(const StepReport& report, double dissipated, double jerk, bool contact) {
   losing = std::max(0.0, losing + dissipated);
   making = std::max(0.0, making - dissipated - jerk);
   lost = std::max(lost, losing);
   made = std::max(made, making);
   sum += dissipated;
-  in_contact += report.flows.in_contact ? dissipated : 0;
+  in_contact += contact ? dissipated : 0;
   when.add(report.time - report.step_size / 2, report.step_size, dissipated);
+}
+
+void EnergyLosses::Group::add(const StepReport& report, const GroupFlow& flow) {
+  at_play = std::max(at_play, flow.at_play);
+  moving = std::max(moving, flow.moving);
+  noise += flow.noise * flow.noise;
+  met_another = met_another || flow.met_another;
+  (report.flows.damped ? repeated : integrator).add(report, flow.numerics, flow.jerk, flow.in_contact);
 }
 
 void EnergyLosses::add(const StepReport& report) {
@@ -36,29 +45,52 @@ void EnergyLosses::add(const StepReport& report) {
   at_play = std::max(at_play, flows.at_play);
   moving = std::max(moving, flows.moving);
   noise += flows.noise * flows.noise;
-  areas.add(report, flows.areas, 0);
-  (flows.damped ? repeated : integrator).add(report, flows.numerics, flows.jerk);
+  areas.add(report, flows.areas, 0, flows.in_contact);
+  (flows.damped ? repeated : integrator).add(report, flows.numerics, flows.jerk, flows.in_contact);
+  if (groups.size() < flows.groups.size()) groups.resize(flows.groups.size());
+  for (size_t g = 0; g < flows.groups.size(); ++g) groups[g].add(report, flows.groups[g]);
 }
 
-std::vector<Warning> EnergyLosses::told(const TimeIntegrator& rule) const {
+std::vector<Warning> EnergyLosses::told(const TimeIntegrator& rule, const std::vector<std::string>& group_names) const {
   std::vector<Told> told;
-  const auto look = [&](const Cause& cause, const char* what, const auto& advice) {
+  // of: the scene, or one of its groups.
+  const auto look = [&](const Cause& cause, const auto& of, const std::string& whose, bool of_integrator, const char* what, const auto& advice) {
     const bool made = cause.made > cause.lost;
     const double joules = made ? cause.made : cause.lost;
-    if (joules <= tolerated * at_play + std::sqrt(noise)) return;
-    if (!made && &cause == &integrator && rule.damps() && moving < motion * at_play) return;
+    if (joules <= tolerated * of.at_play + std::sqrt(of.noise)) return;
+    if (!made && of_integrator && rule.damps() && of.moving < motion * of.at_play) return;
     const auto [from, to] = cause.when.densest(made ? -most_of_it * joules : most_of_it * joules);
-    told.push_back({joules, fmt::format("energy: {} {} {:.3g} J, {} of the most that was at play ({:.3g} J), most of it from t = {:.4g} to {:.4g} s: {}",
-                                        what, made ? "made" : "lost", joules, percent(joules / at_play), at_play, from, to, advice(made, cause))});
+    told.push_back({joules / of.at_play,
+                    fmt::format("energy{}: {} {} {:.3g} J, {} of the most that was at play ({:.3g} J), most of it from t = {:.4g} to {:.4g} s: {}", whose,
+                                what, made ? "made" : "lost", joules, percent(joules / of.at_play), of.at_play, from, to, advice(made, cause))});
   };
-  look(areas, "areas of contact", [](bool, const Cause&) { return areas_advice; });
-  look(repeated, "repeated steps", [](bool, const Cause&) { return repeats_advice; });
-  look(integrator, "time integration", [&](bool made, const Cause& cause) {
-    return rule.energy_advice(made, 2 * std::abs(cause.in_contact) > std::abs(cause.sum));
-  });
-  std::stable_sort(told.begin(), told.end(), [](const Told& a, const Told& b) { return a.joules > b.joules; });
+  const auto of_areas = [](bool, const Cause&) { return areas_advice; };
+  const auto of_repeats = [](bool, const Cause&) { return repeats_advice; };
+  const auto of_rule = [&](bool made, const Cause& cause) { return rule.energy_advice(made, 2 * std::abs(cause.in_contact) > std::abs(cause.sum)); };
+  const bool by_groups = !groups.empty() && groups.size() == group_names.size() && std::none_of(groups.begin(), groups.end(), [](const Group& g) { return g.met_another; });
+  if (by_groups) {
+    for (size_t g = 0; g < groups.size(); ++g) {
+      const std::string whose = " of " + group_names[g];
+      // What areas took of all is more than they can have taken of the group.
+      const bool areas_count = std::max(areas.lost, areas.made) > tolerated * groups[g].at_play;
+      const char* what = areas_count ? "time integration and areas of contact" : "time integration";
+      look(groups[g].integrator, groups[g], whose, true, what, of_rule);
+      look(groups[g].repeated, groups[g], whose, false, "repeated steps", of_repeats);
+    }
+  } else {
+    look(areas, *this, "", false, "areas of contact", of_areas);
+    look(repeated, *this, "", false, "repeated steps", of_repeats);
+    look(integrator, *this, "", true, "time integration", of_rule);
+  }
+  std::stable_sort(told.begin(), told.end(), [](const Told& a, const Told& b) { return a.fraction > b.fraction; });
   std::vector<Warning> warnings;
-  for (const Told& t : told) warnings.emplace_back(t.text);
+  for (const Told& t : told) {
+    if (by_groups && warnings.size() == most_told) {
+      warnings.emplace_back(fmt::format("energy: {} more groups of bodies lost or gained more than {:g}% of what was at play", told.size() - most_told, 100 * tolerated));
+      break;
+    }
+    warnings.emplace_back(t.text);
+  }
   return warnings;
 }
 

@@ -38,7 +38,19 @@ VecX vector_of(const Json& json) {
 enum class Since { first, later };
 
 template <class Field>
-constexpr bool is_record = std::is_same_v<Field, EnergyAccount> || std::is_same_v<Field, EnergyAtPlay>;
+constexpr bool is_record = std::is_same_v<Field, EnergyAccount> || std::is_same_v<Field, EnergyAtPlay> || std::is_same_v<Field, GroupAccount>;
+
+template <class Account, class Act>
+  requires std::is_same_v<std::remove_const_t<Account>, GroupAccount>
+void for_each_field(Account& a, const Act& act) {
+  act("kinetic", a.kinetic, Since::first);
+  act("gravity", a.gravity, Since::first);
+  act("elastic", a.elastic, Since::first);
+  act("contact", a.contact, Since::first);
+  act("dissipated", a.dissipated, Since::first);
+  act("moved", a.at_play, Since::first);
+  act("met_another", a.met_another, Since::first);
+}
 
 template <class Account, class Act>
   requires std::is_same_v<std::remove_const_t<Account>, EnergyAccount>
@@ -57,6 +69,7 @@ void for_each_field(Account& a, const Act& act) {
   act("bottom", a.bottom, Since::later);
   act("grown_steps", a.grown_steps, Since::later);
   act("told", a.told, Since::later);
+  act("groups", a.groups, Since::later);
 }
 
 template <class AtPlay, class Act>
@@ -125,6 +138,9 @@ Json fields_to_json(const Record& record) {
       json[key] = fields_to_json(field);
     } else if constexpr (std::is_same_v<Field, VecX> || std::is_same_v<Field, History>) {
       json[key] = to_json(field);
+    } else if constexpr (std::is_same_v<Field, std::vector<GroupAccount>>) {
+      json[key] = Json::array();
+      for (const GroupAccount& group : field) json[key].push_back(fields_to_json(group));
     } else {
       json[key] = field;
     }
@@ -153,6 +169,9 @@ void read(const Json& json, const char* key, Field& field) {
         if (json.at(key).contains(name)) field.dissipated.emplace_back(std::string("dissipated_") + name, json.at(key).at(name).template get<double>());
   } else if constexpr (std::is_same_v<Field, History>) {
     read_history(json.at(key), field);
+  } else if constexpr (std::is_same_v<Field, std::vector<GroupAccount>>) {
+    field.resize(json.at(key).size());
+    for (size_t i = 0; i < field.size(); ++i) read_fields(json.at(key)[i], field[i]);
   } else {
     json.at(key).get_to(field);
   }

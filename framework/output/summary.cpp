@@ -85,6 +85,14 @@ OrderedJson energy_json(const RunSummary& s) {
   EnergyLosses::for_each(s.losses, [&](const char* name, const EnergyLosses::Cause& cause) {
     causes[name] = {{"lost", finite(cause.lost)}, {"made", finite(cause.made)}, {"sum", finite(cause.sum)}, {"in_contact", finite(cause.in_contact)}};
   });
+  OrderedJson& groups = json["groups"] = OrderedJson::array();
+  for (size_t g = 0; g < std::min(s.losses.groups.size(), s.group_names.size()); ++g) {
+    const EnergyLosses::Group& group = s.losses.groups[g];
+    groups.push_back({{"objects", s.group_names[g]},
+                      {"at_play", finite(group.at_play)},
+                      {"lost", finite(std::max(group.integrator.lost, group.repeated.lost))},
+                      {"made", finite(std::max(group.integrator.made, group.repeated.made))}});
+  }
   json["damped_steps"] = s.damped_steps;
   json["refined_steps"] = s.refined_steps;
   json["gains"] = s.energy_gains;
@@ -123,6 +131,7 @@ OrderedJson to_json(const RunSummary& s) {
           {"energy", energy_json(s)},
           {"adhesion", adhesion_json(s.adhesion)},
           {"stiffness", stiffness_json(s.stiffness)},
+          {"meeting_groups", s.meeting_groups},
           {"remeshings", remeshings_json(s.remeshings)},
           {"warnings", warnings_json(s.warnings)},
           {"expect", expect_json(s.expect)}};

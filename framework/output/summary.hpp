@@ -5,9 +5,9 @@
 // line_search_evaluations, broad_phase_builds}, max_contacts, min_distance, min_gap (of different objects) [m], max_unbalanced_force [N], unbalanced_steps, max_affine_strain, lowest_quality, intersections,
 // inverted_tets, stepper {what it tells of its steps beside all that: the sum or the most}, energy {work_loads, work_script, work_rim, work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic, dissipated_damping, dissipated_areas,
 // dissipated_numerics, and what else terms publish, at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator, repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
-// damped_steps, refined_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
+// groups [{objects, at_play, lost, made [J]}] (of bodies that have nothing to do with each other: stepping/group_balance.hpp), damped_steps, refined_steps, gains}, adhesion [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
 // peak_traction [Pa]}], stiffness {barriers [{between, pairs, stiffness [Pa]}], affine [{object,
-// objects, stiffness [Pa]}]}, remeshings [{object, step, time [s], quality_before, quality_after,
+// objects, stiffness [Pa]}]}, meeting_groups [[object]], remeshings [{object, step, time [s], quality_before, quality_after,
 // tets_before, tets_after, lost [J]}] (where objects may be meshed anew), warnings [{text, times}]
 // (the first of a kind, and how often there was one), expect [{name, value, target, tolerance,
 // at_least, at_most, pass, text}]. Numbers that are not finite are null.
@@ -69,9 +69,11 @@ struct RunSummary {
   int damped_steps = 0;  // that implicit Euler did again, because energy would have grown
   int refined_steps = 0; // that are smaller than the scene's, because larger ones made or lost energy
   EnergyLosses losses;
+  std::vector<std::string> group_names;  // of losses.groups
   int energy_gains = 0;  // steps in which energy had grown noticeably, and nothing put it in
   std::vector<AdhesionSummary> adhesion;
   UsedStiffness stiffness;
+  std::vector<std::vector<std::string>> meeting_groups;  // names of bodies (used_stiffness.hpp)
   std::vector<Remeshing> remeshings;
   std::vector<WarningCount> warnings;
   std::vector<ExpectationResult> expect;

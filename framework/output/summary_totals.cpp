@@ -1,12 +1,16 @@
 // What a run has counted so far, as named numbers: for checkpoints.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
+
 #include "framework/output/summary.hpp"
 
 namespace tack {
 namespace {
 
 const std::string of_stepper = "stepper_";
+const std::string of_group = "group_";  // of bodies, by number
 
 // Calls act(name, number) for everything that adds up over the steps of a run.
 template <class Summary, class Act>
@@ -39,7 +43,7 @@ void for_each_total(Summary& s, const Act& act) {
   act("energy_at_play", s.losses.at_play);
   act("energy_moving", s.losses.moving);
   act("energy_noise", s.losses.noise);
-  EnergyLosses::for_each(s.losses, [&](const std::string& cause, auto& c) {
+  const auto of_cause = [&](const std::string& cause, auto& c) {
     const auto part = [&](const char* name, auto& number) { act(fmt::format("energy_{}_{}", cause, name), number); };
     part("lost", c.lost);
     part("made", c.made);
@@ -49,7 +53,18 @@ void for_each_total(Summary& s, const Act& act) {
     part("in_contact", c.in_contact);
     part("bin", c.when.width);
     for (std::size_t i = 0; i < c.when.sums.size(); ++i) act(fmt::format("energy_{}_in_bin_{}", cause, i), c.when.sums[i]);
-  });
+  };
+  EnergyLosses::for_each(s.losses, of_cause);
+  for (std::size_t g = 0; g < s.losses.groups.size(); ++g) {
+    auto& group = s.losses.groups[g];
+    const std::string name = fmt::format("{}{}_", of_group, g);
+    of_cause(name + "integrator", group.integrator);
+    of_cause(name + "repeated", group.repeated);
+    act("energy_" + name + "at_play", group.at_play);
+    act("energy_" + name + "moving", group.moving);
+    act("energy_" + name + "noise", group.noise);
+    act("energy_" + name + "met_another", group.met_another);
+  }
   act("energy_gains", s.energy_gains);
   for (int i = 0; i < phase_count; ++i) act(fmt::format("seconds_{}", phase_names[i]), s.phases[i]);
 }
@@ -64,6 +79,9 @@ std::map<std::string, double> totals_of(const RunSummary& summary) {
 }
 
 void set_totals(RunSummary& summary, const std::map<std::string, double>& totals) {
+  const std::string prefix = "energy_" + of_group;
+  for (const auto& [name, total] : totals)
+    if (name.starts_with(prefix)) summary.losses.groups.resize(std::max(summary.losses.groups.size(), std::stoul(name.substr(prefix.size())) + 1));
   // Flows that a stepper publishes are not known before there is one.
   const std::map<std::string, double> known = totals_of(summary);
   for (const auto& [name, total] : totals) {

@@ -53,6 +53,15 @@ UsedStiffness used_stiffness(const World& world) {
   return used;
 }
 
+std::vector<std::vector<std::string>> meeting_names(const World& world) {
+  std::vector<std::vector<std::string>> names;
+  for (const std::vector<int>& group : world.meeting.bodies) {
+    names.emplace_back();
+    for (const int body : group) names.back().push_back(world.bodies[body].name);
+  }
+  return names;
+}
+
 std::string comments_of(const UsedStiffness& used) {
   std::string text;
   for (const auto& b : used.barriers)

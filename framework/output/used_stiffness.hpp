@@ -27,6 +27,10 @@ struct UsedStiffness {
 
 UsedStiffness used_stiffness(const World& world);
 
+// The names of the bodies of each meeting group (world/meeting_groups.hpp): the groups to which
+// stiffness, where it is found, belongs.
+std::vector<std::vector<std::string>> meeting_names(const World& world);
+
 // As comments of a YAML file; "" if there are none.
 std::string comments_of(const UsedStiffness& used);
 

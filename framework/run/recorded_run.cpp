@@ -63,6 +63,7 @@ RecordedRun::RecordedRun(LoadedExperiment loaded, const RunSettings& settings, c
   summary_.dofs = world().dofs.size();
   summary_.adhesion = world().adhesion;
   summary_.stiffness = used_stiffness(world());
+  summary_.meeting_groups = meeting_names(world());
   if (settings.profile) profiler_.emplace(world(), *experiment_.solver, clock_, experiment_.contact ? experiment_.contact->contact_distance : 0.0);
   const auto tell = [this](int iteration, double residual, double, double) {
     progress_.iteration(simulation_.state().step + 1, simulation_.state().time, iteration, residual);
@@ -366,7 +367,8 @@ void RecordedRun::finish(const ProbeSeries* series) {
   finish_dump();
   if (gradients_)
     for (const Warning& warning : gradients_->doubts()) warn(warning);
-  for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator)) warn(warning);
+  if (simulation_.started()) summary_.group_names = simulation_.stepper().energy_groups();
+  for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator, summary_.group_names)) warn(warning);
   tell_resolution();
   add_up_phases();
   for (const double s : summary_.phases) summary_.wall_seconds += s;

@@ -332,6 +332,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   start_state(scene, *world);
   if (earlier)
     at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
+  world->meeting = meeting_groups(scene, *world, times.duration);
   build_contact(scene, root, times, clock, *world);
   if (flowed.empty()) check_start(scene, root, *world);
 

@@ -12,7 +12,9 @@
 namespace tack {
 namespace {
 
-constexpr double caution = 2;        // times the way of a ballistic flight
+// The largest speed that one collision gives a body, over the speed of what hits it: an elastic
+// collision of a heavy body with a light one at rest.
+constexpr double thrown = 2;
 constexpr int motion_samples = 32;   // of a prescribed motion, over the duration
 
 bool is_named(const ObjectConfig& object, const std::string& name) {
@@ -45,9 +47,9 @@ std::vector<double> prescribed_displacements(const World& world, double duration
   return displacements;
 }
 
-class MeetingGroups {
+class MeetingSearch {
  public:
-  MeetingGroups(const SceneConfig& scene, const World& world, double duration)
+  MeetingSearch(const SceneConfig& scene, const World& world, double duration)
       : scene_(scene), world_(world), duration_(duration), count_(static_cast<int>(world.bodies.size())), sets_(count_),
         displacement_(prescribed_displacements(world, duration)), speed_(count_, 0), driven_(count_, 0) {
     for (int i = 0; i < count_; ++i) {
@@ -57,6 +59,26 @@ class MeetingGroups {
     }
     join_connected();
     while (join_overlapping()) continue;
+  }
+
+  MeetingGroups groups() {
+    MeetingGroups found;
+    std::vector<int> number(count_, -1);
+    for (int i = 0; i < count_; ++i) {
+      if (!movable(i)) continue;
+      int& of_root = number[root(i)];
+      if (of_root < 0) {
+        of_root = static_cast<int>(found.bodies.size());
+        found.bodies.emplace_back();
+      }
+      found.bodies[of_root].push_back(i);
+    }
+    for_each_overlap(all_reaches(), [&](int a, int b) {
+      if (!movable(b)) std::swap(a, b);
+      if (!movable(a) && movable(b) && displacement_[a] > 0) found.pushed.emplace_back(a, b);
+    });
+    std::sort(found.pushed.begin(), found.pushed.end());
+    return found;
   }
 
   std::vector<Loading> loadings() {
@@ -131,7 +153,7 @@ class MeetingGroups {
     for (int i = 0; i < count_; ++i) {
       const int group = root(i);
       double by = displacement_[group] + contact + scene_.objects[i].contact_offset + world_.bodies[i].radius;
-      if (movable(i)) by += driven_[group] ? std::numeric_limits<double>::infinity() : std::max(diagonal(i), caution * (speed_[group] * duration_ + fall));
+      if (movable(i)) by += driven_[group] ? std::numeric_limits<double>::infinity() : std::max(diagonal(i), thrown * (speed_[group] * duration_ + fall));
       reaches[i].min().array() -= by;
       reaches[i].max().array() += by;
     }
@@ -167,7 +189,11 @@ class MeetingGroups {
 }  // namespace
 
 std::vector<Loading> loadings(const SceneConfig& scene, const World& world, double duration) {
-  return MeetingGroups(scene, world, duration).loadings();
+  return MeetingSearch(scene, world, duration).loadings();
+}
+
+MeetingGroups meeting_groups(const SceneConfig& scene, const World& world, double duration) {
+  return MeetingSearch(scene, world, duration).groups();
 }
 
 }  // namespace tack

@@ -53,30 +53,22 @@ void for_each_contact(const Records& records, const Act& act) {
   }
 }
 
-// The kinetic energy, at the start and the end of a step of size h, that bodies as wholes carry through it while nothing but gravity acts
-// on them: they have no held vertex, and their mean velocity changes by g h, to within the solver's tolerance [m/s].
-std::array<double, 2> ballistic_energies(const World& world, const State& state, double h, double tolerance) {
+// Sums of all bodies (group_balance.hpp).
+std::array<double, 2> all_ballistic_energies(const World& world, const State& state, double h, double tolerance) {
   std::array<double, 2> sums{};
   if (state.v_before.size() != state.v.size()) return sums;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
-    double mass = 0;
-    Vec3 before = Vec3::Zero(), after = Vec3::Zero();
-    bool free = world.bodies[i].movable;
-    for (const int v : world.vertices_of(static_cast<int>(i))) {
-      if (world.mass(v) == 0 || world.is_number(v)) continue;
-      free = free && world.dofs.moves(v);
-      mass += world.mass(v);
-      before += world.mass(v) * vertex(state.v_before, v);
-      after += world.mass(v) * vertex(state.v, v);
-    }
-    if (!free || mass == 0 || (after - before - mass * h * world.gravity).norm() > mass * tolerance) continue;
-    sums[0] += before.squaredNorm() / (2 * mass);
-    sums[1] += after.squaredNorm() / (2 * mass);
+    const auto [before, after] = ballistic_energies(world, static_cast<int>(i), state, h, tolerance);
+    sums[0] += before;
+    sums[1] += after;
   }
   return sums;
 }
 
 }  // namespace
+
+EnergyBalance::EnergyBalance(const World& world, const Minimizer& solver)
+    : world_(world), solver_(solver), groups_(world, solver.velocity_tolerance()) {}
 
 // Where contact is.
 double EnergyBalance::contact_at(const VecX& x) const {
@@ -142,6 +134,8 @@ void EnergyBalance::begin(const State& state, bool to_places) {
     contact_ = contact_at(state.x);
   }
   if (!start_.open) open(state);
+  if (world_.contact && groups_.needs_contact(state)) world_.contact->move_to(state.x);
+  groups_.begin(state);
   const auto [kinetic, gravity] = energies_of_free_vertices(world_, state);
   released_ = state.energy.open ? kinetic + gravity - start_.kinetic - start_.gravity : 0;
   start_.kinetic = kinetic;
@@ -149,6 +143,7 @@ void EnergyBalance::begin(const State& state, bool to_places) {
 }
 
 void EnergyBalance::end(const VecX& x) {
+  groups_.end(x);
   taken_ = EnergyFlows(world_.records);
   for (const auto& load : world_.following_loads)
     if (!load->stores()) taken_.loads += load->work(x, world_.dofs);
@@ -166,14 +161,16 @@ void EnergyBalance::end(const VecX& x) {
   }
 }
 
-double EnergyBalance::load_work(const State& state, const VecX& way, double h) const {
+double EnergyBalance::load_work(const State& state, const VecX& way, double h) {
   if (world_.load_term.empty()) return 0;
   const VecX both =
       world_.load_term.forces_at(state.time - h, way.size()) + world_.load_term.forces_at(state.time, way.size());
   double work = 0;
   for (int v = 0; v < world_.dofs.vertex_count(); ++v) {
     if (!world_.dofs.moves(v)) continue;
-    work += vertex(both, v).dot(vertex(way, v)) / 2;
+    const double of_vertex = vertex(both, v).dot(vertex(way, v)) / 2;
+    work += of_vertex;
+    groups_.add_load_work(v, of_vertex);
   }
   return work;
 }
@@ -198,8 +195,10 @@ double EnergyBalance::script_work(const VecX& way, const VecX& gradient, const V
   for (VecX* forces : {&sum, &end, &drag}) world_.dofs.collect(*forces);
   double work = 0, at_end = 0;
   const auto add = [&](int v, const Vec3& held_way) {
-    work += (vertex(sum, v) / 2 - vertex(drag, v)).dot(held_way);
-    at_end += (vertex(end, v) - vertex(drag, v)).dot(held_way);
+    const double mean = (vertex(sum, v) / 2 - vertex(drag, v)).dot(held_way), last = (vertex(end, v) - vertex(drag, v)).dot(held_way);
+    work += mean;
+    at_end += last;
+    groups_.add_script_work(v, mean, last);
   };
   for (int v = 0; v < world_.dofs.vertex_count(); ++v)
     if (!world_.dofs.moves(v)) add(v, vertex(way, v));
@@ -248,11 +247,13 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   });
   flows.jerk = jerk_;
   flows.noise = solver_noise();
-  const auto [ballistic_before, ballistic] = ballistic_energies(world_, state, h, solver_.velocity_tolerance());
+  const auto [ballistic_before, ballistic] = all_ballistic_energies(world_, state, h, solver_.velocity_tolerance());
   flows.moving = std::max(start_.kinetic - ballistic_before, end.kinetic - ballistic);
   EnergyAtPlay concerned = end.at_play;
   concerned.kinetic = flows.moving;
   flows.at_play = concerned.most();
+  flows.groups = groups_.close(state, h);
+  end.groups = state.energy.groups;
   flows.gained = watch(end, flows);
   warn_of_growth(end, state, flows);
   state.energy = std::move(end);

@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "framework/stepping/energy_flows.hpp"
+#include "framework/stepping/group_balance.hpp"
 #include "framework/world/world.hpp"
 
 namespace tack {
@@ -37,7 +38,7 @@ class EnergyBalance {
  public:
   using Energies = std::vector<NamedEnergy>;  // scene/energy_records.hpp
 
-  EnergyBalance(const World& world, const Minimizer& solver) : world_(world), solver_(solver) {}
+  EnergyBalance(const World& world, const Minimizer& solver);
 
   // Starts a step from `state`: contact has taken its areas, who is held is known, nothing has moved.
   // to_places: the script moves vertices in this step, so that its first evaluation is elsewhere.
@@ -53,13 +54,15 @@ class EnergyBalance {
   const std::string& warning() const { return warning_; }
   // Whether time integration lost more than half a hundredth of it in the step, below all that there was before.
   bool lost() const { return lost_; }
+  // Of the groups of EnergyFlows::groups; known once a step has begun.
+  const std::vector<std::string>& group_names() const { return groups_.names(); }
 
  private:
   void open(const State& state);
   double contact_at(const VecX& x) const;
   double contact_at_start(const VecX& start, const VecX& end, const IncrementalPotential& potential) const;
   void add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const;
-  double load_work(const State& state, const VecX& way, double h) const;
+  double load_work(const State& state, const VecX& way, double h);
   void add_inertia_and_weight(const State& state, VecX& gradient) const;
   double script_work(const VecX& way, const VecX& gradient, const VecX& x);
   bool watch(EnergyAccount& account, const EnergyFlows& flows);
@@ -68,6 +71,7 @@ class EnergyBalance {
 
   const World& world_;
   const Minimizer& solver_;
+  GroupBalance groups_;
   EnergyAccount start_;         // of the state that the step starts from
   double released_ = 0;         // J: the energy that a change of who is held brought along
   std::optional<double> contact_;  // J: contact energy at the start, with the areas of the step; if it is known

@@ -9,6 +9,13 @@
 
 namespace tack {
 
+// The same for a group of bodies (group_balance.hpp), of what the balance of a group can tell.
+struct GroupFlow {
+  double numerics = 0;  // what areas of contact and the integrator lost; below zero: made
+  double jerk = 0, noise = 0, at_play = 0, moving = 0;
+  bool in_contact = false, met_another = false;
+};
+
 struct EnergyFlows {
   // Columns of files: that every scene has, and what else terms publish; what is fed and what is within come first.
   struct Published {
@@ -34,6 +41,7 @@ struct EnergyFlows {
   bool in_contact = false;
   bool damped = false;      // done again by the integrator's fallback, because energy would have grown
   bool refined = false;     // smaller than the scene's step, because a larger one made or lost energy
+  std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
   bool gained = false;      // energy has grown noticeably, and nothing put it in
 
   // Of what was made of energy, whether areas of contact made more than time integration.

@@ -67,6 +67,8 @@ class TimeStepper {
 
   // For those who follow steps that were solved elsewhere (framework/sensitivity): open(), then follow() instead of commit().
   void damp(bool damped) { integrator_ = damped ? time_.integrator->fallback() : time_.integrator.get(); }
+  // The names of the groups of EnergyFlows::groups, once a step has begun.
+  const std::vector<std::string>& energy_groups() const { return balance_.group_names(); }
   void keep_account(bool kept) { accounts_ = kept; }  // of energy
   void follow(const VecX& x, double h);  // all that take part must be at x
   void set_state(State state);           // another one at the same time, of the same holds

@@ -16,6 +16,7 @@
 #include "framework/world/acting_interaction.hpp"
 #include "framework/world/bindings.hpp"
 #include "framework/world/load_terms.hpp"
+#include "framework/world/meeting_groups.hpp"
 #include "framework/world/unknowns.hpp"
 
 namespace tack {
@@ -45,6 +46,7 @@ struct World {
   Script script;          // who is held when
   Bindings bindings;      // which vertices follow others
   std::vector<std::pair<int, int>> attached;  // bodies that are in no contact, as one is attached or joined to the other, ascending
+  MeetingGroups meeting;  // bodies that may touch each other in the run
   DofMap dofs;            // of the present step; the first before it
   std::vector<Tet> tets;  // of all bodies that may move
   Vec3 gravity = Vec3::Zero();

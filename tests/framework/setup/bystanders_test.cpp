@@ -88,3 +88,30 @@ TEST_CASE("the flight of a fast bystander is no measure of what others lose", "[
   CHECK(alone > 0.1);  // J: 1 kg at 0.6 m/s
   CHECK(at_play(bystanders[2].yaml) == Approx(alone).epsilon(0.01));  // that has 10 J
 }
+
+// Without an end, all that moves meets: the duration decides who may meet, and a longer run may find another stiffness.
+TEST_CASE("the duration of a run joins those that meet in it, and no stiffness depends on it otherwise", "[setup]") {
+  const std::string away = "  - {name: fast, shape: {type: box, size: [0.01, 0.01, 0.01]}, place: {translate: [50, 0.1, 0]}, body: {type: affine, density: 7800}, velocity: [-50, 0, 0]}\n";
+  const auto build = [](const std::string& objects, const char* duration) {
+    std::string text = scene(objects);
+    text.replace(text.find("20 ms"), 5, duration);
+    return TestRun(text);
+  };
+  const auto stiffness = [](const TestRun& s) { return used_stiffness(*s.world).barriers.at(0).stiffness; };
+  const TestRun brief = build(bases[0].yaml + away, "20 ms"), longer = build(bases[0].yaml + away, "2 s");
+  CHECK(meeting_names(*brief.world) == std::vector<std::vector<std::string>>{{"it"}, {"fast"}});
+  CHECK(meeting_names(*longer.world) == std::vector<std::vector<std::string>>{{"it", "fast"}});
+  CHECK(stiffness(longer) > 2 * stiffness(brief));
+  CHECK(stiffness(build(bases[0].yaml, "2 s")) == stiffness(build(bases[0].yaml, "20 ms")));
+}
+
+// What one collision throws is at most twice as fast as what hits it.
+TEST_CASE("bodies meet as far as a collision may throw one of them", "[setup]") {
+  const auto groups = [](double distance) {
+    const TestRun s(scene(bases[1].yaml + fmt::format("  - {{name: fast, shape: {{type: box, size: [0.01, 0.01, 0.01]}}, place: {{translate: [{}, 0.1, 0]}}, "
+                                                      "body: {{type: affine, density: 7800}}, velocity: [50, 0, 0]}}\n", distance)));
+    return meeting_names(*s.world).size();
+  };
+  CHECK(groups(1.7) == 1);  // 50 m/s for 20 ms: 1 m, thrown 2 m
+  CHECK(groups(3) == 2);
+}

@@ -1,0 +1,38 @@
+// What each stencil of contact stores and each contact point dissipates (Term::share_energy): asked
+// for once in a step, of scenes with several groups of bodies.
+#include <cmath>
+
+#include "framework/contact/friction_term.hpp"
+#include "framework/contact/slip.hpp"
+#include "framework/contact/stencil_distance.hpp"
+#include "geometry/distance/edge_edge_mollifier.hpp"
+
+namespace tack {
+
+bool ContactTerm::share_energy(const VecX& x, const EnergyShare& share) const {
+  for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
+    for (size_t i = 0; i < stencils.size(); ++i) {
+      const auto& v = stencils[i].vertices;
+      const double gap = std::sqrt(stencil_distance<ValueKernels>(kind, x, stencils[i]));
+      double energy = 0;
+      laws(LawPart::all)[stencils[i].law].values(1, &gap, &energy);
+      energy *= stencils[i].weight;
+      if constexpr (std::is_same_v<decltype(kind), EdgeEdgeKind>)
+        energy *= edge_edge_mollifier(vertex(x, v[0]), vertex(x, v[1]), vertex(x, v[2]), vertex(x, v[3]), thresholds[i]);
+      share(v, energy);
+    }
+  });
+  return true;
+}
+
+void FrictionTerm::share_dissipation(const VecX& x, const EnergyShare& share) const {
+  const auto dissipated_at = [&](const auto& point) {
+    const Slip slip(point, x, start_);
+    return slip.sample(system_.pairs().tangential(point.law), h_, TangentialPart::all).slope_over_y * slip.y * slip.y;
+  };
+  for_each_record(sliding(), [&](const auto& point) { share(point.vertices, dissipated_at(point)); });
+  for (const RollingGroup& group : rolling_)
+    for (const RollingPoint& point : group.points) share(std::span(point.vertices).first(point.arity()), dissipated_at(point));
+}
+
+}  // namespace tack

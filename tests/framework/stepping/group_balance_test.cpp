@@ -1,0 +1,90 @@
+// The balance of energy of groups of bodies that have nothing to do with each other.
+#include "framework/stepping/group_balance.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include "framework/output/summary.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/test_run.hpp"
+
+using namespace tack;
+
+namespace {
+
+const std::string head = "time: {step: 2 ms, duration: 20 ms, integrator: newmark}\nsolver: {type: projected_newton, tolerance: 1e-6}\ngravity: [0, -9.81, 0]\n";
+
+std::string floor_at(const char* name, double x, double y) {
+  return fmt::format("  - {{name: {}, shape: {{type: box, size: [0.5, 0.02, 0.5]}}, place: {{translate: [{}, {}, 0]}}, motion: [fixed]}}\n", name, x, y);
+}
+
+struct Told {
+  std::string text;
+  double scene_loss = 0, at_play = 0;  // J
+};
+
+Told told(const std::string& objects, int steps) {
+  TestRun run(head + "objects:\n" + objects + "contact: {distance: 1 mm}\n");
+  RunSummary summary;
+  for (int i = 0; i < steps; ++i) summary.add(run.step());
+  Told told{"", summary.losses.integrator.lost, summary.losses.at_play};
+  for (const Warning& w : summary.losses.told(*run.config.time.integrator, run.stepper.energy_groups())) told.text += w.text + "\n";
+  return told;
+}
+
+}  // namespace
+
+TEST_CASE("a small body that loses energy beside a heavy one that bounces is warned of as it is alone", "[energy]") {
+  const std::string block = floor_at("floor", 0, -0.01) +
+                            "  - {name: block, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.055, 0]},\n"
+                            "     velocity: [0, -1, 0], energies: [{type: neo_hookean, young: 10 MPa}]}\n";
+  // It bounces on its base, which is held, for many steps.
+  const std::string heavy = "  - {name: heavy, shape: {type: box, size: [0.4, 0.4, 0.4], cells: [2, 2, 2]}, place: {translate: [10, 0.2, 0]}, velocity: [0, -1, 0],\n"
+                            "     energies: [{type: neo_hookean, young: 200 kPa}], motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]}\n";
+  const Told alone = told(block, 10), beside = told(block + heavy, 10), only_heavy = told(heavy, 10);
+  INFO(alone.text << "\nbeside:\n" << beside.text << "\nheavy:\n" << only_heavy.text);
+  CHECK(contains(alone.text, "energy: time integration lost"));
+  CHECK(contains(beside.text, "energy of 'block': time integration lost"));
+  CHECK(contains(beside.text, "contact that comes and goes within a few steps"));
+  CHECK_FALSE(contains(beside.text, "'heavy'"));
+  CHECK(only_heavy.text == "");
+  // Sabotage: by the sum of the scene it would pass.
+  CHECK(beside.scene_loss < EnergyLosses::tolerated * beside.at_play);
+}
+
+// Every way in which energy is stored, fed and dissipated is told apart by groups.
+TEST_CASE("the balances of groups add up to that of the scene", "[energy]") {
+  const std::string soft = "energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]";
+  const std::string objects =
+      floor_at("floor", 0, -0.01) +
+      "  - {name: slider, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [0, 0.0505, 0]}, velocity: [1, -0.3, 0], damping: {stiffness: 1 ms, mass: 1}, " + soft + "}\n" +
+      floor_at("second_floor", 10, -0.01) +
+      "  - {name: cube, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [10, 0.0506, 0]}, velocity: [0.5, -0.2, 0], body: {type: affine, density: 1000}}\n"
+      "  - {name: pushed, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [20, 0, 0]}, " + soft + "}\n"
+      "  - {name: pusher, shape: {type: box, size: [0.05, 0.05, 0.05]}, place: {translate: [19.9245, 0, 0]}, motion: [{type: keyframes, frames: [{time: 0, translation: [0, 0, 0]}, {time: 1, translation: [1, 0, 0]}]}]}\n"
+      "  - {name: yields, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [30, 0, 0]},\n"
+      "     motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}, {type: keyframes, select: {type: face, direction: [0, 1, 0]}, frames: [{time: 0, translation: [0, 0, 0]}, {time: 1, translation: [0, 1, 0]}]}],\n"
+      "     energies: [{type: neo_hookean, young: 1 MPa, density: 1000}]}\n"
+      "  - {name: base, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [40, 0, 0]}, motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}], " + soft + "}\n"
+      "  - {name: stuck, shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, place: {translate: [40, 0.1003, 0]}, velocity: [0, 2, 0], " + soft + "}\n";
+  TestRun run(head + "objects:\n" + objects +
+              "contact:\n  distance: 1 mm\n  friction: {mu: 0.3}\n"
+              "  pairs: [{between: [base, stuck], bond_distance: 1 mm, adhesion: {type: rcc, normal_stiffness: 1e8 Pa/m, work_of_adhesion: 1 J/m^2}}]\n");
+  std::vector<double> most(5, 0);
+  for (int i = 0; i < 10; ++i) {
+    const StepReport r = run.step();
+    REQUIRE(r.flows.groups.size() == 5);
+    double sum = 0, at_play = 0;
+    for (size_t g = 0; g < 5; ++g) {
+      const GroupFlow& flow = r.flows.groups[g];
+      sum += flow.numerics;
+      most[g] = std::max(most[g], std::abs(flow.numerics));
+      at_play = std::max(at_play, flow.at_play);
+      CHECK_FALSE(flow.met_another);
+    }
+    INFO("step " << i);
+    CHECK(sum == Approx(r.flows.numerics + r.flows.areas).margin(1e-9 * at_play));
+  }
+  CHECK(run.stepper.energy_groups() == std::vector<std::string>{"'slider'", "'cube'", "'pushed'", "'yields'", "'base' and 1 more"});
+  for (const double largest : most) CHECK(largest > 0);
+}
