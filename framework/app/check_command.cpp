@@ -2,6 +2,7 @@
 // derivatives of the whole incremental potential at the start.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "framework/app/commands.hpp"
@@ -9,18 +10,25 @@
 #include "framework/checks/bent_solids.hpp"
 #include "framework/checks/derivative_check.hpp"
 #include "framework/checks/element_warnings.hpp"
+#include "framework/checks/equilibrium_check.hpp"
+#include "framework/checks/flush_faces.hpp"
 #include "framework/checks/law_check.hpp"
 #include "framework/checks/resolution.hpp"
 #include "framework/checks/round_friction.hpp"
 #include "framework/checks/scale_warnings.hpp"
 #include "framework/experiment/built_experiment.hpp"
 #include "framework/experiment/tolerances.hpp"
+#include "framework/output/used_stiffness.hpp"
 #include "framework/run/gradient_check.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/tets/divide_tets.hpp"
 
 namespace tack {
 namespace {
+
+constexpr size_t most_names = 8;  // of a group of bodies
+
+std::vector<std::string> first_of(const std::vector<std::string>& names) { return {names.begin(), names.begin() + static_cast<long>(std::min(names.size(), most_names))}; }
 
 void print_contents(const World& world) {
   for (size_t i = 0; i < world.bodies.size(); ++i) {
@@ -32,6 +40,8 @@ void print_contents(const World& world) {
     for (const std::string& line : body.notes) fmt::print("  {}\n", line);
   }
   fmt::print("unknowns: {}\n", world.dofs.size());
+  if (const auto groups = meeting_names(world); groups.size() > 1)
+    for (const auto& names : groups) fmt::print("may meet in the run: '{}'{}\n", fmt::join(first_of(names), "', '"), names.size() > most_names ? fmt::format(" and {} more", names.size() - most_names) : "");
   for (const AdhesionSummary& r : world.adhesion)
     fmt::print("adhesion {}: peak {:.6g} Pa, work {:.6g} J/m^2, effective with the barrier "
                "{:.6g} J/m^2, at rest {:.4g} m apart\n",
@@ -106,12 +116,16 @@ int check_command(const CheckOptions& options) {
   for (const std::string& line : scale_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : resolution_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : round_friction_warnings(experiment, world)) fmt::print("warning: {}\n", line);
+  for (const std::string& line : flush_face_warnings(experiment, world)) fmt::print("warning: {}\n", line);
   for (const std::string& line : doubtful_tolerances(experiment, world)) fmt::print("warning: {}\n", line);
   const LawCheck laws = check_laws(world);
   for (const std::string& line : laws.notes) fmt::print("{}\n", line);
   for (const std::string& line : laws.doubtful) fmt::print("warning: {}\n", line);
   for (const std::string& line : laws.wrong) fmt::print("{}  WRONG: see its formula\n", line);
-  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.wrong.empty();
+  const EquilibriumCheck equilibrium = check_equilibrium(experiment, world, built.clock());
+  for (const std::string& line : equilibrium.doubtful) fmt::print("warning: {}\n", line);
+  if (!equilibrium.wrong.empty()) fmt::print("no equilibrium in the first step: {}\n", equilibrium.wrong);
+  const bool right = print_derivatives(check_derivatives(world, experiment.time.step, built.clock())) && laws.wrong.empty() && equilibrium.wrong.empty();
   if (right) fmt::print("no intersection, no inverted tet: {} is fit to run\n", options.file);
   return right ? exit_done : exit_expectation_failed;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "framework/checks/element_warnings.hpp"
+#include "framework/checks/flush_faces.hpp"
 #include "framework/checks/law_check.hpp"
 #include "framework/checks/resolution.hpp"
 #include "framework/checks/round_friction.hpp"
@@ -44,7 +45,7 @@ std::vector<std::string> scene_warnings(const Experiment& experiment, World& wor
   const LawCheck laws = check_laws(world);
   std::vector<std::string> all;
   for (const auto& lines : {laws.wrong, laws.doubtful, doubtful_meshes(world), weak_wells(world), element_warnings(experiment, world),
-                            scale_warnings(experiment, world), resolution_warnings(experiment, world), round_friction_warnings(experiment, world),
+                            scale_warnings(experiment, world), resolution_warnings(experiment, world), round_friction_warnings(experiment, world), flush_face_warnings(experiment, world),
                             doubtful_tolerances(experiment, world)})
     all.insert(all.end(), lines.begin(), lines.end());
   return all;

@@ -102,8 +102,6 @@ void ForceGroups::find_held(const DofMap& dofs, const IncrementalPotential& pote
   potential.for_each_lasting_stencil([&](std::span<const int> stencil) { mark_if_fixed(stencil, [](int v) { return v; }); });
   for (size_t k = 0; k < dofs.dependents().size(); ++k)
     if (dofs.mixed(dofs.dependents()[k])) mark_if_fixed(dofs.parts(static_cast<int>(k)), [](const DofMap::Part& part) { return part.leaf; });
-  for (const DofMap::HeldBlock& h : dofs.held_blocks())
-    if (!h.twist) lastingly_held_[group_of_block_[h.block]] = 1;
 }
 
 void ForceGroups::begin_step(const World& world) {

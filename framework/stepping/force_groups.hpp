@@ -43,8 +43,8 @@ class ForceGroups {
   double heaviest(int block) const { return heaviest_[contact_root(block)]; }
   // Returns the smallest block of the block's contact group.
   int contact_group(int block) const { return first_block_[contact_root(block)]; }
-  // Returns whether a stencil of the block's contact group ends at a fixed vertex, or some
-  // directions of a block of the group are fixed.
+  // Returns whether a stencil of the block's contact group ends at a fixed vertex. Directions in
+  // which a block is fixed do not count (DofMap::held_blocks).
   bool held(int block) const { return held_[contact_root(block)]; }
   bool all_held() const { return free_ == 0; }
 

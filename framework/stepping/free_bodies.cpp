@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,56 @@
 namespace tack {
 namespace {
 
+constexpr double balanced = 1e-6;  // of the largest force on a group
+
 struct FreeGroup {
-  Vec3 force = Vec3::Zero();  // N
+  Vec3 force = Vec3::Zero();  // along its free translations [N]
   double tolerated = 0;       // N: what rounding may leave of it
+  Mat3 held = Mat3::Zero();   // sum of the projections on directions in which a vertex is held
   std::set<int> bodies;
+  std::vector<int> blocks;
 };
+
+// The groups of blocks without a held vertex, by their numbers.
+std::map<int, FreeGroup> free_groups(const World& world, const ForceGroups& groups, const VecX& gradient) {
+  std::map<int, FreeGroup> free;
+  for (int b = 0; b < groups.blocks(); ++b) {
+    if (groups.held(b)) continue;
+    const int v = world.dofs.vertex_of_block(b), body = world.body_of(v);
+    if (body < 0 || world.is_number(v)) continue;
+    FreeGroup& group = free[groups.contact_group(b)];
+    group.force -= gradient.segment<3>(3 * b);
+    group.tolerated += groups.rounding(b);
+    group.bodies.insert(body);
+    group.blocks.push_back(b);
+  }
+  for (const DofMap::HeldBlock& h : world.dofs.held_blocks())
+    if (const auto group = free.find(groups.contact_group(h.block)); !h.twist && group != free.end()) group->second.held += h.held;
+  for (auto& [first, group] : free) {
+    if (group.held.isZero(0)) continue;
+    constexpr double not_held = 1e-9;  // of an eigenvalue: projections have 0 and 1
+    const Eigen::SelfAdjointEigenSolver<Mat3> directions(group.held);
+    Vec3 along = Vec3::Zero();
+    for (int i = 0; i < 3; ++i)
+      if (const Vec3 d = directions.eigenvectors().col(i); directions.eigenvalues()(i) < not_held) along += d * d.dot(group.force);
+    group.force = along;
+  }
+  return free;
+}
+
+double tolerated_force(const ForceGroups& groups, int first, const FreeGroup& group) { return group.tolerated + balanced * groups.cause(first); }
+
+// "'cube' and 2 more that move with it".
+std::string names_of(const World& world, const FreeGroup& group) {
+  const std::string others = group.bodies.size() > 1 ? fmt::format(" and {} more that move with it", group.bodies.size() - 1) : "";
+  return fmt::format("'{}'{}", world.bodies[*group.bodies.begin()].name, others);
+}
+
+// "(0, -9.81, 0)", round-off left out.
+std::string text_of(const Vec3& a) {
+  const auto component = [&](int i) { return std::abs(a(i)) > balanced * a.norm() ? a(i) : 0; };
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", component(0), component(1), component(2));
+}
 
 // Returns whether a ray from the centre of `moving` along `direction` hits `other`, inflated by half the size of `moving`.
 bool lies_ahead(const Eigen::AlignedBox3d& moving, const Vec3& direction, const Eigen::AlignedBox3d& other) {
@@ -49,24 +95,30 @@ bool may_be_stopped(const World& world, const FreeGroup& group, const VecX& x) {
 }  // namespace
 
 void check_free_bodies(const World& world, const ForceGroups& groups, const VecX& x, const VecX& gradient) {
-  std::map<int, FreeGroup> free;
-  for (int b = 0; b < groups.blocks(); ++b) {
-    if (groups.held(b)) continue;
-    const int v = world.dofs.vertex_of_block(b), body = world.body_of(v);
-    if (body < 0 || world.is_number(v)) continue;
-    FreeGroup& group = free[groups.contact_group(b)];
-    group.force -= gradient.segment<3>(3 * b);
-    group.tolerated += groups.rounding(b);
-    group.bodies.insert(body);
+  for (const auto& [first, group] : free_groups(world, groups, gradient)) {
+    if (group.force.norm() <= tolerated_force(groups, first, group) || may_be_stopped(world, group, x)) continue;
+    throw FreeBody(fmt::format("nothing holds {} against the force {} N that acts on it, and nothing lies in its way: there is no equilibrium",
+                               names_of(world, group), text_of(group.force)));
   }
-  for (const auto& [first, group] : free) {
-    constexpr double balanced = 1e-6;  // of the largest force on it
-    if (group.force.norm() <= group.tolerated + balanced * groups.cause(first) || may_be_stopped(world, group, x)) continue;
-    const auto component = [&](int i) { return std::abs(group.force(i)) > balanced * group.force.norm() ? group.force(i) : 0; };
-    const std::string others = group.bodies.size() > 1 ? fmt::format(" and {} more that move with it", group.bodies.size() - 1) : "";
-    throw FreeBody(fmt::format("nothing holds '{}'{} against the force ({:.4g}, {:.4g}, {:.4g}) N that acts on it, and nothing lies in its way: there is no equilibrium",
-                               world.bodies[*group.bodies.begin()].name, others, component(0), component(1), component(2)));
+}
+
+std::vector<std::string> turning_bodies(const World& world, const ForceGroups& groups, const VecX& x, const VecX& gradient) {
+  std::vector<std::string> lines;
+  for (const auto& [first, group] : free_groups(world, groups, gradient)) {
+    if (!group.held.isZero(0) || group.force.norm() > tolerated_force(groups, first, group)) continue;
+    Vec3 centre = Vec3::Zero(), torque = Vec3::Zero();
+    for (const int b : group.blocks) centre += vertex(x, world.dofs.vertex_of_block(b)) / static_cast<double>(group.blocks.size());
+    double size = 0;
+    for (const int b : group.blocks) {
+      const Vec3 arm = vertex(x, world.dofs.vertex_of_block(b)) - centre;
+      size = std::max(size, arm.norm());
+      torque -= arm.cross(gradient.segment<3>(3 * b));
+    }
+    if (torque.norm() <= size * tolerated_force(groups, first, group)) continue;
+    lines.push_back(fmt::format("nothing keeps {} from turning under the torque {} N m that acts on it: without inertia there is an equilibrium only where "
+                                "that vanishes as it turns; {}", names_of(world, group), text_of(torque), FreeBody::remedy));
   }
+  return lines;
 }
 
 }  // namespace tack

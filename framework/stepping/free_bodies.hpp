@@ -1,13 +1,17 @@
 // Bodies that nothing holds in a step without inertia: rigid modes without stiffness, and a force
 // along one of them. There is no equilibrium then, and a minimiser would go on along the mode for
-// ever. A contact group (force_groups.hpp) is free where no element, joint or contact force of it
-// ends at a held vertex, the forces on it do not balance, and no other body lies in the direction
-// of their sum, which could stop it. Torques alone are not looked at: what they turn may come to
-// rest.
+// ever. Each contact group (force_groups.hpp) is examined alone:
+//   - Free translations are all, where no element, joint or contact force of the group ends at a
+//     held vertex; without those directions in which vertices of the group are held.
+//   - The group is free if the forces on it do not balance along its free translations, and no
+//     other body lies in the direction of their sum, which could stop it.
+//   - A group that nothing holds at all may also turn. A torque whose forces balance is no error,
+//     as the group may come to rest where it has turned to; `tack check` warns of it.
 #pragma once
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "framework/stepping/force_groups.hpp"
 
@@ -24,5 +28,10 @@ struct FreeBody : std::runtime_error {
 // of the potential, over the unknowns [N]; the groups have been measured there.
 void check_free_bodies(const World& world, const ForceGroups& groups, const VecX& x,
                        const VecX& gradient);
+
+// Returns a line for each group that nothing holds and that a torque turns, though the forces on it
+// balance. Arguments as above.
+std::vector<std::string> turning_bodies(const World& world, const ForceGroups& groups,
+                                        const VecX& x, const VecX& gradient);
 
 }  // namespace tack

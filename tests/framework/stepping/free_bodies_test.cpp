@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "framework/checks/equilibrium_check.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
@@ -54,4 +55,58 @@ TEST_CASE("a quasi-static body that falls past all others is named in its first 
   const std::string error = error_of(cube("0.0505", "50", beside), 0.1);
   INFO(error);
   CHECK(contains(error, "nothing holds 'other'"));
+}
+
+TEST_CASE("a quasi-static body that is held in some directions is free in the others", "[stepping]") {
+  const auto held = [](const char* directions) {
+    return std::string("time: {step: 0.25, duration: 1, integrator: quasi_static}\ngravity: [0, -9.81, 0]\n"
+                       "objects:\n"
+                       "  - name: cube\n    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}\n"
+                       "    energies: [{type: neo_hookean, young: 1e6, poisson: 0.3, density: 101.94}]\n"
+                       "    motion: [{type: fixed") + directions + ", select: {type: face, direction: [0, -1, 0]}}]\n";
+  };
+  const std::string slides = error_of(held(", along: [1, 0, 0]"), 0.99);
+  INFO(slides);
+  CHECK(contains(slides, "nothing holds 'cube' against the force (0, -1, 0) N"));
+  CHECK(error_of(held(""), 0.99).empty());
+  CHECK(error_of(held(", along: [0, 1, 0]"), 0.99).empty());
+}
+
+// tack check.
+TEST_CASE("a body without equilibrium is found before the run", "[checks]") {
+  const auto check = [](const std::string& yaml) {
+    TestRun s(yaml);
+    return check_equilibrium(s.config, *s.world, s.clock);
+  };
+  const std::string beside = "  - {name: other, shape: {type: box, size: [0.1, 0.1, 0.1]}, place: {translate: [1, 0.5, 0]}, energies: [{type: neo_hookean, young: 1e6}]}\n";
+  CHECK(check(cube("0.0505", "50")).wrong.empty());
+  const EquilibriumCheck falls = check(cube("0.0505", "50", beside));
+  INFO(falls.wrong);
+  CHECK(contains(falls.wrong, "nothing holds 'other'"));
+  CHECK(contains(falls.wrong, "hold it (motion, attach)"));
+  // With inertia it falls, and that is that.
+  std::string dynamic = cube("0.0505", "50", beside);
+  dynamic.replace(dynamic.find("quasi_static"), 12, "implicit_euler");
+  CHECK(check(dynamic).wrong.empty());
+}
+
+TEST_CASE("a torque on a body that nothing holds is told before the run", "[checks]") {
+  const auto doubtful = [](const char* upper, const char* lower, const char* motion = "") {
+    TestRun s(std::string("time: {step: 0.25, duration: 1, integrator: quasi_static}\n"
+                          "objects:\n"
+                          "  - name: held\n    shape: {type: box, size: [0.1, 0.1, 0.1]}\n    place: {translate: [1, 0, 0]}\n    energies: [{type: neo_hookean, young: 1e6}]\n    motion: [fixed]\n"
+                          "  - name: cube\n    shape: {type: box, size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}\n    energies: [{type: neo_hookean, young: 1e6}]\n") + motion +
+              "    loads:\n      - {type: traction, value: [" + upper + ", 0, 0], select: {type: face, direction: [0, 1, 0]}}\n"
+              "      - {type: traction, value: [" + lower + ", 0, 0], select: {type: face, direction: [0, -1, 0]}}\n");
+    const EquilibriumCheck check = check_equilibrium(s.config, *s.world, s.clock);
+    CHECK(check.wrong.empty());
+    return check.doubtful;
+  };
+  const auto turns = doubtful("50", "-50");
+  REQUIRE(turns.size() == 1);
+  INFO(turns[0]);
+  CHECK(contains(turns[0], "nothing keeps 'cube' from turning under the torque (0, 0, -0.05) N m"));
+  CHECK(contains(turns[0], "hold it (motion, attach)"));
+  CHECK(doubtful("0", "0").empty());
+  CHECK(doubtful("50", "-50", "    motion: [{type: fixed, select: {type: face, direction: [0, -1, 0]}}]\n").empty());
 }

@@ -1,0 +1,22 @@
+// Whether the first step of a run without inertia has an equilibrium (stepping/free_bodies.hpp): a
+// body that nothing holds ends the run, and `tack check` finds it before.
+// Loads are those of the first step; a load that lifts a body off later is found in the run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "framework/experiment/experiment.hpp"
+#include "framework/world/world.hpp"
+
+namespace tack {
+
+struct EquilibriumCheck {
+  std::string wrong;                   // the run cannot do its first step; empty: it may
+  std::vector<std::string> doubtful;   // a line each
+};
+
+// Nothing is wrong or doubtful of a run with inertia. Contact is left at the start.
+EquilibriumCheck check_equilibrium(const Experiment& experiment, World& world, PhaseClock& clock);
+
+}  // namespace tack
