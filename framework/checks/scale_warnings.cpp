@@ -14,8 +14,8 @@
 namespace tack {
 namespace {
 
-// Contact distance over the middle side of a body's box, below which a warning is printed. It is
-// below the geometric mean of the usual ratio (1e-3) and a thousandth of that.
+// Contact distance over the middle side of a body's box, below which a warning is printed: the study
+// in the header.
 constexpr double least_distance_part = 3e-5;
 // Millimetres that were read as metres: a thousandth of what is smaller would be less than a millimetre [m]. Contact distances of nanometres belong to such bodies.
 constexpr double smallest_doubted = 1;
@@ -31,6 +31,12 @@ double middle_side(const Eigen::AlignedBox3d& box) {
   std::array<double, 3> sides{box.sizes().x(), box.sizes().y(), box.sizes().z()};
   std::sort(sides.begin(), sides.end());
   return sides[1];
+}
+
+// Along gravity [m]; 0 without gravity.
+double height(const Eigen::AlignedBox3d& box, const World& world) {
+  const double gravity = world.gravity.norm();
+  return gravity > 0 ? std::abs(box.sizes().dot(world.gravity.cwiseAbs()) / gravity) : 0;
 }
 
 std::string remedy(const Body& body) {
@@ -50,25 +56,34 @@ std::string size_text(const World& world, int body) {
   return text;
 }
 
+std::vector<BodyScale> body_scales(const SceneConfig& scene, const World& world) {
+  std::vector<BodyScale> scales;
+  for (size_t i = 0; i < std::min(world.bodies.size(), scene.objects.size()); ++i) {
+    const Body& body = world.bodies[i];
+    if (!body.movable) continue;
+    const Eigen::AlignedBox3d box = extent_of(body, world.start.x);
+    BodyScale scale{static_cast<int>(i), middle_side(box)};
+    if (scene.contact) scale.distance = scene.contact->contact_distance / scale.side;
+    const double young = softest_young(scene.objects[i]);
+    if (!body.tets.empty() && young > 0) scale.sag = mass_of(world, scale.body) * world.gravity.norm() * height(box, world) / (box.volume() * young);
+    scales.push_back(scale);
+  }
+  return scales;
+}
+
 std::vector<std::string> scale_warnings(const SceneConfig& scene, const World& world) {
   CopiedLines lines;
-  for (size_t i = 0; i < world.bodies.size(); ++i) {
-    const Body& body = world.bodies[i];
-    if (!body.movable || i >= scene.objects.size()) continue;
-    const ObjectConfig& object = scene.objects[i];
-    const Eigen::AlignedBox3d box = extent_of(body, world.start.x);
-    const double side = middle_side(box), gravity = world.gravity.norm();
-    if (scene.contact && side >= smallest_doubted && scene.contact->contact_distance < least_distance_part * side) {
+  for (const BodyScale& scale : body_scales(scene, world)) {
+    const Body& body = world.bodies[scale.body];
+    const ObjectConfig& object = scene.objects[scale.body];
+    if (scene.contact && scale.side >= smallest_doubted && scale.distance < least_distance_part) {
       lines.tell(object, "large", fmt::format("object '{}' is {:.4g} m large, {:.2g} times the contact distance ({:.4g} m): {}, or take a larger contact.distance", body.name,
-                                              side, side / scene.contact->contact_distance, scene.contact->contact_distance, remedy(body)));
-      continue;
-    }
-    if (body.tets.empty() || gravity == 0) continue;
-    const double young = softest_young(object), height = std::abs(box.sizes().dot(world.gravity.cwiseAbs()) / gravity);
-    const double pressure = mass_of(world, static_cast<int>(i)) * gravity * height / box.volume();
-    if (young > 0 && pressure > young)
+                                              scale.side, 1 / scale.distance, scene.contact->contact_distance, remedy(body)));
+    } else if (scale.sag > 1) {
+      const double young = softest_young(object);
       lines.tell(object, "heavy", fmt::format("object '{}' is {:.4g} m high, and its weight presses on its base with {:.3g} Pa, more than Young's modulus ({:.3g} Pa): it "
-                                              "cannot stand; {}", body.name, height, pressure, young, remedy(body)));
+                                              "cannot stand; {}", body.name, height(extent_of(body, world.start.x), world), scale.sag * young, young, remedy(body)));
+    }
   }
   return lines.texts();
 }

@@ -1,7 +1,14 @@
 #include "framework/checks/scale_warnings.hpp"
+#include "framework/checks/flush_faces.hpp"
 
 #include <catch2/catch.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
 
+#include "framework/experiment/load_experiment.hpp"
+#include "framework/experiment/built_experiment.hpp"
 #include "tests/support/program.hpp"
 #include "tests/support/scene.hpp"
 
@@ -48,4 +55,51 @@ TEST_CASE("sizes, masses and speeds of bodies", "[checks]") {
   TestScene scene(scaled(1, soft));
   CHECK(size_text(*scene.world, 0).starts_with("0.3 x 0.1 x 0.3 m"));
   CHECK(size_text(*scene.world, 1) == "0.1 x 0.1 x 0.1 m, 1 kg, 2 m/s");
+}
+
+// The study of the header: the scales of each shipped scene as it is, and with all lengths of its
+// bodies taken 1000 times too large. Left out: scenes that take long to build, and one whose scale is
+// meant to be wrong.
+TEST_CASE("no shipped scene is doubted for its scale or its faces, and most are where their lengths are a thousand times too large", "[checks]") {
+  const bool print = std::getenv("TACK_PRINT_STUDY") != nullptr;
+  const std::vector<std::string> left_out = {"chips_bag/", "cleaning_gel/", "meatball/", "meshing/creature", "spider_web/", "squash/", "sticky_toys/", "sushi/",
+                                             "tape_creature/", "twist/", "wax_seal/", "hard/scene_1e4_small_distance"};
+  struct Count {
+    int scenes = 0, found = 0;
+  } with_contact, standing;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TACK_SOURCE_DIR "/experiments")) {
+    const std::string name = std::filesystem::relative(entry.path(), TACK_SOURCE_DIR "/experiments").string();
+    if (entry.path().extension() != ".yaml" || std::any_of(left_out.begin(), left_out.end(), [&](const auto& start) { return name.starts_with(start); })) continue;
+    std::optional<BuiltExperiment> built;
+    try {
+      built.emplace(load_experiment(entry.path().string(), {}));
+    } catch (const InputError&) {
+      continue;  // a batch, a comparison or a calibration
+    }
+    const Experiment& scene = built->experiment();
+    World& world = built->world();
+    INFO(name);
+    double distance = 0, sag = 0, side = 0;
+    for (const BodyScale& s : body_scales(scene, world)) {
+      if (s.distance > 0 && (distance == 0 || s.distance < distance)) distance = s.distance;
+      sag = std::max(sag, s.sag);
+      side = std::max(side, s.side);
+    }
+    CHECK(scale_warnings(scene, world).empty());
+    CHECK(flush_face_warnings(scene, world).empty());
+    world.start.x *= 1000;
+    world.mass *= 1e9;
+    const bool doubted = !scale_warnings(scene, world).empty();
+    const auto count = [&](Count& of) {
+      ++of.scenes;
+      of.found += doubted ? 1 : 0;
+    };
+    if (distance > 0) count(with_contact);
+    if (sag > 0) count(standing);
+    if (print) fmt::print("{} {:.3g} {:.3g} {:.3g} {}\n", name, side, distance, sag, doubted);
+  }
+  CHECK(with_contact.scenes > 100);
+  CHECK(with_contact.found > 0.85 * with_contact.scenes);
+  CHECK(standing.scenes > 50);
+  CHECK(standing.found > 0.95 * standing.scenes);
 }
