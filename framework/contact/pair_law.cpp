@@ -23,7 +23,10 @@ void in_gaps(int n, const double* d, double offset, const Act& act) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-constexpr double filled_at_rest = 0.95;  // of a distance at rest: the most that an offset takes, so that there is room to press in
+// The largest fraction of a distance at rest that an offset takes. The rest is room to press in. The
+// barrier there is shortened with the same pressures, so that the fraction changes no force: only how
+// far, in twentieths of the gap, two layers may still approach.
+constexpr double filled_at_rest = 0.95;
 
 // phi(k g) / k of a barrier phi: k times shorter, with the same pressures.
 class ShortenedBarrier final : public NormalLaw {

@@ -13,12 +13,14 @@ namespace tack {
 namespace {
 
 // Sine of the smallest angle, 45 degrees, between a primitive and the line to the closest point of
-// another at which there is a gap between them.
+// another at which there is a gap between them. The angle is about 0 along a surface and 90 degrees
+// over a gap, so that any middle value does; 45 degrees is as far from both.
 const double gap_sine = std::sqrt(0.5);
 
 // Largest length of the path over the mesh between two neighbours, as a multiple of their distance.
 // The path over a right-angled crease is at most twice as long, and paths over the edges of a mesh
-// are up to 1.4 times longer than need be.
+// are up to 1.4 times longer than need be: 2 * 1.4 = 2.8. A smaller bound takes creases for gaps; a
+// larger one takes narrow folds (below 2 asin(1/3) = 39 degrees) for creases.
 constexpr double neighbours_way = 3;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

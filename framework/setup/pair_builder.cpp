@@ -49,8 +49,11 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
 // The traction that the default barrier answers with a twentieth as its stiffness: the peak of the adhesion. Where weight and loads press with
 // more than ten times that, such a barrier is left with next to no gap, and what adhesion adds is not felt: then it has the stiffness of
 // the pressure, less ten peaks so that nothing jumps, and a gap of about half the distance.
+// Weaker adhesion changes the pressure by less than a tenth, and a gap of half the distance by less
+// than 0.02 distances (the slope of the clamped logarithm there).
 double answered_traction(double adhesion_peak, double resting) {
-  constexpr double felt = 10, of_adhesion = 0.05;  // the latter as in energies/barrier/clamped_log.cpp
+  constexpr double felt = 10;          // peaks of the adhesion
+  constexpr double of_adhesion = 0.05;  // as in energies/barrier/clamped_log.cpp
   return adhesion_peak > 0 ? std::max(adhesion_peak, (resting - felt * adhesion_peak) / of_adhesion) : 0;
 }
 
