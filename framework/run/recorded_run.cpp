@@ -158,6 +158,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
     tell_lost_probes();
     if (gradients_) gradients_->kept(simulation_.state()), add_gradients(*recorder);
     summary_.add(report);
+    summary_.group_names = simulation_.stepper().energy_groups();
     if (report.step <= looks_at_first || report.step % look_interval == 0) {
       watch_->bent.look(simulation_.state().x);
       look_at_quality();
@@ -367,7 +368,6 @@ void RecordedRun::finish(const ProbeSeries* series) {
   finish_dump();
   if (gradients_)
     for (const Warning& warning : gradients_->doubts()) warn(warning);
-  if (simulation_.started()) summary_.group_names = simulation_.stepper().energy_groups();
   for (const Warning& warning : summary_.losses.told(*experiment_.time.integrator, summary_.group_names)) warn(warning);
   tell_resolution();
   add_up_phases();

@@ -31,5 +31,5 @@ TEST_CASE("flush faces of equal extent without friction are doubted", "[checks]"
   CHECK(warnings(0.1, ", friction: {mu: 0.1}").empty());
   CHECK(warnings(0.1, ", pairs: [{between: [upper, lower], adhesion: {type: fang, peak_traction: 1 kPa}}]").empty());
   CHECK(warnings(0.1, "", ", motion: [{type: fixed, select: {type: face, direction: [0, 1, 0]}}]").empty());
-  CHECK(warnings(0.1, "", "", "{type: sphere, radius: 0.05, subdivisions: 2}").empty());
+  CHECK(warnings(0.1, "", "", "{type: sphere, radius: 0.05, cells: 4}").empty());
 }
