@@ -18,7 +18,8 @@ EquilibriumCheck check_equilibrium(const Experiment& experiment, World& world, P
   StepPotential potential(world, clock);
   potential.begin_step(start.x, prediction.x, prediction.scales(), false);
   ForceGroups groups;
-  groups.begin_step(world, potential, rounding_forces(world));
+  groups.begin_unknowns(world, potential, rounding_forces(world));
+  groups.begin_step(world);
   VecX q;
   world.dofs.gather(start.x, q);
   potential.move_to(q);
