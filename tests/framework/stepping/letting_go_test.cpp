@@ -54,7 +54,10 @@ std::vector<Law> gap_laws() {
       const std::shared_ptr<const NormalAdhesion> law = law_of(v.yaml, distance);
       PairLaw pair;
       pair.add(law);
-      laws.push_back({v.yaml, law->peak_traction(), distance, std::max(1.2 * distance, pair.well().gap)});
+      // lennard_jones pulls from its gap of equilibrium on; below it a cube would fall freely.
+      double gap = std::max(1.2 * distance, pair.well().gap);
+      while (gap < law->range() && !(pair.at(gap).slope > 0) && !(pair.at(gap).curvature > 0)) gap *= 1.01;
+      laws.push_back({v.yaml, law->peak_traction(), distance, gap});
     } catch (const InputError&) {
       // not within this distance
     }
@@ -102,9 +105,13 @@ TEST_CASE("a cube hangs by an eighth of the strength of any adhesion in steps of
       return opened(run, 3) < apart;
     };
     try {
-      if (!holds("quasi_static")) continue;
-    } catch (const SimulationError&) {
-      continue;  // it starts where the law repels
+      if (!holds("quasi_static")) {
+        WARN(law.yaml);
+        continue;
+      }
+    } catch (const SimulationError& e) {
+      WARN(law.yaml << " " << e.what());
+      continue;
     }
     ++in_statics;
     for (const std::string& integrator : integrators) {
@@ -112,7 +119,7 @@ TEST_CASE("a cube hangs by an eighth of the strength of any adhesion in steps of
       CHECK(holds(integrator));
     }
   }
-  CHECK(in_statics + 1 >= laws.size());
+  CHECK(in_statics == laws.size());
 }
 
 TEST_CASE("bonds hold what goes along in steps of many times their onset", "[bonds]") {
