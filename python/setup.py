@@ -17,6 +17,6 @@ setup(
     install_requires=["numpy"],
     extras_require={"hessians": ["scipy"]},
     packages=["tack"],
-    package_data={"tack": ["*.so", "lib/*", "lib/tack/*", "share/*"]},
+    package_data={"tack": ["*.so", "*.pyi", "lib/*", "lib/tack/*", "share/*"]},
     distclass=Compiled,
 )

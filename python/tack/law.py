@@ -1,19 +1,26 @@
 """Adhesion laws from functions."""
+from __future__ import annotations
+
 import os
 import pathlib
 import zlib
+from typing import Callable
 
 import numpy as np
 
 
-def law(traction, reach, rows=400, file=None, cut=False):
-    """An adhesion law that is a table of a Python function, for a scene: {"type": "table", "file": ...}.
+def law(traction: Callable, reach: float, rows: int = 400, file: str | os.PathLike | None = None, cut: bool = False) -> dict:
+    """Writes an adhesion law that is a table of a Python function.
 
-    traction: of the gap [m], in pascals, positive where surfaces pull at each other. Called with an array, or with numbers if it takes none.
-    reach: the gap from which on there is nothing [m].
-    rows: of the table, at least 2; closer together where gaps are small.
-    file: where the table is written; the scene refers to it. Unless given, law_CHECKSUM.csv in the working folder: each law has a file of its own.
-    cut: the traction may jump to zero at the end of its reach.
+    Args:
+        traction: A function of the gap [m] that returns pascals, positive where surfaces pull at each other. It is called with an array, or with numbers if it takes none.
+        reach: The gap from which on the traction is zero [m].
+        rows: How many rows the table has, at least 2; they are closer together where gaps are small.
+        file: The file of the table; unless given, law_CHECKSUM.csv in the working folder: each law has a file of its own.
+        cut: The traction may jump to zero at the end of its reach.
+
+    Returns:
+        The law for a scene: `{"type": "table", "file": ..., "cut": ...}`.
     """
     if not 0 < reach < np.inf:
         raise ValueError(f"reach: {reach!r} m is given, and a positive length is needed")

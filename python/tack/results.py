@@ -1,9 +1,12 @@
 """What `tack run`, `tack batch` and `tack compare` have written, as arrays."""
+from __future__ import annotations
+
 import csv
 import functools
 import html
 import json
 import math
+import os
 import pathlib
 import tempfile
 import xml.etree.ElementTree as ElementTree
@@ -47,8 +50,16 @@ class _Folder:
     def __init__(self, path):
         self.path = pathlib.Path(path)
 
-    def report(self, output="", frames=0):
-        """Writes the report, one HTML file; returns its path."""
+    def report(self, output: str | os.PathLike = "", frames: int = 0) -> pathlib.Path:
+        """Writes the report, one HTML file.
+
+        Args:
+            output: The path of the file; unless given, report.html in the folder.
+            frames: How many frames the 3D view has at most; 0: 200, or as many as a page can carry.
+
+        Returns:
+            The path of the file.
+        """
         return pathlib.Path(_tack.report([str(self.path)], str(output), frames))
 
     def _repr_html_(self):
@@ -59,27 +70,27 @@ class Run(_Folder):
     """Results of one run: `summary`, `probes` and `steps` (columns by name), `frames`."""
 
     @functools.cached_property
-    def summary(self):
+    def summary(self) -> dict:
         """summary.json, as a dictionary."""
         return json.loads((self.path / "summary.json").read_text(encoding="utf-8"))
 
     @functools.cached_property
-    def probes(self):
+    def probes(self) -> Table:
         """probes.csv: arrays by name, `time` among them."""
         return Table(self.path / "probes.csv")
 
     @functools.cached_property
-    def steps(self):
+    def steps(self) -> Table:
         """steps.csv: what is known of every step."""
         return Table(self.path / "steps.csv")
 
     @property
-    def scene(self):
+    def scene(self) -> pathlib.Path:
         """The path of the scene with everything that it left open."""
         return self.path / "scene.yaml"
 
     @functools.cached_property
-    def frames(self):
+    def frames(self) -> Frames:
         """Frames, read when they are asked for: run.frames[-1].x"""
         return Frames(self.path)
 
@@ -106,7 +117,7 @@ class Frames:
             return [Frame(path) for path in self._paths[i]]
         return Frame(self._paths[i])
 
-    def at(self, time):
+    def at(self, time: float) -> Frame:
         """The frame nearest to a time [s]."""
         return self[int(np.argmin(np.abs(np.array(self.times) - time)))]
 
@@ -115,11 +126,12 @@ class Batch(_Folder):
     """Results of a batch: `table` (results.csv, columns by name), and its cases as runs."""
 
     @functools.cached_property
-    def table(self):
+    def table(self) -> Table:
+        """results.csv: columns by name, a row per case."""
         return Table(self.path / "results.csv")
 
     @functools.cached_property
-    def cases(self):
+    def cases(self) -> dict:
         """{name: Run} of the cases that have begun."""
         return {folder.name: Run(folder) for folder in sorted((self.path / "cases").iterdir()) if (folder / "summary.json").exists()}
 
@@ -131,13 +143,21 @@ class Tables(_Folder):
     """Results of a comparison or a calibration: its tables by name, columns by name."""
 
     @functools.cached_property
-    def tables(self):
+    def tables(self) -> dict:
+        """{name: columns by name} of every CSV file."""
         return {path.stem: Table(path) for path in sorted(self.path.glob("*.csv"))}
 
     def __repr__(self):
         return f"<{_tack.kind_of(str(self.path))}: {', '.join(self.tables)}>"
 
 
-def read(folder):
-    """Results of a folder: a Run, a Batch, or Tables of a comparison or a calibration. Raises InputError for any other."""
+def read(folder: str | os.PathLike) -> Run | Batch | Tables:
+    """Reads the results in a folder.
+
+    Returns:
+        A Run, a Batch, or Tables of a comparison or a calibration.
+
+    Raises:
+        InputError: The folder has no results.
+    """
     return {"run": Run, "batch": Batch}.get(_tack.kind_of(str(folder)), Tables)(folder)

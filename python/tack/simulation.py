@@ -1,10 +1,16 @@
 """A simulation that is stepped from Python, and runs whose results are kept."""
+from __future__ import annotations
+
+import os
 import pathlib
 import tempfile
 import warnings
+from typing import Callable
+
+import numpy as np
 
 from . import _tack
-from .results import read, shown
+from .results import Run, read, shown
 from .scene import opened, overrides_of
 
 
@@ -21,19 +27,34 @@ class Object:
         self.vertices = slice(known.first_vertex, known.first_vertex + known.vertex_count)
 
     @property
-    def x(self):
+    def x(self) -> np.ndarray:
         """Its positions (n, 3) [m], a view."""
         return self._running.x[self.vertices]
 
     @property
-    def v(self):
+    def v(self) -> np.ndarray:
         """Its velocities (n, 3) [m/s], a view."""
         return self._running.v[self.vertices]
 
-    tets = property(lambda self: self._known.tets, doc="(n, 4), vertices of the scene counted from 0")
-    triangles = property(lambda self: self._known.triangles, doc="(n, 3): of its surface, outwards, and of sheets")
-    edges = property(lambda self: self._known.edges, doc="(n, 2): of rods")
-    points = property(lambda self: self._known.points, doc="particles")
+    @property
+    def tets(self) -> np.ndarray:
+        """Tets (n, 4), by vertices of the scene counted from 0."""
+        return self._known.tets
+
+    @property
+    def triangles(self) -> np.ndarray:
+        """Triangles (n, 3) of the surface, outwards, and of sheets."""
+        return self._known.triangles
+
+    @property
+    def edges(self) -> np.ndarray:
+        """Edges (n, 2) of rods."""
+        return self._known.edges
+
+    @property
+    def points(self) -> np.ndarray:
+        """Vertices that are particles."""
+        return self._known.points
 
     def __repr__(self):
         return f"<object '{self.name}': {self.vertices.stop - self.vertices.start} vertices>"
@@ -42,32 +63,66 @@ class Object:
 class Simulation:
     """A scene, ready to be stepped. Nothing is written.
 
-    scene: the path of a file, or a dictionary with the same keys.
-    set: what is changed of it, {"objects.plate.place.translate": [0, 0.1, 0], "time.step": "2 ms"}.
-    threads: of its own; 0: all cores.
+    Args:
+        scene: The path of a file, or a dictionary with the same keys.
+        set: Keys of the scene and their new values, `{"objects.plate.place.translate": [0, 0.1, 0], "time.step": "2 ms"}`.
+        threads: How many threads the simulation has; 0: all cores.
 
-    Raises InputError, with file, line and remedy, for a scene that cannot be simulated.
+    Raises:
+        InputError: The scene cannot be simulated: file, line and remedy.
     """
 
-    def __init__(self, scene, set=None, threads=0):
+    def __init__(self, scene: str | os.PathLike | dict, set: dict | None = None, threads: int = 0):
         path, text = opened(scene)
         if text:
             self._running = _tack.Running.parse(text, path, overrides_of(set), threads)
         else:
             self._running = _tack.Running.open(path, overrides_of(set), threads)
-        self.objects = {known.name: Object(self._running, known) for known in self._running.objects}
+        self._objects = {known.name: Object(self._running, known) for known in self._running.objects}
         self._warn()
 
-    name = property(lambda self: self._running.name)
-    time = property(lambda self: self._running.time, doc="[s]")
-    steps = property(lambda self: self._running.step_count, doc="steps so far")
-    duration = property(lambda self: self._running.duration, doc="when the scene ends [s]")
-    step_size = property(lambda self: self._running.step_size, doc="what is tried next [s]")
-    finished = property(lambda self: self._running.finished)
-    threads = property(lambda self: self._running.threads)
+    @property
+    def objects(self) -> dict:
+        """The objects of the scene by name."""
+        return self._objects
 
     @property
-    def x(self):
+    def name(self) -> str:
+        """The name of the scene."""
+        return self._running.name
+
+    @property
+    def time(self) -> float:
+        """The time of the newest step [s]."""
+        return self._running.time
+
+    @property
+    def steps(self) -> int:
+        """How many steps there have been."""
+        return self._running.step_count
+
+    @property
+    def duration(self) -> float:
+        """When the scene ends [s]."""
+        return self._running.duration
+
+    @property
+    def step_size(self) -> float:
+        """The size that the next step tries [s]."""
+        return self._running.step_size
+
+    @property
+    def finished(self) -> bool:
+        """Whether the scene has ended."""
+        return self._running.finished
+
+    @property
+    def threads(self) -> int:
+        """How many threads compute a step."""
+        return self._running.threads
+
+    @property
+    def x(self) -> np.ndarray:
         """Positions of all vertices (n, 3) [m]: memory of the simulation, which shows its newest step; copy what is to stay. Assign to it to move vertices."""
         return self._running.x
 
@@ -76,7 +131,7 @@ class Simulation:
         self.move(x=positions)
 
     @property
-    def v(self):
+    def v(self) -> np.ndarray:
         """Velocities of all vertices (n, 3) [m/s], likewise."""
         return self._running.v
 
@@ -84,25 +139,43 @@ class Simulation:
     def v(self, velocities):
         self.move(v=velocities)
 
-    rest = property(lambda self: self._running.rest, doc="positions without stress (n, 3) [m]")
-    mass = property(lambda self: self._running.mass, doc="of vertices, and of unknowns that are none [kg]")
+    @property
+    def rest(self) -> np.ndarray:
+        """Positions without stress (n, 3) [m]."""
+        return self._running.rest
 
-    def __getitem__(self, name):
+    @property
+    def mass(self) -> np.ndarray:
+        """Masses of the vertices, and of unknowns that are no vertices [kg]."""
+        return self._running.mass
+
+    def __getitem__(self, name: str) -> Object:
         """An object by its name."""
-        return self.objects[name]
+        return self._objects[name]
 
-    def move(self, x=None, v=None):
-        """Goes on from other positions and velocities (n, 3), as a run that starts there; from those that it has, nothing changes.
+    def move(self, x: np.ndarray | None = None, v: np.ndarray | None = None):
+        """Goes on from other positions and velocities, as a run that starts there; from those that it has, nothing changes.
 
-        Raises InputError, and leaves everything as it was, for positions that intersect or invert elements, or bend an affine body.
+        Args:
+            x: Positions (n, 3) [m]; None: as they are.
+            v: Velocities (n, 3) [m/s]; None: as they are.
+
+        Raises:
+            InputError: The positions intersect or invert elements, or bend an affine body. Nothing has changed.
         """
         self._running.move(x, v)
 
-    def step(self, minimizer=None):
-        """One time step; returns what is known of it, as a dictionary.
+    def step(self, minimizer: Callable[[_tack.Problem], np.ndarray] | None = None) -> dict:
+        """Takes one time step.
 
-        minimizer: a function that is called with a Problem, and returns the unknowns where it ended; it takes the place of the scene's from now on.
-        Raises SimulationError if no step small enough succeeds.
+        Args:
+            minimizer: A function that is called with a Problem, and returns the unknowns where it ended; it replaces the minimiser of the scene from now on.
+
+        Returns:
+            What is known of the step, as a dictionary: iterations, status, contacts, smallest gap, ...
+
+        Raises:
+            SimulationError: No step small enough succeeds.
         """
         if minimizer is not None:
             self.minimize_by(minimizer)
@@ -111,12 +184,24 @@ class Simulation:
         finally:
             self._warn()
 
-    def minimize_by(self, minimizer):
-        """Who solves steps from now on: a function as of step(), or None, the scene's own."""
+    def minimize_by(self, minimizer: Callable[[_tack.Problem], np.ndarray] | None):
+        """Sets the minimiser of all further steps.
+
+        Args:
+            minimizer: A function as for step(), or None: the minimiser of the scene.
+        """
         self._running.minimize_by(minimizer)
 
-    def run(self, until=None, callback=None):
-        """Steps to a time [s], or to the scene's end. callback(simulation) is called after each step; if it returns False, that was the last."""
+    def run(self, until: float | None = None, callback: Callable[[Simulation], object] | None = None) -> Simulation:
+        """Steps to a time, or to the end of the scene.
+
+        Args:
+            until: The time [s]; None: the end of the scene.
+            callback: A function of the simulation that is called after each step; if it returns False, that step was the last.
+
+        Returns:
+            The simulation.
+        """
         end = self.duration if until is None else min(until, self.duration)
         while self.time < end - 1e-9 * self.step_size and not self.finished:
             self.step()
@@ -124,30 +209,37 @@ class Simulation:
                 break
         return self
 
-    def problem(self):
+    def problem(self) -> _tack.Problem:
         """The incremental potential of the next step, to be looked at; nothing is stepped. Valid until the next call or step."""
         return self._running.problem()
 
-    def energies(self):
+    def energies(self) -> dict:
         """Energies by name [J]."""
         return self._running.energies()
 
-    def forces(self):
+    def forces(self) -> dict:
         """Forces on vertices (n, 3) [N], by the term of the potential that exerts them."""
         return self._running.forces()
 
-    def field(self, name):
+    def field(self, name: str) -> np.ndarray:
         """A field of frames, as `output.fields` names it: contact_pressure, gap, von_mises_stress, ... One row per vertex, or per element in the order of frames."""
         return self._running.field(name)
 
-    pressures = property(lambda self: self.field("contact_pressure"), doc="[Pa] of vertices, positive where they press")
-    gaps = property(lambda self: self.field("gap"), doc="[m] of vertices to what is nearest; not a number where nothing is within reach")
+    @property
+    def pressures(self) -> np.ndarray:
+        """Contact pressure of the vertices [Pa], positive where they press."""
+        return self.field("contact_pressure")
 
-    def scene(self):
+    @property
+    def gaps(self) -> np.ndarray:
+        """Gap of the vertices to the nearest surface [m]; not a number where none is within reach."""
+        return self.field("gap")
+
+    def scene(self) -> str:
         """The scene with everything that it leaves open, in YAML."""
         return self._running.scene()
 
-    def probes(self):
+    def probes(self) -> dict:
         """The scene's probes, now."""
         return dict(zip(self._running.probe_columns(), self._running.probe_values()))
 
@@ -169,11 +261,25 @@ class Simulation:
         return f"<simulation '{self.name}' at {self.time:g} s of {self.duration:g} s, {len(self.x)} vertices>"
 
 
-def run(scene, set=None, output="", threads=0, steps=0, resume=False, quiet=True):
-    """Runs a scene as `tack run` does, and returns its results: read(folder).
+def run(scene: str | os.PathLike | dict, set: dict | None = None, output: str | os.PathLike = "", threads: int = 0, steps: int = 0,
+        resume: bool = False, quiet: bool = True) -> Run:
+    """Runs a scene as `tack run` does.
 
-    output: their folder; unless given, results/ and the scene's name. steps: at most so many; 0: to the end. resume: from the folder's newest checkpoint.
-    Raises SimulationError if the run fails; what it wrote until then stays.
+    Args:
+        scene: The path of a file, or a dictionary with the same keys.
+        set: Keys of the scene and their new values.
+        output: The folder of the results; unless given, `results/` and the name of the scene.
+        threads: How many threads the run has; 0: all cores.
+        steps: How many steps it takes at most; 0: to the end.
+        resume: The run goes on from the newest checkpoint of the folder.
+        quiet: Nothing is printed.
+
+    Returns:
+        The results, as of read().
+
+    Raises:
+        InputError: The scene cannot be simulated.
+        SimulationError: The run fails; what it wrote until then stays.
     """
     path, text = opened(scene)
     return read(_tack.record(path, text, overrides_of(set), str(output), threads, steps, resume, quiet))
