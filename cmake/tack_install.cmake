@@ -10,7 +10,7 @@ install(TARGETS tack_meshing tack_msh LIBRARY DESTINATION lib/tack)
 install(DIRECTORY geometry framework energies solvers DESTINATION include/tack FILES_MATCHING PATTERN "*.hpp"
         PATTERN framework/app EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/generated/framework/plugin/headers_digest.hpp DESTINATION include/tack/framework/plugin)
-install(DIRECTORY experiments docs DESTINATION share/tack PATTERN results EXCLUDE)
+install(DIRECTORY experiments docs DESTINATION share/tack PATTERN results EXCLUDE PATTERN docs/site EXCLUDE)
 install(FILES ${CMAKE_BINARY_DIR}/share/report.html ${CMAKE_BINARY_DIR}/share/film.html ${CMAKE_BINARY_DIR}/share/render.mjs DESTINATION share/tack OPTIONAL)
 install(DIRECTORY ${CMAKE_BINARY_DIR}/report/node_modules/playwright-core DESTINATION share/tack/node_modules OPTIONAL)
 install(FILES README.md LICENSE DESTINATION share/tack)

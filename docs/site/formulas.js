@@ -1,0 +1,5 @@
+// Draws the formulas of a page, which pymdownx.arithmatex has marked, by KaTeX.
+document.addEventListener("DOMContentLoaded", () => {
+  for (const element of document.querySelectorAll(".arithmatex"))
+    renderMathInElement(element, { delimiters: [{ left: "\\(", right: "\\)", display: false }, { left: "\\[", right: "\\]", display: true }] });
+});
