@@ -7,7 +7,7 @@ guide=$source/docs/plugins.md
 
 rm -rf "$scratch"
 mkdir -p "$scratch/home" "$scratch/guide/mine"
-export HOME=$scratch/home PATH=$scratch/home/tack-0.1/bin:$PATH
+export HOME=$scratch/home PATH=$scratch/home/tack-1.0/bin:$PATH
 cd "$scratch/guide"
 
 fail() {
@@ -30,9 +30,9 @@ bash -euc "${install/build\/release/\"$build\"}" >/dev/null
 for file in bin/tack bin/tack_studies lib/tack/libtack_{meshing,msh,further}.so lib/libtack.so lib/cmake/tack/tackConfig.cmake include/tack/framework/plugin/headers_digest.hpp \
   share/tack/README.md share/tack/docs/reference.md share/tack/experiments/debonding/pull.yaml share/bash-completion/completions/tack share/zsh/site-functions/_tack \
   share/fish/vendor_completions.d/tack.fish share/man/man1/tack.1; do
-  [[ -s $HOME/tack-0.1/$file ]] || fail "not installed: $file"
+  [[ -s $HOME/tack-1.0/$file ]] || fail "not installed: $file"
 done
-cmp -s <(tack completion bash) "$HOME/tack-0.1/share/bash-completion/completions/tack" || fail "the completion that is installed is another program's"
+cmp -s <(tack completion bash) "$HOME/tack-1.0/share/bash-completion/completions/tack" || fail "the completion that is installed is another program's"
 
 # What packages start: of several programs the best for the processor, or the one that is asked for.
 mkdir -p "$scratch/package/bin" "$scratch/package/libexec/tack/"{x86-64,x86-64-v3}/bin
@@ -80,7 +80,7 @@ cd "$scratch/elsewhere"
 block '## A cohesive law with history variables' "$source/docs/extending.md" >fading.cpp
 block '## Add an interaction' "$source/docs/extending.md" >tether.cpp
 block '## Ask for unknowns' "$source/docs/extending.md" >moisture.cpp
-cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
+cmake -S "$source/tests/plugins" -B build -G Ninja -DMINE="$scratch/guide/mine" -DFADING="$PWD/fading.cpp" -DTETHER="$PWD/tether.cpp" -DMOISTURE="$PWD/moisture.cpp" -DCMAKE_PREFIX_PATH="$HOME/tack-1.0" >/dev/null
 cmake --build build >/dev/null
 scene=$scratch/elsewhere/scene.yaml
 refused() {
@@ -101,7 +101,7 @@ echo "no library" >text.so
 refused missing.so "there is no library '$scratch/elsewhere/missing.so'; build the plugin, or correct the path"
 refused text.so "is no shared library, or a damaged one"
 refused cut.so "is no shared library, or a damaged one"
-refused "$HOME/tack-0.1/lib/tack/libtack_meshing.so" "is no plugin of tack; link it with .* tack::plugin"
+refused "$HOME/tack-1.0/lib/tack/libtack_meshing.so" "is no plugin of tack; link it with .* tack::plugin"
 refused other_headers.so "another tack: it was built for headers 0000000000000000, this program is headers [0-9a-f]{16}; build it anew"
 refused other_version.so "another tack: it was built for tack 9\.1\.0, this program is tack 0\.1\.0; build it anew"
 refused build/libchecked.so "another tack: it was built for _GLIBCXX_DEBUG 1, this program is _GLIBCXX_DEBUG 0"
@@ -115,7 +115,7 @@ refused "nothing.so, $scratch/elsewhere/text.so" "there is no library .*nothing.
 mkdir own
 block '`own/CMakeLists.txt`' >own/CMakeLists.txt
 block '`own/own.cpp`' >own/own.cpp
-cmake -S own -B own/build -G Ninja -DCMAKE_PREFIX_PATH="$HOME/tack-0.1" >/dev/null
+cmake -S own -B own/build -G Ninja -DCMAKE_PREFIX_PATH="$HOME/tack-1.0" >/dev/null
 cmake --build own/build >/dev/null
 cat >falling.yaml <<'END'
 name: falling
