@@ -1,0 +1,54 @@
+# Libraries that the program opens when it needs them.
+include_guard()
+
+# tack_own_library(NAME SOURCES ... HEADERS ... LINKS ...): libtack_NAME.so beside the program. geometry/NAME/functions.hpp has the table of its
+# functions, geometry/NAME_library.cpp calls them. The program refuses a library that was built from other HEADERS, or in another way.
+function(tack_own_library NAME)
+  cmake_parse_arguments(L "" "" "SOURCES;HEADERS;LINKS" ${ARGN})
+  add_library(tack_${NAME} MODULE ${L_SOURCES})
+  tack_cool(tack_${NAME})
+  # Hidden, because the program has functions of the same names.
+  set_target_properties(tack_${NAME} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin CXX_VISIBILITY_PRESET hidden)
+  target_link_libraries(tack_${NAME} PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt ${L_LINKS})
+  target_link_options(tack_${NAME} PRIVATE $<$<NOT:$<BOOL:${TACK_SANITIZE}>>:-Wl,--no-undefined>)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${L_HEADERS})
+  set(ALL "${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${TACK_NATIVE} ${TACK_SANITIZE}")
+  foreach(HEADER ${L_HEADERS})
+    file(SHA256 ${HEADER} DIGEST)
+    string(APPEND ALL ${DIGEST})
+  endforeach()
+  string(SHA256 DIGEST "${ALL}")
+  string(TOUPPER ${NAME} UPPER)
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/${NAME}/functions.cpp ${CMAKE_SOURCE_DIR}/geometry/${NAME}_library.cpp
+                              PROPERTIES COMPILE_DEFINITIONS TACK_${UPPER}_INTERFACE="${DIGEST}" SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
+# libtack_meshing.so: operations of CGAL and grids of OpenVDB, with copies of its own of the files of geometry/mesh that they use.
+function(tack_meshing_library)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.cpp)
+  foreach(FILE cleanup mesh mesh_quality quality surface triangle_surface)
+    list(APPEND SOURCES ${CMAKE_SOURCE_DIR}/geometry/mesh/${FILE}.cpp)
+  endforeach()
+  file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/meshing/*.hpp ${CMAKE_SOURCE_DIR}/geometry/*.hpp
+       ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/mesh/flat_mesh.hpp ${CMAKE_SOURCE_DIR}/geometry/level_set/distance_grid.hpp)
+  tack_own_library(meshing SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS CGAL::CGAL ${OPENVDB_LIBRARY} ${IMATH_LIBRARY})
+  set_source_files_properties(${CMAKE_SOURCE_DIR}/geometry/meshing/distance_grid.cpp PROPERTIES
+                              COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
+endfunction()
+
+# libtack_msh.so: mesh files by Gmsh. Loading Gmsh takes longer than loading all else together.
+function(tack_msh_library)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.cpp)
+  file(GLOB HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/geometry/msh/*.hpp ${CMAKE_SOURCE_DIR}/geometry/types.hpp
+       ${CMAKE_SOURCE_DIR}/geometry/errors.hpp ${CMAKE_SOURCE_DIR}/geometry/mesh/mesh.hpp)
+  tack_own_library(msh SOURCES ${SOURCES} HEADERS ${HEADERS} LINKS ${TACK_GMSH})
+endfunction()
+
+# libtack_further.so: further components (tack_folders.cmake). It calls functions of the program that loads it, as a plugin does.
+function(tack_further_library)
+  add_library(tack_further MODULE ${CMAKE_SOURCE_DIR}/cmake/plugin_note.cpp)
+  tack_take_layers(tack_further FURTHER)
+  set_target_properties(tack_further PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  target_include_directories(tack_further PRIVATE ${CMAKE_BINARY_DIR}/generated)
+  add_dependencies(tack_further tack_build_info)
+endfunction()

@@ -1,0 +1,63 @@
+# The programs, the note of their build, and the page of reports.
+include_guard()
+
+# tack_build_info(): commit, compiler and options of the build, for every summary.json. Read again at each build.
+function(tack_build_info)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" TYPE)
+  set(FLAGS "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${TYPE}} ${TACK_CODE_OPTIONS}")
+  string(REGEX REPLACE "[ ;]+" " " FLAGS "${FLAGS}")
+  set(FOLDER ${CMAKE_BINARY_DIR}/generated)
+  add_custom_target(tack_build_info VERBATIM
+    BYPRODUCTS ${FOLDER}/framework/output/build_info.hpp ${FOLDER}/framework/plugin/headers_digest.hpp
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${CMAKE_SOURCE_DIR} -DFOLDER=${FOLDER} -DPROJECT_VERSION=${PROJECT_VERSION}
+            "-DCOMPILER=${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" "-DFLAGS=${FLAGS}"
+            -P ${CMAKE_SOURCE_DIR}/cmake/write_build_info.cmake)
+  add_dependencies(tack_framework_cold tack_build_info)
+  target_include_directories(tack_framework_cold PRIVATE ${FOLDER})
+endfunction()
+
+# tack_report_page(): the target tack_report, pages for `tack report` and `tack render`, made of report/ and of libraries that npm fetches. It is not
+# in `all`: everything else is built without npm and without a network. npm and node are looked for when it is made: `./tack` may have installed them
+# after cmake ran.
+function(tack_report_page)
+  set(MODULES ${CMAKE_BINARY_DIR}/report)
+  set(PAGE ${CMAKE_BINARY_DIR}/share/report.html)
+  set(SOURCE ${CMAKE_SOURCE_DIR}/report)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${SOURCE}/src/*)
+  add_custom_command(OUTPUT ${MODULES}/fetched VERBATIM DEPENDS ${SOURCE}/package.json ${SOURCE}/package-lock.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${MODULES}
+    COMMAND ${CMAKE_COMMAND} -E copy ${SOURCE}/package.json ${SOURCE}/package-lock.json ${MODULES}
+    COMMAND npm --prefix ${MODULES} ci --ignore-scripts --no-audit --no-fund
+    COMMAND ${CMAKE_COMMAND} -E touch ${MODULES}/fetched
+    COMMENT "Fetching the libraries of the page of reports")
+  add_custom_command(OUTPUT ${PAGE} VERBATIM DEPENDS ${MODULES}/fetched ${SOURCE}/build.mjs ${SOURCE}/render.mjs ${SOURCES}
+    COMMAND node ${SOURCE}/build.mjs ${MODULES} ${PAGE}
+    COMMENT "Making the page of reports")
+  add_custom_target(tack_report DEPENDS ${PAGE})
+endfunction()
+
+# tack_app(): the programs, side by side: tack, and tack_studies, which has all commands and which tack starts for those that it lacks.
+function(tack_app)
+  file(GLOB SOURCES CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/framework/app/*.cpp)
+  list(JOIN TACK_STUDY_COMMANDS "|" COMMANDS)
+  set(STUDIES ${SOURCES})
+  list(FILTER STUDIES INCLUDE REGEX "/(${COMMANDS})_command.cpp$")
+  set(ELSEWHERE ${CMAKE_SOURCE_DIR}/framework/app/in_studies.cpp)
+  list(REMOVE_ITEM SOURCES ${STUDIES} ${ELSEWHERE})
+  add_library(tack_app OBJECT ${SOURCES})
+  add_executable(tack_cli ${ELSEWHERE})
+  add_executable(tack_studies ${STUDIES})
+  set_target_properties(tack_cli PROPERTIES OUTPUT_NAME tack)
+  foreach(TARGET tack_app tack_cli tack_studies)
+    tack_cool(${TARGET})
+    tack_precompile_cold(${TARGET})
+  endforeach()
+  tack_link(tack_cli)
+  tack_link_all(tack_studies)
+  target_link_libraries(tack_app PRIVATE tack_options Eigen3::Eigen TBB::tbb fmt::fmt CLI11::CLI11)
+  foreach(TARGET tack_cli tack_studies)
+    target_sources(${TARGET} PRIVATE $<TARGET_OBJECTS:tack_app>)
+    set_target_properties(${TARGET} PROPERTIES ENABLE_EXPORTS ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+    add_dependencies(${TARGET} tack_msh)
+  endforeach()
+endfunction()
