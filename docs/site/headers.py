@@ -1,30 +1,32 @@
 #!/usr/bin/env python3
-"""Prepares headers for Doxygen: headers.py ROOT OUTPUT
+r"""Prepares headers for Doxygen: headers.py ROOT OUTPUT
 
 Copies every installed header (geometry, framework, energies and solvers, without framework/app) below OUTPUT, and turns
 comments into those that Doxygen reads:
     // before a declaration            ->  ///
     declaration;  // behind it         ->  declaration;  ///< behind it
-    // at the beginning of a file      ->  /// \\file
-A comment that no declaration follows stays as it is; `///` lines stay as they are.
+    // at the beginning of a file      ->  /// \file
+`///` lines are read alike. A comment that no declaration follows stays as it is. Text is plain: `<T>`, `#1`, `50%` mean themselves; \param, \return, \throws
+and \file are the commands of Doxygen that are kept.
 """
 import pathlib
 import re
 import sys
 
 LAYERS = ("geometry", "framework", "energies", "solvers")
+SPECIAL = re.compile(r"([<>#$%&`]|[\\@](?!(?:param|tparam|returns?|throws?|file|brief)\b))")
 NO_DECLARATION = re.compile(r"\s*($|#|\}|static_assert|namespace|using namespace|extern)")
-BEHIND = re.compile(r'^(?P<code>[^/"]*(?:"[^"]*"[^/"]*)*[;,}\w])\s+// (?P<text>.*)$')
+BEHIND = re.compile(r'^(?P<code>[^/"]*(?:"[^"]*"[^/"]*)*[;,}\w])\s+//(?:/<)? (?P<text>.*)$')
 
 
 def escaped(text):
     """Returns plain text for Doxygen: nothing in it is a command, a tag or a link; code spans have two backticks, as one ends at a quote."""
     parts = re.split(r"`([^`]*)`", text)
-    return "".join(f"``{part}``" if i % 2 else re.sub(r"([\\@<>#$%&`])", r"\\\1", part).replace("file:", "file&zwnj;:") for i, part in enumerate(parts))
+    return "".join(f"``{part}``" if i % 2 else SPECIAL.sub(r"\\\1", part).replace("file:", "file&zwnj;:") for i, part in enumerate(parts))
 
 
 def comment(lines):
-    """Returns `//` lines as `///` lines; lines that are indented below a colon or an empty line are code."""
+    """Returns comment lines as `///` lines; lines that are indented below a colon or an empty line are code."""
     indent = re.match(r"\s*", lines[0])[0]
     out, text, before = [], [], ""
 
@@ -33,7 +35,7 @@ def comment(lines):
             out.extend(escaped("\n".join(text)).split("\n"))
             text.clear()
 
-    for line in [line.strip()[2:] for line in lines]:
+    for line in [re.sub(r"^\s*///?", "", line) for line in lines]:
         code = line.startswith(" " * 4) and (before is None or before.rstrip().endswith(":") or not before.strip())
         if code and before is not None:
             flush()
@@ -49,10 +51,10 @@ def comment(lines):
 
 
 def runs_of(lines):
-    """Yields (is a comment, lines): runs of `//` lines together, every other line by itself."""
+    """Yields (is a comment, lines): runs of comment lines together, every other line by itself."""
     run = []
     for line in lines:
-        if re.match(r"\s*//(?!/)", line):
+        if re.match(r"\s*//(?!/[/<])", line):
             run.append(line)
             continue
         if run:
