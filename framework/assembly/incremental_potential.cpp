@@ -40,7 +40,7 @@ void IncrementalPotential::begin_step(const VecX& x_start, const VecX& predictio
   dofs_.follow(x_);
   dofs_.gather(prediction, prediction_);
   dofs_.keep_held(x_, prediction_);
-  mixed_inertia_.begin_step(prediction, scales.body, inertia);
+  mixed_inertia_.set_prediction(prediction, scales.body, inertia);
   scales_ = scales;
   inertia_ = inertia;
   block_mass_ = inertia ? free_mass_ : VecX::Zero(free_mass_.size()).eval();

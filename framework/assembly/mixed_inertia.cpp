@@ -15,7 +15,7 @@ void MixedInertia::set_mass(const VecX& mass) {
   for (size_t i = 0; i < vertices_.size(); ++i) mass_(static_cast<Eigen::Index>(i)) = mass(vertices_[i]);
 }
 
-void MixedInertia::begin_step(const VecX& prediction, double scale, bool inertia) {
+void MixedInertia::set_prediction(const VecX& prediction, double scale, bool inertia) {
   prediction_.resize(3 * mass_.size());
   for (size_t i = 0; i < vertices_.size(); ++i) vertex(prediction_, static_cast<int>(i)) = vertex(prediction, vertices_[i]);
   factor_ = inertia ? 1 / scale : 0;

@@ -17,8 +17,8 @@ class MixedInertia : public Term, public ResidualView {
   MixedInertia(const VecX& mass, const DofMap& dofs);
   void set_mass(const VecX& mass);
   bool empty() const { return vertices_.empty(); }
-  // prediction: x~ (3n).
-  void begin_step(const VecX& prediction, double scale, bool inertia);
+  // Begins a step. prediction: x~ (3n).
+  void set_prediction(const VecX& prediction, double scale, bool inertia);
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;

@@ -230,12 +230,12 @@ class Warnings {
                                             world_.bodies[a].name, world_.bodies[b].name, pair.gap, distance);
       const std::string& name = world_.bodies[lighter].name;
       if (pair.sum > weight && pair.sum - pair.resultant.norm() > squeezed_fraction * pair.sum)
-        squeezed.add(pair.sum / weight, lighter, [&] {
+        squeezed.add(pair.sum / weight, lighter, [&, &pair = pair] {
           return fmt::format("{}from opposite sides with {:.3g} N, {:.3g} times the weight of '{}': it is squeezed, and rubs, before anything moves", start,
                              pair.sum, pair.sum / weight, name);
         });
       else if (pair.energy > thrown_distances * distance * weight)
-        thrown.add(pair.energy / weight, lighter, [&] {
+        thrown.add(pair.energy / weight, lighter, [&, &pair = pair] {
           return fmt::format("{}with {:.3g} N, {:.3g} times the weight of '{}': it is thrown off ({:.3g} m high, by its weight)", start, pair.resultant.norm(),
                              pair.resultant.norm() / weight, name, pair.energy / weight);
         });

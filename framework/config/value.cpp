@@ -20,6 +20,7 @@ Value Value::scalar(std::string text) {
 
 Value Value::number(double value) { return scalar(fmt::format("{}", value)); }
 
+Value Value::sequence() { return sequence(std::vector<Value>{}); }
 Value Value::sequence(std::vector<Value> items) {
   Value v;
   v.kind = Kind::sequence;

@@ -32,7 +32,8 @@ struct Value {
 
   static Value scalar(std::string text);
   static Value number(double value);  // shortest text that reads back as the same bits
-  static Value sequence(std::vector<Value> items = {});
+  static Value sequence();
+  static Value sequence(std::vector<Value> items);
   static Value map();
 
   bool is_null() const { return kind == Kind::null; }

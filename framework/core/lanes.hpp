@@ -7,7 +7,6 @@
 namespace tack {
 
 using Lanes = double __attribute__((vector_size(32)));
-using LaneOrder = long long __attribute__((vector_size(32)));
 
 inline Lanes load4(const double* p) {
   Lanes lanes;
@@ -31,12 +30,15 @@ inline void store4(const Lanes& lanes, double* p) { std::memcpy(p, &lanes, sizeo
 inline double sum3(const Lanes& lanes) { return lanes[0] + lanes[1] + lanes[2]; }
 template <int d>
 Lanes spread(const Lanes& lanes) {
-  return __builtin_shuffle(lanes, LaneOrder{d, d, d, d});
+  return __builtin_shufflevector(lanes, lanes, d, d, d, d);
 }
 
+inline Lanes rotated(const Lanes& lanes) { return __builtin_shufflevector(lanes, lanes, 1, 2, 3, 0); }
+
 inline Lanes cross(const Lanes& a, const Lanes& b) {
-  constexpr LaneOrder next{1, 2, 0, 3}, last{2, 0, 1, 3};
-  return __builtin_shuffle(a, next) * __builtin_shuffle(b, last) - __builtin_shuffle(a, last) * __builtin_shuffle(b, next);
+  const auto next = [](const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };
+  const auto last = [](const Lanes& v) { return __builtin_shufflevector(v, v, 2, 0, 1, 3); };
+  return next(a) * last(b) - last(a) * next(b);
 }
 
 // The columns of a block. The fourth lane is that of another column.
@@ -44,7 +46,7 @@ struct BlockLanes {
   BlockLanes() : a{}, b{}, c{} {}
   template <class T>
   explicit BlockLanes(const T* block)
-      : a(load4(block)), b(load4(block + 3)), c(__builtin_shuffle(load4(block + 5), LaneOrder{1, 2, 3, 0})) {}
+      : a(load4(block)), b(load4(block + 3)), c(rotated(load4(block + 5))) {}
   BlockLanes(const Lanes& x, const Lanes& y, const Lanes& z) : a(x), b(y), c(z) {}
   // Reads the number after the block as well.
   template <class T>
@@ -93,9 +95,9 @@ struct TransposedSum {
     c += block.c * v;
   }
   Lanes sum() const {
-    const Lanes ab = __builtin_shuffle(a, b, LaneOrder{0, 4, 2, 6}), ab1 = __builtin_shuffle(a, b, LaneOrder{1, 5, 3, 7});
-    const Lanes first = __builtin_shuffle(ab, c, LaneOrder{0, 1, 4, 5}), third = __builtin_shuffle(ab, c, LaneOrder{2, 3, 6, 7});
-    return first + __builtin_shuffle(ab1, c, LaneOrder{0, 1, 5, 6}) + third;
+    const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Lanes first = __builtin_shufflevector(ab, c, 0, 1, 4, 5), third = __builtin_shufflevector(ab, c, 2, 3, 6, 7);
+    return first + __builtin_shufflevector(ab1, c, 0, 1, 5, 6) + third;
   }
   Lanes a{}, b{}, c{};
 };

@@ -23,8 +23,7 @@ Fall fall_of(const std::vector<std::pair<double, double>>& traction) {
   for (const auto& [x, y] : traction) peak = std::max(peak, y);
   Fall fall;
   for (size_t i = 0; i + 1 < traction.size() && peak > 0; ++i) {
-    const auto& [x, y] = traction[i];
-    const auto& [next, below] = traction[i + 1];
+    const double x = traction[i].first, y = traction[i].second, next = traction[i + 1].first, below = traction[i + 1].second;
     const auto crossed = [&](double level) { return y >= level && below < level ? x + (next - x) * (y - level) / (y - below) : 0; };
     if (const double at = crossed(fall_begins * peak); at > 0) fall.from = at;
     if (const double at = crossed(fall_ends * peak); at > 0) fall.to = at;

@@ -128,7 +128,7 @@ std::map<std::string, Plot> run_curves(const std::vector<PlottedRun>& runs) {
     if (auto laws = law_curves(run.laws)) plots.emplace("laws", std::move(*laws));
   }
   for (const auto& [of, data] : measured_curves(runs)) {
-    const auto& [probe, along] = of;
+    const auto &probe = of.first, &along = of.second;
     const auto drawn = [&](const PlottedRun& run) { return run.probes.column(probe) && run.probes.column(along); };
     if (std::any_of(runs.begin(), runs.end(), drawn)) plots.emplace("measured_" + picture_name(probe), probe_curves(runs, along, probe));
   }

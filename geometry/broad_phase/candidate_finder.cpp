@@ -44,6 +44,8 @@ struct CandidateList {
   List& pairs;
   Lengths &clearances, &distances;
 };
+template <class List, class Lengths>
+CandidateList(List&, Lengths&, Lengths&) -> CandidateList<List, Lengths>;
 template <class C>
 auto list_of(C& candidates, std::vector<std::array<int, 2>> Candidates::* pairs, std::vector<double> Clearances::* lengths) {
   return CandidateList{candidates.*pairs, candidates.clearances.*lengths, candidates.distances.*lengths};

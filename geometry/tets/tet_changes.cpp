@@ -25,7 +25,7 @@ bool better(double quality, double than) { return quality > than * (1 + enough) 
 // Triangles of a polygon, the worst of whose tets with both ends of the edge is as good as can be.
 class RingFilling {
  public:
-  RingFilling(const TetEditor& mesh, int a, int b, const std::vector<int>& ring) : mesh_(mesh), a_(a), b_(b), ring_(ring), n_(static_cast<int>(ring.size())) {
+  RingFilling(const TetEditor& mesh, int a, int b, const std::vector<int>& ring) : a_(a), b_(b), ring_(ring), n_(static_cast<int>(ring.size())) {
     best_.assign(static_cast<size_t>(n_) * n_, std::numeric_limits<double>::infinity());
     split_.assign(static_cast<size_t>(n_) * n_, -1);
     for (int span = 2; span < n_; ++span)
@@ -58,7 +58,6 @@ class RingFilling {
     add(j, k, made);
   }
 
-  const TetEditor& mesh_;
   int a_, b_;
   const std::vector<int>& ring_;
   int n_;
