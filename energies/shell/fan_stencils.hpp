@@ -19,7 +19,7 @@
 
 namespace tack {
 
-class FanStencils : public StencilRanges {
+class FanStencils final : public StencilRanges {
  public:
   // Of the fans first ... last - 1, which are of one shape.
   FanStencils(const HingeFan* fans, const FanMatrix* c, int count);

@@ -53,7 +53,7 @@ class Patches {
 
 // The stencils of rank one. Their gradients are left to the tets.
 template <class Volume>
-class PatchStencils : public StencilRanges {
+class PatchStencils final : public StencilRanges {
  public:
   PatchStencils(const Patches& patches, const Patches::Run& run, const Volume& law) : patches_(patches), run_(run), law_(law) {}
 

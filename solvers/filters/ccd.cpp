@@ -152,6 +152,9 @@ class Ccd : public StepFilter {
   // Candidates of one kind.
   template <class Primitives, class Stray, class Accd>
   struct Kind {
+    Kind(const std::vector<std::array<int, 2>>& pairs_, const std::vector<double>& clearances_, const std::vector<double>& distances_,
+         Primitives primitives_, Stray stray_, Accd accd_)
+        : pairs(pairs_), clearances(clearances_), distances(distances_), primitives(primitives_), stray(stray_), accd(accd_) {}
     const std::vector<std::array<int, 2>>& pairs;
     const std::vector<double>&clearances, &distances;
     Primitives primitives;  // of a pair

@@ -53,7 +53,7 @@ double ContactFinder::strayed(const HeldContacts& before, const VecX& way) const
 void ContactFinder::add_points(const Candidates& candidates, int first, int last, const VecX& x, const VecX& way, double reach, const HeldContacts& before,
                                Chunk& out) const {
   const CollisionMesh& mesh = surface_.mesh;
-  const auto [p, any] = candidates.point_triangle[first];
+  const int p = candidates.point_triangle[first][0], any = candidates.point_triangle[first][1];
   const int own = mesh.vertex_object[p], object = mesh.vertex_object[mesh.triangles[any][0]];
   std::vector<NearPoint> near;
   features_.near_point(candidates, first, last, x, reach, near);
