@@ -1,4 +1,4 @@
-# What packages are made of: packaging/deb.sh configures a build for each TACK_ARCHITECTURE, and puts them into one. All but programs is the same in all, and
+# Contents of packages: packaging/deb.sh configures a build for each TACK_ARCHITECTURE, and puts them into one. The builds differ in their programs only; all else
 # comes from the first.
 install(TARGETS tack_cli tack_studies tack_further RUNTIME DESTINATION libexec/tack/${TACK_ARCHITECTURE}/bin LIBRARY DESTINATION libexec/tack/${TACK_ARCHITECTURE}/bin COMPONENT program)
 # They look for the rest beside themselves.
@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Simulates adhesive and frictional contact 
 is there for several instruction sets; the best that the processor has is taken.")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "gnuplot-nox")  # plots
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "nodejs, chromium, ffmpeg, g++, cmake, libeigen3-dev, libtbb-dev, libfmt-dev")  # pictures and films; plugins
-# What was configured beside it: packaging/deb.sh says which.
+# Builds that were configured beside this one, by packaging/deb.sh.
 set(TACK_PACKAGED "" CACHE STRING "Build folders of the other architectures of a package")
 set(CPACK_INSTALL_CMAKE_PROJECTS "${CMAKE_BINARY_DIR};tack;ALL;/")
 foreach(FOLDER ${TACK_PACKAGED})

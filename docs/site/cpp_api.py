@@ -5,9 +5,9 @@ import xml.etree.ElementTree as ElementTree
 
 HEAD = """# C++ API
 
-What plugins and embedding programs include: [headers by file](cpp/files.html), [classes](cpp/annotated.html),
-[functions of the namespace `tack`](cpp/namespacetack.html). How a component is written: [extending.md](extending.md); outside of the tree, and
-a program around the library: [plugins.md](plugins.md).
+Headers for plugins and embedding programs: [by file](cpp/files.html), [by class](cpp/annotated.html),
+[by function](cpp/namespacetack.html). How a component is written: [extending.md](extending.md). Components outside of the tree, and programs around
+the library: [plugins.md](plugins.md).
 
 """
 

@@ -1,4 +1,4 @@
-"""What is written in C++ (python/bindings), for editors and for the pages of the API. A test holds it against the module."""
+"""The part of the package that is written in C++ (python/bindings), for editors and for the pages of the API. A test holds it against the module."""
 from typing import Any
 
 import numpy as np

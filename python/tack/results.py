@@ -1,4 +1,4 @@
-"""What `tack run`, `tack batch` and `tack compare` have written, as arrays."""
+"""Results of `tack run`, `tack batch` and `tack compare`, as arrays."""
 from __future__ import annotations
 
 import csv

@@ -15,7 +15,7 @@ from .scene import opened, overrides_of
 
 
 class Warned(UserWarning):
-    """What a simulation goes on with, but what may make its results worth less than they seem."""
+    """A warning: the simulation goes on, but its results may be worth less than they seem."""
 
 
 class Object:
@@ -113,7 +113,7 @@ class Simulation:
 
     @property
     def finished(self) -> bool:
-        """Whether the scene has ended."""
+        """True when the scene has ended."""
         return self._running.finished
 
     @property
@@ -172,7 +172,7 @@ class Simulation:
             minimizer: A function that is called with a Problem, and returns the unknowns where it ended; it replaces the minimiser of the scene from now on.
 
         Returns:
-            What is known of the step, as a dictionary: iterations, status, contacts, smallest gap, ...
+            A dictionary about the step: iterations, status, contacts, smallest gap, ...
 
         Raises:
             SimulationError: No step small enough succeeds.
