@@ -159,7 +159,7 @@ TEST_CASE("rods and particles pass over plates, edges and corners without a jump
     for (const auto& [yaml, half] : {Body{solid("{type: box, size: [0.01, 0.003, 0.01], cells: [2, 1, 3]}"), {0.005, 0.0015, 0.005}},
                                      Body{sheet("{type: grid, size: [0.01, 0.01], cells: [3, 2]}"), {0.005, 0, 0.005}}}) {
       const Pair pair(yaml, rod);
-      const auto surface = [&](const Vec3& p) { return Vec3(p.cwiseMax(-half).cwiseMin(half)); };
+      const auto surface = [&, &half = half](const Vec3& p) { return Vec3(p.cwiseMax(-half).cwiseMin(half)); };
       int compared = 0;
       for (int trial = 0; trial < 40; ++trial) {
         const Passing passing(random);
