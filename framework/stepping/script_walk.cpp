@@ -109,8 +109,19 @@ void ScriptWalk::prepare(const VecX& x, const VecX& places) {
   std::vector<char> unknown(world_.dofs.vertex_count());
   for (size_t v = 0; v < unknown.size(); ++v) unknown[v] = world_.dofs.moves(static_cast<int>(v));
   for (const int v : moving_) unknown[v] = 1;
-  dofs_ = DofMap(unknown, world_.dofs.dependences(), world_.script.always_held());
+  dofs_ = DofMap(unknown, world_.dofs.dependences(), held_directions());
   potential_.emplace(world_, clock_, world_.terms, dofs_, world_.mass);
+}
+
+// Rollers that do not move keep their directions; those of pulled vertices are free, but for directions that no motion frees.
+std::vector<HeldDirections> ScriptWalk::held_directions() const {
+  std::vector<HeldDirections> held;
+  const auto pulled = [&](int v) { return std::binary_search(moving_.begin(), moving_.end(), v); };
+  for (const DofMap::HeldBlock& h : world_.dofs.held_blocks())
+    if (const int v = world_.dofs.vertex_of_block(h.block); !pulled(v)) held.push_back({v, h.held, h.twist});
+  for (const HeldDirections& always : world_.script.always_held())
+    if (pulled(always.vertex)) held.push_back(always);
+  return held;
 }
 
 VecX ScriptWalk::masses(double pull, bool inertia) const {

@@ -39,6 +39,7 @@ class ScriptWalk {
  private:
   struct Pull;
   void prepare(const VecX& x, const VecX& places);
+  std::vector<HeldDirections> held_directions() const;  // in the walk
   VecX masses(double pull, bool inertia) const;
   double stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction);
   void minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer);
