@@ -12,23 +12,23 @@ namespace tack {
 Candidates candidates_between(const CollisionMesh& mesh, const Candidates& candidates, int a, int b) {
   Candidates found;
   found.reference = candidates.reference;
-  const auto keep = [&](auto list, auto clearance, const auto& first_of, const auto& second_of) {
+  const auto keep = [&](auto list, auto lengths, const auto& first_of, const auto& second_of) {
     for (size_t k = 0; k < (candidates.*list).size(); ++k) {
       const auto& pair = (candidates.*list)[k];
       const int i = mesh.vertex_object[first_of(pair[0])], j = mesh.vertex_object[second_of(pair[1])];
       if (!((i == a && j == b) || (i == b && j == a))) continue;
       (found.*list).push_back(pair);
-      (found.clearances.*clearance).push_back((candidates.clearances.*clearance)[k]);
-      (found.distances.*clearance).push_back((candidates.distances.*clearance)[k]);
+      (found.distance_bounds.*lengths).push_back((candidates.distance_bounds.*lengths)[k]);
+      (found.reference_distances.*lengths).push_back((candidates.reference_distances.*lengths)[k]);
     }
   };
   const auto self = [](int v) { return v; };
   const auto edge = [&](int e) { return mesh.edges[e][0]; };
   const auto triangle = [&](int t) { return mesh.triangles[t][0]; };
-  keep(&Candidates::point_triangle, &Clearances::point_triangle, self, triangle);
-  keep(&Candidates::edge_edge, &Clearances::edge_edge, edge, edge);
-  keep(&Candidates::point_edge, &Clearances::point_edge, self, edge);
-  keep(&Candidates::point_point, &Clearances::point_point, self, self);
+  keep(&Candidates::point_triangle, &CandidateLengths::point_triangle, self, triangle);
+  keep(&Candidates::edge_edge, &CandidateLengths::edge_edge, edge, edge);
+  keep(&Candidates::point_edge, &CandidateLengths::point_edge, self, edge);
+  keep(&Candidates::point_point, &CandidateLengths::point_point, self, self);
   return found;
 }
 
@@ -36,7 +36,7 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const CollisionMesh& mesh = surface.mesh;
   SmallestGaps found{infinity, infinity};
-  const auto look = [&](const auto& list, const auto& clearance, const auto& first_of, const auto& second_of) {
+  const auto look = [&](const auto& list, const auto& lengths, const auto& first_of, const auto& second_of) {
     const int n = static_cast<int>(list.size());
     std::vector<SmallestGaps> partial(chunk_count(n, chunk_size), found);  // only what is nearer counts
     for_each_chunk(n, [&](int c, int first, int last) {
@@ -47,7 +47,7 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
         const int of_a = mesh.vertex_object[a[0]], of_b = mesh.vertex_object[b[0]];
         double& least = of_a == of_b ? gaps.of_all : gaps.between_objects;
         double filled = pairs.largest_offset() > 0 ? pairs.offset(of_a, of_b) : 0;
-        if (clearance[i] - filled >= least) continue;
+        if (lengths[i] - filled >= least) continue;
         const double squared = squared_distance(corners(x, a), corners(x, b)), wanted = least + filled;
         if (wanted > 0 && squared >= wanted * wanted) continue;
         const double distance = std::sqrt(squared);
@@ -63,11 +63,11 @@ SmallestGaps smallest_gaps(const ContactSurface& surface, const PairTable& pairs
   const auto point = [](int v) { return std::array{v}; };
   const auto edge = [&](int e) -> const Edge& { return mesh.edges[e]; };
   const auto triangle = [&](int t) -> const Triangle& { return mesh.triangles[t]; };
-  const Clearances& clearances = candidates.clearances;
-  look(candidates.point_triangle, clearances.point_triangle, point, triangle);
-  look(candidates.edge_edge, clearances.edge_edge, edge, edge);
-  look(candidates.point_edge, clearances.point_edge, point, edge);
-  look(candidates.point_point, clearances.point_point, point, point);
+  const CandidateLengths& distance_bounds = candidates.distance_bounds;
+  look(candidates.point_triangle, distance_bounds.point_triangle, point, triangle);
+  look(candidates.edge_edge, distance_bounds.edge_edge, edge, edge);
+  look(candidates.point_edge, distance_bounds.point_edge, point, edge);
+  look(candidates.point_point, distance_bounds.point_point, point, point);
   return found;
 }
 

@@ -4,7 +4,7 @@
 
 #include "framework/contact/contact_history.hpp"
 #include "framework/contact/narrow_phase.hpp"
-#include "framework/contact/pair_reaches.hpp"
+#include "framework/contact/pair_radii.hpp"
 #include "framework/contact/rest_gaps.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -43,7 +43,7 @@ ContactSystem::ContactSystem(ContactSurface surface, PairTable pairs, CollidingO
   range_ = std::max(range_, pairs_.bond_reach());
   const double mean_edge = mean_edge_of(surface_);
   skin_ = skin_of(mean_edge, range_);
-  reaches_ = pair_reaches(surface_, pairs_);
+  radii_ = pair_radii(surface_, pairs_);
   surface_.rest_gaps = std::make_shared<RestGaps>(surface_, pairs_);
   stride_ = std::max(2 * mean_edge, range_);
   forget();
@@ -53,7 +53,7 @@ ContactSystem::~ContactSystem() = default;
 
 void ContactSystem::set_free(std::vector<char> free) { narrow_phase_->set_free(std::move(free)); }
 
-void ContactSystem::dissolve_groups_of(const std::vector<int>& vertices) { broad_phase_->dissolve_groups_of(vertices); }
+void ContactSystem::enable_self_pairs(const std::vector<int>& vertices) { broad_phase_->enable_self_pairs(vertices); }
 
 const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
 
@@ -153,7 +153,7 @@ void ContactSystem::move_to(const VecX& x) {
 
 bool ContactSystem::renew_candidates(const VecX& x, const VecX& p) {
   const PhaseScope scope(clock_, Phase::broad_phase);
-  return broad_phase_->update(x, p, reaches_, skin_);
+  return broad_phase_->update(x, p, radii_, skin_);
 }
 
 void ContactSystem::cover(const VecX& x, const VecX& p) {

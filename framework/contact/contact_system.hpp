@@ -1,5 +1,6 @@
-// One contact pass for all laws: candidates from one broad phase at the largest active range, kept
-// until a vertex leaves its safe box, and the active stencils of the current configuration.
+// One contact pass for all laws: candidates of one broad phase, valid until a vertex leaves its fat
+// AABB (broad_phase.hpp), and the active stencils of the current configuration. Each object is
+// inflated by a radius of its own (pair_radii.hpp).
 #pragma once
 
 #include <memory>
@@ -9,7 +10,7 @@
 #include "framework/core/phase_clock.hpp"
 #include "framework/core/step_participant.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
-#include "geometry/broad_phase/reaches.hpp"
+#include "geometry/broad_phase/inflation_radii.hpp"
 
 namespace tack {
 
@@ -21,33 +22,38 @@ class RimForces;
 
 class ContactSystem : public StepParticipant {
  public:
-  ContactSystem(ContactSurface surface, PairTable pairs, CollidingObjects colliding, PhaseClock& clock);
+  ContactSystem(ContactSurface surface, PairTable pairs, CollidingObjects colliding,
+                PhaseClock& clock);
   ~ContactSystem();
 
-  // Which vertices are free at present (non-zero): no force is computed between primitives without
-  // one. Empty: every candidate has one.
+  // Sets the free vertices (non-zero): no force is computed between primitives without one. Empty:
+  // every candidate has one.
   void set_free(std::vector<char> free);
-  // The rigid groups of these vertices (global) may move against each other at present; empty: none may.
-  void dissolve_groups_of(const std::vector<int>& vertices);
+  // Searches pairs within the rigid groups of these global vertices too, and within no other group.
+  void enable_self_pairs(const std::vector<int>& vertices);
   void forget() override;
-  // The pairs whose coarser side integrates in the present step, and those whose did in the one before the next (none: it is
-  // not known); they are remembered.
+  // The pairs whose coarser side integrates in the present step, and those whose did in the one
+  // before the next (none: it is not known); they are remembered.
   const IntegrationSides::Pairs& turned_sides() const;
-  void set_turned_before(std::optional<IntegrationSides::Pairs> turned) { turned_before_ = std::move(turned); }
+  void set_turned_before(std::optional<IntegrationSides::Pairs> turned) {
+    turned_before_ = std::move(turned);
+  }
   void remember(const History& history) override;
   void commit(const VecX& x, History& history) const override;
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
   void begin_step(const StepStart& start) override;
-  // Of the present step: what of each surface lies opposite another, and the surfaces as they were at its start.
+  // Of the present step: what of each surface lies opposite another, and the surfaces as they were
+  // at its start.
   const Coverage& coverage() const;
   const HeldSurface& held() const;
   // These pairs (ascending) keep the sides that integrate, from the next step on.
   void hold_sides(IntegrationSides::Pairs pairs) { held_sides_ = std::move(pairs); }
-  // Triangles that may come within range of a point inside a triangle (global vertices).
+  // Appends the triangles that may come within range of a point inside a triangle (global
+  // vertices).
   void triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const;
   // Makes x the current configuration: finds its active stencils.
   void move_to(const VecX& x) override;
-  // Makes sure that the candidates hold every pair that may touch on the way from x to x + p.
+  // Rebuilds the candidates if a pair outside them may touch between x and x + p.
   void cover(const VecX& x, const VecX& p);
 
   const ContactSet& contacts() const { return contacts_; }
@@ -59,7 +65,8 @@ class ContactSystem : public StepParticipant {
   const CollidingObjects& colliding() const { return colliding_; }
   int broad_phase_builds() const;
   double range() const { return range_; }
-  // How far vertices may go in one search without its boxes being mostly empty [m].
+  // The largest displacement for which one search is efficient: above it, boxes are mostly empty
+  // [m].
   double stride() const { return stride_; }
   SmallestGaps smallest_gaps(const VecX& x) const;
 
@@ -70,10 +77,10 @@ class ContactSystem : public StepParticipant {
   PairTable pairs_;
   CollidingObjects colliding_;
   PhaseClock& clock_;
-  double range_ = 0;   // the largest of all laws [m]
+  double range_ = 0;   // largest range of all laws [m]
   double stride_ = 0;  // m
-  double skin_ = 0;    // of the candidates [m]
-  Reaches reaches_;    // likewise
+  double skin_ = 0;    // Verlet skin of the candidates [m]
+  InflationRadii radii_;
   std::unique_ptr<BroadPhase> broad_phase_;
   std::unique_ptr<NarrowPhase> narrow_phase_;
   std::optional<IntegrationSides::Pairs> turned_before_;

@@ -7,7 +7,7 @@
 #include "framework/contact/key_walk.hpp"
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
-#include "geometry/broad_phase/strays.hpp"
+#include "geometry/broad_phase/displacement_bounds.hpp"
 #include "geometry/concatenate.hpp"
 #include "geometry/distance/edge_edge_mollifier.hpp"
 #include "geometry/parallel.hpp"
@@ -49,17 +49,17 @@ class StencilSearch {
 
 class PointSearch : StencilSearch {
  public:
-  PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const Strays& strays,
+  PointSearch(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates, const DisplacementBounds& displacements,
               const PointPieces& pieces, const FreeVertices& free, const VecX& x, Found& found)
-      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), strays_(strays), pieces_(pieces) {}
+      : StencilSearch(surface.mesh, pairs, free, x, found), candidates_(candidates), displacements_(displacements), pieces_(pieces) {}
 
   void search(const PointPiece& piece) {
     triangles_.clear();
     shares_.clear();
     for (int i = piece.triangle_begin; i < piece.triangle_end; ++i) {
       const int candidate = pieces_.triangles[i], t = candidates_.point_triangle[candidate][1];
-      const double stray = strays_.vertex(piece.point) + strays_.triangle(t);
-      if (!(candidates_.distances.point_triangle[candidate] - stray < piece.range)) continue;
+      const double displacement = displacements_.vertex(piece.point) + displacements_.triangle(t);
+      if (!(candidates_.reference_distances.point_triangle[candidate] - displacement < piece.range)) continue;
       triangles_.push_back(mesh_.triangles[t]);
       if (piece.share_begin >= 0) shares_.push_back(pieces_.shares[piece.share_begin + i - piece.triangle_begin]);
     }
@@ -88,7 +88,7 @@ class PointSearch : StencilSearch {
   }
 
   const Candidates& candidates_;
-  const Strays& strays_;
+  const DisplacementBounds& displacements_;
   const PointPieces& pieces_;
   std::vector<TriangleShare> shares_;
   std::vector<Edge> edges_;
@@ -136,13 +136,13 @@ double shared_area(double a, double b, double most_uneven) {
 }
 
 void search_edges(const ContactSurface& surface, const PairTable& pairs, const Candidates& candidates,
-                  const std::vector<EdgePair>& edge_pairs, const Strays& strays, const std::vector<char>& free, const VecX& x,
+                  const std::vector<EdgePair>& edge_pairs, const DisplacementBounds& displacements, const std::vector<char>& free, const VecX& x,
                   int first, int last, Found& found) {
   const CollisionMesh& mesh = surface.mesh;
   const double largest = pairs.largest_edge_range();
   for (int i = first; i < last; ++i) {
     const auto [ia, ib] = edge_pairs[i].edges;
-    if (candidates.distances.edge_edge[edge_pairs[i].candidate] - strays.edge(ia) - strays.edge(ib) >= largest) continue;
+    if (candidates.reference_distances.edge_edge[edge_pairs[i].candidate] - displacements.edge(ia) - displacements.edge(ib) >= largest) continue;
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const PairRole& role = edge_role(mesh, pairs, a, b);
     const int law = edge_pairs[i].law;
@@ -235,12 +235,12 @@ void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimit
   const CollisionMesh& mesh = surface_.mesh;
   // The law of a pair of candidates; -1: it does not press.
   const auto law_of = [&, largest = pairs_.largest_edge_range()](int i) {
-    if (candidates.clearances.edge_edge[i] >= largest) return -1;
+    if (candidates.distance_bounds.edge_edge[i] >= largest) return -1;
     const auto [ia, ib] = candidates.edge_edge[i];
     const Edge &a = mesh.edges[ia], &b = mesh.edges[ib];
     const int object = mesh.vertex_object[a[0]], other = mesh.vertex_object[b[0]];
     const PairRole& role = edge_role(mesh, pairs_, a, b);
-    if (role.law < 0 || candidates.clearances.edge_edge[i] >= role.range) return -1;
+    if (role.law < 0 || candidates.distance_bounds.edge_edge[i] >= role.range) return -1;
     if (object != other || pairs_.plain_sums || !close_at_rest(surface_, a, b, role.range)) return role.law;
     if (!surface_.rest_gaps || !surface_.rest_gaps->gap_between(a, b)) return -1;
     return surface_.rest_gaps->law_of_edges(role.law, a, b);
@@ -327,14 +327,14 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
     add_sample_pieces(added, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
   const int points = static_cast<int>(pieces_.pieces.size());
   const int edges = static_cast<int>(edge_pairs_.size());
-  const Strays strays(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
+  const DisplacementBounds displacements(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
   std::vector<Found> found_points(chunk_count(points)), found_edges(chunk_count(edges));
   for_each_chunk(points, [&](int c, int first, int last) {
-    PointSearch search(surface_, pairs_, candidates, strays, pieces_, free_, x, found_points[c]);
+    PointSearch search(surface_, pairs_, candidates, displacements, pieces_, free_, x, found_points[c]);
     for (int i = first; i < last; ++i) search.search(pieces_.pieces[i]);
   });
   for_each_chunk(edges, [&](int c, int first, int last) {
-    search_edges(surface_, pairs_, candidates, edge_pairs_, strays, free_.free, x, first, last, found_edges[c]);
+    search_edges(surface_, pairs_, candidates, edge_pairs_, displacements, free_.free, x, first, last, found_edges[c]);
   });
   if (!rods_.crossings().empty())
     search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());

@@ -111,7 +111,7 @@ class PieceMaker {
   int rod(int i) const { return r_.candidates.point_edge[i][1]; }
   int particle(int i) const { return r_.groups.particles[i][1]; }
   // Whether the pair may come within a range [m] while the candidates hold.
-  bool reaches(int i, double range) const { return r_.candidates.clearances.point_triangle[i] < range; }
+  bool reaches(int i, double range) const { return r_.candidates.distance_bounds.point_triangle[i] < range; }
 
   // Within one object the law is the one that presses from rest on.
   void begin(const PointGroup& group, Acting acting) {
@@ -176,7 +176,7 @@ class PieceMaker {
   // Of the rods and particles of the group, those that are within reach.
   void list_rods(const PointGroup& group, double range) {
     for (int i = group.edge_begin; i < group.edge_end; ++i)
-      if (r_.candidates.clearances.point_edge[i] < range && !neighbours(group, mesh_.edges[rod(i)], range))
+      if (r_.candidates.distance_bounds.point_edge[i] < range && !neighbours(group, mesh_.edges[rod(i)], range))
         out_.edges.push_back(rod(i));
     for (int i = group.other_begin; i < group.other_end; ++i) out_.others.push_back(particle(i));
   }

@@ -56,10 +56,10 @@ RestGaps::RestGaps(const ContactSurface& surface, PairTable& pairs) : surface_(s
 void RestGaps::find_levels(const PairTable& pairs) {
   const CollisionMesh& mesh = surface_.mesh;
   BroadPhase broad_phase(mesh, only_themselves(pairs.classes()));
-  Reaches reaches{reach_, reach_};
-  for (auto* list : {&reaches.surface, &reaches.edge})
+  InflationRadii radii{reach_, reach_};
+  for (auto* list : {&radii.surface, &radii.edge})
     for (double& reach : *list) reach /= 2;
-  broad_phase.update(surface_.rest, VecX(), reaches, 0);
+  broad_phase.update(surface_.rest, VecX(), radii, 0);
   const Candidates& candidates = broad_phase.candidates();
   PointGroups groups;
   groups.make(candidates, mesh);

@@ -32,11 +32,11 @@ class Search {
   Search(const ContactSystem& contact, const VecX& x) : contact_(contact), x_(x) {}
 
   template <size_t A, size_t B>
-  void look_at(const std::array<int, A>& a, const std::array<int, B>& b, double clearance) {
+  void look_at(const std::array<int, A>& a, const std::array<int, B>& b, double distance_bound) {
     if (found_.size() == most) return;
     const ContactSurface& surface = contact_.surface();
     const int object_a = surface.mesh.vertex_object[a[0]], object_b = surface.mesh.vertex_object[b[0]];
-    if (clearance > contact_.pairs().offset(object_a, object_b)) return;
+    if (distance_bound > contact_.pairs().offset(object_a, object_b)) return;
     const double offset = filled_between(surface, contact_.pairs(), a, b);
     const auto ca = corners(x_, a);
     const auto cb = corners(x_, b);
@@ -59,17 +59,17 @@ std::vector<TooClose> find_too_close(const ContactSystem& contact, const VecX& x
   Search search(contact, x);
   const CollisionMesh& mesh = contact.surface().mesh;
   const Candidates& c = contact.candidates();
-  const auto each = [](const auto& pairs, const auto& clearances, const auto& look) {
-    for (size_t i = 0; i < pairs.size(); ++i) look(pairs[i][0], pairs[i][1], clearances[i]);
+  const auto each = [](const auto& pairs, const auto& distance_bounds, const auto& look) {
+    for (size_t i = 0; i < pairs.size(); ++i) look(pairs[i][0], pairs[i][1], distance_bounds[i]);
   };
-  each(c.point_triangle, c.clearances.point_triangle,
-       [&](int p, int t, double clearance) { search.look_at(std::array{p}, mesh.triangles[t], clearance); });
-  each(c.edge_edge, c.clearances.edge_edge,
-       [&](int a, int b, double clearance) { search.look_at(mesh.edges[a], mesh.edges[b], clearance); });
-  each(c.point_edge, c.clearances.point_edge,
-       [&](int p, int e, double clearance) { search.look_at(std::array{p}, mesh.edges[e], clearance); });
-  each(c.point_point, c.clearances.point_point,
-       [&](int p, int q, double clearance) { search.look_at(std::array{p}, std::array{q}, clearance); });
+  each(c.point_triangle, c.distance_bounds.point_triangle,
+       [&](int p, int t, double distance_bound) { search.look_at(std::array{p}, mesh.triangles[t], distance_bound); });
+  each(c.edge_edge, c.distance_bounds.edge_edge,
+       [&](int a, int b, double distance_bound) { search.look_at(mesh.edges[a], mesh.edges[b], distance_bound); });
+  each(c.point_edge, c.distance_bounds.point_edge,
+       [&](int p, int e, double distance_bound) { search.look_at(std::array{p}, mesh.edges[e], distance_bound); });
+  each(c.point_point, c.distance_bounds.point_point,
+       [&](int p, int q, double distance_bound) { search.look_at(std::array{p}, std::array{q}, distance_bound); });
   return search.take();
 }
 

@@ -10,7 +10,7 @@
 #include "geometry/errors.hpp"
 #include "geometry/level_set/zero_surface.hpp"
 #include "geometry/mesh/mass_properties.hpp"
-#include "geometry/broad_phase/separation.hpp"
+#include "geometry/broad_phase/sphere_tree.hpp"
 
 namespace tack {
 
@@ -58,7 +58,7 @@ class Placed {
         for (int k = -1; k <= 1; ++k)
           if (const auto found = cells_.find(key({c[0] + i, c[1] + j, c[2] + k})); found != cells_.end())
             for (const size_t other : found->second)
-              if (!apart(tree_, pose, tree_, poses_[other], clearance_)) return false;
+              if (!farther_than(tree_, pose, tree_, poses_[other], clearance_)) return false;
     return true;
   }
   void add(const Pose& pose) {

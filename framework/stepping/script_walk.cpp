@@ -30,10 +30,10 @@ double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertice
 class DissolvedGroups {
  public:
   DissolvedGroups(ContactSystem* contact, const std::vector<int>& moving) : contact_(contact) {
-    if (contact_) contact_->dissolve_groups_of(moving);
+    if (contact_) contact_->enable_self_pairs(moving);
   }
   ~DissolvedGroups() {
-    if (contact_) contact_->dissolve_groups_of({});
+    if (contact_) contact_->enable_self_pairs({});
   }
   DissolvedGroups(const DissolvedGroups&) = delete;
   DissolvedGroups& operator=(const DissolvedGroups&) = delete;

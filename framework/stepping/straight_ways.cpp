@@ -137,7 +137,7 @@ std::optional<std::array<int, 2>> StraightWays::blocked_parts(const VecX& x, con
   const Search search{mesh, parts_, pairs, contact.range()};
   std::vector<Aabb> boxes(mesh.vertex_object.size());
   Candidates candidates;
-  const Reaches touching = Reaches::uniform(mesh, 0, 0);
+  const InflationRadii touching = InflationRadii::uniform(mesh, 0, 0);
   for (int i = 0; i < stages; ++i) {
     const Stage stage{x, way, i / stages, i + 1 < stages ? (i + 1) / stages : 1};
     for (const int v : mesh.vertices) {

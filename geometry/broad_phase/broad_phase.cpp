@@ -9,22 +9,22 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/broad_phase/clearances.hpp"
+#include "geometry/broad_phase/distance_bounds.hpp"
 #include "geometry/errors.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 namespace {
 
-constexpr int kGrain = 4096;
-constexpr double kFew = 0.4;  // of the vertices: so many are worth a search of theirs alone
-constexpr double kTight = 0.05;  // of the skin: how far vertices may move in tight boxes
+constexpr int vertices_per_task = 4096;
+constexpr double partial_search_fraction_max = 0.4;  // of vertices outside their boxes: above it, all pairs are searched
+constexpr double tight_margin_per_skin = 0.05;       // inflation of tight boxes over the skin
 
 template <class Predicate>
 bool all_of(const std::vector<int>& vertices, const Predicate& predicate) {
   using Range = tbb::blocked_range<std::size_t>;
   return tbb::parallel_reduce(
-      Range(0, vertices.size(), kGrain), true,
+      Range(0, vertices.size(), vertices_per_task), true,
       [&](const Range& range, bool so_far) {
         return so_far && std::all_of(vertices.begin() + range.begin(),
                                      vertices.begin() + range.end(), predicate);
@@ -54,45 +54,46 @@ void check_finite(const VecX& values, const char* name) {
 BroadPhase::BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding)
     : mesh_(mesh), objects_(object_count(mesh)), finder_(mesh, std::move(colliding)) {}
 
-bool BroadPhase::update(const VecX& x, const VecX& p, const Reaches& reaches, double skin) {
-  check(x, p, reaches, skin);
-  const bool known = builds_ > 0 && !stale_ && reaches.within(reaches_);
-  if (known && inside(safe_boxes_, x, p)) return renew_clearances(x, p, skin) || (renew_distances(x, p), false);
+bool BroadPhase::update(const VecX& x, const VecX& p, const InflationRadii& radii, double skin) {
+  check(x, p, radii, skin);
+  const bool known = builds_ > 0 && !stale_ && radii.within(radii_);
+  if (known && inside(fat_boxes_, x, p)) return update_distance_bounds(x, p, skin) || (update_reference_distances(x, p), false);
 
   std::vector<char> changed;
-  if (known) changed = strayed(x, p);
-  if (changed.empty()) reaches_ = reaches;  // else those of the other candidates
-  const double size = largest(x) + largest(p) + reaches_.largest_range() + skin;
+  if (known) changed = objects_outside(x, p);
+  if (changed.empty()) radii_ = radii;  // else the other candidates keep theirs
+  const double size = largest(x) + largest(p) + radii_.largest_range() + skin;
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * size;
-  inflate_reaches(rounding);
+  pad_radii(rounding);
   std::vector<Aabb> boxes = boxes_around(x, p, 0.5 * skin + rounding);
   if (changed.empty()) {
-    safe_boxes_ = std::move(boxes);
-    finder_.find(safe_boxes_, inflation_, candidates_);
-    find_clearances(mesh_, safe_boxes_, candidates_);
+    fat_boxes_ = std::move(boxes);
+    finder_.find(fat_boxes_, padded_radii_, candidates_);
+    find_distance_bounds(mesh_, fat_boxes_, candidates_);
   } else {
     for (const int v : mesh_.vertices)
-      if (changed[mesh_.vertex_object[v]]) safe_boxes_[v] = boxes[v];
-    finder_.find_again(safe_boxes_, inflation_, changed, candidates_);
-    if (tight_boxes_.empty()) find_fresh_clearances(mesh_, safe_boxes_, changed, finder_.fresh(), candidates_);
-    else find_clearances(mesh_, safe_boxes_, candidates_);
+      if (changed[mesh_.vertex_object[v]]) fat_boxes_[v] = boxes[v];
+    finder_.find_changed(fat_boxes_, padded_radii_, changed, candidates_);
+    if (tight_boxes_.empty()) find_new_distance_bounds(mesh_, fat_boxes_, changed, finder_.new_candidates(), candidates_);
+    else find_distance_bounds(mesh_, fat_boxes_, candidates_);
   }
-  partly_ = !changed.empty() && tight_boxes_.empty();
+  partial_ = !changed.empty() && tight_boxes_.empty();
   tight_boxes_.clear();
-  served_ = 0;
+  updates_since_bounds_ = 0;
   stale_ = false;
   ++builds_;
   return true;
 }
 
-void BroadPhase::inflate_reaches(double rounding) {
-  inflation_ = reaches_;
-  for (double& reach : inflation_.surface) reach += rounding;
-  for (double& reach : inflation_.edge) reach += rounding;
+void BroadPhase::pad_radii(double rounding) {
+  padded_radii_ = radii_;
+  for (double& radius : padded_radii_.surface) radius += rounding;
+  for (double& radius : padded_radii_.edge) radius += rounding;
 }
 
-// A flag for each object that has left its safe boxes; empty if they are so many, or such, that all should be searched.
-std::vector<char> BroadPhase::strayed(const VecX& x, const VecX& p) const {
+// Returns a flag per object that has left its fat boxes; empty if all pairs should be searched: if these objects hold too many
+// of the vertices, or one of them a fixed vertex.
+std::vector<char> BroadPhase::objects_outside(const VecX& x, const VecX& p) const {
   std::vector<char> objects(objects_, 0), fixed(objects_, 0);
   std::vector<int> size(objects_, 0);
   for (const int v : mesh_.vertices) {
@@ -100,38 +101,38 @@ std::vector<char> BroadPhase::strayed(const VecX& x, const VecX& p) const {
     ++size[object];
     fixed[object] |= !mesh_.vertex_movable[v];
     if (objects[object]) continue;
-    const Aabb& box = safe_boxes_[v];
+    const Aabb& box = fat_boxes_[v];
     if (box.contains(vertex(x, v)) && (p.size() == 0 || box.contains(vertex(x, v) + vertex(p, v)))) continue;
     objects[object] = 1;
   }
-  int strayed = 0;
+  int vertices_outside = 0;
   for (int i = 0; i < objects_; ++i) {
     if (!objects[i]) continue;
     if (fixed[i]) return {};
-    strayed += size[i];
+    vertices_outside += size[i];
   }
-  if (strayed > kFew * static_cast<double>(mesh_.vertices.size())) return {};
+  if (vertices_outside > partial_search_fraction_max * static_cast<double>(mesh_.vertices.size())) return {};
   return objects;
 }
 
-// Distances are found anew where vertices have come to rest far from where they were found.
-void BroadPhase::renew_distances(const VecX& x, const VecX& p) {
-  if (largest(p) > 0 || largest(x - candidates_.reference) < reaches_.largest_range()) return;
-  find_distances(mesh_, x, candidates_);
+// Computes reference distances again where vertices have come to rest far from the reference.
+void BroadPhase::update_reference_distances(const VecX& x, const VecX& p) {
+  if (largest(p) > 0 || largest(x - candidates_.reference) < radii_.largest_range()) return;
+  find_reference_distances(mesh_, x, candidates_);
 }
 
-// After a while in which the safe boxes served, clearances are found in tight ones; where those are left too soon,
-// that takes longer the next time.
-bool BroadPhase::renew_clearances(const VecX& x, const VecX& p, double skin) {
-  const double stray = kTight * skin;
-  const bool tighten = ++served_ >= patience_ && largest(p) <= stray;
+// Tightens the boxes of the distance bounds after tighten_after_ updates; quadruples that number if a vertex leaves its tight box
+// sooner.
+bool BroadPhase::update_distance_bounds(const VecX& x, const VecX& p, double skin) {
+  const double margin = tight_margin_per_skin * skin;
+  const bool tighten = ++updates_since_bounds_ >= tighten_after_ && largest(p) <= margin;
   if (tight_boxes_.empty() ? !tighten : inside(tight_boxes_, x, p)) return false;
-  if (!tight_boxes_.empty() && !tighten) patience_ *= 4;
+  if (!tight_boxes_.empty() && !tighten) tighten_after_ *= 4;
   tight_boxes_.clear();
-  if (tighten) tight_boxes_ = boxes_around(x, p, stray);
-  find_clearances(mesh_, tight_boxes_.empty() ? safe_boxes_ : tight_boxes_, candidates_);
-  partly_ = false;
-  served_ = 0;
+  if (tighten) tight_boxes_ = boxes_around(x, p, margin);
+  find_distance_bounds(mesh_, tight_boxes_.empty() ? fat_boxes_ : tight_boxes_, candidates_);
+  partial_ = false;
+  updates_since_bounds_ = 0;
   return true;
 }
 
@@ -142,24 +143,24 @@ bool BroadPhase::inside(const std::vector<Aabb>& boxes, const VecX& x, const Vec
   return all_of(mesh_.vertices, inside);
 }
 
-void BroadPhase::dissolve_groups_of(const std::vector<int>& vertices) {
-  std::vector<char> dissolved;
+void BroadPhase::enable_self_pairs(const std::vector<int>& vertices) {
+  std::vector<char> self_pairs;
   for (const int v : vertices) {
     if (mesh_.vertex_group.empty() || mesh_.vertex_group[v] < 0) continue;
-    if (dissolved.empty()) dissolved.resize(*std::max_element(mesh_.vertex_group.begin(), mesh_.vertex_group.end()) + 1);
-    dissolved[mesh_.vertex_group[v]] = 1;
+    if (self_pairs.empty()) self_pairs.resize(*std::max_element(mesh_.vertex_group.begin(), mesh_.vertex_group.end()) + 1);
+    self_pairs[mesh_.vertex_group[v]] = 1;
   }
-  stale_ |= finder_.dissolve_groups(std::move(dissolved));
+  stale_ |= finder_.enable_self_pairs_of_groups(std::move(self_pairs));
 }
 
 bool BroadPhase::covers(const VecX& x) const {
-  if (builds_ == 0 || x.size() != 3 * static_cast<Eigen::Index>(safe_boxes_.size())) return false;
-  return all_of(mesh_.vertices, [&](int v) { return safe_boxes_[v].contains(vertex(x, v)); });
+  if (builds_ == 0 || x.size() != 3 * static_cast<Eigen::Index>(fat_boxes_.size())) return false;
+  return all_of(mesh_.vertices, [&](int v) { return fat_boxes_[v].contains(vertex(x, v)); });
 }
 
 Aabb BroadPhase::box_of(const Triangle& triangle) const {
   Aabb box;
-  for (const int v : triangle) box.include(safe_boxes_[v]);
+  for (const int v : triangle) box.include(fat_boxes_[v]);
   return box;
 }
 
@@ -167,30 +168,30 @@ Aabb BroadPhase::box_of(const Triangle& triangle, const Vec3& inside) const {
   Aabb box;
   box.lo = box.hi = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
-    box.lo += inside[i] * safe_boxes_[triangle[i]].lo;
-    box.hi += inside[i] * safe_boxes_[triangle[i]].hi;
+    box.lo += inside[i] * fat_boxes_[triangle[i]].lo;
+    box.hi += inside[i] * fat_boxes_[triangle[i]].hi;
   }
   return box;
 }
 
-// Half of the range, and rounding.
-void BroadPhase::reach_out(int object, Aabb& box) const {
-  const double reach = reaches_.surface[object];
-  box.inflate(reach + 4.0 * std::numeric_limits<double>::epsilon() * (box.hi.cwiseAbs().maxCoeff() + 2 * reach));
+// Inflates by the radius of the object plus rounding errors.
+void BroadPhase::inflate_query(int object, Aabb& box) const {
+  const double radius = radii_.surface[object];
+  box.inflate(radius + 4.0 * std::numeric_limits<double>::epsilon() * (box.hi.cwiseAbs().maxCoeff() + 2 * radius));
 }
 
 void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::vector<int>& out) const {
   Aabb box = box_of(triangle, inside);
-  reach_out(mesh_.vertex_object[triangle[0]], box);
+  inflate_query(mesh_.vertex_object[triangle[0]], box);
   finder_.triangles_in(box, -1, out);
 }
 
 void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const {
   Aabb box = box_of(triangle, inside);
-  reach_out(mesh_.vertex_object[triangle[0]], box);
+  inflate_query(mesh_.vertex_object[triangle[0]], box);
   for (const int t : among) {
     Aabb other = box_of(mesh_.triangles[t]);
-    other.inflate(inflation_.surface[mesh_.vertex_object[mesh_.triangles[t][0]]]);
+    other.inflate(padded_radii_.surface[mesh_.vertex_object[mesh_.triangles[t][0]]]);
     if (other.overlaps(box)) out.push_back(t);
   }
 }
@@ -198,22 +199,22 @@ void BroadPhase::triangles_near(const Triangle& triangle, const Vec3& inside, st
 void BroadPhase::others_near(const Triangle& triangle, std::vector<int>& out) const {
   const int object = mesh_.vertex_object[triangle[0]];
   Aabb box = box_of(triangle);
-  reach_out(object, box);
+  inflate_query(object, box);
   finder_.triangles_in(box, object, out);
 }
 
-void BroadPhase::check(const VecX& x, const VecX& p, const Reaches& reaches, double skin) const {
+void BroadPhase::check(const VecX& x, const VecX& p, const InflationRadii& radii, double skin) const {
   const auto size = 3 * static_cast<Eigen::Index>(mesh_.vertex_object.size());
   if (x.size() != size || (p.size() != 0 && p.size() != size))
     throw InputError(fmt::format(
         "broad phase: x has {} and p {} coordinates; the mesh has {} (3 a vertex; p may be empty)",
         x.size(), p.size(), size));
   if (!(skin >= 0.0)) throw InputError(fmt::format("broad phase: a skin of {} m must not be negative", skin));
-  for (const auto* lengths : {&reaches.surface, &reaches.edge}) {
+  for (const auto* lengths : {&radii.surface, &radii.edge}) {
     if (static_cast<int>(lengths->size()) < objects_)
-      throw InputError(fmt::format("broad phase: reaches of {} objects; the mesh has {}", lengths->size(), objects_));
+      throw InputError(fmt::format("broad phase: inflation radii of {} objects; the mesh has {}", lengths->size(), objects_));
     for (const double length : *lengths)
-      if (!(length >= 0.0)) throw InputError(fmt::format("broad phase: a reach of {} m must not be negative", length));
+      if (!(length >= 0.0)) throw InputError(fmt::format("broad phase: an inflation radius of {} m must not be negative", length));
   }
   check_finite(x, "the position");
   check_finite(p, "the displacement");
@@ -228,7 +229,7 @@ std::vector<Aabb> BroadPhase::boxes_around(const VecX& x, const VecX& p, double 
     if (p.size() != 0) box.include(Vec3(vertex(x, v) + vertex(p, v)));
     box.inflate(inflation);
     boxes[v] = box;
-  }, kGrain);
+  }, vertices_per_task);
   return boxes;
 }
 

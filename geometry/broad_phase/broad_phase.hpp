@@ -1,17 +1,23 @@
-// Which primitives may touch while the vertices move a little: candidates kept over many
-// evaluations.
+// Collision candidates that stay valid while vertices move a little.
 //
-// Key idea: when candidates are built, each vertex v gets a *safe box*
-//   B_v = box(x_v, x_v + p_v) inflated by skin/2.
-// Candidates are all pairs whose primitive boxes (the union of the safe boxes of their vertices),
-// inflated by the reach of their object each, overlap. A primitive whose vertices lie in their safe boxes lies in its
-// primitive box, by convexity; hence, as long as every vertex lies in its safe box, every pair
-// closer than the reaches of both is among the candidates, during minimisation, line search and CCD alike. (All
-// boxes are a few rounding errors larger than said, so that this holds in floating point.)
-// Where only few objects have left their safe boxes, those alone get new ones and are searched; what is known of other pairs stays.
-// Most candidates are far apart all the same, so each has a clearance (clearances.hpp). It holds in the safe boxes,
-// or, where vertices hardly moved for a while, in much smaller ones, and is found anew when a vertex leaves those. Their distances are those in the middle of these
-// boxes, and found anew where vertices have come to rest far from there.
+// Key idea: when candidates are built, each vertex v gets a *fat AABB*
+//   B_v = box(x_v, x_v + p_v) inflated by skin / 2        (a Verlet skin).
+// The AABB of a primitive is the union of the fat AABBs of its vertices, inflated by the inflation
+// radius of its object. Candidates are all pairs of primitives whose AABBs overlap.
+//
+// Invariant: while every vertex stays in its fat AABB, every pair that is closer than the sum of
+// both inflation radii is a candidate. A primitive whose vertices lie in their fat AABBs lies in
+// its own, by convexity; so the invariant holds during minimisation, line search and CCD alike. All
+// boxes are a few rounding errors larger, so that it holds in floating point.
+//
+// Rebuild policy:
+//   1. If few objects have left their fat AABBs, only their pairs are searched again.
+//   2. Each candidate stores a lower bound of its distance (distance_bounds.hpp), valid inside the
+//      fat AABBs, so that most candidates are skipped without a distance computation.
+//   3. If vertices hardly move for a number of updates, *tight AABBs* replace the fat ones in these
+//      bounds, until a vertex leaves its tight AABB.
+//   4. Reference distances are those at the centres of the boxes. They are computed again where
+//      vertices have come to rest far from there.
 #pragma once
 
 #include <span>
@@ -26,60 +32,66 @@ class BroadPhase {
   // The mesh must outlive the broad phase and not change.
   BroadPhase(const CollisionMesh& mesh, CollidingObjects colliding);
 
-  // Rebuilds if some surface vertex of x or x + p lies outside its safe box, or if a reach grew since
-  // the last build. x [m] holds 3 coordinates for every global vertex; p [m] too, or it is empty
-  // (zero). skin: [m]. Returns true if rebuilt, or if clearances were found anew. Throws InputError for wrong sizes or a
-  // negative reach or skin, SimulationError if a coordinate is not finite.
-  bool update(const VecX& x, const VecX& p, const Reaches& reaches, double skin);
-  // The same reach for all objects: pairs within `range`.
+  // Rebuilds the candidates if a surface vertex of x or x + p lies outside its fat AABB, or if an
+  // inflation radius has grown since the last build. Returns true if candidates or distance bounds
+  // have changed.
+  // x [m]: 3 coordinates per global vertex; p [m]: the same, or empty (zero); skin [m].
+  // Throws InputError for wrong sizes or a negative radius or skin, SimulationError for a
+  // coordinate that is not finite.
+  bool update(const VecX& x, const VecX& p, const InflationRadii& radii, double skin);
+  // Inflates all objects equally: candidates are pairs within `range` [m].
   bool update(const VecX& x, const VecX& p, double range, double skin) {
-    return update(x, p, Reaches::uniform(mesh_, range, range), skin);
+    return update(x, p, InflationRadii::uniform(mesh_, range, range), skin);
   }
 
-  // Pairs of the rigid groups of these vertices (global; empty: of none) are searched too: for when they move against each other.
-  void dissolve_groups_of(const std::vector<int>& vertices);
+  // Searches pairs within the rigid groups of these global vertices too, and within no other group.
+  // For rigid groups whose members move against each other.
+  void enable_self_pairs(const std::vector<int>& vertices);
 
-  // Whether every surface vertex lies inside its safe box; false before the first build.
+  // Returns whether every surface vertex lies inside its fat AABB; false before the first build.
   bool covers(const VecX& x) const;
 
   const Candidates& candidates() const { return candidates_; }
-  // Appends the triangles that may come within range of a point inside the triangle of these vertices (global),
-  // given by its barycentric coordinates, while vertices stay in their safe boxes; ascending.
+  // Appends, ascending, the triangles that may come within range of a point of the triangle while
+  // vertices stay in their fat AABBs. triangle: global vertices; inside: barycentric coordinates.
   void triangles_near(const Triangle& triangle, const Vec3& inside, std::vector<int>& out) const;
-  // The same among these.
-  void triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among, std::vector<int>& out) const;
-  // The same of any of its points, without those of its own object.
+  // Restricts that search to the triangles in `among`.
+  void triangles_near(const Triangle& triangle, const Vec3& inside, std::span<const int> among,
+                      std::vector<int>& out) const;
+  // Appends, ascending, the triangles of other objects that may come within range of any point of
+  // the triangle.
   void others_near(const Triangle& triangle, std::vector<int>& out) const;
-  // Of the last update that returned true: pairs of others, and their clearances, are what they were before. Null: all may be new.
-  const ChangedPrimitives* changed() const { return partly_ ? &finder_.changed() : nullptr; }
-  // The number of candidate builds so far.
+  // Returns the primitives whose pairs and distance bounds changed in the last update that returned
+  // true; null if all may have changed.
+  const ChangedPrimitives* changed() const { return partial_ ? &finder_.changed() : nullptr; }
+  // Returns the number of candidate builds so far.
   int builds() const { return builds_; }
 
  private:
-  void check(const VecX& x, const VecX& p, const Reaches& reaches, double skin) const;
+  void check(const VecX& x, const VecX& p, const InflationRadii& radii, double skin) const;
   std::vector<Aabb> boxes_around(const VecX& x, const VecX& p, double inflation) const;
-  void inflate_reaches(double rounding);
+  void pad_radii(double rounding);
   bool inside(const std::vector<Aabb>& boxes, const VecX& x, const VecX& p) const;
   Aabb box_of(const Triangle& triangle) const;
   Aabb box_of(const Triangle& triangle, const Vec3& inside) const;
-  void reach_out(int object, Aabb& box) const;
-  void renew_distances(const VecX& x, const VecX& p);
-  bool renew_clearances(const VecX& x, const VecX& p, double skin);
-  std::vector<char> strayed(const VecX& x, const VecX& p) const;
+  void inflate_query(int object, Aabb& box) const;
+  void update_reference_distances(const VecX& x, const VecX& p);
+  bool update_distance_bounds(const VecX& x, const VecX& p, double skin);
+  std::vector<char> objects_outside(const VecX& x, const VecX& p) const;
 
   const CollisionMesh& mesh_;
   int objects_;
   CandidateFinder finder_;
-  std::vector<Aabb> safe_boxes_;  // by global vertex; empty boxes for interior vertices
-  std::vector<Aabb> tight_boxes_;  // likewise, in which clearances hold; empty: they hold in the safe boxes
+  std::vector<Aabb> fat_boxes_;    // per global vertex; empty boxes for interior vertices
+  std::vector<Aabb> tight_boxes_;  // per global vertex; empty vector: bounds hold in the fat boxes
   Candidates candidates_;
-  int served_ = 0;     // updates since clearances were found
-  int patience_ = 16;  // updates before boxes are tightened
-  Reaches reaches_;    // of the last build
-  Reaches inflation_;  // of primitives' boxes: the same, and rounding
+  int updates_since_bounds_ = 0;  // updates since the distance bounds were computed
+  int tighten_after_ = 16;        // updates before boxes are tightened
+  InflationRadii radii_;          // of the last build
+  InflationRadii padded_radii_;   // radii_ plus rounding errors
   int builds_ = 0;
-  bool stale_ = false;   // the candidates are not those that are wanted
-  bool partly_ = false;  // only some are new
+  bool stale_ = false;    // candidates lack pairs of rigid groups that were enabled since
+  bool partial_ = false;  // the last build replaced only pairs of some objects
 };
 
 }  // namespace tack

@@ -12,11 +12,11 @@
 
 namespace tack {
 
-Bvh::Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active, const std::vector<int>& kin)
+Bvh::Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active, const std::vector<int>& rigid_group)
     : primitive_active_(active) {
-  if (!kin.empty() && kin.size() != boxes.size())
-    throw InputError(fmt::format("Bvh: {} boxes but {} numbers of kin; give one a box or none", boxes.size(), kin.size()));
-  if (std::any_of(kin.begin(), kin.end(), [](int k) { return k >= 0; })) primitive_kin_ = kin;
+  if (!rigid_group.empty() && rigid_group.size() != boxes.size())
+    throw InputError(fmt::format("Bvh: {} boxes but {} rigid groups; give one a box or none", boxes.size(), rigid_group.size()));
+  if (std::any_of(rigid_group.begin(), rigid_group.end(), [](int k) { return k >= 0; })) primitive_group_ = rigid_group;
   if (!active.empty() && active.size() != boxes.size())
     throw InputError(fmt::format("Bvh: {} boxes but {} activity flags; give one flag a box or none",
                                  boxes.size(), active.size()));
@@ -42,10 +42,10 @@ void Bvh::set_active(std::vector<char> active) {
 }
 
 void Bvh::order_by_position(const std::vector<Aabb>& boxes) {
-  order_ = space_order(boxes, primitive_kin_);
+  order_ = space_order(boxes, primitive_group_);
   order_.resize((boxes.size() + Box8::width - 1) / Box8::width * Box8::width, -1);
   fill(boxes);
-  fill_kin();
+  fill_rigid_groups();
   built_area_ = node_area();
 }
 
@@ -61,20 +61,20 @@ void Bvh::lay_out_levels() {
   active_.resize(level_begin_.back());
 }
 
-void Bvh::fill_kin() {
-  if (primitive_kin_.empty()) return;
-  kin_.assign(level_begin_.back(), -1);
+void Bvh::fill_rigid_groups() {
+  if (primitive_group_.empty()) return;
+  rigid_group_.assign(level_begin_.back(), -1);
   for (int level = 0; level < levels(); ++level) {
     const int count = level == 0 ? size() : groups(level - 1);
     const auto of = [&](int child) {
-      return level == 0 ? primitive_kin_[order_[child]] : kin_[level_begin_[level - 1] + child];
+      return level == 0 ? primitive_group_[order_[child]] : rigid_group_[level_begin_[level - 1] + child];
     };
     for (int group = 0; group < groups(level); ++group) {
       const int first = group * Box8::width, last = std::min(first + Box8::width, count);
       int common = of(first);
       for (int child = first + 1; child < last; ++child)
         if (of(child) != common) common = -1;
-      kin_[level_begin_[level] + group] = common;
+      rigid_group_[level_begin_[level] + group] = common;
     }
   }
 }

@@ -5,8 +5,9 @@
 // good.
 //
 // Each primitive may be active or inactive (obstacles); a search never reports two inactive ones
-// and skips whole subtrees for that reason. Primitives may be kin, that is, of one rigid group: these lie next to each
-// other in the order, so that most nodes hold no others, and searches for partners that are not kin skip them whole.
+// and skips whole subtrees for that reason. Primitives of one rigid group lie next to each other in
+// the order, so that most nodes hold one group alone, and a search for partners outside a
+// primitive's own rigid group skips such nodes.
 #pragma once
 
 #include <cstdint>
@@ -20,15 +21,17 @@ namespace tack {
 class Bvh {
  public:
   Bvh() = default;
-  // `active` (one flag a primitive) may be empty: all active. `kin` (one number a primitive; -1: kin to none) may be
-  // empty: none are. Throws InputError if sizes disagree.
-  explicit Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active = {}, const std::vector<int>& kin = {});
+  // active: a flag per primitive; empty: all are active. rigid_group: a number per primitive (-1:
+  // in none); empty: no primitive is in one. Throws InputError if sizes disagree.
+  explicit Bvh(const std::vector<Aabb>& boxes, const std::vector<char>& active = {},
+               const std::vector<int>& rigid_group = {});
 
   // New boxes for the same primitives. Keeps the order (refit) unless the summed surface area of
   // the nodes has grown by more than `growth` since the order was made. Returns true if re-ordered.
   bool update(const std::vector<Aabb>& boxes, double growth = 1.5);
 
-  // Who is active from the next update on: one flag a primitive. Throws InputError if sizes disagree.
+  // Sets which primitives are active from the next update on: a flag per primitive. Throws
+  // InputError if sizes disagree.
   void set_active(std::vector<char> active);
 
   int size() const { return static_cast<int>(primitive_active_.size()); }
@@ -41,8 +44,10 @@ class Bvh {
   const Aabb& bound(int level, int group) const { return bounds_[level_begin_[level] + group]; }
   // Bit i: lane i holds, or leads to, an active primitive.
   unsigned active(int level, int group) const { return active_[level_begin_[level] + group]; }
-  // The number that all primitives below a group have in common; -1 if there is none.
-  int kin(int level, int group) const { return kin_.empty() ? -1 : kin_[level_begin_[level] + group]; }
+  // Returns the rigid group of all primitives below a group of nodes; -1 if they differ.
+  int rigid_group(int level, int group) const {
+    return rigid_group_.empty() ? -1 : rigid_group_[level_begin_[level] + group];
+  }
   // The primitives in the lanes of a group of level 0; -1 in lanes that hold none.
   const int* primitives(int group) const { return order_.data() + group * Box8::width; }
 
@@ -50,7 +55,7 @@ class Bvh {
   void order_by_position(const std::vector<Aabb>& boxes);
   void lay_out_levels();
   void fill(const std::vector<Aabb>& boxes);
-  void fill_kin();
+  void fill_rigid_groups();
   void fill_group(const std::vector<Aabb>& boxes, int level, int group);
   double node_area() const;
 
@@ -61,7 +66,7 @@ class Bvh {
   std::vector<Box8> boxes_;
   std::vector<Aabb> bounds_;
   std::vector<std::uint8_t> active_;
-  std::vector<int> primitive_kin_, kin_;  // empty: no primitives are kin
+  std::vector<int> primitive_group_, rigid_group_;  // empty: no primitive is in a rigid group
   double built_area_ = 0.0;  // half areas summed [m^2]
 };
 

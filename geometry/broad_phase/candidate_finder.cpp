@@ -16,20 +16,20 @@ struct MayTouch {
   const Primitives<M>& first;
   const Primitives<N>& second;
   const CollidingObjects& colliding;
-  const std::vector<char>& dissolved;  // a flag for each group that counts for nothing; empty: none does
-  const Rivals& rivals;
+  const std::vector<char>& self_pairs;  // a flag per rigid group whose own pairs are accepted; empty: none
+  const NearbyObjects& nearby;
 
   bool accept(int a, int b) const {
     if (first.groups[a] >= 0 && first.groups[a] == second.groups[b] && skips(first.groups[a])) return false;
     return !share_vertex(first.vertices[a], second.vertices[b]) &&
            colliding.allows(first.objects[a], second.objects[b]);
   }
-  bool skips(int kin) const { return dissolved.empty() || !dissolved[kin]; }
-  bool alone(int kin, const Aabb& box) const { return !rivals.near(kin, box); }
+  bool skips(int rigid_group) const { return self_pairs.empty() || !self_pairs[rigid_group]; }
+  bool isolated(int rigid_group, const Aabb& box) const { return !nearby.near(rigid_group, box); }
   std::array<int, 2> pair(int a, int b) const { return {first.ids[a], second.ids[b]}; }
 };
 
-// 0 .. n-1, stably sorted by the object of the triangle: the order that candidates are wanted in.
+// Returns 0 .. n-1, stably sorted by the object of the triangle: the order of point-triangle candidates.
 std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
   std::vector<int> order(mesh.triangles.size());
   std::iota(order.begin(), order.end(), 0);
@@ -42,56 +42,56 @@ std::vector<int> triangles_by_object(const CollisionMesh& mesh) {
 template <class List, class Lengths>
 struct CandidateList {
   List& pairs;
-  Lengths &clearances, &distances;
+  Lengths &distance_bounds, &reference_distances;
 };
 template <class List, class Lengths>
 CandidateList(List&, Lengths&, Lengths&) -> CandidateList<List, Lengths>;
 template <class C>
-auto list_of(C& candidates, std::vector<std::array<int, 2>> Candidates::* pairs, std::vector<double> Clearances::* lengths) {
-  return CandidateList{candidates.*pairs, candidates.clearances.*lengths, candidates.distances.*lengths};
+auto list_of(C& candidates, std::vector<std::array<int, 2>> Candidates::* pairs, std::vector<double> CandidateLengths::* lengths) {
+  return CandidateList{candidates.*pairs, candidates.distance_bounds.*lengths, candidates.reference_distances.*lengths};
 }
 
-// out <- the fresh pairs, whose lengths are not known and whose places become fresh_at, and those of the old ones that are kept, in the order of `key`.
-// Old ones are taken in chunks, each with the fresh pairs from its first one on.
+// Merges the new pairs and the old pairs for which `kept` holds into `out`, in the order of `key`. new_at: the indices of new pairs
+// in `out`; their lengths are not set. Old pairs are taken in chunks, each with the new pairs from its first pair on.
 template <class Kept, class Key, class Old, class Out>
-void merge_kept(const Old& old, const Kept& kept, const std::vector<std::array<int, 2>>& fresh, const Key& key, const Out& out, std::vector<int>& fresh_at) {
+void merge_kept(const Old& old, const Kept& kept, const std::vector<std::array<int, 2>>& new_candidates, const Key& key, const Out& out, std::vector<int>& new_at) {
   constexpr int chunk = 8192;
   const int n = static_cast<int>(old.pairs.size()), chunks = std::max(chunk_count(n, chunk), 1);
-  std::vector<size_t> fresh_begin(chunks + 1, 0), begin(chunks + 1, 0);
-  fresh_begin.back() = fresh.size();
+  std::vector<size_t> new_begin(chunks + 1, 0), begin(chunks + 1, 0);
+  new_begin.back() = new_candidates.size();
   for_each(chunks, [&](int c) {
     const int first = c * chunk, last = std::min(n, first + chunk);
     if (c > 0)
-      fresh_begin[c] = std::lower_bound(fresh.begin(), fresh.end(), key(old.pairs[first]), [&](const auto& pair, const auto& k) { return key(pair) < k; }) - fresh.begin();
+      new_begin[c] = std::lower_bound(new_candidates.begin(), new_candidates.end(), key(old.pairs[first]), [&](const auto& pair, const auto& k) { return key(pair) < k; }) - new_candidates.begin();
     begin[c + 1] = std::count_if(old.pairs.begin() + first, old.pairs.begin() + last, kept);
   }, 1);
-  for (int c = 0; c < chunks; ++c) begin[c + 1] += begin[c] + (fresh_begin[c + 1] - fresh_begin[c]);
+  for (int c = 0; c < chunks; ++c) begin[c + 1] += begin[c] + (new_begin[c + 1] - new_begin[c]);
   out.pairs.resize(begin.back());
-  out.clearances.resize(begin.back());
-  out.distances.resize(begin.back());
-  fresh_at.resize(fresh.size());
+  out.distance_bounds.resize(begin.back());
+  out.reference_distances.resize(begin.back());
+  new_at.resize(new_candidates.size());
   for_each(chunks, [&](int c) {
-    size_t to = begin[c], next = fresh_begin[c];
-    const auto put_fresh = [&] {
-      fresh_at[next] = static_cast<int>(to);
-      out.pairs[to++] = fresh[next++];
+    size_t to = begin[c], next = new_begin[c];
+    const auto put_new = [&] {
+      new_at[next] = static_cast<int>(to);
+      out.pairs[to++] = new_candidates[next++];
     };
     for (int i = c * chunk; i < std::min(n, c * chunk + chunk); ++i) {
       if (!kept(old.pairs[i])) continue;
-      if (next < fresh_begin[c + 1])
-        for (const auto before = key(old.pairs[i]); next < fresh_begin[c + 1] && key(fresh[next]) < before;) put_fresh();
+      if (next < new_begin[c + 1])
+        for (const auto before = key(old.pairs[i]); next < new_begin[c + 1] && key(new_candidates[next]) < before;) put_new();
       out.pairs[to] = old.pairs[i];
-      out.clearances[to] = old.clearances[i];
-      out.distances[to++] = old.distances[i];
+      out.distance_bounds[to] = old.distance_bounds[i];
+      out.reference_distances[to++] = old.reference_distances[i];
     }
-    while (next < fresh_begin[c + 1]) put_fresh();
+    while (next < new_begin[c + 1]) put_new();
   }, 1);
 }
 
 }  // namespace
 
 CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding)
-    : mesh_(mesh), colliding_(std::move(colliding)), rivals_(mesh) {
+    : mesh_(mesh), colliding_(std::move(colliding)), nearby_(mesh) {
   for (const int v : mesh.vertices) points_.add({v}, v, mesh);
   for (const int v : mesh.codim_points) codim_points_.add({v}, v, mesh);
   for (int e = 0; e < static_cast<int>(mesh.edges.size()); ++e) edges_.add(mesh.edges[e], e, mesh);
@@ -99,43 +99,43 @@ CandidateFinder::CandidateFinder(const CollisionMesh& mesh, CollidingObjects col
   for (const int t : triangles_by_object(mesh)) triangles_.add(mesh.triangles[t], t, mesh);
 }
 
-void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, Candidates& candidates) {
-  search(vertex_boxes, reaches, {}, candidates);
+void CandidateFinder::find(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii, Candidates& candidates) {
+  search(vertex_boxes, radii, {}, candidates);
 }
 
-void CandidateFinder::find_again(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& changed,
+void CandidateFinder::find_changed(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii, const std::vector<char>& changed,
                                  Candidates& candidates) {
-  search(vertex_boxes, reaches, changed, found_);
+  search(vertex_boxes, radii, changed, changed_pairs_);
   changed_.mark(mesh_, changed);
   const auto same = [](const std::array<int, 2>& pair) { return pair; };
   const auto merge = [&](auto pairs, auto lengths, auto places, const std::vector<char>& first, const std::vector<char>& second, const auto& key) {
     const auto kept = [&](const std::array<int, 2>& pair) { return !(first[pair[0]] | second[pair[1]]); };
-    merge_kept(list_of(std::as_const(candidates), pairs, lengths), kept, found_.*pairs, key, list_of(merged_, pairs, lengths), fresh_.*places);
+    merge_kept(list_of(std::as_const(candidates), pairs, lengths), kept, changed_pairs_.*pairs, key, list_of(merged_, pairs, lengths), new_candidates_.*places);
   };
   const auto& [objects, vertices, edges, triangles] = changed_;
-  merge(&Candidates::point_triangle, &Clearances::point_triangle, &SomeCandidates::point_triangle, vertices, triangles,
+  merge(&Candidates::point_triangle, &CandidateLengths::point_triangle, &CandidateIndices::point_triangle, vertices, triangles,
         [&](const auto& pair) { return std::array{pair[0], mesh_.vertex_object[mesh_.triangles[pair[1]][0]], pair[1]}; });
-  merge(&Candidates::edge_edge, &Clearances::edge_edge, &SomeCandidates::edge_edge, edges, edges, same);
-  merge(&Candidates::point_edge, &Clearances::point_edge, &SomeCandidates::point_edge, vertices, edges, same);
-  merge(&Candidates::point_point, &Clearances::point_point, &SomeCandidates::point_point, vertices, vertices, same);
+  merge(&Candidates::edge_edge, &CandidateLengths::edge_edge, &CandidateIndices::edge_edge, edges, edges, same);
+  merge(&Candidates::point_edge, &CandidateLengths::point_edge, &CandidateIndices::point_edge, vertices, edges, same);
+  merge(&Candidates::point_point, &CandidateLengths::point_point, &CandidateIndices::point_point, vertices, vertices, same);
   merged_.reference = std::move(candidates.reference);
   std::swap(candidates, merged_);
 }
 
-void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& active_objects,
+void CandidateFinder::search(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii, const std::vector<char>& active_objects,
                              Candidates& candidates) {
-  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, reaches.surface, active_objects), ...); };
+  const auto refresh = [&](auto&... kinds) { (kinds.refresh_tree(vertex_boxes, radii.surface, active_objects), ...); };
   refresh(points_, codim_points_, codim_edges_, triangles_);
-  edges_.refresh_tree(vertex_boxes, reaches.edge, active_objects);
-  std::vector<double> furthest = reaches.surface;
-  for (size_t i = 0; i < furthest.size(); ++i) furthest[i] = std::max(furthest[i], reaches.edge[i]);
-  rivals_.find(vertex_boxes, furthest);
-  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, dissolved_, rivals_},
+  edges_.refresh_tree(vertex_boxes, radii.edge, active_objects);
+  std::vector<double> largest_radii = radii.surface;
+  for (size_t i = 0; i < largest_radii.size(); ++i) largest_radii[i] = std::max(largest_radii[i], radii.edge[i]);
+  nearby_.find(vertex_boxes, largest_radii);
+  overlap_pairs(points_.tree, triangles_.tree, MayTouch<1, 3>{points_, triangles_, colliding_, self_pairs_, nearby_},
                 candidates.point_triangle);
-  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, dissolved_, rivals_}, candidates.edge_edge);
-  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, colliding_, dissolved_, rivals_},
+  overlap_pairs(edges_.tree, MayTouch<2, 2>{edges_, edges_, colliding_, self_pairs_, nearby_}, candidates.edge_edge);
+  overlap_pairs(points_.tree, codim_edges_.tree, MayTouch<1, 2>{points_, codim_edges_, colliding_, self_pairs_, nearby_},
                 candidates.point_edge);
-  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, colliding_, dissolved_, rivals_},
+  overlap_pairs(codim_points_.tree, MayTouch<1, 1>{codim_points_, codim_points_, colliding_, self_pairs_, nearby_},
                 candidates.point_point);
 }
 

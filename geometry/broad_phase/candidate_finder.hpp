@@ -1,4 +1,4 @@
-// The broad phase's search for candidates.
+// Candidate search of the broad phase: one bounding volume hierarchy per kind of primitive.
 #pragma once
 
 #include <utility>
@@ -8,46 +8,55 @@
 #include "geometry/broad_phase/changed_primitives.hpp"
 #include "geometry/broad_phase/colliding_objects.hpp"
 #include "geometry/broad_phase/primitives.hpp"
-#include "geometry/broad_phase/reaches.hpp"
-#include "geometry/broad_phase/rivals.hpp"
+#include "geometry/broad_phase/inflation_radii.hpp"
+#include "geometry/broad_phase/nearby_objects.hpp"
 #include "geometry/mesh/collision_mesh.hpp"
 
 namespace tack {
 
-// Keeps one tree per kind of primitive between searches.
+// Keeps the trees between searches.
 class CandidateFinder {
  public:
   CandidateFinder(const CollisionMesh& mesh, CollidingObjects colliding);
 
-  // All pairs whose boxes overlap: a primitive's box is the union of its vertices' boxes (by global
-  // id; finite and not empty for surface vertices), inflated by the reach of its object.
-  void find(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, Candidates& candidates);
-  // The same where the boxes of these movable objects alone (a flag for each) have changed since `candidates` were found, with their clearances and
-  // distances: other pairs keep those; of `fresh` ones they are not known.
-  void find_again(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& changed, Candidates& candidates);
-  // The rigid groups whose own pairs are searched too: a flag for each, or empty (none). Returns whether they were others before.
-  bool dissolve_groups(std::vector<char> dissolved) { return std::exchange(dissolved_, std::move(dissolved)) != dissolved_; }
+  // Finds all pairs whose boxes overlap. The box of a primitive is the union of its vertices' boxes
+  // (per global id; finite and not empty for surface vertices), inflated by the radius of its
+  // object.
+  void find(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii,
+            Candidates& candidates);
+  // Finds pairs again where only the boxes of movable objects with a flag in `changed` (per object)
+  // have changed since `candidates` were found. Other pairs keep their distance bounds and
+  // reference distances; those of new_candidates() are not set.
+  void find_changed(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii,
+                    const std::vector<char>& changed, Candidates& candidates);
+  // Sets the rigid groups whose own pairs are searched too: a flag per group, or empty (none).
+  // Returns whether these have changed.
+  bool enable_self_pairs_of_groups(std::vector<char> self_pairs) {
+    return std::exchange(self_pairs_, std::move(self_pairs)) != self_pairs_;
+  }
 
-  // What the last find_again was told, and what it found.
+  // The primitives of the last find_changed, and the candidates that it added.
   const ChangedPrimitives& changed() const { return changed_; }
-  const SomeCandidates& fresh() const { return fresh_; }
+  const CandidateIndices& new_candidates() const { return new_candidates_; }
 
-  // Appends the triangles, but those of one object (-1: of all), whose boxes overlap this one, by the boxes of the last search; ascending.
+  // Appends, ascending, the triangles whose boxes of the last search overlap this box, without
+  // those of the object `without` (-1: none).
   void triangles_in(const Aabb& box, int without, std::vector<int>& out) const;
 
  private:
-  void search(const std::vector<Aabb>& vertex_boxes, const Reaches& reaches, const std::vector<char>& active_objects, Candidates& candidates);
+  void search(const std::vector<Aabb>& vertex_boxes, const InflationRadii& radii,
+              const std::vector<char>& active_objects, Candidates& candidates);
 
   const CollisionMesh& mesh_;
   CollidingObjects colliding_;
-  std::vector<char> dissolved_;
+  std::vector<char> self_pairs_;
   Primitives<1> points_, codim_points_;
   Primitives<2> edges_, codim_edges_;
   Primitives<3> triangles_;
-  Rivals rivals_;
-  ChangedPrimitives changed_;  // of the last search again
-  SomeCandidates fresh_;       // likewise
-  Candidates found_, merged_;  // its pairs of what changed; memory for all
+  NearbyObjects nearby_;
+  ChangedPrimitives changed_;           // of the last find_changed
+  CandidateIndices new_candidates_;     // of the last find_changed
+  Candidates changed_pairs_, merged_;   // its pairs of changed objects; buffer for the merged lists
 };
 
 }  // namespace tack

@@ -1,7 +1,7 @@
-// The pairs of primitives that may come within contact range: supersets, as indices into a
-// CollisionMesh. Left out: pairs that share a vertex, pairs in which nothing is movable or that are
-// rigid together, and pairs of objects that may not touch. Particles meet surfaces as point-triangle pairs, rods meet
-// everything that has edges as edge-edge pairs.
+// Collision candidates: pairs of primitives that may come within contact range, as indices into a
+// CollisionMesh. Left out: pairs that share a vertex, pairs without a movable vertex, pairs within
+// one rigid group, and pairs of objects that may not touch. Particles meet surfaces as
+// point-triangle pairs, rods meet everything that has edges as edge-edge pairs.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 namespace tack {
 
 // A length for each candidate, parallel to the lists of candidates [m].
-struct Clearances {
+struct CandidateLengths {
   std::vector<double> point_triangle, edge_edge, point_edge, point_point;
 };
 
-// Some of the candidates, by their places in the lists; ascending.
-struct SomeCandidates {
+// Indices into the lists of candidates; ascending.
+struct CandidateIndices {
   std::vector<int> point_triangle, edge_edge, point_edge, point_point;
 };
 
@@ -30,12 +30,13 @@ struct Candidates {
   std::vector<std::array<int, 2>> point_edge;
   // (global vertex, global vertex) of two codimensional points, first < second, sorted.
   std::vector<std::array<int, 2>> point_point;
-  // How far apart the two primitives of each stay at least while the candidates hold. Most candidates are neighbours
-  // in one body, whose boxes overlap though they are far apart.
-  Clearances clearances;
-  // Lower bounds of their distances where vertices are at `reference` (3 coordinates for every global vertex [m]): those
-  // elsewhere are smaller by no more than both have strayed (strays.hpp).
-  Clearances distances;
+  // Lower bounds of the distances while vertices stay in the broad phase's boxes. Most candidates
+  // are neighbours in one body, whose boxes overlap although their distance is large.
+  CandidateLengths distance_bounds;
+  // Lower bounds of the distances at the reference positions. At other positions the distance is
+  // smaller by no more than the displacement bounds of both primitives (displacement_bounds.hpp).
+  CandidateLengths reference_distances;
+  // Reference positions: 3 coordinates per global vertex [m].
   VecX reference;
 
   std::size_t size() const {

@@ -1,5 +1,5 @@
-// Which pairs of objects may touch: a symmetric table over classes of objects, and one answer for every
-// pair that the table does not hold. Contact within one object is the pair (a, a).
+// Collision filter of pairs of objects: a symmetric table over classes of objects, and a default
+// for pairs outside the table. Contact within one object is the pair (a, a).
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,13 @@ namespace tack {
 
 class CollidingObjects {
  public:
-  // Of objects that are all different.
+  // Every object is a class of its own; `otherwise` is the default.
   explicit CollidingObjects(bool otherwise = true) : otherwise_(otherwise), classes_({}) {}
-  // What is set holds for all of the classes of two objects.
-  explicit CollidingObjects(ObjectClasses classes) : otherwise_(true), classes_(std::move(classes)), table_(classes_.entries(), true) {}
+  // set(a, b, ...) holds for all objects of the classes of a and b.
+  explicit CollidingObjects(ObjectClasses classes)
+      : otherwise_(true), classes_(std::move(classes)), table_(classes_.entries(), true) {}
 
-  // Object ids are >= 0; the table grows as needed, by objects that are different from all.
+  // Object ids are >= 0. The table grows as needed; new objects are classes of their own.
   void set(int a, int b, bool allowed) {
     grow(std::max(a, b) + 1);
     table_[classes_.index(a, b)] = table_[classes_.index(b, a)] = allowed;
@@ -33,7 +34,8 @@ class CollidingObjects {
     const ObjectClasses larger = ObjectClasses::single(objects);
     std::vector<char> table(larger.entries(), otherwise_);
     for (int a = 0; a < classes_.objects(); ++a)
-      for (int b = 0; b < classes_.objects(); ++b) table[larger.index(a, b)] = table_[classes_.index(a, b)];
+      for (int b = 0; b < classes_.objects(); ++b)
+        table[larger.index(a, b)] = table_[classes_.index(a, b)];
     table_ = std::move(table);
     classes_ = larger;
   }

@@ -5,14 +5,15 @@
 // descends the other tree once; at a leaf group the queries that reach it are each tested against
 // its eight boxes at once. The hits of a query are first collected, then filtered and sorted in
 // straight loops. Tasks are fixed runs of query groups with a list of their own; in the end every
-// query's partners are copied to the place that a prefix sum over the queries gives them.
+// query's partners are copied to the position that a prefix sum over the queries gives them.
 //
 // `Relation` is plain data with two inlined members, for query q and primitive t:
 //   bool accept(int q, int t) const             whether the overlapping pair is wanted
 //   std::array<int, 2> pair(int q, int t) const what to write
-// and, if it may not want pairs of kin (bvh.hpp),
-//   bool skips(int kin) const                   whether it does not, of these
-//   bool alone(int kin, const Aabb& box) const  whether nothing else overlaps the box, where it does not
+// and, if it may refuse pairs within a rigid group (bvh.hpp),
+//   bool skips(int rigid_group) const           whether it refuses all pairs within this group
+//   bool isolated(int rigid_group, const Aabb& box) const
+//                                               whether no other object overlaps the box
 // The result is ordered by q, then t.
 #pragma once
 
@@ -28,9 +29,11 @@ namespace tack {
 namespace detail {
 
 // Calls visit(leaf group) for the groups of the tree that may hold partners of the box. If
-// `only_active`, subtrees without an active primitive are skipped; so are those that are all `but_kin`, unless that is -1.
+// `only_active`, subtrees without an active primitive are skipped; so are subtrees that hold only
+// primitives of the rigid group `except_group` (-1: none).
 template <class Visit>
-void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, int but_kin, const Visit& visit) {
+void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, int except_group,
+                  const Visit& visit) {
   struct Node {
     int level, group;
   };
@@ -47,7 +50,8 @@ void visit_groups(const Bvh& tree, const Aabb& box, bool only_active, int but_ki
     if (only_active) lanes &= tree.active(level, group);
     for (; lanes != 0; lanes &= lanes - 1) {
       const int child = group * Box8::width + std::countr_zero(lanes);
-      if (but_kin < 0 || tree.kin(level - 1, child) != but_kin) stack[top++] = {level - 1, child};
+      if (except_group < 0 || tree.rigid_group(level - 1, child) != except_group)
+        stack[top++] = {level - 1, child};
     }
   }
 }
@@ -75,13 +79,14 @@ struct Row {
 };
 using Rows = std::array<Row, Box8::width>;
 
-// With Same, queries and tree are the same tree, and only pairs q < t are found. Subtrees that are all but_kin are skipped (-1: none).
+// With Same, queries and tree are the same tree, and only pairs q < t are found. Subtrees of the
+// rigid group `except_group` are skipped (-1: none).
 template <bool Same>
-void search_group(const Bvh& queries, int group, const Bvh& tree, int but_kin, Rows& rows) {
+void search_group(const Bvh& queries, int group, const Bvh& tree, int except_group, Rows& rows) {
   const Box8& boxes = queries.boxes(0, group);
   const unsigned active = queries.active(0, group);
   for (Row& row : rows) row.count = 0;
-  visit_groups(tree, queries.bound(0, group), active == 0, but_kin, [&](int leaf) {
+  visit_groups(tree, queries.bound(0, group), active == 0, except_group, [&](int leaf) {
     const int* ids = tree.primitives(leaf);
     for (unsigned lanes = boxes.overlap_mask(tree.bound(0, leaf)); lanes != 0; lanes &= lanes - 1) {
       const int lane = std::countr_zero(lanes);
@@ -101,7 +106,7 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
   constexpr int task_groups = 32;
   const int groups = queries.groups(0), tasks = (groups + task_groups - 1) / task_groups;
   std::vector<std::vector<int>> partners(tasks);
-  std::vector<std::size_t> begin(queries.size() + 1, 0);  // first the counts, then the places
+  std::vector<std::size_t> begin(queries.size() + 1, 0);  // first counts, then offsets
   const auto for_groups = [&](int task, const auto& visit) {
     for (int g = task * task_groups; g < std::min((task + 1) * task_groups, groups); ++g)
       visit(g, std::min(Box8::width, queries.size() - g * Box8::width));
@@ -110,12 +115,13 @@ void find_pairs(const Bvh& queries, const Bvh& tree, const Relation& relation,
   for_each(tasks, [&](int task) {
     Rows rows;
     for_groups(task, [&](int group, int lanes) {
-      int but_kin = -1;
-      if constexpr (requires { relation.skips(but_kin); }) {
-        if (const int kin = queries.kin(0, group); kin >= 0 && relation.skips(kin)) but_kin = kin;
-        if (but_kin >= 0 && relation.alone(but_kin, queries.bound(0, group))) return;
+      int except_group = -1;
+      if constexpr (requires { relation.skips(except_group); }) {
+        if (const int own = queries.rigid_group(0, group); own >= 0 && relation.skips(own))
+          except_group = own;
+        if (except_group >= 0 && relation.isolated(except_group, queries.bound(0, group))) return;
       }
-      search_group<Same>(queries, group, tree, but_kin, rows);
+      search_group<Same>(queries, group, tree, except_group, rows);
       for (int lane = 0; lane < lanes; ++lane) {
         const int query = queries.primitives(group)[lane];
         rows[lane].filter_and_sort(query, relation);

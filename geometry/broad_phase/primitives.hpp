@@ -1,5 +1,5 @@
-// Points (one vertex), edges and triangles alike: N global vertex ids each, with what the searches
-// need to know of them, and the tree over their boxes.
+// Primitives of one kind (points, edges or triangles): N global vertex ids each, with the objects,
+// rigid groups and flags that searches need, and the tree over their boxes.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace tack {
 template <std::size_t N>
 struct Primitives {
   std::vector<std::array<int, N>> vertices;  // global ids
-  std::vector<int> ids;                      // the primitive's name outside, e.g. its edge index
-  std::vector<int> objects;                  // that of the first vertex: none spans two objects
-  std::vector<char> movable;                 // whether some vertex is
+  std::vector<int> ids;                      // the index in the mesh, e.g. of the edge
+  std::vector<int> objects;                  // the object of all its vertices
+  std::vector<char> movable;                 // whether some vertex is movable
   std::vector<int> groups;                   // the rigid group of all its vertices, or -1
   Bvh tree;
 
@@ -32,9 +32,11 @@ struct Primitives {
       if (groups.back() >= 0 && mesh.vertex_group[v] != groups.back()) groups.back() = -1;
   }
 
-  // Sets the tree to the unions of the vertices' boxes (by global id), inflated by as much as is said for each object [m] (empty: by
-  // nothing). Movable primitives are active, of these objects alone if `of` (a flag for each object) is not empty.
-  void refresh_tree(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& inflation, const std::vector<char>& of = {}) {
+  // Sets the boxes of the tree to the unions of the vertices' boxes (per global id), inflated by
+  // the radius of their object [m] (empty: by 0). Active are movable primitives; if `of` (a flag
+  // per object) is not empty, those of the flagged objects alone.
+  void refresh_tree(const std::vector<Aabb>& vertex_boxes, const std::vector<double>& inflation,
+                    const std::vector<char>& of = {}) {
     std::vector<Aabb> boxes(vertices.size());
     for_each(static_cast<int>(boxes.size()), [&](int i) {
       for (const int v : vertices[i]) boxes[i].include(vertex_boxes[v]);

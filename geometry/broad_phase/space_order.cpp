@@ -31,7 +31,7 @@ Vec3 centre(const Aabb& box) { return 0.5 * (box.lo + box.hi); }
 
 }  // namespace
 
-std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<int>& kin) {
+std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<int>& rigid_group) {
   Aabb all;
   for (const Aabb& box : boxes) all.include(centre(box));
   constexpr double cells = (1 << 21) - 1;
@@ -40,14 +40,14 @@ std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<i
 
   const auto code = [&](const Vec3& x) { return morton_code((scale * (x - all.lo)).cwiseMin(cells)); };
 
-  // Kin are where the first of them is, and in order among themselves.
-  std::vector<std::uint64_t> first_of(kin.empty() ? 0 : *std::max_element(kin.begin(), kin.end()) + 1);
-  for (int i = static_cast<int>(kin.size()) - 1; i >= 0; --i)
-    if (kin[i] >= 0) first_of[kin[i]] = code(centre(boxes[i]));
+  // Boxes of a rigid group come where the first of them is, and in Morton order among themselves.
+  std::vector<std::uint64_t> first_of(rigid_group.empty() ? 0 : *std::max_element(rigid_group.begin(), rigid_group.end()) + 1);
+  for (int i = static_cast<int>(rigid_group.size()) - 1; i >= 0; --i)
+    if (rigid_group[i] >= 0) first_of[rigid_group[i]] = code(centre(boxes[i]));
   std::vector<std::tuple<std::uint64_t, int, std::uint64_t, int>> keys(boxes.size());
   for_each(static_cast<int>(boxes.size()), [&](int i) {
     const std::uint64_t own = code(centre(boxes[i]));
-    const int of = kin.empty() ? -1 : kin[i];
+    const int of = rigid_group.empty() ? -1 : rigid_group[i];
     keys[i] = {of >= 0 ? first_of[of] : own, of, own, i};
   }, 4096);
   tbb::parallel_sort(keys.begin(), keys.end());

@@ -9,7 +9,9 @@
 
 namespace tack {
 
-// The permutation: order[k] is the index of the k-th box. Boxes must be finite and not empty.
-std::vector<int> space_order(const std::vector<Aabb>& boxes, const std::vector<int>& kin = {});
+// Returns the permutation: order[k] is the index of the k-th box. Boxes must be finite and not
+// empty. Boxes of one rigid group (>= 0) are consecutive, at the position of the first of them.
+std::vector<int> space_order(const std::vector<Aabb>& boxes,
+                             const std::vector<int>& rigid_group = {});
 
 }  // namespace tack

@@ -1,7 +1,6 @@
-// Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of
-// its gap on the way; the gap is the distance less the offset of the pair (thickness). Pairs that stay further apart than
-// their motion can bridge, by their clearance, the gap of their boxes, or their distance before and what they have moved
-// since, are skipped; the others are handed to additive CCD.
+// Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of its gap in a step. The gap is
+// the distance less the offset of the pair (thickness). A pair is skipped if its motion is shorter than a lower bound of its gap:
+// its distance bound, the gap of its boxes, or its reference distance less its displacement bounds. The others go to additive CCD.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,7 +9,7 @@
 #include "framework/contact/contact_system.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "framework/core/step_filter.hpp"
-#include "geometry/broad_phase/strays.hpp"
+#include "geometry/broad_phase/displacement_bounds.hpp"
 #include "geometry/ccd/accd.hpp"
 #include "geometry/parallel.hpp"
 
@@ -18,8 +17,8 @@ namespace tack {
 namespace {
 
 constexpr double keep = 0.1;  // fraction of each gap that must remain
-constexpr double spare = 0.02;  // of the way that a clearance allows: additive CCD stops 1-2% short
-constexpr double caution = 1 / ((1 - keep) * (1 - spare));  // factor on motions that are held against clearances
+constexpr double spare = 0.02;  // of the motion that a distance bound allows: additive CCD stops 1-2% short
+constexpr double caution = 1 / ((1 - keep) * (1 - spare));  // factor on motions that are compared with distance bounds
 constexpr double kept = keep + 2 * spare;  // of a motion: a gap that is never smaller lets it pass, with a reserve
 constexpr double longer = 4;  // than the last stage of a fast step
 
@@ -43,15 +42,15 @@ struct Way {
   const VecX& p;
 };
 
-// The largest step up to t that one pair allows; clearance: a lower bound of its distance, distance: one of that before
+// The largest step up to t that one pair allows; distance_bound: a lower bound of its distance, distance: one of its reference distance
 // it moved, offset: what is filled of it [m].
 template <size_t A, size_t B, class Accd>
-double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double clearance, double distance, double offset,
+double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double distance_bound, double distance, double offset,
                const Way& way, double t, const Accd& accd) {
   const auto da = corners(way.p, va);
   const auto db = corners(way.p, vb);
   const double motion = t * approach(da, db) / (1 - keep);
-  if (motion < (1 - spare) * (clearance - offset)) return t;
+  if (motion < (1 - spare) * (distance_bound - offset)) return t;
   const auto a = corners(way.x, va);
   const auto b = corners(way.x, vb);
   const double reach = motion + offset;
@@ -115,7 +114,7 @@ class Ccd : public StepFilter {
     for_each_kind([&](const auto& kind) {
       for (size_t i = 0; i < kind.pairs.size(); ++i) {
         const auto [a, b] = kind.primitives(kind.pairs[i]);
-        const double bound = bounded(a, b, kind.clearances[i], kind.distances[i], offset_of(a, b), {moved, x, p}, t, kind.accd);
+        const double bound = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {moved, x, p}, t, kind.accd);
         if (bound < t) worst = Blocker{{a.begin(), a.end()}, {b.begin(), b.end()}, 0, t = bound};
       }
     });
@@ -130,7 +129,7 @@ class Ccd : public StepFilter {
     double t = t_max;
     const double most = 2 * largest_motion(p) * caution;  // of one vertex to another
     const VecX moved = x - contact_->candidates().reference;
-    const Strays strays(contact_->surface().mesh, [&](int v) {
+    const DisplacementBounds displacements(contact_->surface().mesh, [&](int v) {
       return vertex(moved, v).norm() + caution * t * vertex(p, v).norm();
     });
     for_each_kind([&](const auto& kind) {
@@ -138,10 +137,10 @@ class Ccd : public StepFilter {
         double least = limit;
         if (out_of_time()) return 0.0;
         for (int i = first; i < last; ++i) {
-          if (least * most < kind.clearances[i] - largest_offset_) continue;
-          if (kind.stray(strays, kind.pairs[i]) < kind.distances[i] - largest_offset_) continue;
+          if (least * most < kind.distance_bounds[i] - largest_offset_) continue;
+          if (kind.displacement(displacements, kind.pairs[i]) < kind.reference_distances[i] - largest_offset_) continue;
           const auto [a, b] = kind.primitives(kind.pairs[i]);
-          least = bounded(a, b, kind.clearances[i], kind.distances[i], offset_of(a, b), {moved, x, p}, least, kind.accd);
+          least = bounded(a, b, kind.distance_bounds[i], kind.reference_distances[i], offset_of(a, b), {moved, x, p}, least, kind.accd);
         }
         return least;
       });
@@ -156,9 +155,9 @@ class Ccd : public StepFilter {
          Primitives primitives_, Stray stray_, Accd accd_)
         : pairs(pairs_), clearances(clearances_), distances(distances_), primitives(primitives_), stray(stray_), accd(accd_) {}
     const std::vector<std::array<int, 2>>& pairs;
-    const std::vector<double>&clearances, &distances;
+    const std::vector<double>&distance_bounds, &reference_distances;
     Primitives primitives;  // of a pair
-    Stray stray;            // of both together
+    Stray displacement;            // of both together
     Accd accd;              // of both
   };
 
@@ -168,27 +167,27 @@ class Ccd : public StepFilter {
     const Candidates& c = contact_->candidates();
     const CollisionMesh& mesh = contact_->surface().mesh;
     const auto point = [](int v) { return std::array{v}; };
-    visit(Kind{c.edge_edge, c.clearances.edge_edge, c.distances.edge_edge,
+    visit(Kind{c.edge_edge, c.distance_bounds.edge_edge, c.reference_distances.edge_edge,
                [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
-               [](const Strays& s, const auto& pair) { return s.edge(pair[0]) + s.edge(pair[1]); },
+               [](const DisplacementBounds& s, const auto& pair) { return s.edge(pair[0]) + s.edge(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit, offset);
                }});
-    visit(Kind{c.point_triangle, c.clearances.point_triangle, c.distances.point_triangle,
+    visit(Kind{c.point_triangle, c.distance_bounds.point_triangle, c.reference_distances.point_triangle,
                [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
-               [](const Strays& s, const auto& pair) { return s.vertex(pair[0]) + s.triangle(pair[1]); },
+               [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.triangle(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit, offset);
                }});
-    visit(Kind{c.point_edge, c.clearances.point_edge, c.distances.point_edge,
+    visit(Kind{c.point_edge, c.distance_bounds.point_edge, c.reference_distances.point_edge,
                [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
-               [](const Strays& s, const auto& pair) { return s.vertex(pair[0]) + s.edge(pair[1]); },
+               [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.edge(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit, offset);
                }});
-    visit(Kind{c.point_point, c.clearances.point_point, c.distances.point_point,
+    visit(Kind{c.point_point, c.distance_bounds.point_point, c.reference_distances.point_point,
                [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
-               [](const Strays& s, const auto& pair) { return s.vertex(pair[0]) + s.vertex(pair[1]); },
+               [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.vertex(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
                  return point_point_accd(a[0], b[0], da[0], db[0], keep, limit, offset);
                }});

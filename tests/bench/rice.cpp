@@ -1,6 +1,6 @@
 // Candidates among 500 grains of rice that only touch each other and stick to one ball (experiments/meatball/paper.yaml).
 #include "framework/contact/contact_system.hpp"
-#include "framework/contact/pair_reaches.hpp"
+#include "framework/contact/pair_radii.hpp"
 #include "geometry/broad_phase/broad_phase.hpp"
 
 #include "tests/bench/registered.hpp"
@@ -14,20 +14,20 @@ constexpr double way = 1e-3;  // m, of a vertex in a step
 std::unique_ptr<Scene> rice() { return std::make_unique<Scene>(loaded("meatball/paper.yaml")); }
 
 // own 0: every object reaches half of the largest range; 1: as far as its own pairs do, as in a run.
-Reaches reaches_of(const ContactSystem& contact, const benchmark::State& state) {
-  if (state.range(0) != 0) return pair_reaches(contact.surface(), contact.pairs());
-  return Reaches::uniform(contact.surface().mesh, contact.range(), contact.pairs().largest_edge_range());
+InflationRadii radii_of(const ContactSystem& contact, const benchmark::State& state) {
+  if (state.range(0) != 0) return pair_radii(contact.surface(), contact.pairs());
+  return InflationRadii::uniform(contact.surface().mesh, contact.range(), contact.pairs().largest_edge_range());
 }
 
 void rice_candidates(benchmark::State& state) {
   const auto scene = rice();
   const ContactSystem& contact = *scene->world->contact;
-  const Reaches reaches = reaches_of(contact, state);
+  const InflationRadii radii = radii_of(contact, state);
   const VecX p = random_motion(scene->world->rest.size() / 3, way);
   size_t candidates = 0;
   for (auto _ : state) {
     BroadPhase broad_phase(contact.surface().mesh, contact.colliding());
-    broad_phase.update(scene->world->rest, p, reaches, 0.5 * contact.range());
+    broad_phase.update(scene->world->rest, p, radii, 0.5 * contact.range());
     candidates = broad_phase.candidates().size();
   }
   state.counters["candidates"] = static_cast<double>(candidates);
@@ -38,15 +38,15 @@ BENCHMARK(rice_candidates)->ArgName("own")->Arg(0)->Arg(1)->Apply(in_millisecond
 void rice_some_candidates(benchmark::State& state) {
   const auto scene = rice();
   const ContactSystem& contact = *scene->world->contact;
-  const Reaches reaches = reaches_of(contact, state);
+  const InflationRadii radii = radii_of(contact, state);
   const VecX here = scene->world->rest;
   VecX there = here;
   for (const int v : contact.surface().mesh.vertices)
     if (contact.surface().mesh.vertex_object[v] % 10 == 7) vertex(there, v).array() += 2 * contact.range();
   BroadPhase broad_phase(contact.surface().mesh, contact.colliding());
-  broad_phase.update(here, VecX(), reaches, 0.5 * contact.range());
+  broad_phase.update(here, VecX(), radii, 0.5 * contact.range());
   bool back = false;
-  for (auto _ : state) broad_phase.update((back = !back) ? there : here, VecX(), reaches, 0.5 * contact.range());
+  for (auto _ : state) broad_phase.update((back = !back) ? there : here, VecX(), radii, 0.5 * contact.range());
   state.counters["candidates"] = static_cast<double>(broad_phase.candidates().size());
 }
 BENCHMARK(rice_some_candidates)->ArgName("own")->Arg(0)->Arg(1)->Apply(in_milliseconds);

@@ -55,7 +55,7 @@ TEST_CASE("contacts are the same whether or not anything is known of the distanc
         const VecX y = x + s * p;
         const bool renewed = broad_phase.update(x, p, range, skin);
         Candidates unknown = broad_phase.candidates();
-        for (Clearances* c : {&unknown.clearances, &unknown.distances})
+        for (CandidateLengths* c : {&unknown.distance_bounds, &unknown.reference_distances})
           for (auto* list : {&c->point_triangle, &c->edge_edge, &c->point_edge, &c->point_point})
             for (double& length : *list) known += length >= range, length = 0;
         const auto found = [&](NarrowPhase& narrow_phase, const Candidates& candidates) {

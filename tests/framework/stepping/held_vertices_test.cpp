@@ -65,16 +65,16 @@ TEST_CASE("candidates within a rigid group are searched only while it is dissolv
   contact.cover(run.world->rest, VecX());
   const size_t none = contact.candidates().size();  // but within the far one
   const int sheet = run.world->bodies[1].first_vertex, grain = run.world->bodies[2].first_vertex;
-  contact.dissolve_groups_of({sheet});
+  contact.enable_self_pairs({sheet});
   contact.cover(run.world->rest, VecX());
   const size_t in_sheet = contact.candidates().size();
   CHECK(in_sheet > none + 100);
   CHECK(std::none_of(contact.candidates().edge_edge.begin(), contact.candidates().edge_edge.end(),
                      [&](const auto& pair) { return contact.surface().mesh.edges[pair[0]][0] >= grain; }));
-  contact.dissolve_groups_of({sheet, grain});
+  contact.enable_self_pairs({sheet, grain});
   contact.cover(run.world->rest, VecX());
   CHECK(contact.candidates().size() > in_sheet + 100);
-  contact.dissolve_groups_of({});
+  contact.enable_self_pairs({});
   contact.cover(run.world->rest, VecX());
   CHECK(contact.candidates().size() == none);
 }

@@ -46,27 +46,27 @@ TEST_CASE("candidates are what testing all pairs finds", "[broad_phase]") {
     }
 }
 
-TEST_CASE("objects reach as far as each is said to, their edges too", "[broad_phase]") {
+TEST_CASE("each object is inflated by its own radius, its edges too", "[broad_phase]") {
   for (const Scene& scene : all_scenes()) {
     const VecX x = scene.x();
-    Reaches reaches = Reaches::uniform(scene.mesh, kRange, kRange);
-    const size_t objects = reaches.surface.size();
+    InflationRadii radii = InflationRadii::uniform(scene.mesh, kRange, kRange);
+    const size_t objects = radii.surface.size();
     for (size_t i = 0; i < objects; ++i) {
-      reaches.surface[i] *= 0.3 + 0.7 * i;
-      reaches.edge[i] *= 1.3 - 0.4 * i;
+      radii.surface[i] *= 0.3 + 0.7 * i;
+      radii.edge[i] *= 1.3 - 0.4 * i;
     }
     BroadPhase broad_phase(scene.mesh, CollidingObjects());
-    REQUIRE(broad_phase.update(x, VecX(), reaches, kSkin));
-    const Candidates expected = BruteForce(scene.mesh, CollidingObjects(), x, VecX(), reaches, kSkin).find();
+    REQUIRE(broad_phase.update(x, VecX(), radii, kSkin));
+    const Candidates expected = BruteForce(scene.mesh, CollidingObjects(), x, VecX(), radii, kSkin).find();
     REQUIRE(expected.edge_edge.size() > 20);
     require_equal(broad_phase.candidates(), expected);
-    REQUIRE_FALSE(broad_phase.update(x, VecX(), reaches, kSkin));
-    reaches.surface.back() *= 1.1;
-    REQUIRE(broad_phase.update(x, VecX(), reaches, kSkin));
-    require_equal(broad_phase.candidates(), BruteForce(scene.mesh, CollidingObjects(), x, VecX(), reaches, kSkin).find());
+    REQUIRE_FALSE(broad_phase.update(x, VecX(), radii, kSkin));
+    radii.surface.back() *= 1.1;
+    REQUIRE(broad_phase.update(x, VecX(), radii, kSkin));
+    require_equal(broad_phase.candidates(), BruteForce(scene.mesh, CollidingObjects(), x, VecX(), radii, kSkin).find());
     if (objects > 1) {
-      reaches.edge.pop_back();
-      REQUIRE_THROWS_WITH(broad_phase.update(x, VecX(), reaches, kSkin), Catch::Contains("objects"));
+      radii.edge.pop_back();
+      REQUIRE_THROWS_WITH(broad_phase.update(x, VecX(), radii, kSkin), Catch::Contains("objects"));
     }
   }
 }
@@ -103,7 +103,7 @@ TEST_CASE("immovable pairs and excluded objects give no candidates", "[broad_pha
   REQUIRE(frozen.candidates().size() == 0);
 }
 
-TEST_CASE("no move inside the safe boxes brings a new pair into range", "[broad_phase]") {
+TEST_CASE("no move inside the fat AABBs brings a new pair into range", "[broad_phase]") {
   std::mt19937 random(5);
   for (const Scene& scene : all_scenes()) {
     const VecX x = scene.x(), p = random_motion(random, x.size(), 0.02);
@@ -145,7 +145,7 @@ TEST_CASE("candidates are rebuilt exactly when they must be", "[broad_phase]") {
   REQUIRE(broad_phase.builds() == 3);
 }
 
-TEST_CASE("what moves away alone is searched alone, and nothing is missed", "[broad_phase]") {
+TEST_CASE("objects outside their fat AABBs are searched alone, and no pair is missed", "[broad_phase]") {
   std::mt19937 random(11);
   for (Scene scene : {triangle_soup(150), mixed(12, 60)}) {
     scene.freeze(1);
@@ -170,7 +170,7 @@ TEST_CASE("what moves away alone is searched alone, and nothing is missed", "[br
   }
 }
 
-TEST_CASE("interior vertices have no safe box to leave", "[broad_phase]") {
+TEST_CASE("interior vertices have no fat AABB to leave", "[broad_phase]") {
   Scene scene = two_sheets(6, 0.01);
   const int inside = scene.add_vertex(Vec3(0.5, 0.5, 0.005), 0);
   scene.mesh.vertices.pop_back();
@@ -188,9 +188,9 @@ TEST_CASE("refitted trees find what new ones find", "[broad_phase]") {
     BroadPhase kept(scene.mesh, CollidingObjects());
     for (int step = 0; step < 6; ++step) {  // from small moves to a shuffle
       kept.update(x, VecX(), kRange, kSkin);
-      BroadPhase fresh(scene.mesh, CollidingObjects());
-      fresh.update(x, VecX(), kRange, kSkin);
-      require_equal(kept.candidates(), fresh.candidates());
+      BroadPhase new_candidates(scene.mesh, CollidingObjects());
+      new_candidates.update(x, VecX(), kRange, kSkin);
+      require_equal(kept.candidates(), new_candidates.candidates());
       x += random_motion(random, x.size(), 0.01 * (1 << step));
     }
     REQUIRE(kept.builds() == 6);

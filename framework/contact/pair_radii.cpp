@@ -1,4 +1,4 @@
-#include "framework/contact/pair_reaches.hpp"
+#include "framework/contact/pair_radii.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace tack {
 namespace {
 
-// Of one class of objects with another, or with itself [m].
+// The contact range of one class of objects with another, or with itself [m].
 struct ClassRange {
   int a, b;
   double range;
@@ -38,7 +38,7 @@ std::vector<ClassRange> class_ranges(const PairTable& pairs, const std::function
   return ranges;
 }
 
-// Of each class, with any; 0 for one that has none.
+// The smallest range of each class with any other; 0 for a class without one.
 std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<ClassRange>& ranges) {
   std::vector<double> smallest(pairs.classes().count(), std::numeric_limits<double>::infinity());
   for (const auto& [a, b, range] : ranges)
@@ -47,19 +47,20 @@ std::vector<double> smallest_ranges(const PairTable& pairs, const std::vector<Cl
   return smallest;
 }
 
-// vertices: of the surfaces of each class.
-std::vector<double> shared_out(const PairTable& pairs, std::vector<ClassRange> ranges, const std::vector<int>& vertices) {
-  std::vector<double> reach = smallest_ranges(pairs, ranges);
-  for (double& r : reach) r *= 0.5;
+// Inflation radii of classes, so that radius(a) + radius(b) >= range(a, b). vertices: the number of surface
+// vertices of each class.
+std::vector<double> distribute_radii(const PairTable& pairs, std::vector<ClassRange> ranges, const std::vector<int>& vertices) {
+  std::vector<double> radius = smallest_ranges(pairs, ranges);
+  for (double& r : radius) r *= 0.5;
   const auto alike_first = [](const ClassRange& r) { return std::pair(r.a != r.b, -r.range); };
   std::stable_sort(ranges.begin(), ranges.end(), [&](const ClassRange& r, const ClassRange& s) { return alike_first(r) < alike_first(s); });
   for (const auto& [a, b, range] : ranges) {
-    const double lacking = range - reach[a] - reach[b];
+    const double lacking = range - radius[a] - radius[b];
     if (lacking <= 0) continue;
-    if (a == b) reach[a] = 0.5 * range;
-    else reach[vertices[a] < vertices[b] ? a : b] += lacking;
+    if (a == b) radius[a] = 0.5 * range;
+    else radius[vertices[a] < vertices[b] ? a : b] += lacking;
   }
-  return reach;
+  return radius;
 }
 
 std::vector<double> by_object(const PairTable& pairs, const std::vector<double>& by_class) {
@@ -70,12 +71,12 @@ std::vector<double> by_object(const PairTable& pairs, const std::vector<double>&
 
 }  // namespace
 
-Reaches pair_reaches(const ContactSurface& surface, const PairTable& pairs) {
+InflationRadii pair_radii(const ContactSurface& surface, const PairTable& pairs) {
   std::vector<int> vertices(pairs.classes().count(), 0);
   for (const int v : surface.mesh.vertices) ++vertices[pairs.classes().of(surface.mesh.vertex_object[v])];
   const auto ranges = class_ranges(pairs, [&](int a, int b) { return surface_range(pairs, a, b); });
   const auto edge_ranges = class_ranges(pairs, [&](int a, int b) { return edge_range(surface, pairs, a, b); });
-  return {by_object(pairs, shared_out(pairs, ranges, vertices)), by_object(pairs, shared_out(pairs, edge_ranges, vertices))};
+  return {by_object(pairs, distribute_radii(pairs, ranges, vertices)), by_object(pairs, distribute_radii(pairs, edge_ranges, vertices))};
 }
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-#include "geometry/broad_phase/separation.hpp"
+#include "geometry/broad_phase/sphere_tree.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -47,9 +47,9 @@ TEST_CASE("separation agrees with all distances taken by force", "[broad_phase]"
         at_b.translate(1.2 * Vec3(part(random), part(random), part(random)));
         at_b.rotate(Eigen::Quaterniond(part(random), part(random), part(random), part(random)).normalized());
         const double truth = distance_by_force(a, at_a, b, at_b);
-        CHECK_FALSE(apart(p, at_a, q, at_b, 1.001 * truth));
+        CHECK_FALSE(farther_than(p, at_a, q, at_b, 1.001 * truth));
         // Crossing surfaces have a distance by vertices and edges too, and are not apart for any.
-        if (apart(p, at_a, q, at_b, 0.999 * truth)) ++far;
+        if (farther_than(p, at_a, q, at_b, 0.999 * truth)) ++far;
         else ++close;
       }
     }
@@ -62,7 +62,7 @@ TEST_CASE("surfaces that cross are not apart, whatever the distances of their ve
   Eigen::Isometry3d upright = Eigen::Isometry3d::Identity(), identity = upright;
   upright.translate(Vec3(1, 0, 0.5));
   upright.rotate(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()));
-  CHECK_FALSE(apart(SphereTree(plate), identity, SphereTree(needle), upright, 1e-3));
+  CHECK_FALSE(farther_than(SphereTree(plate), identity, SphereTree(needle), upright, 1e-3));
   upright.pretranslate(Vec3(0, 1.1, 0));
-  CHECK(apart(SphereTree(plate), identity, SphereTree(needle), upright, 1e-3));
+  CHECK(farther_than(SphereTree(plate), identity, SphereTree(needle), upright, 1e-3));
 }

@@ -1,0 +1,130 @@
+#include "geometry/broad_phase/distance_bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/distance/slab_bounds.hpp"
+#include "geometry/parallel.hpp"
+
+namespace tack {
+namespace {
+
+constexpr double accuracy = 1e-6;  // relative, of a distance: far above its rounding error
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // relative, of coordinates
+
+template <size_t N>
+double largest_radius(const std::vector<double>& radii, const std::array<int, N>& v) {
+  double radius = 0;
+  for (const int i : v) radius = std::max(radius, radii[i]);
+  return radius;
+}
+
+// Sets one lane to the positions of vertices, relative to an origin.
+template <size_t N>
+void set_positions(const VecX& x, const std::array<int, N>& v, const Vec3& origin, int lane, std::array<PackVec3, N>& positions) {
+  for (size_t i = 0; i < N; ++i)
+    for (int d = 0; d < 3; ++d) positions[i](d).set(lane, x[3 * v[i] + d] - origin[d]);
+}
+
+// Calls visit(pairs, vertices of the first, of the second, members of CandidateLengths and CandidateIndices) for each kind of candidates.
+template <class Visit>
+void for_each_kind(const CollisionMesh& mesh, const Candidates& c, const Visit& visit) {
+  const auto point = [](int v) { return std::array{v}; };
+  const auto edge = [&](int e) { return mesh.edges[e]; };
+  const auto triangle = [&](int t) { return mesh.triangles[t]; };
+  visit(c.point_triangle, point, triangle, &CandidateLengths::point_triangle, &CandidateIndices::point_triangle);
+  visit(c.edge_edge, edge, edge, &CandidateLengths::edge_edge, &CandidateIndices::edge_edge);
+  visit(c.point_edge, point, edge, &CandidateLengths::point_edge, &CandidateIndices::point_edge);
+  visit(c.point_point, point, point, &CandidateLengths::point_point, &CandidateIndices::point_point);
+}
+
+// Per vertex: the largest distance from its reference position to a point of its box [m].
+std::vector<double> radii_around(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const VecX& reference) {
+  std::vector<double> radii(vertex_boxes.size());
+  for (const int v : mesh.vertices) {
+    const Aabb& box = vertex_boxes[v];
+    const double error = rounding * (box.lo.cwiseAbs().maxCoeff() + box.hi.cwiseAbs().maxCoeff());
+    const Vec3 position = vertex(reference, v);
+    radii[v] = (box.hi - position).cwiseMax(position - box.lo).norm() * (1 + accuracy) + error;
+  }
+  return radii;
+}
+
+void set_centre(const std::vector<Aabb>& vertex_boxes, int v, VecX& positions) {
+  vertex(positions, v) = 0.5 * (vertex_boxes[v].lo + vertex_boxes[v].hi);
+}
+
+// Calls body(begin, end, at) for chunks of all candidates of a kind (some: null), or of some; at(i): the index of the i-th of them.
+template <class Body>
+void for_indices(size_t all, const std::vector<int>* some, int chunk, const Body& body) {
+  const int n = static_cast<int>(some ? some->size() : all);
+  for_each_chunk(n, [&](int, int begin, int end) {
+    if (some) body(begin, end, [&](int i) { return (*some)[i]; });
+    else body(begin, end, [](int i) { return i; });
+  }, chunk);
+}
+
+// Sets the reference distances of all candidates (some: null) or of some.
+void find_reference_distances(const CollisionMesh& mesh, const CandidateIndices* some, Candidates& candidates) {
+  const VecX& x = candidates.reference;
+  for_each_kind(mesh, candidates, [&](const auto& pairs, const auto& first, const auto& second, auto member, auto indices) {
+    std::vector<double>& distances = candidates.reference_distances.*member;
+    distances.resize(pairs.size());
+    for_indices(pairs.size(), some ? &(some->*indices) : nullptr, 512, [&](int begin, int end, const auto& at) {
+      std::array<PackVec3, std::tuple_size_v<decltype(first(0))>> a;
+      std::array<PackVec3, std::tuple_size_v<decltype(second(0))>> b;
+      for (int i = begin; i < end; i += pack_width) {
+        const int n = std::min(pack_width, end - i);
+        for (int l = 0; l < pack_width; ++l) {
+          const auto& pair = pairs[at(i + std::min(l, n - 1))];
+          const auto va = first(pair[0]);
+          const Vec3 origin = vertex(x, va[0]);
+          set_positions(x, va, origin, l, a);
+          set_positions(x, second(pair[1]), origin, l, b);
+        }
+        const Pack slab_distance = slab_bound(a, b);
+        for (int l = 0; l < n; ++l) distances[at(i + l)] = std::max(0.0, (1 - accuracy) * slab_distance[l]);
+      }
+    });
+  });
+}
+
+// Sets the distance bounds of all candidates (some: null) or of some, from their reference distances.
+void set_distance_bounds(const CollisionMesh& mesh, const std::vector<double>& radii, const CandidateIndices* some, Candidates& candidates) {
+  for_each_kind(mesh, candidates, [&](const auto& pairs, const auto& first, const auto& second, auto member, auto indices) {
+    std::vector<double>& distance_bounds = candidates.distance_bounds.*member;
+    distance_bounds.resize(pairs.size());
+    for_indices(pairs.size(), some ? &(some->*indices) : nullptr, 2048, [&](int begin, int end, const auto& at) {
+      for (int k = begin; k < end; ++k) {
+        const int i = at(k);
+        const double motion = largest_radius(radii, first(pairs[i][0])) + largest_radius(radii, second(pairs[i][1]));
+        distance_bounds[i] = std::max(0.0, (candidates.reference_distances.*member)[i] - motion);
+      }
+    });
+  });
+}
+
+}  // namespace
+
+void find_reference_distances(const CollisionMesh& mesh, const VecX& x, Candidates& candidates) {
+  candidates.reference = x;
+  find_reference_distances(mesh, nullptr, candidates);
+}
+
+void find_distance_bounds(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, Candidates& candidates) {
+  candidates.reference = VecX::Zero(3 * static_cast<Eigen::Index>(vertex_boxes.size()));
+  for (const int v : mesh.vertices) set_centre(vertex_boxes, v, candidates.reference);
+  find_reference_distances(mesh, nullptr, candidates);
+  set_distance_bounds(mesh, radii_around(mesh, vertex_boxes, candidates.reference), nullptr, candidates);
+}
+
+void find_new_distance_bounds(const CollisionMesh& mesh, const std::vector<Aabb>& vertex_boxes, const std::vector<char>& changed, const CandidateIndices& new_candidates,
+                           Candidates& candidates) {
+  for (const int v : mesh.vertices)
+    if (changed[mesh.vertex_object[v]]) set_centre(vertex_boxes, v, candidates.reference);
+  find_reference_distances(mesh, &new_candidates, candidates);
+  set_distance_bounds(mesh, radii_around(mesh, vertex_boxes, candidates.reference), &new_candidates, candidates);
+}
+
+}  // namespace tack
