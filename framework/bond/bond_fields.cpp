@@ -44,7 +44,7 @@ VecX bond_intensities(const BondTerm& bonds, Eigen::Index vertices) {
 }
 
 VecX bond_tractions(const BondTerm& bonds, const VecX& x) {
-  const VecX areas = areas_of(bonds.list(), x.size() / 3), forces = bonds.forces(x, LawPart::adhesion);
+  const VecX areas = areas_of(bonds.list(), x.size() / 3), forces = bonds.forces(x, LawTerm::adhesion);
   VecX tractions = VecX::Zero(areas.size());
   for (Eigen::Index v = 0; v < areas.size(); ++v)
     if (areas(v) > 0) tractions(v) = vertex(forces, static_cast<int>(v)).norm() / areas(v);

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/coverage.hpp"
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/surface_overlap.hpp"
+#include "framework/contact/lagged_surface.hpp"
 #include "geometry/distance/closest_feature.hpp"
 #include "geometry/distance/point_triangle.hpp"
 
@@ -22,24 +22,24 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
   const auto add = [&](int t, const Vec3& inside, int object, double area, bool whole) {
     sites.push_back({t, inside, mesh.triangles[t][0], -1, object, area, whole});
   };
-  for (const CoveredParts& pair : system.coverage().parts()) {
+  for (const OverlapFacets& pair : system.overlap().parts()) {
     if (!table.bonds(pair.a, pair.b)) continue;
     const double share = system.pairs().point(pair.a, pair.b).share;
-    for (const CoveredTriangle& t : pair.whole)
+    for (const OverlapTriangle& t : pair.whole)
       for (int i = 0; i < 3; ++i) {
         Vec3 inside = Vec3::Constant(1.0 / 6);
         inside[i] = 2.0 / 3;
         add(t.triangle, inside, pair.b, share * t.area / 3, true);
       }
   }
-  for (const ContactSample& s : system.coverage().samples()) {
+  for (const ContactSample& s : system.overlap().samples()) {
     const int a = mesh.vertex_object[mesh.triangles[s.triangle][0]];
     if (table.bonds(a, s.object)) add(s.triangle, s.inside, s.object, system.pairs().point(a, s.object).share * s.area, false);
   }
 }
 
 // Of the triangles at all these vertices, the one that faces the normal most; -1: none.
-int triangle_at(const SurfaceTopology& topology, const HeldSurface& held, const CollisionMesh& mesh, std::span<const int> vertices, const Vec3& normal) {
+int triangle_at(const SurfaceTopology& topology, const LaggedSurface& held, const CollisionMesh& mesh, std::span<const int> vertices, const Vec3& normal) {
   int found = -1;
   double most = 0;
   for (const int t : topology.triangles_at(vertices[0])) {
@@ -52,7 +52,7 @@ int triangle_at(const SurfaceTopology& topology, const HeldSurface& held, const 
 }
 
 void add_vertices(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x, std::vector<BondSite>& sites) {
-  const HeldSurface& held = system.held();
+  const LaggedSurface& held = system.held();
   std::vector<char> wanted(barriers.size(), 0);
   const PairTable& pairs = system.pairs();
   for (const auto& [a, b] : pairs.classes().examples())

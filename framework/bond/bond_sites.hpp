@@ -1,6 +1,6 @@
 // Where bonds can be made at the start of a step, and the bonds that are: what of a surface lies opposite another is taken triangle by
 // triangle. One that is covered has three places, at the points of Gauss' rule, one that is covered in part those of its samples
-// (contact/coverage.hpp). Rods, particles, and a surface that meets itself have a place at each of their vertices that touches
+// (contact/surface_overlap.hpp). Rods, particles, and a surface that meets itself have a place at each of their vertices that touches
 // (contact/contact_points.hpp).
 #pragma once
 

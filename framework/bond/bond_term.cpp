@@ -8,7 +8,7 @@
 #include "framework/bond/bond_anchor.hpp"
 #include "framework/bond/bond_fields.hpp"
 #include "framework/bond/bond_sites.hpp"
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
@@ -76,9 +76,9 @@ BondTerm::BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable t
 void BondTerm::publish(Records& records) const {
   Term::publish(records);
   ForceRecord force{"bonds", Acting::normal, {"barrier", "adhesion"}};
-  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_part(part)); };
-  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_part(part), pair); };
-  force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_part(part)); };
+  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_term(part)); };
+  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
+  force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };
   records.add(std::move(force));
   records.add(FlowRecord{"bonds", {{"dissipated_adhesion"}, {"work_healing", FlowKind::fed}}, [this](const VecX& x, double* amounts) {
     const Changes step = changes(x);
@@ -115,7 +115,7 @@ void BondTerm::make_bonds(const VecX& x) {
   const auto whose = [](int triangle, int vertex, int other) { return std::array{triangle, triangle < 0 ? vertex : -1, other}; };
   for (const Bond& b : remembered_.bonds()) bonded[whose(b.triangle, b.vertices[0], b.b)].push_back(&b);
   const auto before = remembered_.pairs();
-  std::vector<BondSite> sites = bond_sites(system_, table_, normal_.laws(LawPart::barrier), x);
+  std::vector<BondSite> sites = bond_sites(system_, table_, normal_.laws(LawTerm::barrier), x);
   const std::vector<int>& object = system_.surface().mesh.vertex_object;
   const auto may_bond = [&](int rule, int a, int b) {
     const std::pair<int, int> pair = std::minmax(a, b);
@@ -324,7 +324,7 @@ void BondTerm::commit(const VecX& x, History& history) const {
   kept.write(history);
 }
 
-std::vector<Vec3> BondTerm::pulls(const VecX& x, LawPart part) const {
+std::vector<Vec3> BondTerm::pulls(const VecX& x, LawTerm part) const {
   frame_at(x);
   std::vector<Vec3> pulls(list_.size());
   for_each(list_.size(), [&](int i) {
@@ -332,12 +332,12 @@ std::vector<Vec3> BondTerm::pulls(const VecX& x, LawPart part) const {
     const Opening o = opening_of(bond, x);
     const BondSample sample = table_.rules()[bond.rule].law->at(o.d, o.s, list_.memory(i), h_);
     const Vec3 all = traction(sample, bond, o), pressing = o.d < 0 ? Vec3(sample.by_d * bond.normal) : Vec3(Vec3::Zero());
-    pulls[i] = -bond.area * (part == LawPart::all ? all : part == LawPart::barrier ? pressing : Vec3(all - pressing));
+    pulls[i] = -bond.area * (part == LawTerm::all ? all : part == LawTerm::barrier ? pressing : Vec3(all - pressing));
   });
   return pulls;
 }
 
-VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
+VecX BondTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
   const std::vector<Vec3> pulled = pulls(x, part);
   for (int k = 0; k < list_.size(); ++k) {
@@ -348,7 +348,7 @@ VecX BondTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> onl
   return force;
 }
 
-VecX BondTerm::compressions(const VecX& x, LawPart part) const {
+VecX BondTerm::compressions(const VecX& x, LawTerm part) const {
   VecX pressed = VecX::Zero(x.size());
   const std::vector<Vec3> pulled = pulls(x, part);
   for (int k = 0; k < list_.size(); ++k) {
@@ -358,7 +358,7 @@ VecX BondTerm::compressions(const VecX& x, LawPart part) const {
   return pressed;
 }
 
-Vec3 BondTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {
+Vec3 BondTerm::force_between(const VecX& x, LawTerm part, ObjectPair pair) const {
   Vec3 sum = Vec3::Zero();
   const std::vector<Vec3> pulled = pulls(x, part);
   for (int k = 0; k < list_.size(); ++k) {

@@ -50,13 +50,13 @@ class BondTerm : public Term {
 
   // Returns the force of each bond of the list on its place [N]. The opposite force acts on the
   // anchor. Forces that press belong to the barrier, all others to adhesion.
-  std::vector<Vec3> pulls(const VecX& x, LawPart part = LawPart::all) const;
+  std::vector<Vec3> pulls(const VecX& x, LawTerm part = LawTerm::all) const;
   // The forces of bonds on every vertex (3n) [N]; with a pair, of its bonds only.
-  VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
+  VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
   // As ContactTerm::compressions: below zero where bonds pull.
-  VecX compressions(const VecX& x, LawPart part) const;
+  VecX compressions(const VecX& x, LawTerm part) const;
   // That object b exerts on object a [N].
-  Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
+  Vec3 force_between(const VecX& x, LawTerm part, ObjectPair pair) const;
 
   const BondList& list() const { return list_; }
   // Of each bond of the list.

@@ -8,7 +8,7 @@
 
 #include "framework/contact/contact_points.hpp"
 #include "framework/contact/contact_term.hpp"
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
 #include "framework/scene/copied_lines.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/mesh/quality.hpp"
@@ -31,8 +31,8 @@ double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec
 }  // namespace
 
 AdhesionResolution::AdhesionResolution(const SceneConfig& scene, const World& world)
-    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawPart::adhesion).size()) {
-  for (const PairLaw& law : world.contact_term->laws(LawPart::adhesion)) adheres_.push_back(!law.laws().empty());
+    : scene_(scene), world_(world), pulled_(world.contact_term->laws(LawTerm::adhesion).size()) {
+  for (const PairLaw& law : world.contact_term->laws(LawTerm::adhesion)) adheres_.push_back(!law.laws().empty());
 }
 
 // Means over the triangles at a vertex of a mesh that look at the other surface.
@@ -53,7 +53,7 @@ AdhesionResolution::Element AdhesionResolution::element_at(int v, const Vec3& n,
 }
 
 void AdhesionResolution::add(int law, double impulse, const Element& element, int object, int other) {
-  const PairLaw& adhesion = world_.contact_term->laws(LawPart::adhesion)[law];
+  const PairLaw& adhesion = world_.contact_term->laws(LawTerm::adhesion)[law];
   const double tolerated = tolerated_change * (adhesion.range() - adhesion.offset());
   Pulled& pulled = pulled_[law];
   pulled.all += impulse;
@@ -72,8 +72,8 @@ AdhesionResolution::Element AdhesionResolution::element_around(const Triangle& t
 }
 
 void AdhesionResolution::look(const VecX& x, double h) {
-  const std::vector<PairLaw>& laws = world_.contact_term->laws(LawPart::adhesion);
-  const ContactPoints points = contact_points({*world_.contact, world_.contact_term->laws(LawPart::barrier), adheres_, x});
+  const std::vector<PairLaw>& laws = world_.contact_term->laws(LawTerm::adhesion);
+  const ContactPoints points = contact_points({*world_.contact, world_.contact_term->laws(LawTerm::barrier), adheres_, x});
   for_each_record(points, [&]<int K>(const ContactPoint<K>& c) {
     if (c.kind() == PointKind::edges || c.gap >= laws[c.law].range()) return;
     Element element;

@@ -113,7 +113,7 @@ ContactApproach::ContactApproach(const SceneConfig& scene, const World& world) :
     firm_.push_back(surface && is_firm(body));
   }
   if (std::find(soft_.begin(), soft_.end(), 1) == soft_.end()) return;
-  for (const PairLaw& adhesion : world.contact_term->laws(LawPart::adhesion)) wanted_.push_back(adhesion.laws().empty());
+  for (const PairLaw& adhesion : world.contact_term->laws(LawTerm::adhesion)) wanted_.push_back(adhesion.laws().empty());
 }
 
 bool ContactApproach::looked_at(const Objects& objects) const {
@@ -129,7 +129,7 @@ bool ContactApproach::looked_at(const Objects& objects) const {
 std::map<ContactApproach::Objects, std::vector<PressedPoint>> ContactApproach::zones(const VecX& x) const {
   const VecX& rest = world_.contact->surface().rest;
   ContactPoints contacts;
-  add_points_of_features({*world_.contact, world_.contact_term->laws(LawPart::barrier), wanted_, x}, contacts);
+  add_points_of_features({*world_.contact, world_.contact_term->laws(LawTerm::barrier), wanted_, x}, contacts);
   std::map<Objects, std::vector<PressedPoint>> zones;
   for_each_record(contacts, [&](const auto& c) {
     const Objects objects = std::minmax(c.object, c.opposite);

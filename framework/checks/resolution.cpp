@@ -194,7 +194,7 @@ class Warnings {
         if (const int i = object[s.vertices[0]]; i == object[s.vertices[decltype(kind)::first_vertices]]) on_themselves.insert(i);
     });
     for (const int i : on_themselves) {
-      const VecX force = world_.contact_term->forces(world_.start.x, LawPart::all, ObjectPair{i, i});
+      const VecX force = world_.contact_term->forces(world_.start.x, LawTerm::all, ObjectPair{i, i});
       Eigen::Index at = 0;
       const double largest = force.size() > 0 ? force.cwiseAbs().maxCoeff(&at) : 0;
       if (!(largest > 0)) continue;
@@ -208,7 +208,7 @@ class Warnings {
 
   // Forces of bodies on each other that no rest can have.
   void between_objects() {
-    const std::vector<PairLaw>& barriers = world_.contact_term->laws(LawPart::barrier);
+    const std::vector<PairLaw>& barriers = world_.contact_term->laws(LawTerm::barrier);
     const std::vector<char> all(barriers.size(), 1);
     std::map<std::array<int, 2>, PressedPair> pairs;
     for_each_record(contact_points({*world_.contact, barriers, all, world_.start.x}), [&](const auto& c) {

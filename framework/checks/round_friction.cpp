@@ -52,7 +52,7 @@ std::vector<std::vector<int>> components_of(const std::vector<Edge>& edges) {
 double friction_between(const PairTable& pairs, int a, int b) {
   double mu = 0;
   const auto take = [&](const PairRole& role) {
-    for (const int law : {role.law, role.guard_law})
+    for (const int law : {role.law, role.safety_barrier})
       if (law >= 0) mu = std::max(mu, pairs.tangential(law).mu);
   };
   for (int part = -1; part < pairs.parts(a, b); ++part) {

@@ -27,7 +27,7 @@ bool passes_peak(const PairLaw& law, double range, double distance, double end) 
 void ContactTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<char>& vertices) const {
   std::vector<double> range;  // of the adhesion of each law; 0: none [m]
   bool any = false;
-  for (const PairLaw& law : laws(LawPart::adhesion)) {
+  for (const PairLaw& law : laws(LawTerm::adhesion)) {
     range.push_back(law.laws().empty() ? 0 : law.range());
     any = any || range.back() > 0;
   }
@@ -38,7 +38,7 @@ void ContactTerm::mark_letting_go(const VecX& from, const VecX& to, std::vector<
       const auto& stencil = stencils[i];
       if (!(range[stencil.law] > 0) || !(stencil.weight > 0)) return;
       const auto distance_at = [&](const VecX& x) { return std::sqrt(stencil_distance<ValueKernels>(K{}, x, stencil)); };
-      if (!passes_peak(laws(LawPart::all)[stencil.law], range[stencil.law], distance_at(from), distance_at(to))) return;
+      if (!passes_peak(laws(LawTerm::all)[stencil.law], range[stencil.law], distance_at(from), distance_at(to))) return;
       for (const int v : stencil.vertices) mark(vertices[v]);
     });
   });

@@ -1,7 +1,7 @@
 // Contact points: what touches, adheres or rubs, each once and by name, whatever stencils it takes to say so.
 //
 // A contact point is a point of one surface and what it faces of an object, at one configuration. The point is a vertex, a sample (inside
-// a triangle, coverage.hpp) or, of a pair of edges, one on the first edge; it has
+// a triangle, surface_overlap.hpp) or, of a pair of edges, one on the first edge; it has
 //     sum_i c_i x_i = gap n,    sum_i c_i = 0
 // with the coefficients c of the point and, negative, of the closest point on what it faces, the unit normal n from there to the point,
 // a basis of the plane across it, and the magnitudes

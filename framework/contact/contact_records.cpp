@@ -6,24 +6,24 @@
 
 namespace tack {
 
-LawPart law_part(std::string_view part) {
-  if (part.empty()) return LawPart::all;
-  return part == "barrier" ? LawPart::barrier : LawPart::adhesion;
+LawTerm law_term(std::string_view part) {
+  if (part.empty()) return LawTerm::all;
+  return part == "barrier" ? LawTerm::barrier : LawTerm::adhesion;
 }
 
 void ContactTerm::publish(Records& records) const {
   ForceRecord force{"contact", Acting::normal, {"barrier", "adhesion"}};
-  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_part(part)); };
-  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_part(part), pair); };
-  force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_part(part)); };
+  force.add = [this](const VecX& x, std::string_view part, VecX& sum) { sum += forces(x, law_term(part)); };
+  force.between = [this](const VecX& x, std::string_view part, ObjectPair pair) { return force_between(x, law_term(part), pair); };
+  force.add_compressions = [this](const VecX& x, std::string_view part, VecX& pressed) { pressed += compressions(x, law_term(part)); };
   force.add_areas = [this](const VecX& x, VecX& areas) {
-    for_each_record(contact_points({system_, laws(LawPart::barrier), laws_of_area(system_.pairs()), x}), [&](const auto& c) {
+    for_each_record(contact_points({system_, laws(LawTerm::barrier), laws_of_area(system_.pairs()), x}), [&](const auto& c) {
       for (size_t i = 0; i < c.vertices.size(); ++i) areas(3 * c.vertices[i]) += c.area * std::abs(c.coefficients[i]);
     });
   };
   records.add(std::move(force));
-  for (const auto& [name, part] : {std::pair{"barrier", LawPart::barrier}, {"adhesion", LawPart::adhesion}})
-    records.add(EnergyRecord{name, EnergyKind::contact, [this, part = part](const VecX& x) { return part_value(x, part); }});
+  for (const auto& [name, part] : {std::pair{"barrier", LawTerm::barrier}, {"adhesion", LawTerm::adhesion}})
+    records.add(EnergyRecord{name, EnergyKind::contact, [this, part = part](const VecX& x) { return term_value(x, part); }});
 }
 
 }  // namespace tack

@@ -1,6 +1,6 @@
 // The active contact stencils of one configuration, as homogeneous arrays by kind. Point stencils
 // are already reduced to features: (p, v), (p, e0, e1), (p, t0, t1, t2), with unclamped distances. The point
-// of a sample is a fixed one inside a triangle (coverage.hpp).
+// of a sample is a fixed one inside a triangle (surface_overlap.hpp).
 #pragma once
 
 #include <algorithm>

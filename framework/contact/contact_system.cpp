@@ -58,7 +58,7 @@ void ContactSystem::enable_self_pairs(const std::vector<int>& vertices) { broad_
 const IntegrationSides::Pairs& ContactSystem::turned_sides() const { return narrow_phase_->turned_sides(); }
 
 void ContactSystem::remember(const History& history) {
-  narrow_phase_->set_shares_before(shares_of(history, surface_.mesh));
+  narrow_phase_->set_shares_before(weights_of(history, surface_.mesh));
   turned_before_.reset();
   if (const auto* all = remembered(history, former_sides_name, 1, pairs_.objects() * pairs_.objects())) {
     turned_before_.emplace();
@@ -84,14 +84,14 @@ void ContactSystem::remember(const History& history) {
 
 // Of shares, those towards triangles that are near now: others are not known to whoever goes on from here.
 void ContactSystem::commit(const VecX& x, History& history) const {
-  ShareMemory shares;
-  for (const RememberedShare& s : narrow_phase_->held_shares()) {
+  LaggedWeights shares;
+  for (const LaggedWeight& s : narrow_phase_->held_shares()) {
     const Triangle& t = surface_.mesh.triangles[s.triangle];
     const auto [a, b, c] = corners(x, t);
     const double range = pairs_.thin(surface_.mesh.vertex_object[s.point], surface_.mesh.vertex_object[t[0]]).reach();
     if (point_triangle_distance(vertex(x, s.point), a, b, c) < range * range) shares.push_back(s);
   }
-  remember_shares(shares, surface_.mesh, history);
+  store_weights(shares, surface_.mesh, history);
   history.erase(former_sides_name);
   history.erase(turned_sides_name);
   if (!pairs_.any_automatic()) return;
@@ -108,15 +108,15 @@ void ContactSystem::commit(const VecX& x, History& history) const {
   sides.values.assign(sides.keys.size(), 1);
 }
 
-const Coverage& ContactSystem::coverage() const { return narrow_phase_->coverage(); }
+const SurfaceOverlap& ContactSystem::overlap() const { return narrow_phase_->overlap(); }
 
-const HeldSurface& ContactSystem::held() const { return narrow_phase_->held(); }
+const LaggedSurface& ContactSystem::held() const { return narrow_phase_->held(); }
 
 void ContactSystem::triangles_near(const Triangle& t, const Vec3& inside, std::vector<int>& out) const {
   broad_phase_->triangles_near(t, inside, out);
 }
 
-const RimForces& ContactSystem::rim_forces() const { return narrow_phase_->rim_forces(); }
+const OverlapBoundaryForces& ContactSystem::overlap_boundary_forces() const { return narrow_phase_->overlap_boundary_forces(); }
 
 const Candidates& ContactSystem::candidates() const { return broad_phase_->candidates(); }
 
@@ -129,7 +129,7 @@ void forget_contact_history(History& history) {
 
 void ContactSystem::forget() {
   contacts_ = {};
-  ShareMemory shares = narrow_phase_ ? narrow_phase_->shares_before() : ShareMemory();
+  LaggedWeights shares = narrow_phase_ ? narrow_phase_->shares_before() : LaggedWeights();
   broad_phase_ = std::make_unique<BroadPhase>(surface_.mesh, colliding_);
   narrow_phase_ = std::make_unique<NarrowPhase>(surface_, pairs_, *broad_phase_);
   narrow_phase_->set_shares_before(std::move(shares));

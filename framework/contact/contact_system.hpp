@@ -15,10 +15,10 @@
 namespace tack {
 
 class BroadPhase;
-class Coverage;
-class HeldSurface;
+class SurfaceOverlap;
+class LaggedSurface;
 class NarrowPhase;
-class RimForces;
+class OverlapBoundaryForces;
 
 class ContactSystem : public StepParticipant {
  public:
@@ -44,8 +44,8 @@ class ContactSystem : public StepParticipant {
   void begin_step(const StepStart& start) override;
   // Of the present step: what of each surface lies opposite another, and the surfaces as they were
   // at its start.
-  const Coverage& coverage() const;
-  const HeldSurface& held() const;
+  const SurfaceOverlap& overlap() const;
+  const LaggedSurface& held() const;
   // These pairs (ascending) keep the sides that integrate, from the next step on.
   void hold_sides(IntegrationSides::Pairs pairs) { held_sides_ = std::move(pairs); }
   // Appends the triangles that may come within range of a point inside a triangle (global
@@ -58,7 +58,7 @@ class ContactSystem : public StepParticipant {
 
   const ContactSet& contacts() const { return contacts_; }
   // By which covered areas change, of the present step.
-  const RimForces& rim_forces() const;
+  const OverlapBoundaryForces& overlap_boundary_forces() const;
   const Candidates& candidates() const;
   const ContactSurface& surface() const { return surface_; }
   const PairTable& pairs() const { return pairs_; }

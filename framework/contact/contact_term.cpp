@@ -97,14 +97,14 @@ ContactTerm::ContactTerm(const ContactSystem& system)
       barrier_laws_(parts_of(system.pairs().laws(), false)),
       adhesion_laws_(parts_of(system.pairs().laws(), true)), residuals_(system) {}
 
-const std::vector<PairLaw>& ContactTerm::laws(LawPart part) const {
-  if (part == LawPart::barrier) return barrier_laws_;
-  return part == LawPart::adhesion ? adhesion_laws_ : system_.pairs().laws();
+const std::vector<PairLaw>& ContactTerm::laws(LawTerm part) const {
+  if (part == LawTerm::barrier) return barrier_laws_;
+  return part == LawTerm::adhesion ? adhesion_laws_ : system_.pairs().laws();
 }
 
-double ContactTerm::value(const VecX& x) const { return part_value(x, LawPart::all); }
+double ContactTerm::value(const VecX& x) const { return term_value(x, LawTerm::all); }
 
-double ContactTerm::part_value(const VecX& x, LawPart part) const {
+double ContactTerm::term_value(const VecX& x, LawTerm part) const {
   double sum = 0;
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     sum += kind_value<decltype(kind)>(x, laws(part), stencils, thresholds);
@@ -130,12 +130,12 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
     using Energy = StencilEnergy<K>;
     constexpr int n = Energy::n, slots = 9 * hessian_blocks(K::arity);
     if (hessian && projection != Projection::none) {
-      for_each_sampled_chunk<K>(x, laws(LawPart::all), stencils, [&](int first, int last, const ChunkSamples<K>& chunk) {
+      for_each_sampled_chunk<K>(x, laws(LawTerm::all), stencils, [&](int first, int last, const ChunkSamples<K>& chunk) {
         projected_derivatives<K>(x, stencils, first, last, thresholds, chunk.gap.data(), chunk.sample.data(), projection,
                                 gradient, hessian);
       });
     } else {
-      for_each_sample<K>(x, laws(LawPart::all), stencils, [&](int i, double gap, const LawSample& l) {
+      for_each_sample<K>(x, laws(LawTerm::all), stencils, [&](int i, double gap, const LawSample& l) {
         const double eps_x = thresholds ? thresholds[i] : 0;
         Eigen::Map<typename Energy::Vector> g(gradient + n * static_cast<size_t>(i));
         if (!hessian) {
@@ -157,7 +157,7 @@ void ContactTerm::derivatives(const VecX& x, Projection projection, double* grad
 
 // Calls act(kind, stencil, gradient) for each, in their order.
 template <class Act>
-void ContactTerm::for_each_gradient(const VecX& x, LawPart part, const Act& act) const {
+void ContactTerm::for_each_gradient(const VecX& x, LawTerm part, const Act& act) const {
   for_each_kind(system_.contacts(), [&](auto kind, const auto& stencils, const double* thresholds) {
     using K = decltype(kind);
     std::vector<typename StencilEnergy<K>::Vector> gradients(stencils.size());
@@ -168,7 +168,7 @@ void ContactTerm::for_each_gradient(const VecX& x, LawPart part, const Act& act)
   });
 }
 
-VecX ContactTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> only) const {
+VecX ContactTerm::forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only) const {
   VecX force = VecX::Zero(x.size());
   const auto& object = system_.surface().mesh.vertex_object;
   for_each_gradient(x, part, [&](auto kind, const auto& stencil, const auto& gradient) {
@@ -181,7 +181,7 @@ VecX ContactTerm::forces(const VecX& x, LawPart part, std::optional<ObjectPair> 
   return force;
 }
 
-VecX ContactTerm::compressions(const VecX& x, LawPart part) const {
+VecX ContactTerm::compressions(const VecX& x, LawTerm part) const {
   VecX sums = VecX::Zero(x.size());
   for_each_gradient(x, part, [&](auto kind, const auto& stencil, const auto& gradient) {
     using K = decltype(kind);
@@ -200,7 +200,7 @@ VecX ContactTerm::compressions(const VecX& x, LawPart part) const {
   return sums;
 }
 
-Vec3 ContactTerm::force_between(const VecX& x, LawPart part, ObjectPair pair) const {
+Vec3 ContactTerm::force_between(const VecX& x, LawTerm part, ObjectPair pair) const {
   const VecX force = forces(x, part, pair);
   const auto& object = system_.surface().mesh.vertex_object;
   Vec3 sum = Vec3::Zero();

@@ -1,8 +1,8 @@
-// The normal contact potential P_N = sum_k w_k (b + a)(d_k) (the paper, section 4.1), over the active
-// stencils of a ContactSystem. Laws are functions of the true gap d; the chain rule to squared
-// distance, the weights and the edge-edge mollifier m,
+// The normal contact potential P_N = sum_k w_k (b + a)(d_k) (the paper, section 4.1), over the
+// active stencils of a ContactSystem. Laws are functions of the gap d. stencil_energy.hpp has the
+// chain rule to squared distance, the weights and the edge-edge mollifier m,
 //     E = w m phi(d),   s = d^2,   dphi/ds = phi'/(2 d),   d2phi/ds2 = (phi'' - phi'/d) / (4 s),
-// are written here once.
+// and stencil_projection.hpp its Hessians projected to positive semi-definite matrices.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,9 @@
 
 namespace tack {
 
-enum class LawPart { all, barrier, adhesion };
-LawPart law_part(std::string_view part);  // of records: "", "barrier", "adhesion"
+enum class LawTerm { all, barrier, adhesion };
+// Returns the term of a record's name: "", "barrier" or "adhesion".
+LawTerm law_term(std::string_view part);
 
 class ContactTerm : public Term {
  public:
@@ -33,20 +34,21 @@ class ContactTerm : public Term {
   bool share_energy(const VecX& x, const EnergyShare& share) const override;
   void publish(Records& records) const override;
 
-  double part_value(const VecX& x, LawPart part) const;
-  // The force of a part of the laws on every vertex (3n) [N]; with a pair, of its stencils only.
-  VecX forces(const VecX& x, LawPart part, std::optional<ObjectPair> only = std::nullopt) const;
-  // What each vertex is pressed with (positive) or pulled, whatever the direction: the forces that it takes of each stencil, along
-  // the way in which that parts the two sides. In the first of three (3n [N]), as forces are collected.
-  VecX compressions(const VecX& x, LawPart part) const;
-  // The force that object b exerts on object a [N].
-  Vec3 force_between(const VecX& x, LawPart part, ObjectPair pair) const;
-  // That part of each law of the pair table.
-  const std::vector<PairLaw>& laws(LawPart part) const;
+  double term_value(const VecX& x, LawTerm part) const;
+  // Returns the force of a term of the laws on every vertex (3n) [N]; with a pair, of its stencils
+  // only.
+  VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
+  // Returns the normal force on each vertex, positive where it is pressed, summed over stencils
+  // along the normal of each, in the first of its three entries (3n) [N].
+  VecX compressions(const VecX& x, LawTerm part) const;
+  // Returns the force of object b on object a [N].
+  Vec3 force_between(const VecX& x, LawTerm part, ObjectPair pair) const;
+  // Returns that term of each law of the pair table.
+  const std::vector<PairLaw>& laws(LawTerm part) const;
 
  private:
   template <class Act>
-  void for_each_gradient(const VecX& x, LawPart part, const Act& act) const;
+  void for_each_gradient(const VecX& x, LawTerm part, const Act& act) const;
 
   const ContactSystem& system_;
   std::vector<PairLaw> barrier_laws_, adhesion_laws_;

@@ -4,15 +4,15 @@
 //
 // A triangle faces a point that is in front of it, by its outward normal (a sheet turns the side to it on which
 // the point is). On the point's own object it has to be well in front: neighbours on a slightly hollow surface
-// are no other side. All is judged by the surfaces as the step found them (held_surface.hpp).
+// are no other side. All is judged by the surfaces as the step found them (lagged_surface.hpp).
 #pragma once
 
 #include <array>
 #include <limits>
 #include <vector>
 
-#include "framework/contact/held_surface.hpp"
-#include "framework/contact/part_of_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface_region.hpp"
 
 namespace tack {
 
@@ -46,10 +46,10 @@ struct Viewpoint {
 
 class FacingViewer {
  public:
-  FacingViewer(const CollisionMesh& mesh, const HeldSurface& held) : mesh_(mesh), held_(held) {}
+  FacingViewer(const CollisionMesh& mesh, const LaggedSurface& held) : mesh_(mesh), held_(held) {}
 
   // What is looked at from now on is a part that ends at its seams; null: all of a surface.
-  void look_at(const PartOfSurface* part) { part_ = part; }
+  void look_at(const SurfaceRegion* part) { part_ = part; }
 
   Viewpoint vertex_view(int vertex_index) const;
   // One of position x inside a triangle, which stands for the given area.
@@ -86,8 +86,8 @@ class FacingViewer {
   FacingView pieces();
 
   const CollisionMesh& mesh_;
-  const HeldSurface& held_;
-  const PartOfSurface* part_ = nullptr;
+  const LaggedSurface& held_;
+  const SurfaceRegion* part_ = nullptr;
   std::vector<Seen> seen_;
 };
 

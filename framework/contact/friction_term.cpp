@@ -45,7 +45,7 @@ void FrictionTerm::publish(Records& records) const {
   force.stored = false;
   records.add(std::move(force));
   for (const auto& [name, part] : {std::pair{"friction", TangentialPart::friction}, {"tangential_adhesion", TangentialPart::adhesion}})
-    records.add(EnergyRecord{name, EnergyKind::of_step, [this, part = part](const VecX& x) { return part_value(x, part); }});
+    records.add(EnergyRecord{name, EnergyKind::of_step, [this, part = part](const VecX& x) { return term_value(x, part); }});
   records.add(FlowRecord{"friction", {{"dissipated_friction"}, {"dissipated_adhesion"}}, [this](const VecX& x, double* amounts) {
     amounts[0] = dissipated(x, TangentialPart::friction);
     amounts[1] = dissipated(x, TangentialPart::adhesion);
@@ -53,7 +53,7 @@ void FrictionTerm::publish(Records& records) const {
 }
 
 ContactPoints FrictionTerm::lagged_at(const VecX& x) const {
-  return contact_points({system_, normal_.laws(LawPart::barrier), wanted_, x});
+  return contact_points({system_, normal_.laws(LawTerm::barrier), wanted_, x});
 }
 
 void FrictionTerm::take(ContactPoints points) {
@@ -109,7 +109,7 @@ void FrictionTerm::scale_normal_forces(const PairForces& factors) {
   take(std::move(points_));
 }
 
-double FrictionTerm::part_value(const VecX& x, TangentialPart part) const {
+double FrictionTerm::term_value(const VecX& x, TangentialPart part) const {
   return sum_of(x, [&](const auto& slip, const TangentialLaw& law) { return slip.sample(law, h_, part).value; });
 }
 

@@ -51,7 +51,7 @@ class FrictionTerm : public Term, public ResidualView {
   // Multiplies those that are held by a factor for each two objects, one where none is given.
   void scale_normal_forces(const PairForces& factors);
 
-  double value(const VecX& x) const override { return part_value(x, TangentialPart::all); }
+  double value(const VecX& x) const override { return term_value(x, TangentialPart::all); }
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
   void derivatives(const VecX& x, Projection projection, double* gradient,
@@ -62,7 +62,7 @@ class FrictionTerm : public Term, public ResidualView {
   std::vector<ResidualBatch> residual_batches() const override;
   bool residuals(const VecX& x, double* r, double* jacobian) const override;
 
-  double part_value(const VecX& x, TangentialPart part) const;
+  double term_value(const VecX& x, TangentialPart part) const;
   bool stores() const override { return false; }
   void publish(Records& records) const override;
   // Force times slip since the start of the step: what a part dissipates on the way to x [J].

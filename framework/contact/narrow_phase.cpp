@@ -4,7 +4,7 @@
 #include <iterator>
 #include <span>
 
-#include "framework/contact/key_walk.hpp"
+#include "framework/contact/sorted_cursor.hpp"
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/broad_phase/displacement_bounds.hpp"
@@ -90,7 +90,7 @@ class PointSearch : StencilSearch {
   const Candidates& candidates_;
   const DisplacementBounds& displacements_;
   const PointPieces& pieces_;
-  std::vector<TriangleShare> shares_;
+  std::vector<TriangleWeight> shares_;
   std::vector<Edge> edges_;
 };
 
@@ -185,7 +185,7 @@ void join(const std::vector<Found>& chunks, Stencils Found::* member, Stencils& 
 }  // namespace
 
 NarrowPhase::NarrowPhase(const ContactSurface& surface, const PairTable& pairs, const BroadPhase& broad_phase)
-    : surface_(surface), pairs_(pairs), held_(surface), sides_(pairs), coverage_(surface, pairs, held_),
+    : surface_(surface), pairs_(pairs), held_(surface), sides_(pairs), overlap_(surface, pairs, held_),
       broad_phase_(broad_phase), rods_(surface, pairs) {}
 
 bool NarrowPhase::may_integrate(const PointGroup& group) const {
@@ -203,7 +203,7 @@ std::vector<PointGroup> NarrowPhase::unseen(const ChangedPrimitives* changed) co
   const int n = static_cast<int>(groups.size());
   std::vector<std::vector<PointGroup>> chunks(chunk_count(n));
   for_each_chunk(n, [&](int c, int first, int last) {
-    KeyWalk<GroupView> known(views_), later(later_views_);
+    SortedCursor<GroupView> known(views_), later(later_views_);
     for (int i = first; i < last; ++i)
       if (may_be_new(groups[i]) && may_integrate(groups[i]) && !known.find(groups[i].key()) && !later.find(groups[i].key())) chunks[c].push_back(groups[i]);
   });
@@ -221,9 +221,9 @@ std::vector<GroupView> NarrowPhase::look(const Candidates& candidates, const std
       const PointGroup& g = groups[i];
       seen[i] = {g.point, g.object, viewer.look(viewer.vertex_view(g.point), g.triangle_end - g.triangle_begin,
                                                 [&](int k) { return candidates.point_triangle[g.triangle_begin + k][1]; })};
-      if (!later || !coverage_.weighs(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
+      if (!later || !overlap_.weighs(surface_.mesh.vertex_object[g.point], g.object, sides_)) continue;
       FacingView& view = seen[i].view;
-      for (int k = 0; k < view.count; ++k) view.pieces[k].area = coverage_.unknown_area(g.point, g.object, view.pieces[k].normal);
+      for (int k = 0; k < view.count; ++k) view.pieces[k].area = overlap_.unknown_area(g.point, g.object, view.pieces[k].normal);
     }
   });
   return seen;
@@ -248,7 +248,7 @@ void NarrowPhase::choose_edges(const Candidates& candidates, const ChangedPrimit
   const int n = static_cast<int>(candidates.edge_edge.size());
   std::vector<std::vector<EdgePair>> chunks(chunk_count(n, chunk));
   for_each_chunk(n, [&](int c, int first, int last) {
-    KeyWalk<EdgePair> before(edge_pairs_);
+    SortedCursor<EdgePair> before(edge_pairs_);
     for (int i = first; i < last; ++i) {
       const std::array<int, 2>& edges = candidates.edge_edge[i];
       const bool decided = changed && !changed->edges[edges[0]] && !changed->edges[edges[1]];
@@ -295,10 +295,10 @@ void NarrowPhase::begin_step(const Candidates& candidates, const VecX& x) {
   views_.clear();
   later_views_.clear();
   views_ = look(candidates, unseen(nullptr), false);
-  coverage_.capture(views_, sides_);
-  if (coverage_.wanted()) {
-    coverage_.weigh(sides_, broad_phase_, views_);
-    rim_forces_.take(coverage_.parts(), pairs_, surface_.mesh, held_);
+  overlap_.capture(views_, sides_);
+  if (overlap_.wanted()) {
+    overlap_.weigh(sides_, broad_phase_, views_);
+    overlap_boundary_forces_.take(overlap_.parts(), pairs_, surface_.mesh, held_);
   }
   make_lists(candidates, nullptr);
 }
@@ -308,8 +308,8 @@ void NarrowPhase::make_lists(const Candidates& candidates, const EarlierPieces* 
   if (!pairs_.plain_sums) rods_.find(candidates, held_);
   const PieceRequest request{surface_, pairs_, held_, sides_, rods_, candidates, groups_, views_, later_views_, shares_at_start_};
   pieces_ = make_pieces(request, earlier);
-  if (earlier) renew_sample_pieces(earlier->changed, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
-  else sample_pieces_ = make_sample_pieces(coverage_.samples(), surface_.mesh, held_, broad_phase_);
+  if (earlier) renew_sample_pieces(earlier->changed, overlap_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
+  else sample_pieces_ = make_sample_pieces(overlap_.samples(), surface_.mesh, held_, broad_phase_);
 }
 
 void NarrowPhase::set_free(std::vector<char> free) {
@@ -323,8 +323,8 @@ void NarrowPhase::set_free(std::vector<char> free) {
 }
 
 void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& contacts) {
-  if (const std::vector<int> added = coverage_.approach(x); !added.empty())
-    add_sample_pieces(added, coverage_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
+  if (const std::vector<int> added = overlap_.approach(x); !added.empty())
+    add_sample_pieces(added, overlap_.samples(), surface_.mesh, held_, broad_phase_, sample_pieces_);
   const int points = static_cast<int>(pieces_.pieces.size());
   const int edges = static_cast<int>(edge_pairs_.size());
   const DisplacementBounds displacements(surface_.mesh, [&](int v) { return (vertex(x, v) - vertex(candidates.reference, v)).norm(); });
@@ -338,10 +338,10 @@ void NarrowPhase::find(const Candidates& candidates, const VecX& x, ContactSet& 
   });
   if (!rods_.crossings().empty())
     search_crossings(surface_, pairs_, rods_.crossings(), free_.free, x, found_edges.emplace_back());
-  const int samples = static_cast<int>(coverage_.samples().size());
+  const int samples = static_cast<int>(overlap_.samples().size());
   std::vector<Found> found_samples(chunk_count(samples));
   for_each_chunk(samples, [&](int c, int first, int last) {
-    SampleSearch search(surface_, pairs_, coverage_.samples(), sample_pieces_, free_, x, found_samples[c]);
+    SampleSearch search(surface_, pairs_, overlap_.samples(), sample_pieces_, free_, x, found_samples[c]);
     for (int i = first; i < last; ++i) search.search(i);
   });
   join(found_samples, &Found::sample_point, contacts.sample_point);

@@ -1,13 +1,13 @@
 // From candidates to active stencils.
 // Candidates are grouped by (point, object), and each group is split into what carries pressure and what is
 // guarded against (point_pieces.hpp), once per list of candidates; each piece is reduced to features together
-// (point_features.hpp). Where a rim runs across a triangle, points inside it take part (coverage.hpp). All areas and orientations are those of the start of the time step, or of the moment
+// (point_features.hpp). Where a rim runs across a triangle, points inside it take part (surface_overlap.hpp). All areas and orientations are those of the start of the time step, or of the moment
 // in it when a group first appears, and held for that step, so that its potential is one function.
 #pragma once
 
 #include "framework/contact/contact_set.hpp"
 #include "framework/contact/point_pieces.hpp"
-#include "framework/contact/rim_forces.hpp"
+#include "framework/contact/overlap_boundary_forces.hpp"
 #include "framework/contact/sample_pieces.hpp"
 
 namespace tack {
@@ -43,16 +43,16 @@ class NarrowPhase {
   const IntegrationSides::Pairs& turned_sides() const { return sides_.turned(); }
   void set_turned_before(std::optional<IntegrationSides::Pairs> turned) { sides_.set_before(std::move(turned)); }
   // Of rods and particles: what they have of their areas in this step, and what they had in the step before the next.
-  const ShareMemory& held_shares() const { return pieces_.held; }
-  const ShareMemory& shares_before() const { return shares_before_; }
-  void set_shares_before(ShareMemory shares) { shares_before_ = std::move(shares); }
+  const LaggedWeights& held_shares() const { return pieces_.held; }
+  const LaggedWeights& shares_before() const { return shares_before_; }
+  void set_shares_before(LaggedWeights shares) { shares_before_ = std::move(shares); }
   // Stencils that have no free vertex (non-zero) are left out, as their potential is constant; empty: every candidate has one.
   void set_free(std::vector<char> free);
   // The stencils closer than their law's range.
   void find(const Candidates& candidates, const VecX& x, ContactSet& contacts);
-  const RimForces& rim_forces() const { return rim_forces_; }  // of this step
-  const Coverage& coverage() const { return coverage_; }       // likewise
-  const HeldSurface& held() const { return held_; }
+  const OverlapBoundaryForces& overlap_boundary_forces() const { return overlap_boundary_forces_; }  // of this step
+  const SurfaceOverlap& overlap() const { return overlap_; }       // likewise
+  const LaggedSurface& held() const { return held_; }
   void hold_sides(IntegrationSides::Pairs pairs) { sides_.hold(std::move(pairs)); }
 
  private:
@@ -64,10 +64,10 @@ class NarrowPhase {
 
   const ContactSurface& surface_;
   const PairTable& pairs_;
-  HeldSurface held_;
+  LaggedSurface held_;
   IntegrationSides sides_;
-  Coverage coverage_;
-  RimForces rim_forces_;
+  SurfaceOverlap overlap_;
+  OverlapBoundaryForces overlap_boundary_forces_;
   const BroadPhase& broad_phase_;
   FreeVertices free_;
   PointGroups groups_;
@@ -76,8 +76,8 @@ class NarrowPhase {
   PointPieces pieces_;
   SamplePieces sample_pieces_;    // of the coverage's samples
   RodOverlaps rods_;              // of this step
-  ShareMemory shares_before_;     // of the step before the next
-  ShareMemory shares_at_start_;   // of the step before this one
+  LaggedWeights shares_before_;     // of the step before the next
+  LaggedWeights shares_at_start_;   // of the step before this one
   std::vector<EdgePair> edge_pairs_;  // that may press, in the order of candidates
 };
 

@@ -19,7 +19,7 @@ double surface_range(const PairTable& pairs, int a, int b) {
   double range = 0;
   for (int part = -1; part < pairs.parts(a, b); ++part)
     for (const PairRole* role : {&pairs.point(a, b, part), &pairs.point(b, a, part), &pairs.edge(a, b, part), &pairs.thin(a, b, part)})
-      range = std::max({range, role->reach(), role->guard_range, role->bonds ? pairs.bond_reach() : 0});
+      range = std::max({range, role->reach(), role->safety_barrier_range, role->bonds ? pairs.bond_reach() : 0});
   return range;
 }
 

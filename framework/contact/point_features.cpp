@@ -133,9 +133,9 @@ const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3
 }
 
 // Of the triangles that meet somewhere, each tied to one that is in the tree already.
-double PointFeatures::heaviest_tree(std::span<const CornerUse> uses, std::span<const TriangleShare> shares) {
+double PointFeatures::heaviest_tree(std::span<const CornerUse> uses, std::span<const TriangleWeight> shares) {
   const auto tie = [&](const CornerUse& a, const CornerUse& b) {
-    const TriangleShare &s = shares[a.triangle], &t = shares[b.triangle];
+    const TriangleWeight &s = shares[a.triangle], &t = shares[b.triangle];
     return std::min(s.share, t.share) * one_surface(s, t);
   };
   if (uses.size() < 2) return 0;
@@ -155,7 +155,7 @@ double PointFeatures::heaviest_tree(std::span<const CornerUse> uses, std::span<c
 }
 
 const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3& p, std::span<const Triangle> triangles,
-                                                       std::span<const TriangleShare> shares, double range) {
+                                                       std::span<const TriangleWeight> shares, double range) {
   features_.clear();
   uses_.clear();
   joined_.clear();

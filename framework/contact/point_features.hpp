@@ -6,7 +6,7 @@
 // count once (Euler characteristic), whatever the mesh. It is as smooth as phi(d_T).
 // Each d reduces to the closest feature (face, edge or vertex); features that meet again are merged,
 // so on flat and convex surfaces one feature with multiplicity 1 remains.
-// Triangles with shares s_T of the point, of which those that meet in E or V are one surface by k_TU (thin_view.hpp), have the sums
+// Triangles with shares s_T of the point, of which those that meet in E or V are one surface by k_TU (codimensional_view.hpp), have the sums
 //     sum_T s_T phi(d_T) - sum_E j_E phi(d_E) + sum_V (sum_{E at V} j_E - j_V) phi(d_V),
 // j the weight of the heaviest tree over the triangles at E or V, edges of which weigh min(s_T, s_U) k_TU: with shares and k of
 // one or none the same as above, of those with one; and continuous in all of them.
@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "framework/contact/thin_view.hpp"
+#include "framework/contact/codimensional_view.hpp"
 #include "geometry/types.hpp"
 
 namespace tack {
@@ -40,7 +40,7 @@ class PointFeatures {
                                           double range, bool plain_sums);
   // Triangles alone, with their shares.
   const std::vector<PointFeature>& reduce(const VecX& x, const Vec3& p, std::span<const Triangle> triangles,
-                                          std::span<const TriangleShare> shares, double range);
+                                          std::span<const TriangleWeight> shares, double range);
 
  private:
   struct EdgeUse {
@@ -59,7 +59,7 @@ class PointFeatures {
   void add_edge(const VecX& x, const Vec3& p, const Edge& e, double multiplicity, double range_squared);
   void subtract_shared(const VecX& x, const Vec3& p, double range_squared);
   void merge();
-  double heaviest_tree(std::span<const CornerUse> uses, std::span<const TriangleShare> shares);
+  double heaviest_tree(std::span<const CornerUse> uses, std::span<const TriangleWeight> shares);
 
   std::vector<PointFeature> features_;
   std::vector<EdgeUse> edge_uses_;

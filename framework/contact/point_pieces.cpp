@@ -6,7 +6,7 @@
 #include <iterator>
 #include <limits>
 
-#include "framework/contact/key_walk.hpp"
+#include "framework/contact/sorted_cursor.hpp"
 #include "framework/contact/point_features.hpp"
 #include "framework/contact/rest_neighbours.hpp"
 #include "geometry/distance/point_triangle.hpp"
@@ -104,7 +104,7 @@ class PieceMaker {
   }
   // Of a side that presses, or of one that only guards.
   static Guard guard_of(const PairRole& role) {
-    if (role.facing) return {role.guard_law, role.guard_range};
+    if (role.facing) return {role.safety_barrier, role.safety_barrier_range};
     return {role.law, role.range};
   }
   int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
@@ -266,15 +266,15 @@ class PieceMaker {
     const double area = r_.held.thin(group.point);
     triangles_.clear();
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) triangles_.push_back(triangle(i));
-    std::vector<TriangleShare>& shares = thin_viewer_.look(group.point, triangles_, pressure.range);
+    std::vector<TriangleWeight>& shares = thin_viewer_.look(group.point, triangles_, pressure.range);
     share_out(group.point, pressure.range, shares);
-    relax_shares(group.point, triangles_, pressure.range, r_.shares_before, shares, out_.held);
-    add_shares(group, {pressure.law, pressure.range, area}, shares, [&](int i, const TriangleShare& s) {
+    relax_weights(group.point, triangles_, pressure.range, r_.shares_before, shares, out_.held);
+    add_shares(group, {pressure.law, pressure.range, area}, shares, [&](int i, const TriangleWeight& s) {
       return neighbours(group, mesh_.triangles[triangle(i)], pressure.range) ? 0 : s.share;
     });
     const Guard guard = guard_of(role);
     if (guard.law < 0) return;
-    add_shares(group, {guard.law, guard.range, area}, shares, [&](int i, const TriangleShare& s) {
+    add_shares(group, {guard.law, guard.range, area}, shares, [&](int i, const TriangleWeight& s) {
       if (s.share >= little || neighbours(group, mesh_.triangles[triangle(i)], guard.range)) return 0.0;
       const double part = s.share / little;
       return 1 - part * part * (3 - 2 * part);
@@ -283,7 +283,7 @@ class PieceMaker {
   // Where a point is near in several places, these share what it has in about one direction: around a rod, of shadow w, there is
   // room for pi w, around a particle for four of its cross-sections. Each place f has N_f = sum_g m_g max(0, u_f . u_g) beside it, of
   // unit vectors u to the point and multiplicities m that fade in the outer half of the range; the mean of N_f divides.
-  void share_out(int point, double range, std::vector<TriangleShare>& shares) {
+  void share_out(int point, double range, std::vector<TriangleWeight>& shares) {
     const VecX& x = r_.held.x();
     const Vec3 p = vertex(x, point);
     near_triangles_.clear();
@@ -300,7 +300,7 @@ class PieceMaker {
       for (const auto& [other, v] : places_) crowd += own * other * std::max(0.0, u.dot(v));
     }
     if (sum > 0 && crowd > sum)
-      for (TriangleShare& s : shares) s.share *= sum / crowd;
+      for (TriangleWeight& s : shares) s.share *= sum / crowd;
   }
   static Vec3 closest_on(const VecX& x, const PointFeature& f, const Vec3& p) {
     const Vec3 a = vertex(x, f.vertices[0]);
@@ -311,13 +311,13 @@ class PieceMaker {
     return p - normal.dot(p - a) * normal;
   }
   template <class Share>
-  void add_shares(const PointGroup& group, const Acting& acting, const std::vector<TriangleShare>& shares, const Share& share) {
+  void add_shares(const PointGroup& group, const Acting& acting, const std::vector<TriangleWeight>& shares, const Share& share) {
     begin(group, acting);
     const int first = static_cast<int>(out_.shares.size());
     out_.pieces.back().share_begin = first;
     for (int i = group.triangle_begin; i < group.triangle_end; ++i) {
       if (!reaches(i, acting.range)) continue;
-      TriangleShare s = shares[i - group.triangle_begin];
+      TriangleWeight s = shares[i - group.triangle_begin];
       s.share = share(i, s);
       if (!(s.share > 0)) continue;
       out_.triangles.push_back(i);
@@ -330,9 +330,9 @@ class PieceMaker {
   const CollisionMesh& mesh_;
   const EarlierPieces* const earlier_;
   FacingViewer viewer_;
-  ThinViewer thin_viewer_;
-  KeyWalk<GroupView> views_, later_views_;
-  KeyWalk<PointGroup> earlier_groups_;
+  CodimensionalViewer thin_viewer_;
+  SortedCursor<GroupView> views_, later_views_;
+  SortedCursor<PointGroup> earlier_groups_;
   PointPieces out_;
   int part_ = -1;                   // of what is nearest of a group, by the laws that hold
   std::vector<NearTriangle> near_;  // of a group

@@ -1,5 +1,5 @@
 // The quadrature points of a list of candidates, each with the triangles that it acts on: what carries
-// pressure, piece by piece (facing_view.hpp; of rods and particles by shares, thin_view.hpp), and what is only guarded against. Made once per list of
+// pressure, piece by piece (facing_view.hpp; of rods and particles by shares, codimensional_view.hpp), and what is only guarded against. Made once per list of
 // candidates, so that looking for active stencils only touches what can become one.
 #pragma once
 
@@ -10,8 +10,8 @@
 #include "framework/contact/pair_table.hpp"
 #include "framework/contact/point_groups.hpp"
 #include "framework/contact/rod_overlaps.hpp"
-#include "framework/contact/share_memory.hpp"
-#include "framework/contact/thin_view.hpp"
+#include "framework/contact/weight_relaxation.hpp"
+#include "framework/contact/codimensional_view.hpp"
 #include "geometry/broad_phase/changed_primitives.hpp"
 
 namespace tack {
@@ -31,10 +31,10 @@ struct PointPieces {
   std::vector<PointPiece> pieces;
   std::vector<int> group_begin;  // into pieces, of each group; and the end
   std::vector<int> triangles;  // into Candidates::point_triangle
-  std::vector<TriangleShare> shares;
+  std::vector<TriangleWeight> shares;
   std::vector<int> edges;      // of the mesh: rods
   std::vector<int> others;     // global vertices: particles
-  ShareMemory held;            // what the shares are in this step
+  LaggedWeights held;            // what the shares are in this step
 };
 
 // The view of a group, known for the step.
@@ -48,14 +48,14 @@ struct GroupView {
 struct PieceRequest {
   const ContactSurface& surface;
   const PairTable& pairs;
-  const HeldSurface& held;
+  const LaggedSurface& held;
   const IntegrationSides& sides;
   const RodOverlaps& rods;
   const Candidates& candidates;
   const PointGroups& groups;
   const std::vector<GroupView>& views;        // by key, of the groups that there were when the step began
   const std::vector<GroupView>& later_views;  // likewise, of those that came later; all that integrate are in one of them
-  const ShareMemory& shares_before;           // of the step before
+  const LaggedWeights& shares_before;           // of the step before
 };
 // What was made in this step from other candidates, and what has changed in them: the pieces of all other groups are the same.
 struct EarlierPieces {

@@ -112,7 +112,7 @@ double RestGapFinder::of_point(const PointGroup& group, std::vector<std::array<i
   const double range = shape_.reach[group.object];
   // Primitives that face the point press, with or without a gap. With an offset, neighbours within
   // the guard range do not press.
-  const double faces_from = shape_.pairs.offset(group.object, group.object) == 0 ? 0 : shape_.pairs.point(group.object, group.object).guard_range;
+  const double faces_from = shape_.pairs.offset(group.object, group.object) == 0 ? 0 : shape_.pairs.point(group.object, group.object).safety_barrier_range;
   const Viewpoint from = viewer_.vertex_view(p);
   const FacingView view = viewer_.look(from, group.triangle_end - group.triangle_begin,
                                        [&](int k) { return candidates_.point_triangle[group.triangle_begin + k][1]; });

@@ -19,7 +19,7 @@ struct RestShape {
   const ContactSurface& surface;
   const PairTable& pairs;
   const std::vector<double>& reach;
-  HeldSurface held;
+  LaggedSurface held;
   std::vector<int> start, beside;  // the vertices on an edge with each global vertex
 };
 

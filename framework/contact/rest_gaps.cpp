@@ -25,7 +25,7 @@ double own_reach(const ContactSurface& surface, const PairTable& pairs, int obje
   };
   for (int part = -1; part < pairs.parts(object, object); ++part) {
     const PairRole& point = pairs.point(object, object, part);
-    for (const int law : {point.law, point.guard_law, pairs.edge(object, object, part).law}) add(law);
+    for (const int law : {point.law, point.safety_barrier, pairs.edge(object, object, part).law}) add(law);
     if (surface.rod_width[object] > 0) reach = std::max(reach, pairs.thin(object, object, part).range);
   }
   return reach;
@@ -97,7 +97,7 @@ void RestGaps::add_laws(PairTable& pairs) {
     if (a != b || reach_[a] == 0) continue;
     for (int part = -1; part < pairs.parts(a, a); ++part) {
       const PairRole& point = pairs.point(a, a, part);
-      for (const int law : {point.law, point.guard_law, pairs.edge(a, a, part).law, pairs.thin(a, a, part).law})
+      for (const int law : {point.law, point.safety_barrier, pairs.edge(a, a, part).law, pairs.thin(a, a, part).law})
         if (law >= 0) own[law] = 1;
     }
   }

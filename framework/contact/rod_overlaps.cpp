@@ -135,7 +135,7 @@ RodOverlaps::RodOverlaps(const ContactSurface& surface, const PairTable& pairs) 
 
 // Whether no edge beside this one comes nearer to a point of the other rod than this one does; at a vertex, the first of its edges
 // counts for all.
-bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance, const HeldSurface& held) const {
+bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance, const LaggedSurface& held) const {
   for (const int end : surface_.mesh.edges[edge]) {
     if ((vertex(held.x(), end) - opposite).norm() > (1 + same_point) * distance) continue;
     const auto rods = held.topology().rods_at(end);
@@ -148,7 +148,7 @@ bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance
 }
 
 // Straight on as far as any overlap reaches where the rod goes on, whatever the length of its edges.
-std::array<Vec3, 2> RodOverlaps::continued(int edge, const HeldSurface& held) const {
+std::array<Vec3, 2> RodOverlaps::continued(int edge, const LaggedSurface& held) const {
   const Edge& e = surface_.mesh.edges[edge];
   auto ends = corners(held.x(), e);
   const Vec3 along = (ends[1] - ends[0]).normalized() * longest_overlap_;
@@ -160,7 +160,7 @@ std::array<Vec3, 2> RodOverlaps::continued(int edge, const HeldSurface& held) co
 // Over a vertex at which a rod bends towards the other one, both of its edges come nearer than the vertex does, each at a point
 // of its own. What they have in common with the other rod is there once: each carries it by how much nearer it comes. So it
 // passes from one to the other without a jump as they slide, and as the rod bends.
-double RodOverlaps::part_of_nearest(int edge, int opposite, double distance, const HeldSurface& held) const {
+double RodOverlaps::part_of_nearest(int edge, int opposite, double distance, const LaggedSurface& held) const {
   const auto opposite_ends = corners(held.x(), surface_.mesh.edges[opposite]);
   double part = 1;
   for (const int end : surface_.mesh.edges[edge]) {
@@ -177,7 +177,7 @@ double RodOverlaps::part_of_nearest(int edge, int opposite, double distance, con
   return part;
 }
 
-void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& found) const {
+void RodOverlaps::add(int first, int second, const LaggedSurface& held, Found& found) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Edge &ea = mesh.edges[first], &eb = mesh.edges[second];
   const int object_a = mesh.vertex_object[ea[0]], object_b = mesh.vertex_object[eb[0]];
@@ -208,7 +208,7 @@ void RodOverlaps::add(int first, int second, const HeldSurface& held, Found& fou
   share(b, eb, object_a);
 }
 
-void RodOverlaps::find(const Candidates& candidates, const HeldSurface& held) {
+void RodOverlaps::find(const Candidates& candidates, const LaggedSurface& held) {
   crossings_.clear();
   shares_.clear();
   if (is_rod_.empty()) return;

@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
 #include "framework/contact/pair_table.hpp"
 
 namespace tack {
@@ -32,7 +32,7 @@ class RodOverlaps {
   RodOverlaps(const ContactSurface& surface, const PairTable& pairs);
 
   // Of the pairs of edges (into candidates) of rods, by the surfaces as they are held.
-  void find(const Candidates& candidates, const HeldSurface& held);
+  void find(const Candidates& candidates, const LaggedSurface& held);
 
   const std::vector<Crossing>& crossings() const { return crossings_; }
   // What a vertex of a rod carries towards the rods of another object [m^2].
@@ -44,10 +44,10 @@ class RodOverlaps {
     double area;
   };
   struct Found;
-  bool closest_of_rod(int edge, const Vec3& opposite, double distance, const HeldSurface& held) const;
-  double part_of_nearest(int edge, int opposite, double distance, const HeldSurface& held) const;
-  std::array<Vec3, 2> continued(int edge, const HeldSurface& held) const;
-  void add(int first, int second, const HeldSurface& held, Found& found) const;
+  bool closest_of_rod(int edge, const Vec3& opposite, double distance, const LaggedSurface& held) const;
+  double part_of_nearest(int edge, int opposite, double distance, const LaggedSurface& held) const;
+  std::array<Vec3, 2> continued(int edge, const LaggedSurface& held) const;
+  void add(int first, int second, const LaggedSurface& held, Found& found) const;
 
   const ContactSurface& surface_;
   const PairTable& pairs_;

@@ -14,7 +14,7 @@ constexpr int chunk = 64;
 // Of samples next to each other; those inside one triangle ask once what is near that.
 class PieceFinder {
  public:
-  PieceFinder(const CollisionMesh& mesh, const HeldSurface& held, const BroadPhase& broad_phase)
+  PieceFinder(const CollisionMesh& mesh, const LaggedSurface& held, const BroadPhase& broad_phase)
       : mesh_(mesh), held_(held), broad_phase_(broad_phase), viewer_(mesh, held) {}
 
   // Appends the triangles, and says how many.
@@ -42,7 +42,7 @@ class PieceFinder {
   }
 
   const CollisionMesh& mesh_;
-  const HeldSurface& held_;
+  const LaggedSurface& held_;
   const BroadPhase& broad_phase_;
   FacingViewer viewer_;
   int triangle_ = -1, object_ = -1;  // of near_
@@ -56,7 +56,7 @@ struct FoundPieces {
 };
 
 FoundPieces find_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                        const HeldSurface& held, const BroadPhase& broad_phase) {
+                        const LaggedSurface& held, const BroadPhase& broad_phase) {
   const int n = static_cast<int>(numbers.size());
   FoundPieces found{std::vector<std::vector<int>>(chunk_count(n, chunk)), std::vector<int>(n)};
   for_each_chunk(n, [&](int c, int first, int last) {
@@ -69,7 +69,7 @@ FoundPieces find_pieces(const std::vector<int>& numbers, const std::vector<Conta
 }  // namespace
 
 void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                       const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
+                       const LaggedSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
   const int n = static_cast<int>(numbers.size());
   const FoundPieces found = find_pieces(numbers, samples, mesh, held, broad_phase);
   std::vector<SamplePieces::Piece> all;
@@ -90,7 +90,7 @@ void add_sample_pieces(const std::vector<int>& numbers, const std::vector<Contac
 }
 
 void renew_sample_pieces(const ChangedPrimitives& changed, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                         const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
+                         const LaggedSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces) {
   std::vector<int> numbers;
   for (int i = 0; i < static_cast<int>(samples.size()); ++i)
     if (changed.triangles[samples[i].triangle] || changed.objects[samples[i].object]) numbers.push_back(i);
@@ -118,7 +118,7 @@ void renew_sample_pieces(const ChangedPrimitives& changed, const std::vector<Con
 }
 
 SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                                const HeldSurface& held, const BroadPhase& broad_phase) {
+                                const LaggedSurface& held, const BroadPhase& broad_phase) {
   std::vector<int> all(samples.size());
   std::iota(all.begin(), all.end(), 0);
   SamplePieces pieces;

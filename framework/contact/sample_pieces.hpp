@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "framework/contact/coverage.hpp"
+#include "framework/contact/surface_overlap.hpp"
 
 namespace tack {
 
@@ -17,13 +17,13 @@ struct SamplePieces {
 };
 
 SamplePieces make_sample_pieces(const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                                const HeldSurface& held, const BroadPhase& broad_phase);
+                                const LaggedSurface& held, const BroadPhase& broad_phase);
 // The same for those of these numbers (ascending), which have been put among the others since.
 void add_sample_pieces(const std::vector<int>& numbers, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                       const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
+                       const LaggedSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
 
 // Anew for those whose object, or the one opposite, has changed.
 void renew_sample_pieces(const ChangedPrimitives& changed, const std::vector<ContactSample>& samples, const CollisionMesh& mesh,
-                         const HeldSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
+                         const LaggedSurface& held, const BroadPhase& broad_phase, SamplePieces& pieces);
 
 }  // namespace tack

@@ -34,7 +34,7 @@ int TriangleDivision::depth_of(double area, double size) {
   return std::clamp(static_cast<int>(std::ceil(std::log2(std::sqrt(2 * area) / size))), 1, most_depth);
 }
 
-void TriangleDivision::begin(const What& what, const PartOfSurface* seen, std::vector<ContactSample>& out, CoveredParts& parts) {
+void TriangleDivision::begin(const What& what, const SurfaceRegion* seen, std::vector<ContactSample>& out, OverlapFacets& parts) {
   parts_ = &parts;
   triangle_ = what.triangle;
   object_ = what.object;
@@ -49,16 +49,16 @@ void TriangleDivision::begin(const What& what, const PartOfSurface* seen, std::v
   last_depth_ = sample_depth_ + finer;
 }
 
-void TriangleDivision::divide(const What& what, const std::vector<int>& facing, const PartOfSurface* seen, std::span<const int> around,
-                              std::vector<ContactSample>& out, CoveredParts& parts, std::vector<Left>& left) {
+void TriangleDivision::divide(const What& what, const std::vector<int>& facing, const SurfaceRegion* seen, std::span<const int> around,
+                              std::vector<ContactSample>& out, OverlapFacets& parts, std::vector<Left>& left) {
   begin(what, seen, out, parts);
   around_ = around;
   left_ = &left;
   part(whole, 0, 0, facing);
 }
 
-void TriangleDivision::divide_cell(const What& what, int cell, const std::vector<int>& facing, const PartOfSurface* seen, std::vector<ContactSample>& out,
-                                   CoveredParts& parts) {
+void TriangleDivision::divide_cell(const What& what, int cell, const std::vector<int>& facing, const SurfaceRegion* seen, std::vector<ContactSample>& out,
+                                   OverlapFacets& parts) {
   begin(what, seen, out, parts);
   Corners c = whole;
   for (int below = what.depth - 1; below >= 0; --below) c = children_of(c)[cell >> 2 * below & 3];
@@ -162,16 +162,16 @@ bool TriangleDivision::cut(const Corners& c, const Look& seen, const std::vector
   lines_.clear();
   for (int i = 0; i < 3; ++i) {
     if (!seen.from[i].any) return false;
-    if (!seen.from[i].covered) add_rim_lines(mesh_, held_, seen_, seen.from[i].triangle, place(c[i]), lines_);
+    if (!seen.from[i].covered) add_clip_lines(mesh_, held_, seen_, seen.from[i].triangle, place(c[i]), lines_);
   }
   if (lines_.empty() || lines_.size() > most_lines) return false;
   // So that corners on the rim are within, and a rim along the edge of a piece is found.
-  for (RimLine& line : lines_) line.at += slack_ / 2 * line.outward;
-  for (const CutFace& face : cut_by_rims(held_.x(), mesh_.triangles[triangle_], c, lines_)) {
+  for (ClipLine& line : lines_) line.at += slack_ / 2 * line.outward;
+  for (const ClipPolygon& face : clip_by_lines(held_.x(), mesh_.triangles[triangle_], c, lines_)) {
     const Vec3 first = place(face[0].inside);
     double area = 0;
     Vec3 middle = Vec3::Zero(), mean = Vec3::Zero();
-    for (const CutCorner& corner : face) mean += corner.inside / static_cast<double>(face.size());
+    for (const ClipCorner& corner : face) mean += corner.inside / static_cast<double>(face.size());
     for (size_t i = 1; i + 1 < face.size(); ++i) {
       const double part = (place(face[i].inside) - first).cross(place(face[i + 1].inside) - first).norm() / 2;
       area += part;
@@ -187,10 +187,10 @@ bool TriangleDivision::cut(const Corners& c, const Look& seen, const std::vector
 }
 
 // Faces on both sides of a line take each other's share of it away.
-void TriangleDivision::add_rims(const CutFace& face) {
+void TriangleDivision::add_rims(const ClipPolygon& face) {
   for (size_t i = 0; i < face.size(); ++i) {
     if (face[i].line < 0) continue;
-    const RimLine& line = lines_[face[i].line];
+    const ClipLine& line = lines_[face[i].line];
     const Vec3 &a = face[i].inside, &b = face[(i + 1) % face.size()].inside;
     const Vec3 way = place(b) - place(a);
     const double length = way.cross(held_.normal(line.triangle)).norm();

@@ -15,7 +15,7 @@ namespace {
 
 // The contact points of these laws.
 ContactPoints points_of(const World& world, const State& state, const std::vector<char>& wanted) {
-  return contact_points({*world.contact, world.contact_term->laws(LawPart::barrier), wanted, state.x});
+  return contact_points({*world.contact, world.contact_term->laws(LawTerm::barrier), wanted, state.x});
 }
 
 // Mean of |u| / h, u the slip of the last step, over the contact points of a pair, weighted with their areas. 0 if nothing touches.
@@ -55,9 +55,9 @@ class ContactArea : public Probe {
     Probe::fields(f);
     between_.fields(f);
     f.choice("part", part_,
-             {{"all", LawPart::all, "within reach of barrier or adhesion"},
-              {"barrier", LawPart::barrier, "closer than the contact distance: what presses"},
-              {"adhesion", LawPart::adhesion, "within reach of adhesion"}},
+             {{"all", LawTerm::all, "within reach of barrier or adhesion"},
+              {"barrier", LawTerm::barrier, "closer than the contact distance: what presses"},
+              {"adhesion", LawTerm::adhesion, "within reach of adhesion"}},
              "which laws");
   }
   void prepare(const World& world) override {
@@ -77,7 +77,7 @@ class ContactArea : public Probe {
 
  private:
   ObjectNames between_;
-  LawPart part_ = LawPart::all;
+  LawTerm part_ = LawTerm::all;
   int a_ = -1, b_ = -1;
   std::vector<char> wanted_;  // per law
 };
@@ -92,7 +92,7 @@ class AttachedObjects : public Probe {
   void prepare(const World& world) override {
     require_contact(world, name_);
     index_ = object_index(world, to_, name_);
-    const auto& adhesion = world.contact_term->laws(LawPart::adhesion);
+    const auto& adhesion = world.contact_term->laws(LawTerm::adhesion);
     adhesive_.clear();
     for (const PairLaw& law : adhesion) adhesive_.push_back(!law.laws().empty());
   }

@@ -13,7 +13,7 @@ using ObjectIds = std::pair<int, int>;  // ascending
 struct PairCount {
   long candidates = 0;
   long points = 0;    // stencils of points that carry pressure
-  long samples = 0;   // of points inside triangles (coverage.hpp)
+  long samples = 0;   // of points inside triangles (surface_overlap.hpp)
   long guards = 0;    // of points that only guard
   long edges = 0;     // of pairs of edges
   long friction = 0;  // contact points that friction or tangential adhesion holds

@@ -8,7 +8,7 @@
 #include "framework/body/selected_elements.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/rim_term.hpp"
+#include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/rod/rod_frames.hpp"
 #include "framework/scene/energy_with_unknowns.hpp"

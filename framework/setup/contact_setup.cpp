@@ -7,7 +7,7 @@
 #include "framework/body/local_mesh.hpp"
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/rim_term.hpp"
+#include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/setup/pair_builder.hpp"
 #include "framework/setup/refined_surface.hpp"
@@ -124,7 +124,7 @@ void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& 
   world.contact = std::make_unique<ContactSystem>(std::move(surface), std::move(builder.table()),
                                                   builder.colliding(), clock);
   world.contact_term = std::make_unique<ContactTerm>(*world.contact);
-  if (world.contact->pairs().any_rim()) world.rim = std::make_unique<RimTerm>(*world.contact);
+  if (world.contact->pairs().any_rim()) world.rim = std::make_unique<OverlapBoundaryTerm>(*world.contact);
   if (!bonds.empty()) world.bonds = std::make_unique<BondTerm>(*world.contact, *world.contact_term, std::move(bonds));
   if (world.contact->pairs().any_tangential())
     world.friction = std::make_unique<FrictionTerm>(*world.contact, *world.contact_term, contact_spins(scene, world));

@@ -19,7 +19,7 @@ constexpr double affine_modulus = 0.01;
 // carry that: it takes the body for as stiff, up to so many times its modulus.
 constexpr double most_times = 10;
 // Such a body is crushed on edges and tips, and guards are what stops it there: they act over the whole range then.
-constexpr double guard_range = 0.5, guard_range_of_fast = 1;  // contact distances
+constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  // contact distances
 // A pair of edges stands for what its smaller side carries: the diagonal of a coarse floor (square metres) would stop the edge of a fine
 // mat ten thousand times too hard. Not where the two adhere: there it has to resist to what is pulled against a rim by all around it.
 constexpr double most_uneven = 16;
@@ -156,7 +156,7 @@ PairMaterials PairBuilder::materials_of(int a, int b) const {
 
 double PairBuilder::guard_of(int a, int b) const {
   if (table_.plain_sums) return 1;
-  return contact_.guard.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? guard_range_of_fast : guard_range);
+  return contact_.guard.value_or(std::max(pressures_[a], pressures_[b]) > 0 ? safety_barrier_range_of_fast : safety_barrier_range);
 }
 
 PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "framework/contact/too_close.hpp"
+#include "framework/contact/overclosure.hpp"
 #include "framework/setup/build_world.hpp"
 #include "framework/world/containment.hpp"
 #include "framework/world/describe_primitive.hpp"
@@ -55,13 +55,13 @@ void check_intersections(const SceneConfig& scene, const Value& root, const Worl
 void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
   if (!world.contact) return;
   world.contact->cover(world.start.x, VecX());
-  const auto found = find_too_close(*world.contact, world.start.x);
+  const auto found = find_overclosures(*world.contact, world.start.x);
   world.contact->forget();
   if (found.empty()) return;
   std::string list;
   int later = 0;
   bool touches = false, several = false;
-  for (const TooClose& pair : found) {
+  for (const Overclosure& pair : found) {
     const int a = world.body_of(pair.first[0]), b = world.body_of(pair.second[0]);
     later = std::max({later, a, b});
     touches = touches || pair.touching;

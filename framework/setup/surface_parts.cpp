@@ -16,7 +16,7 @@ SurfaceParts::SurfaceParts(const SceneConfig& scene, const PairConfigs& configs,
       if (pairs[i].between[side].select) sides_[i][side] = add(static_cast<int>(i), pairs[i].between[side]);
   if (!any()) return;
   for (const Dependence& d : world.bindings.lasting()) {
-    PartSet all = ~PartSet(0);
+    RegionSet all = ~RegionSet(0);
     for (const auto& [v, weight] : d.on)
       if (weight != 0) all &= of_vertices_[v];
     of_vertices_[d.vertex] = all;
@@ -27,10 +27,10 @@ SurfaceParts::SurfaceParts(const SceneConfig& scene, const PairConfigs& configs,
         throw configs.error(static_cast<int>(i), fmt::format("the part {} of object '{}' holds no whole triangle (edge, point) of its surface; widen it", named.select->type(), named.object));
 }
 
-PartSet SurfaceParts::add(int entry, const PairSide& side) {
+RegionSet SurfaceParts::add(int entry, const PairSide& side) {
   if (next_ == PairTable::most_parts) throw configs_.error(entry, fmt::format("pairs name more than {} parts of objects; let fewer entries name larger ones", PairTable::most_parts));
   of_vertices_.resize(static_cast<size_t>(world_.rest.size()) / 3, 0);
-  const PartSet bit = PartSet(1) << next_++;
+  const RegionSet bit = RegionSet(1) << next_++;
   try {
     for (const int v : select(*side.select, world_.selection_context(world_.body_index(side.object)))) of_vertices_[v] |= bit;
   } catch (const InputError& error) {
@@ -39,7 +39,7 @@ PartSet SurfaceParts::add(int entry, const PairSide& side) {
   return bit;
 }
 
-bool SurfaceParts::holds(const Body& body, PartSet parts) const {
+bool SurfaceParts::holds(const Body& body, RegionSet parts) const {
   const auto any = [&](const auto& elements) {
     return std::any_of(elements.begin(), elements.end(), [&](const auto& element) {
       return std::all_of(element.begin(), element.end(), [&](int v) { return (of_vertices_[v] & parts) == parts; });
@@ -51,7 +51,7 @@ bool SurfaceParts::holds(const Body& body, PartSet parts) const {
   return std::any_of(body.points.begin(), body.points.end(), [&](int v) { return (of_vertices_[v] & parts) == parts; });
 }
 
-std::array<PartSet, 2> SurfaceParts::wanted(int entry, int a, int b) const {
+std::array<RegionSet, 2> SurfaceParts::wanted(int entry, int a, int b) const {
   const auto& [first, second] = sides_[entry];
   return configs_.turned(entry, a, b) ? std::array{second, first} : std::array{first, second};
 }

@@ -18,23 +18,23 @@ class SurfaceParts {
   SurfaceParts(const SceneConfig& scene, const PairConfigs& configs, const World& world);
 
   bool any() const { return next_ > 0; }
-  const std::vector<PartSet>& of_vertices() const { return of_vertices_; }
+  const std::vector<RegionSet>& of_vertices() const { return of_vertices_; }
   // What places of a and of b have to be of for an entry to hold; 0: they may be anywhere.
-  std::array<PartSet, 2> wanted(int entry, int a, int b) const;
+  std::array<RegionSet, 2> wanted(int entry, int a, int b) const;
   // Refuses entries of the two objects of which none says more than the other, where they meet.
   void tell_apart(const std::vector<int>& entries, int a, int b) const;
 
  private:
-  PartSet add(int entry, const PairSide& side);
+  RegionSet add(int entry, const PairSide& side);
   // Whether a triangle of the body (an edge, a point, if it has none) is of all these parts.
-  bool holds(const Body& body, PartSet parts) const;
+  bool holds(const Body& body, RegionSet parts) const;
 
   const SceneConfig& scene_;
   const PairConfigs& configs_;
   const World& world_;
   int next_ = 0;                              // the first bit that is free
-  std::vector<PartSet> of_vertices_;          // empty without parts
-  std::vector<std::array<PartSet, 2>> sides_;  // of the entries
+  std::vector<RegionSet> of_vertices_;          // empty without parts
+  std::vector<std::array<RegionSet, 2>> sides_;  // of the entries
 };
 
 }  // namespace tack

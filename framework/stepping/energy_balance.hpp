@@ -11,7 +11,7 @@
 //   plastic   work of plastic flow, stress times plastic strain: also what hardening takes, which nothing gives back,
 //   damping   what the damping of objects took: C v . v h with the step's mean velocities, never negative,
 //   areas     what contact lost (or, below zero, gained) when its areas were taken anew at the start of the
-//             step, with nothing moving, beyond what the forces of covered areas (contact/rim_term.hpp), which are a part of its
+//             step, with nothing moving, beyond what the forces of covered areas (contact/overlap_boundary_term.hpp), which are a part of its
 //             energy at the end of a step, account for,
 //   numerics  the rest: what the integrator lost or, below zero, made. Of implicit Euler in a linear
 //             problem it is 1/2 |v' - v|_M^2 + 1/2 |x' - x|_K^2.

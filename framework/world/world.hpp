@@ -29,7 +29,7 @@ class FollowingLoad;
 class FrictionTerm;
 class OrthogonalityTerm;
 class RemeshedEnergy;
-class RimTerm;
+class OverlapBoundaryTerm;
 class VolumeTerm;
 
 struct World {
@@ -62,7 +62,7 @@ struct World {
   std::vector<const VolumeTerm*> chambers;  // of them, those by an enclosed volume or a surface
   std::unique_ptr<ContactSystem> contact;  // null without contact
   std::unique_ptr<ContactTerm> contact_term;
-  std::unique_ptr<RimTerm> rim;            // null if no pair adheres by a law of the gap over covered areas
+  std::unique_ptr<OverlapBoundaryTerm> rim;            // null if no pair adheres by a law of the gap over covered areas
   std::unique_ptr<BondTerm> bonds;         // null if no pair adheres by bonds
   std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
   std::vector<const Term*> terms;  // all of the above that the scene names

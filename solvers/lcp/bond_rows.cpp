@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "framework/contact/contact_points.hpp"
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
 
 namespace tack {
 

@@ -28,7 +28,7 @@ std::span<const HeldPoint> held_of(const std::vector<HeldPoint>& held, int point
 
 double friction_between(const ContactSystem& system, int a, int b) {
   const PairRole& role = system.pairs().point(a, b);
-  const int law = role.law >= 0 ? role.law : role.guard_law;
+  const int law = role.law >= 0 ? role.law : role.safety_barrier;
   return law >= 0 ? system.pairs().tangential(law).mu : 0;
 }
 

@@ -4,7 +4,7 @@
 
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
 
 namespace tack {
 namespace {

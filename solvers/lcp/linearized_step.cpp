@@ -3,7 +3,7 @@
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/contact_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/rim_term.hpp"
+#include "framework/contact/overlap_boundary_term.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/world/step_potential.hpp"
 

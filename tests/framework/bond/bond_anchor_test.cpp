@@ -96,7 +96,7 @@ solver: {{type: projected_newton, tolerance: 1e-8}}
     while (!run.stepper.finished()) {
       const StepReport r = run.step();
       healed += r.flows.of("work_healing");
-      if (r.time > 0.1) pull = std::max(pull, -run.world->bonds->force_between(run.state().x, LawPart::all, {1, 0}).y());
+      if (r.time > 0.1) pull = std::max(pull, -run.world->bonds->force_between(run.state().x, LawTerm::all, {1, 0}).y());
       else slip_left = run.world->bonds->openings(run.state().x).empty() ? 0 : std::sqrt(run.world->bonds->openings(run.state().x).front().s);
     }
     // The slip that remains at the end is shear that the old bonds still carry. With this shear the onset is reached a little sooner.

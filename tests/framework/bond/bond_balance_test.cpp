@@ -106,7 +106,7 @@ TEST_CASE("bonds over levers: a shear makes no moment about the interface, on ei
       const Body& b = bonded.scene.world->bodies[1];
       for (int v = b.first_vertex; v < b.first_vertex + b.vertex_count; ++v) vertex(x, v).x() += 2e-5;
       bonded.term().lag(x);
-      const VecX f = bonded.term().forces(x, LawPart::all);
+      const VecX f = bonded.term().forces(x, LawTerm::all);
       // Half way between the surfaces in front of the two.
       const double from = i == 0 ? 7e-4 : i == 1 ? 3e-4 : 1e-3, middle = from + 2.5e-4;
       double moment = 0, shear = 0;

@@ -106,7 +106,7 @@ TEST_CASE("bonds that opened by d pull with beta^2 C_N d, slid ones with beta^2 
   Bonded bonded(plates());
   const auto force = [&](const Vec3& way) {
     const VecX x = bonded.moved("upper", way);
-    return bonded.term().force_between(x, LawPart::adhesion, {bonded.scene.world->body_index("upper"), bonded.scene.world->body_index("lower")});
+    return bonded.term().force_between(x, LawTerm::adhesion, {bonded.scene.world->body_index("upper"), bonded.scene.world->body_index("lower")});
   };
   const double area = bonded.area();
   const auto intensity = [](double d, double u) { return std::min(1.0, 0.5 / (1e7 * d * d + 4e6 * u * u)); };
@@ -122,19 +122,19 @@ TEST_CASE("bonds that opened by d pull with beta^2 C_N d, slid ones with beta^2 
 }
 
 TEST_CASE("bonds resist pressing as they resist opening, unless they heal", "[bonds]") {
-  const auto pressed = [](const std::string& law, LawPart part) {
+  const auto pressed = [](const std::string& law, LawTerm part) {
     Bonded bonded(plates("between: [lower, upper], adhesion: " + law));
     const VecX x = bonded.moved("upper", {1e-5, -1e-5, 0});
     const World& world = *bonded.scene.world;
     return Vec3(bonded.term().force_between(x, part, {world.body_index("upper"), world.body_index("lower")}) / bonded.area());
   };
   const std::string stiff = "{type: rcc, normal_stiffness: 1e7, tangential_stiffness: 4e6, work_of_adhesion: 0.5";
-  CHECK(pressed(stiff + "}", LawPart::barrier).y() == Approx(1e7 * 1e-5));
-  CHECK(pressed(stiff + "}", LawPart::adhesion).x() == Approx(-4e6 * 1e-5));
-  CHECK(std::abs(pressed(stiff + "}", LawPart::adhesion).y()) < 1e-9);
-  CHECK(pressed(stiff + ", healing: 1e-3, intensity: 1}", LawPart::all).y() == Approx(0).margin(1e-9));
-  CHECK(pressed("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1, onset: 2e-5}", LawPart::all).y() == Approx(1e4 / 2));
-  CHECK(pressed("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1, onset: 2e-5}", LawPart::barrier).x() == Approx(0).margin(1e-9));
+  CHECK(pressed(stiff + "}", LawTerm::barrier).y() == Approx(1e7 * 1e-5));
+  CHECK(pressed(stiff + "}", LawTerm::adhesion).x() == Approx(-4e6 * 1e-5));
+  CHECK(std::abs(pressed(stiff + "}", LawTerm::adhesion).y()) < 1e-9);
+  CHECK(pressed(stiff + ", healing: 1e-3, intensity: 1}", LawTerm::all).y() == Approx(0).margin(1e-9));
+  CHECK(pressed("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1, onset: 2e-5}", LawTerm::all).y() == Approx(1e4 / 2));
+  CHECK(pressed("{type: bilinear, peak_traction: 1e4, work_of_adhesion: 1, onset: 2e-5}", LawTerm::barrier).x() == Approx(0).margin(1e-9));
 
   // Derivatives, and pressure at the place, which heals: that of the barrier and of the bond.
   Bonded bonded(plates());
@@ -182,7 +182,7 @@ TEST_CASE("bonds are history: what is remembered is the same bonds with the same
   for (auto* bonded : {&first, &second}) bonded->scene.world->participants.begin_step({x, 1e-3, 1e-3});
   const VecX y = first.moved("upper", {2e-4, 7e-4, 1e-4});
   CHECK(second.term().value(y) == first.term().value(y));
-  CHECK(second.term().forces(y, LawPart::all) == first.term().forces(y, LawPart::all));
+  CHECK(second.term().forces(y, LawTerm::all) == first.term().forces(y, LawTerm::all));
   // No new ones are made of what has parted.
   CHECK(second.term().list().size() == first.term().list().size());
 }

@@ -52,7 +52,7 @@ Adhered adhered(const std::string& yaml) {
   world.contact->move_to(world.start.x);
   AdhesionResolution resolution(scene.config, world);
   resolution.look(world.start.x, 1);
-  return {world.contact_term->forces(world.start.x, LawPart::adhesion), resolution.coarse()};
+  return {world.contact_term->forces(world.start.x, LawTerm::adhesion), resolution.coarse()};
 }
 // Over the exact one, across the lower plate; that on it comes first.
 double pull(const Adhered& adhered, double degrees) {

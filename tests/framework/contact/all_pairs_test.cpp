@@ -86,7 +86,7 @@ double pull(const Pairing& pairing) {
   world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
   const ObjectPair pair{world.body_index("lower"), world.body_index("upper")};
-  const Vec3 force = world.contact_term->force_between(world.rest, LawPart::adhesion, pair);
+  const Vec3 force = world.contact_term->force_between(world.rest, LawTerm::adhesion, pair);
   CHECK(std::abs(force.x()) + std::abs(force.z()) <= 1e-9 * force.norm());
   return force.y();
 }
@@ -221,7 +221,7 @@ TEST_CASE("a rod over the kink of another one carries one overlap, on the way ov
     for (int v = 0; v < below.vertex_count; ++v) vertex(x, below.first_vertex + v) += shift * along;
     world.contact->begin_step({x});
     world.contact->move_to(x);
-    return world.contact_term->part_value(x, LawPart::adhesion);
+    return world.contact_term->term_value(x, LawTerm::adhesion);
   };
   const double straight = energy(0, 0);
   CHECK(straight < 0);

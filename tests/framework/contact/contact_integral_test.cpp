@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "framework/contact/contact_term.hpp"
-#include "framework/contact/coverage.hpp"
+#include "framework/contact/surface_overlap.hpp"
 #include "tests/framework/contact/barrier_and_fang.hpp"
 #include "tests/support/dense_term.hpp"
 #include "tests/support/scene.hpp"
@@ -44,7 +44,7 @@ Vec3 force_between(const Box& upper, const Box& lower, const std::string& pair) 
   World& world = *scene.world;
   world.contact->begin_step({world.rest});
   world.contact->move_to(world.rest);
-  return -world.contact_term->force_between(world.rest, LawPart::all,
+  return -world.contact_term->force_between(world.rest, LawTerm::all,
                                             {world.body_index("upper"), world.body_index("lower")});
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("contact integral: a ball over a ground that integrates, whatever the 
       World& world = *scene.world;
       world.contact->begin_step({world.rest});
       world.contact->move_to(world.rest);
-      const Vec3 f = -world.contact_term->force_between(world.rest, LawPart::all, {0, 1});
+      const Vec3 f = -world.contact_term->force_between(world.rest, LawTerm::all, {0, 1});
       INFO("cells of " << cell << ", shift " << shift.transpose() << ": " << f.y() / expected);
       CHECK(f.y() == Approx(expected).epsilon(0.06));
       CHECK(std::hypot(f.x(), f.z()) < 0.06 * expected);
@@ -120,7 +120,7 @@ TEST_CASE("contact integral: metres or micrometres, over a solid and over both s
       World& world = *scene.world;
       world.contact->begin_step({world.rest});
       world.contact->move_to(world.rest);
-      const Vec3 f = -world.contact_term->force_between(world.rest, LawPart::all, {0, 1}) / (scale * scale);
+      const Vec3 f = -world.contact_term->force_between(world.rest, LawTerm::all, {0, 1}) / (scale * scale);
       INFO("scale " << scale << ", " << shape << " turned by " << angle << ", integrates: " << side);
       CHECK(f.y() == Approx(expected).epsilon(1e-3));
       CHECK(std::hypot(f.x(), f.z()) < 1e-3 * expected);
@@ -141,7 +141,7 @@ TEST_CASE("contact integral: a tilted plate over a coarse ground that integrates
     for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v + 1) += slope * x(3 * v);
     world.contact->begin_step({x});
     world.contact->move_to(x);
-    const double force = -world.contact_term->force_between(x, LawPart::all, {0, 1}).y();
+    const double force = -world.contact_term->force_between(x, LawTerm::all, {0, 1}).y();
     INFO("cells " << n << ": " << force / expected);
     CHECK(force == Approx(expected).epsilon(0.05));
   }
@@ -161,13 +161,13 @@ TEST_CASE("contact integral: what is out of range as a step begins is divided wh
   };
   world.contact->begin_step({moved(0, 0)});
   world.contact->move_to(moved(0, 0));
-  CHECK(world.contact->coverage().samples().empty());
+  CHECK(world.contact->overlap().samples().empty());
   world.contact->move_to(moved(-5e-3, -5e-3));  // in company
-  CHECK(world.contact->coverage().samples().empty());
+  CHECK(world.contact->overlap().samples().empty());
   for (const double approach : {0.5e-3, 1e-3, 1.5e-3}) {
     world.contact->move_to(moved(-approach, 0));
-    CHECK(world.contact->coverage().samples().size() > 10);
-    const double force = -world.contact_term->force_between(moved(-approach, 0), LawPart::all, {0, 1}).y();
+    CHECK(world.contact->overlap().samples().size() > 10);
+    const double force = -world.contact_term->force_between(moved(-approach, 0), LawTerm::all, {0, 1}).y();
     CHECK(force == Approx(1e-4 * traction(2.4e-3 - approach)).epsilon(0.02));
   }
 }
@@ -218,7 +218,7 @@ TEST_CASE("contact integral: a stretched plate adheres per present area, whichev
     world.contact->begin_step({x});
     world.contact->move_to(x);
     INFO("integrate " << integrate);
-    CHECK(-world.contact_term->force_between(x, LawPart::all, {0, 1}).y() ==
+    CHECK(-world.contact_term->force_between(x, LawTerm::all, {0, 1}).y() ==
           Approx(0.015 * traction(gap)).epsilon(0.02));
   }
 }
@@ -281,7 +281,7 @@ double fold_force(double opening, double cell) {
   for (int v = 0; v < world.mass.size(); ++v) vertex(x, v) = fold.at(vertex(world.rest, v));
   world.contact->begin_step({x});
   world.contact->move_to(x);
-  const VecX force = world.contact_term->forces(x, LawPart::all);
+  const VecX force = world.contact_term->forces(x, LawTerm::all);
   // Half way between two rows of vertices.
   const double counted = (std::floor(n / 4.0) + 0.5) * fold.length / n;
   double pull = 0;

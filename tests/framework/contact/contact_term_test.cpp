@@ -93,7 +93,7 @@ TEST_CASE("contact: projected stencils are positive semi-definite", "[contact]")
 TEST_CASE("contact: forces and moments add up to zero", "[contact]") {
   for (const std::string& weights : weightings) {
     Cluster c(weights);
-    for (const LawPart part : {LawPart::all, LawPart::barrier, LawPart::adhesion}) {
+    for (const LawTerm part : {LawTerm::all, LawTerm::barrier, LawTerm::adhesion}) {
       const VecX force = c.term().forces(c.x, part);
       const double scale = force.cwiseAbs().sum();
       CHECK(scale > 0);
@@ -105,18 +105,18 @@ TEST_CASE("contact: forces and moments add up to zero", "[contact]") {
 
 TEST_CASE("contact: parts and pairs add up to the whole", "[contact]") {
   Cluster c(weightings[0]);
-  const VecX all = c.term().forces(c.x, LawPart::all);
-  const VecX parts = c.term().forces(c.x, LawPart::barrier) + c.term().forces(c.x, LawPart::adhesion);
+  const VecX all = c.term().forces(c.x, LawTerm::all);
+  const VecX parts = c.term().forces(c.x, LawTerm::barrier) + c.term().forces(c.x, LawTerm::adhesion);
   CHECK((all + dense_gradient(c.term(), c.x)).norm() <= 1e-12 * all.norm());
   CHECK((all - parts).norm() <= 1e-12 * all.norm());
-  CHECK(c.term().value(c.x) == Approx(c.term().part_value(c.x, LawPart::barrier) +
-                                      c.term().part_value(c.x, LawPart::adhesion)));
+  CHECK(c.term().value(c.x) == Approx(c.term().term_value(c.x, LawTerm::barrier) +
+                                      c.term().term_value(c.x, LawTerm::adhesion)));
   VecX pairs = VecX::Zero(all.size());
   for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b) pairs += c.term().forces(c.x, LawPart::all, ObjectPair{a, b});
+    for (int b = a; b < 3; ++b) pairs += c.term().forces(c.x, LawTerm::all, ObjectPair{a, b});
   CHECK((all - pairs).norm() <= 1e-12 * all.norm());
-  const Vec3 action = c.term().force_between(c.x, LawPart::all, {0, 1});
-  const Vec3 reaction = c.term().force_between(c.x, LawPart::all, {1, 0});
+  const Vec3 action = c.term().force_between(c.x, LawTerm::all, {0, 1});
+  const Vec3 reaction = c.term().force_between(c.x, LawTerm::all, {1, 0});
   CHECK(action.norm() > 0);
   CHECK((action + reaction).norm() <= 1e-12 * all.norm());
 }

@@ -44,7 +44,7 @@ struct Plates {
 struct Pull {
   double normal, tangential;
 };
-Pull pull(const Plates& plates, LawPart part = LawPart::all) {
+Pull pull(const Plates& plates, LawTerm part = LawTerm::all) {
   TestScene scene(plates.yaml());
   World& world = *scene.world;
   world.contact->move_to(world.rest);
@@ -88,8 +88,8 @@ TEST_CASE("parallel plates: turned in space", "[contact]") {
 
 TEST_CASE("parallel plates: the parts add up", "[contact]") {
   const Plates plates{.lower_cells = 6, .upper_cells = 7, .gap = 0.7e-3};
-  CHECK(pull(plates, LawPart::barrier).normal == Approx(area * slope("barrier", 0.7e-3)).epsilon(1e-6));
-  CHECK(pull(plates, LawPart::adhesion).normal == Approx(area * slope("adhesion", 0.7e-3)).epsilon(1e-6));
+  CHECK(pull(plates, LawTerm::barrier).normal == Approx(area * slope("barrier", 0.7e-3)).epsilon(1e-6));
+  CHECK(pull(plates, LawTerm::adhesion).normal == Approx(area * slope("adhesion", 0.7e-3)).epsilon(1e-6));
 }
 
 TEST_CASE("parallel plates of equal outline: any side may integrate", "[contact]") {

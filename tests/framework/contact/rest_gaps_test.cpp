@@ -101,7 +101,7 @@ TEST_CASE("what is close to itself at rest has no force there, and presses when 
         Close close(shape, offset * shape.gap, reach * shape.gap);
         World& world = close.world;
         CHECK(close.energy(world.rest) == 0);
-        CHECK(world.contact_term->forces(world.rest, LawPart::all).isZero(0));
+        CHECK(world.contact_term->forces(world.rest, LawTerm::all).isZero(0));
         const double most = room(shape, offset * shape.gap);
         double before = 0;
         for (const double part : {0.92, 0.94}) {
@@ -150,8 +150,8 @@ TEST_CASE("forces of what was close to itself at rest are the derivatives of one
           CAPTURE(shape.name, offset, s);
           const double before = close.energy(pressed + (s - step) * way), after = close.energy(pressed + (s + step) * way);
           close.energy(pressed + s * way);
-          const double force = world.contact_term->forces(pressed + s * way, LawPart::all).dot(way);
-          const double size = world.contact_term->forces(pressed + s * way, LawPart::all).norm();
+          const double force = world.contact_term->forces(pressed + s * way, LawTerm::all).dot(way);
+          const double size = world.contact_term->forces(pressed + s * way, LawTerm::all).norm();
           REQUIRE(size > 0);
           CHECK(std::abs((before - after) / (2 * step) - force) < 1e-5 * size * std::sqrt(way.size()));
         }

@@ -52,7 +52,7 @@ template <class... Of>
 std::array<double, 2> guards(const Of&... of) {
   const TestScene scene(flying(of...));
   const PairTable& pairs = scene.world->contact->pairs();
-  return {pairs.edge(0, 1).range / 1e-3, pairs.point(0, 1).guard_range / 1e-3};
+  return {pairs.edge(0, 1).range / 1e-3, pairs.point(0, 1).safety_barrier_range / 1e-3};
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ Contact contact_of(const std::string& yaml, double tilt, double height) {
   world.dofs.follow(x);
   world.contact->begin_step({x});
   world.contact->move_to(x);
-  VecX forces = world.contact_term->forces(x, LawPart::all);
-  const Vec3 between = world.contact_term->force_between(x, LawPart::all, {0, 1});
+  VecX forces = world.contact_term->forces(x, LawTerm::all);
+  const Vec3 between = world.contact_term->force_between(x, LawTerm::all, {0, 1});
   world.collect_on_meshes(forces);
   Vec3 sum = Vec3::Zero();
   for (int v = 0; v < cube.vertex_count; ++v) sum += vertex(forces, v);

@@ -1,4 +1,4 @@
-#include "framework/contact/too_close.hpp"
+#include "framework/contact/overclosure.hpp"
 
 #include <cmath>
 
@@ -45,17 +45,17 @@ class Search {
     if (!touching && (offset == 0 || distance > offset)) return;
     found_.push_back({{a.begin(), a.end()}, {b.begin(), b.end()}, distance, offset, touching, place(ca, cb)});
   }
-  std::vector<TooClose> take() { return std::move(found_); }
+  std::vector<Overclosure> take() { return std::move(found_); }
 
  private:
   const ContactSystem& contact_;
   const VecX& x_;
-  std::vector<TooClose> found_;
+  std::vector<Overclosure> found_;
 };
 
 }  // namespace
 
-std::vector<TooClose> find_too_close(const ContactSystem& contact, const VecX& x) {
+std::vector<Overclosure> find_overclosures(const ContactSystem& contact, const VecX& x) {
   Search search(contact, x);
   const CollisionMesh& mesh = contact.surface().mesh;
   const Candidates& c = contact.candidates();

@@ -1,6 +1,6 @@
 // Shares of rods and particles from step to step: what swings settles, what goes on in one direction does not lag, and soft bodies
 // come to rest on rods.
-#include "framework/contact/share_memory.hpp"
+#include "framework/contact/weight_relaxation.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -19,10 +19,10 @@ namespace {
 constexpr int point = 7, triangle = 3;
 
 // The share that a step holds when it would be `share`, and what is remembered.
-double held(double share, ShareMemory& memory, double distance = 0.5, const Vec3& normal = Vec3::UnitY()) {
-  std::vector<TriangleShare> shares{{share, normal, Vec3::Zero(), false, distance}};
-  ShareMemory now;
-  relax_shares(point, std::array{triangle}, 1, memory, shares, now);
+double held(double share, LaggedWeights& memory, double distance = 0.5, const Vec3& normal = Vec3::UnitY()) {
+  std::vector<TriangleWeight> shares{{share, normal, Vec3::Zero(), false, distance}};
+  LaggedWeights now;
+  relax_weights(point, std::array{triangle}, 1, memory, shares, now);
   memory = now;
   return shares[0].share;
 }
@@ -47,7 +47,7 @@ std::string block(const std::string& shape, const std::string& place, double you
 
 TEST_CASE("a share that goes too far in every step settles", "[contact][thin]") {
   for (const double slope : {0.5, 1.5, 4.0, 9.0, 40.0}) {
-    ShareMemory memory;
+    LaggedWeights memory;
     double share = held(0.52, memory);
     for (int step = 0; step < 12; ++step) share = held(0.5 - slope * (share - 0.5) / (1 + 4 * std::abs(share - 0.5)), memory);
     INFO(slope);
@@ -56,7 +56,7 @@ TEST_CASE("a share that goes too far in every step settles", "[contact][thin]") 
 }
 
 TEST_CASE("shares that go on in one direction do not lag, nor what was not near", "[contact][thin]") {
-  ShareMemory memory;
+  LaggedWeights memory;
   for (int step = 0; step < 10; ++step) CHECK(held(0.1 + 0.07 * step + 0.001 * step * step, memory) == 0.1 + 0.07 * step + 0.001 * step * step);
   CHECK(held(0.2, memory) > 0.4);  // turns back
   CHECK(memory.size() == 1);
@@ -67,12 +67,12 @@ TEST_CASE("shares that go on in one direction do not lag, nor what was not near"
 
 TEST_CASE("normals turn with the shares", "[contact][thin]") {
   const auto at = [](double angle) { return Vec3(std::sin(angle), std::cos(angle), 0); };
-  std::vector<TriangleShare> shares;
-  ShareMemory memory, now;
+  std::vector<TriangleWeight> shares;
+  LaggedWeights memory, now;
   for (const double angle : {0.0, 0.2, -0.2}) {
     shares = {{1, at(angle), Vec3::Zero(), false, 0.5}};
     now.clear();
-    relax_shares(point, std::array{triangle}, 1, memory, shares, now);
+    relax_weights(point, std::array{triangle}, 1, memory, shares, now);
     memory = now;
   }
   CHECK(shares[0].normal.norm() == Approx(1));
@@ -84,10 +84,10 @@ TEST_CASE("normals turn with the shares", "[contact][thin]") {
 TEST_CASE("what shares were is remembered by the numbers of triangles in their object", "[contact][thin]") {
   const TestScene scene(under_rods(1, 4, block("size: [8 mm, 8 mm, 8 mm], cells: [1, 1, 1]", "translate: [0, -8 mm, 0]", 1e4)));
   const CollisionMesh& mesh = scene.world->contact->surface().mesh;
-  const ShareMemory memory{{1, 2, {0.5, 0, 1, 0}, {0.1, 0, 0.2, 0}, 0.3}, {1, 5, {0.6, 1, 0, 0}, {}, 1}, {4, 2, {0.7, 0, 0, 1}, {}, 1}};
+  const LaggedWeights memory{{1, 2, {0.5, 0, 1, 0}, {0.1, 0, 0.2, 0}, 0.3}, {1, 5, {0.6, 1, 0, 0}, {}, 1}, {4, 2, {0.7, 0, 0, 1}, {}, 1}};
   History history;
-  remember_shares(memory, mesh, history);
-  const ShareMemory again = shares_of(history, mesh);
+  store_weights(memory, mesh, history);
+  const LaggedWeights again = weights_of(history, mesh);
   REQUIRE(again.size() == 3);
   for (size_t i = 0; i < 3; ++i) {
     CHECK(again[i].point == memory[i].point);
@@ -97,8 +97,8 @@ TEST_CASE("what shares were is remembered by the numbers of triangles in their o
     CHECK(again[i].part == memory[i].part);
   }
   history.begin()->second.values[0] = 1e6;
-  CHECK_THROWS(shares_of(history, mesh));
-  remember_shares({}, mesh, history);
+  CHECK_THROWS(weights_of(history, mesh));
+  store_weights({}, mesh, history);
   CHECK(history.empty());
 }
 

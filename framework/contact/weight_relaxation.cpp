@@ -1,4 +1,4 @@
-#include "framework/contact/share_memory.hpp"
+#include "framework/contact/weight_relaxation.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double growth = 1.2;  // from step to step: what creeps is about to sw
 const std::string name = "contact/thin_shares";
 constexpr int width = 10;
 
-RememberedShare::Values values_of(const TriangleShare& s) { return {s.share, s.normal.x(), s.normal.y(), s.normal.z()}; }
+LaggedWeight::Values values_of(const TriangleWeight& s) { return {s.share, s.normal.x(), s.normal.y(), s.normal.z()}; }
 
 // Of triangles of one object, which follow each other.
 int first_triangle(const CollisionMesh& mesh, int object) {
@@ -28,15 +28,15 @@ int first_triangle(const CollisionMesh& mesh, int object) {
 
 }  // namespace
 
-void relax_shares(int point, std::span<const int> triangles, double range, const ShareMemory& before, std::vector<TriangleShare>& shares,
-                  ShareMemory& now) {
+void relax_weights(int point, std::span<const int> triangles, double range, const LaggedWeights& before, std::vector<TriangleWeight>& shares,
+                  LaggedWeights& now) {
   const size_t first = now.size();
   double along = 0, squared = 0, part_before = 1;
-  auto known = std::lower_bound(before.begin(), before.end(), point, [](const RememberedShare& s, int p) { return s.point < p; });
+  auto known = std::lower_bound(before.begin(), before.end(), point, [](const LaggedWeight& s, int p) { return s.point < p; });
   for (size_t i = 0; i < triangles.size(); ++i) {
     if (!(shares[i].distance < range)) continue;
     while (known != before.end() && known->point == point && known->triangle < triangles[i]) ++known;
-    RememberedShare& s = now.emplace_back(RememberedShare{point, triangles[i], values_of(shares[i]), {}, 1});
+    LaggedWeight& s = now.emplace_back(LaggedWeight{point, triangles[i], values_of(shares[i]), {}, 1});
     if (known == before.end() || known->point != point || known->triangle != triangles[i]) continue;
     for (int k = 0; k < 4; ++k) {
       s.change[k] = s.held[k] - known->held[k];
@@ -49,9 +49,9 @@ void relax_shares(int point, std::span<const int> triangles, double range, const
   const double found = along > 0 && squared > 0 ? part_before * along / squared : 1;
   const double part = std::clamp(found, least_part, std::min(1.0, growth * part_before));
   size_t at = first;
-  for (TriangleShare& share : shares) {
+  for (TriangleWeight& share : shares) {
     if (!(share.distance < range)) continue;
-    RememberedShare& s = now[at++];
+    LaggedWeight& s = now[at++];
     s.part = part;
     if (part == 1) continue;
     for (int k = 0; k < 4; ++k) s.held[k] -= (1 - part) * s.change[k];
@@ -60,8 +60,8 @@ void relax_shares(int point, std::span<const int> triangles, double range, const
   }
 }
 
-ShareMemory shares_of(const History& history, const CollisionMesh& mesh) {
-  ShareMemory shares;
+LaggedWeights weights_of(const History& history, const CollisionMesh& mesh) {
+  LaggedWeights shares;
   const auto found = history.find(name);
   if (found == history.end()) return shares;
   const HistoryArray& array = found->second;
@@ -80,14 +80,14 @@ ShareMemory shares_of(const History& history, const CollisionMesh& mesh) {
 
 void forget_shares(History& history) { history.erase(name); }
 
-void remember_shares(const ShareMemory& shares, const CollisionMesh& mesh, History& history) {
+void store_weights(const LaggedWeights& shares, const CollisionMesh& mesh, History& history) {
   history.erase(name);
   if (shares.empty()) return;
   HistoryArray& array = history[name] = {width, {}, {}};
   array.keys.reserve(shares.size());
   array.values.reserve(width * shares.size());
   int object = -1, first = 0;
-  for (const RememberedShare& s : shares) {
+  for (const LaggedWeight& s : shares) {
     if (const int here = mesh.vertex_object[mesh.triangles[s.triangle][0]]; here != object) object = here, first = first_triangle(mesh, here);
     array.keys.push_back({s.point, object});
     array.values.push_back(s.triangle - first);

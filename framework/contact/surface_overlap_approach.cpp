@@ -1,15 +1,15 @@
-// Of what waits (coverage.hpp): who has come near, and what is then divided.
+// Of what waits (surface_overlap.hpp): who has come near, and what is then divided.
 #include <algorithm>
 #include <limits>
 
-#include "framework/contact/coverage.hpp"
+#include "framework/contact/surface_overlap.hpp"
 #include "framework/contact/triangle_division.hpp"
 #include "geometry/parallel.hpp"
 
 namespace tack {
 
 // around: what `some` refers to.
-void Coverage::add_waiting(int a, int b, std::span<const Waiting> some, const std::vector<int>& around) {
+void SurfaceOverlap::add_waiting(int a, int b, std::span<const Waiting> some, const std::vector<int>& around) {
   if (some.empty()) return;
   const int first = static_cast<int>(waiting_.size());
   WaitingPair& pair = waiting_pairs_.emplace_back(WaitingPair{a, b, first, 0, std::numeric_limits<double>::infinity()});
@@ -26,7 +26,7 @@ void Coverage::add_waiting(int a, int b, std::span<const Waiting> some, const st
 
 // How vertices have moved since the step began. Points of two triangles have come nearer by no more than the largest difference of
 // how their corners have moved, and so of boxes around these.
-class Coverage::Moves {
+class SurfaceOverlap::Moves {
  public:
   Moves(const VecX& x, const VecX& start) : moved_(x - start) {}
 
@@ -39,7 +39,7 @@ class Coverage::Moves {
   VecX moved_;
 };
 
-std::vector<int> Coverage::approach(const VecX& x) {
+std::vector<int> SurfaceOverlap::approach(const VecX& x) {
   if (waiting_.empty()) return {};
   const CollisionMesh& mesh = surface_.mesh;
   const Moves moves(x, held_.x());
@@ -74,13 +74,13 @@ std::vector<int> Coverage::approach(const VecX& x) {
 }
 
 // numbers: of those that wait, ascending. What their parts are made of is out of range as the step begins, and exerts no force.
-std::vector<int> Coverage::divide(const std::vector<int>& numbers) {
+std::vector<int> SurfaceOverlap::divide(const std::vector<int>& numbers) {
   constexpr int few = 16;
   const int n = static_cast<int>(numbers.size());
   const auto own = [&](int triangle) { return surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]]; };
   struct Divided {
     std::vector<ContactSample> samples;
-    CoveredParts parts{};
+    OverlapFacets parts{};
   };
   std::vector<Divided> found(chunk_count(n, few));
   for_each_chunk(n, [&](int c, int first, int last) {
@@ -103,7 +103,7 @@ std::vector<int> Coverage::divide(const std::vector<int>& numbers) {
 }
 
 // Cells of one triangle may come one after another.
-std::vector<int> Coverage::insert(std::vector<ContactSample>& added) {
+std::vector<int> SurfaceOverlap::insert(std::vector<ContactSample>& added) {
   const auto key = [&](const ContactSample& s) {
     return std::array{surface_.mesh.vertex_object[surface_.mesh.triangles[s.triangle][0]], s.object, s.triangle, s.cell, s.part};
   };

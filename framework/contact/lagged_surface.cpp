@@ -1,4 +1,4 @@
-#include "framework/contact/held_surface.hpp"
+#include "framework/contact/lagged_surface.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace tack {
 
-void HeldSurface::hold(const VecX& x) {
+void LaggedSurface::hold(const VecX& x) {
   x_ = x;
   normals_.resize(mesh_.triangles.size());
   areas_.resize(mesh_.triangles.size());
@@ -21,13 +21,13 @@ void HeldSurface::hold(const VecX& x) {
   });
 }
 
-double HeldSurface::whole(int vertex_index) const {
+double LaggedSurface::whole(int vertex_index) const {
   double area = 0;
   for (const int t : topology_.triangles_at(vertex_index)) area += areas_[t] / 3;
   return area;
 }
 
-double HeldSurface::thin(int vertex_index) const {
+double LaggedSurface::thin(int vertex_index) const {
   const double radius = topology_.particle_radius(vertex_index);
   double area = M_PI * radius * radius;
   for (const int e : topology_.rods_at(vertex_index)) {
@@ -37,7 +37,7 @@ double HeldSurface::thin(int vertex_index) const {
   return area;
 }
 
-double HeldSurface::thin(int vertex_index, const Vec3& n) const {
+double LaggedSurface::thin(int vertex_index, const Vec3& n) const {
   const double radius = topology_.particle_radius(vertex_index);
   double area = M_PI * radius * radius;
   const auto rods = topology_.rods_at(vertex_index);
@@ -52,7 +52,7 @@ double HeldSurface::thin(int vertex_index, const Vec3& n) const {
   return area;
 }
 
-double HeldSurface::cell(int vertex_index, const Vec3& n) const {
+double LaggedSurface::cell(int vertex_index, const Vec3& n) const {
   double area = 0;
   int facing = 0;
   for (const int t : topology_.triangles_at(vertex_index))
@@ -60,7 +60,7 @@ double HeldSurface::cell(int vertex_index, const Vec3& n) const {
   return facing > 0 ? area / facing : 0;
 }
 
-double HeldSurface::cosine(int triangle, const Vec3& n) const {
+double LaggedSurface::cosine(int triangle, const Vec3& n) const {
   const double cosine = -normals_[triangle].dot(n);
   return topology_.two_sided(triangle) ? std::abs(cosine) : cosine;
 }

@@ -1,4 +1,4 @@
-#include "framework/contact/rim_cut.hpp"
+#include "framework/contact/polygon_clip.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace {
 
 constexpr double same_direction = 1e-12, same_place = 1e-9;  // relative to the length of an edge
 
-void add_line(const CollisionMesh& mesh, const HeldSurface& held, int triangle, int side, std::vector<RimLine>& lines) {
+void add_line(const CollisionMesh& mesh, const LaggedSurface& held, int triangle, int side, std::vector<ClipLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
   const Vec3 at = vertex(held.x(), t[side]), along = Vec3(vertex(held.x(), t[(side + 1) % 3])) - at;
-  const RimLine line{triangle, side, at, along.cross(held.normal(triangle)).normalized()};
-  const bool known = std::any_of(lines.begin(), lines.end(), [&](const RimLine& l) {
+  const ClipLine line{triangle, side, at, along.cross(held.normal(triangle)).normalized()};
+  const bool known = std::any_of(lines.begin(), lines.end(), [&](const ClipLine& l) {
     return l.outward.dot(line.outward) > 1 - same_direction && std::abs((l.at - at).dot(l.outward)) < same_place * along.norm();
   });
   if (!known) lines.push_back(line);
@@ -23,8 +23,8 @@ void add_line(const CollisionMesh& mesh, const HeldSurface& held, int triangle, 
 
 }  // namespace
 
-void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, const PartOfSurface* part, int triangle, const Vec3& p,
-                   std::vector<RimLine>& lines) {
+void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const SurfaceRegion* part, int triangle, const Vec3& p,
+                   std::vector<ClipLine>& lines) {
   const Triangle& t = mesh.triangles[triangle];
   const PointTriangleType type =
       point_triangle_type(p, vertex(held.x(), t[0]), vertex(held.x(), t[1]), vertex(held.x(), t[2]));
@@ -46,26 +46,26 @@ void add_rim_lines(const CollisionMesh& mesh, const HeldSurface& held, const Par
   }
 }
 
-std::vector<CutFace> cut_by_rims(const VecX& x, const Triangle& own, const std::array<Vec3, 3>& piece,
-                                 const std::vector<RimLine>& lines) {
-  std::vector<CutFace> faces = {{{piece[0], -1, false}, {piece[1], -1, false}, {piece[2], -1, false}}}, parts;
+std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own, const std::array<Vec3, 3>& piece,
+                                 const std::vector<ClipLine>& lines) {
+  std::vector<ClipPolygon> faces = {{{piece[0], -1, false}, {piece[1], -1, false}, {piece[2], -1, false}}}, parts;
   for (int k = 0; k < static_cast<int>(lines.size()); ++k) {
     const auto height = [&](const Vec3& inside) { return (point_inside(x, own, inside) - lines[k].at).dot(lines[k].outward); };
     parts.clear();
-    for (const CutFace& face : faces) {
-      CutFace within, beyond;
+    for (const ClipPolygon& face : faces) {
+      ClipPolygon within, beyond;
       for (size_t i = 0; i < face.size(); ++i) {
-        const CutCorner &p = face[i], &q = face[(i + 1) % face.size()];
+        const ClipCorner &p = face[i], &q = face[(i + 1) % face.size()];
         const double from = height(p.inside), to = height(q.inside);
         (from <= 0 ? within : beyond).push_back(p);
         if ((from <= 0) == (to <= 0)) continue;
         const Vec3 at = p.inside + from / (from - to) * (q.inside - p.inside);
         // The face that is left goes on along the line, the one that is entered along the old edge.
-        CutFace &left = from <= 0 ? within : beyond, &entered = from <= 0 ? beyond : within;
+        ClipPolygon &left = from <= 0 ? within : beyond, &entered = from <= 0 ? beyond : within;
         left.push_back({at, k, from > 0});
         entered.push_back({at, p.line, p.beyond});
       }
-      for (CutFace* part : {&within, &beyond})
+      for (ClipPolygon* part : {&within, &beyond})
         if (part->size() > 2) parts.push_back(std::move(*part));
     }
     std::swap(faces, parts);

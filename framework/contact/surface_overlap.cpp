@@ -1,4 +1,4 @@
-#include "framework/contact/coverage.hpp"
+#include "framework/contact/surface_overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,14 +32,14 @@ int find_view(const std::vector<GroupView>& views, int point, int object) {
 }  // namespace
 
 // What a chunk of triangles adds: shares of area for the corners' views, and samples.
-struct Coverage::Found {
+struct SurfaceOverlap::Found {
   struct Share {
     Corner corner;
     double area;  // m^2
   };
   std::vector<Share> shares;
   std::vector<ContactSample> samples;
-  CoveredParts parts{};
+  OverlapFacets parts{};
   std::vector<int> known;  // triangles
   std::vector<Waiting> waiting;
   std::vector<int> around;  // what those that wait refer to
@@ -53,25 +53,25 @@ struct Coverage::Found {
 };
 
 // What lies opposite some triangles.
-struct Coverage::Opposite {
+struct SurfaceOverlap::Opposite {
   int object;
   Aabb reached;  // where it may be seen from
   Found* found;  // by chunk
 };
 
 // Triangles of one object.
-struct Coverage::Chunk {
+struct SurfaceOverlap::Chunk {
   std::vector<Opposite> opposite;
   int index, first, last;
 };
 
-Coverage::Coverage(const ContactSurface& surface, const PairTable& pairs, const HeldSurface& held)
+SurfaceOverlap::SurfaceOverlap(const ContactSurface& surface, const PairTable& pairs, const LaggedSurface& held)
     : surface_(surface), pairs_(pairs), held_(held), first_triangle_(pairs.objects() + 1, 0), wanted_(pairs.any_covered()) {
   for (const Triangle& t : surface.mesh.triangles) ++first_triangle_[surface.mesh.vertex_object[t[0]] + 1];
   for (int a = 0; a < pairs.objects(); ++a) first_triangle_[a + 1] += first_triangle_[a];
 }
 
-std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& views, int triangle, int object) const {
+std::array<SurfaceOverlap::Corner, 3> SurfaceOverlap::corners(const std::vector<GroupView>& views, int triangle, int object) const {
   std::array<Corner, 3> found;
   for (int i = 0; i < 3; ++i) {
     const int v = surface_.mesh.triangles[triangle][i];
@@ -87,7 +87,7 @@ std::array<Coverage::Corner, 3> Coverage::corners(const std::vector<GroupView>& 
   return found;
 }
 
-bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const {
+bool SurfaceOverlap::covered(const std::vector<GroupView>& views, int triangle, const std::array<Corner, 3>& corners) const {
   const double size = std::sqrt(held_.area(triangle));
   return std::all_of(corners.begin(), corners.end(), [&](const Corner& c) {
     if (c.view < 0 || c.piece < 0) return false;
@@ -98,7 +98,7 @@ bool Coverage::covered(const std::vector<GroupView>& views, int triangle, const 
 }
 
 // Whether the same holds between all of a triangle that is covered at its corners and what lies opposite, and for the corners, which get its area.
-bool Coverage::one_law(const std::vector<GroupView>& views, int triangle, int object, const std::array<Corner, 3>& at) const {
+bool SurfaceOverlap::one_law(const std::vector<GroupView>& views, int triangle, int object, const std::array<Corner, 3>& at) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Triangle& own = mesh.triangles[triangle];
   const int of = mesh.vertex_object[own[0]];
@@ -111,12 +111,12 @@ bool Coverage::one_law(const std::vector<GroupView>& views, int triangle, int ob
 }
 
 // By their orientations alone.
-bool Coverage::may_face(int triangle, int other) const {
+bool SurfaceOverlap::may_face(int triangle, int other) const {
   return held_.cosine(triangle, held_.normal(other)) > least_cosine ||
          held_.cosine(other, held_.normal(triangle)) > least_cosine;
 }
 
-void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& sides) const {
+void SurfaceOverlap::capture(const std::vector<GroupView>& views, IntegrationSides& sides) const {
   sides.clear();
   const CollisionMesh& mesh = surface_.mesh;
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -140,7 +140,7 @@ void Coverage::capture(const std::vector<GroupView>& views, IntegrationSides& si
 }
 
 // Of a triangle that is covered at its corners.
-void Coverage::take_covered(int triangle, double reach, bool bonds, const std::array<Corner, 3>& at,
+void SurfaceOverlap::take_covered(int triangle, double reach, bool bonds, const std::array<Corner, 3>& at,
                             const std::vector<GroupView>& views, Found& found) const {
   double area_of_all = 0;
   bool close_by = false;
@@ -156,7 +156,7 @@ void Coverage::take_covered(int triangle, double reach, bool bonds, const std::a
 }
 
 // Of a triangle that is covered at its corners.
-bool Coverage::even_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) const {
+bool SurfaceOverlap::even_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) const {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   bool level = true;
   for (const Corner& corner : at) {
@@ -168,7 +168,7 @@ bool Coverage::even_gap(int triangle, const std::array<Corner, 3>& at, const std
   return level && high - low <= even * range;
 }
 
-void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupView>& views) const {
+void SurfaceOverlap::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, const std::vector<GroupView>& views) const {
   const CollisionMesh& mesh = surface_.mesh;
   TriangleDivision division(mesh, held_);
   std::vector<int> near;
@@ -201,14 +201,14 @@ void Coverage::weigh_chunk(const Chunk& chunk, const BroadPhase& broad_phase, co
   }
 }
 
-std::vector<int> Coverage::facing(int triangle, std::span<const int> others) const {
+std::vector<int> SurfaceOverlap::facing(int triangle, std::span<const int> others) const {
   std::vector<int> found;
   std::copy_if(others.begin(), others.end(), std::back_inserter(found), [&](int other) { return may_face(triangle, other); });
   return found;
 }
 
 // others: of that object.
-std::vector<Coverage::FacedPart> Coverage::faced_parts(int triangle, int object, std::span<const int> others) const {
+std::vector<SurfaceOverlap::FacedPart> SurfaceOverlap::faced_parts(int triangle, int object, std::span<const int> others) const {
   const CollisionMesh& mesh = surface_.mesh;
   const std::vector<int> faced = facing(triangle, others);
   const int own = mesh.vertex_object[mesh.triangles[triangle][0]];
@@ -216,7 +216,7 @@ std::vector<Coverage::FacedPart> Coverage::faced_parts(int triangle, int object,
   if (!pairs_.has_parts(own, object)) found.push_back({std::nullopt, faced});
   else
     for (int part = -1; part < pairs_.parts(own, object); ++part) {
-      const PartOfSurface seen(pairs_, mesh, triangle, object, part);
+      const SurfaceRegion seen(pairs_, mesh, triangle, object, part);
       std::vector<int> of_part;
       std::copy_if(faced.begin(), faced.end(), std::back_inserter(of_part), [&](int t) { return seen.has(t); });
       if (!of_part.empty()) found.push_back({seen, std::move(of_part)});
@@ -225,7 +225,7 @@ std::vector<Coverage::FacedPart> Coverage::faced_parts(int triangle, int object,
 }
 
 // near: triangles of any object, ascending.
-Coverage::Around Coverage::find_around(int triangle, int object, const std::vector<int>& near) const {
+SurfaceOverlap::Around SurfaceOverlap::find_around(int triangle, int object, const std::vector<int>& near) const {
   const CollisionMesh& mesh = surface_.mesh;
   const double range = pairs_.point(mesh.vertex_object[mesh.triangles[triangle][0]], object).reach();
   Around around{{}, 2 * range, true, false};
@@ -246,7 +246,7 @@ Coverage::Around Coverage::find_around(int triangle, int object, const std::vect
   return around;
 }
 
-void Coverage::divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const {
+void SurfaceOverlap::divide_or_wait(int triangle, int object, const Around& around, TriangleDivision& division, Found& found) const {
   const PairRole& role = pairs_.point(surface_.mesh.vertex_object[surface_.mesh.triangles[triangle][0]], object);
   // Samples are no larger than the reach, as what they stand for has about one gap; where it varies, than the range.
   const int depth = TriangleDivision::depth_of(held_.area(triangle), around.parallel ? 2 * role.reach() : role.reach());
@@ -259,11 +259,11 @@ void Coverage::divide_or_wait(int triangle, int object, const Around& around, Tr
   }
 }
 
-bool Coverage::weighs(int a, int b, const IntegrationSides& sides) const {
+bool SurfaceOverlap::weighs(int a, int b, const IntegrationSides& sides) const {
   return pairs_.point(a, b).covered && sides.integrates(a, b);
 }
 
-double Coverage::unknown_area(int vertex_index, int object, const Vec3& normal) const {
+double SurfaceOverlap::unknown_area(int vertex_index, int object, const Vec3& normal) const {
   const std::array key{surface_.mesh.vertex_object[vertex_index], object};
   const auto at = std::lower_bound(known_.begin(), known_.end(), key, [](const KnownPair& k, const std::array<int, 2>& of) { return std::array{k.a, k.b} < of; });
   const bool any = at != known_.end() && std::array{at->a, at->b} == key;
@@ -273,7 +273,7 @@ double Coverage::unknown_area(int vertex_index, int object, const Vec3& normal) 
   return area;
 }
 
-std::vector<Aabb> Coverage::object_boxes() const {
+std::vector<Aabb> SurfaceOverlap::object_boxes() const {
   std::vector<Aabb> boxes(pairs_.objects());
   for_each(pairs_.objects(), [&](int a) {
     for (int t = first_triangle_[a]; t < first_triangle_[a + 1]; ++t)
@@ -282,7 +282,7 @@ std::vector<Aabb> Coverage::object_boxes() const {
   return boxes;
 }
 
-std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& sides, const std::vector<Aabb>& boxes) const {
+std::vector<std::array<int, 2>> SurfaceOverlap::near_objects(const IntegrationSides& sides, const std::vector<Aabb>& boxes) const {
   const int n = pairs_.objects();
   // From left to right, each with those that begin before it ends.
   double widest = 0;
@@ -306,7 +306,7 @@ std::vector<std::array<int, 2>> Coverage::near_objects(const IntegrationSides& s
   return found;
 }
 
-void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views) {
+void SurfaceOverlap::weigh(const IntegrationSides& sides, const BroadPhase& broad_phase, std::vector<GroupView>& views) {
   samples_.clear();
   parts_.clear();
   known_.clear();
@@ -332,7 +332,7 @@ void Coverage::weigh(const IntegrationSides& sides, const BroadPhase& broad_phas
   }
   for_each(static_cast<int>(chunks.size()), [&](int i) { weigh_chunk(chunks[i], broad_phase, views); }, 1);
   for (size_t pair = 0; pair < near.size(); ++pair) {
-    CoveredParts& parts = parts_.emplace_back(CoveredParts{near[pair][0], near[pair][1], {}, {}, {}});
+    OverlapFacets& parts = parts_.emplace_back(OverlapFacets{near[pair][0], near[pair][1], {}, {}, {}});
     KnownPair& known = known_.emplace_back(KnownPair{near[pair][0], near[pair][1], {}});
     for (const Found& found : all[pair]) {
       known.triangles.insert(known.triangles.end(), found.known.begin(), found.known.end());

@@ -1,4 +1,4 @@
-#include "framework/contact/rim_forces.hpp"
+#include "framework/contact/overlap_boundary_forces.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,10 +17,10 @@ std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
 class PairForces {
  public:
   // sum: zero, and again when they have been handed over; touched: none, and of none again.
-  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const HeldSurface& held, VecX& sum, std::vector<char>& touched)
+  PairForces(int a, int b, const PairTable& table, const CollisionMesh& mesh, const LaggedSurface& held, VecX& sum, std::vector<char>& touched)
       : a_(a), b_(b), table_(table), mesh_(mesh), held_(held), sum_(sum), touched_(touched) {}
 
-  void add(const RimPart& rim) {
+  void add(const OverlapBoundaryEdge& rim) {
     const std::array<Vec3, 3> other = corners(held_.x(), mesh_.triangles[rim.other]);
     const Vec3 p = point_inside(held_.x(), mesh_.triangles[rim.triangle], rim.inside);
     const int next = (rim.side + 1) % 3;
@@ -40,7 +40,7 @@ class PairForces {
     }
   }
 
-  void add(const CoveredPart& covered) {
+  void add(const OverlapFacet& covered) {
     const Vec3 normal = held_.normal(covered.leader);
     const std::array<Vec3, 3> own = corners(held_.x(), mesh_.triangles[covered.triangle]);
     const Vec3 twice = (own[1] - own[0]).cross(own[2] - own[0]);
@@ -81,7 +81,7 @@ class PairForces {
   int a_, b_;
   const PairTable& table_;
   const CollisionMesh& mesh_;
-  const HeldSurface& held_;
+  const LaggedSurface& held_;
   VecX& sum_;
   std::vector<char>& touched_;
   std::vector<int> order_;  // those touched, once each
@@ -91,13 +91,13 @@ class PairForces {
 
 }  // namespace
 
-void RimForces::take(const std::vector<CoveredParts>& pairs, const PairTable& table, const CollisionMesh& mesh,
-                     const HeldSurface& held) {
+void OverlapBoundaryForces::take(const std::vector<OverlapFacets>& pairs, const PairTable& table, const CollisionMesh& mesh,
+                     const LaggedSurface& held) {
   pairs_.clear();
   all_.resize(0);
   VecX sum;
   std::vector<char> touched;
-  for (const CoveredParts& pair : pairs) {
+  for (const OverlapFacets& pair : pairs) {
     const PairRole& role = table.point(pair.a, pair.b);
     if (role.law < 0 || (pair.parts.empty() && pair.rims.empty())) continue;
     if (all_.size() == 0) {
@@ -105,8 +105,8 @@ void RimForces::take(const std::vector<CoveredParts>& pairs, const PairTable& ta
       touched.assign(mesh.vertex_object.size(), false);
     }
     PairForces forces(pair.a, pair.b, table, mesh, held, sum, touched);
-    for (const CoveredPart& part : pair.parts) forces.add(part);
-    for (const RimPart& rim : pair.rims) forces.add(rim);
+    for (const OverlapFacet& part : pair.parts) forces.add(part);
+    for (const OverlapBoundaryEdge& rim : pair.rims) forces.add(rim);
     Pair& found = pairs_.emplace_back();
     found.a = pair.a;
     found.b = pair.b;
@@ -115,7 +115,7 @@ void RimForces::take(const std::vector<CoveredParts>& pairs, const PairTable& ta
   }
 }
 
-VecX RimForces::between(int a, int b, Eigen::Index size) const {
+VecX OverlapBoundaryForces::between(int a, int b, Eigen::Index size) const {
   VecX forces = VecX::Zero(size);
   for (const Pair& pair : pairs_)
     if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a))
@@ -123,7 +123,7 @@ VecX RimForces::between(int a, int b, Eigen::Index size) const {
   return forces;
 }
 
-Vec3 RimForces::on(int a, int b, const CollisionMesh& mesh) const {
+Vec3 OverlapBoundaryForces::on(int a, int b, const CollisionMesh& mesh) const {
   const VecX forces = between(a, b, 3 * static_cast<Eigen::Index>(mesh.vertex_object.size()));
   Vec3 sum = Vec3::Zero();
   for (size_t v = 0; v < mesh.vertex_object.size(); ++v)

@@ -1,6 +1,6 @@
 // The forces by which covered areas change: the gradient of the energy with areas taken anew, without a net force or
 // moment, W per length of the rim in every place.
-#include "framework/contact/rim_term.hpp"
+#include "framework/contact/overlap_boundary_term.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -44,10 +44,10 @@ struct Places {
   }
   VecX forces(const VecX& x) {
     begin(x);
-    VecX sum = world.contact_term->forces(x, LawPart::all);
+    VecX sum = world.contact_term->forces(x, LawTerm::all);
     return sum + Published(*world.rim).forces(x);
   }
-  double depth() const { return -world.contact_term->laws(LawPart::all)[world.contact->pairs().point(0, 1).law].at(gap).value; }
+  double depth() const { return -world.contact_term->laws(LawTerm::all)[world.contact->pairs().point(0, 1).law].at(gap).value; }
 
   TestScene scene;
   World& world;
@@ -134,7 +134,7 @@ TEST_CASE("rim: a closed way does no work", "[contact][rim]") {
     }
     const double whole = side * side;  // of a work of adhesion of 1 J/m^2
     if (script == slid) {
-      const auto& laws = run.world->contact_term->laws(LawPart::all);
+      const auto& laws = run.world->contact_term->laws(LawTerm::all);
       const double depth = -laws[run.world->contact->pairs().point(0, 1).law].at(gap).value;
       CHECK(pulled == Approx(-depth * 0.01 * (side - 0.00013)).epsilon(0.03));
     }

@@ -1,5 +1,5 @@
 // What rods and particles have of their areas towards triangles: exact above surfaces of any mesh, and no jumps anywhere.
-#include "framework/contact/thin_view.hpp"
+#include "framework/contact/codimensional_view.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

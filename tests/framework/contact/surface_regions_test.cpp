@@ -7,8 +7,8 @@
 
 #include "framework/bond/bond_term.hpp"
 #include "framework/contact/friction_term.hpp"
-#include "framework/contact/rim_forces.hpp"
-#include "framework/contact/rim_term.hpp"
+#include "framework/contact/overlap_boundary_forces.hpp"
+#include "framework/contact/overlap_boundary_term.hpp"
 #include "tests/support/published.hpp"
 #include "tests/support/scene.hpp"
 #include "tests/support/test_run.hpp"
@@ -49,7 +49,7 @@ double pull(const Plates& plates) {
   World& world = *scene.world;
   world.participants.begin_step({world.rest, 0, 1e-3});
   world.participants.move_to(world.rest);
-  return -world.contact_term->force_between(world.rest, LawPart::adhesion, {0, 1}).y();
+  return -world.contact_term->force_between(world.rest, LawTerm::adhesion, {0, 1}).y();
 }
 
 std::string half(const char* object, const char* along, double unit) { return fmt::format("{{object: {}, select: {{type: formula, where: '{} < {}'}}}}", object, along, 1e-6 * unit); }
@@ -110,13 +110,13 @@ TEST_CASE("parts: a seam is a rim: its forces are minus the gradient of the ener
         // Off the lines of the meshes, which meet.
         for (int v = 0; v < world.bodies[0].vertex_count; ++v) x(3 * v + 2) += 0.00013;
         begin(x);
-        const VecX f = world.contact_term->forces(x, LawPart::all) + Published(*world.rim).forces(x);
+        const VecX f = world.contact_term->forces(x, LawTerm::all) + Published(*world.rim).forces(x);
         const double step = 1e-8, slope = (energy(x + step * d) - energy(x - step * d)) / (2 * step);
         CHECK(-f.dot(d) == Approx(slope).epsilon(4e-3).scale(0.6 * 0.02));
         // As a whole, upwards of the seam: the energy of the strip that comes under it.
         if (world.adhesion.size() > 1) continue;
         begin(x);
-        const double depth = -world.contact_term->laws(LawPart::all)[world.contact->pairs().point(0, 1, 0).law].at(gap).value;
+        const double depth = -world.contact_term->laws(LawTerm::all)[world.contact->pairs().point(0, 1, 0).law].at(gap).value;
         const double seam = cells[1] == 5 ? -0.002 : 0;
         CHECK(0.01 + seam > shift - 0.01);
         CHECK(Published(*world.rim).force_between(x, "adhesion", {0, 1}).x() == Approx(-depth * (0.02 - 0.00013)).epsilon(0.01));
@@ -187,7 +187,7 @@ TEST_CASE("parts: particles and rods adhere to a part of a surface", "[contact][
     World& world = *scene.world;
     world.participants.begin_step({world.rest, 0, 1e-3});
     world.participants.move_to(world.rest);
-    CHECK(world.contact_term->force_between(world.rest, LawPart::adhesion, {0, 2}).norm() == 0);
-    CHECK(world.contact_term->force_between(world.rest, LawPart::adhesion, {1, 2}).y() < 0);
+    CHECK(world.contact_term->force_between(world.rest, LawTerm::adhesion, {0, 2}).norm() == 0);
+    CHECK(world.contact_term->force_between(world.rest, LawTerm::adhesion, {1, 2}).y() < 0);
   }
 }

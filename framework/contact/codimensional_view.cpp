@@ -1,4 +1,4 @@
-#include "framework/contact/thin_view.hpp"
+#include "framework/contact/codimensional_view.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -30,7 +30,7 @@ double alike(double cosine) { return rise(cosine, other_direction, one_direction
 
 }  // namespace
 
-double one_surface(const TriangleShare& a, const TriangleShare& b) {
+double one_surface(const TriangleWeight& a, const TriangleWeight& b) {
   const double cosine = a.normal.dot(b.normal);
   if (a.two_sided) return alike(std::abs(cosine));
   const Vec3 way = (b.centre - a.centre).normalized();
@@ -39,7 +39,7 @@ double one_surface(const TriangleShare& a, const TriangleShare& b) {
 }
 
 // The other triangle at an edge; -1: the surface does not go on there.
-int ThinViewer::across(int triangle, int side) const {
+int CodimensionalViewer::across(int triangle, int side) const {
   const int a = mesh_.triangles[triangle][side], b = mesh_.triangles[triangle][(side + 1) % 3];
   int found = -1;
   for (const int other : held_.topology().triangles_at(a)) {
@@ -51,17 +51,17 @@ int ThinViewer::across(int triangle, int side) const {
   return found;
 }
 
-Vec3 ThinViewer::turned_like(int triangle, const Vec3& normal) const {
+Vec3 CodimensionalViewer::turned_like(int triangle, const Vec3& normal) const {
   const Vec3& n = held_.normal(triangle);
   return held_.topology().two_sided(triangle) && n.dot(normal) < 0 ? Vec3(-n) : n;
 }
 
-double ThinViewer::sharpness(int triangle, int side, const Vec3& normal, const Vec3& beside) const {
+double CodimensionalViewer::sharpness(int triangle, int side, const Vec3& normal, const Vec3& beside) const {
   return held_.topology().smooth_edge(triangle, side) ? 0 : 1 - rise(normal.dot(beside), 0, crease_cosine);
 }
 
 // The triangles around a corner of one of them, with normals to the same side.
-void ThinViewer::find_fan(int triangle, int corner) {
+void CodimensionalViewer::find_fan(int triangle, int corner) {
   fan_.assign(1, {triangle, held_.normal(triangle), 0});
   links_.clear();
   for (int k = 0; k < static_cast<int>(fan_.size()); ++k) {
@@ -86,7 +86,7 @@ void ThinViewer::find_fan(int triangle, int corner) {
   }
 }
 
-ThinViewer::Foot ThinViewer::foot(const Vec3& p, int triangle) const {
+CodimensionalViewer::Foot CodimensionalViewer::foot(const Vec3& p, int triangle) const {
   const auto [t0, t1, t2] = corners(held_.x(), mesh_.triangles[triangle]);
   const PointTriangleType type = point_triangle_type(p, t0, t1, t2);
   const double squared = point_triangle_distance(p, t0, t1, t2, type), height = held_.normal(triangle).dot(p - t0);
@@ -94,7 +94,7 @@ ThinViewer::Foot ThinViewer::foot(const Vec3& p, int triangle) const {
 }
 
 // The nearest one of those around the closest point, and the sharpness of what is between.
-std::pair<ThinViewer::Foot, double> ThinViewer::nearer(const Vec3& p, const Foot& from) {
+std::pair<CodimensionalViewer::Foot, double> CodimensionalViewer::nearer(const Vec3& p, const Foot& from) {
   std::pair<Foot, double> best{from, 0};
   const auto look_at = [&](int triangle, double over) {
     const Foot there = foot(p, triangle);
@@ -113,7 +113,7 @@ std::pair<ThinViewer::Foot, double> ThinViewer::nearer(const Vec3& p, const Foot
 
 // Over a corner, the point is above the surface in all directions of the normals of triangles, and between those of two
 // that meet in an edge, as it is over that edge.
-double ThinViewer::beyond_corner(const Vec3& p, const Foot& at) {
+double CodimensionalViewer::beyond_corner(const Vec3& p, const Foot& at) {
   const int corner = mesh_.triangles[at.triangle][at.feature];
   Vec3 towards = p - vertex(held_.x(), corner);
   find_fan(at.triangle, corner);
@@ -134,7 +134,7 @@ double ThinViewer::beyond_corner(const Vec3& p, const Foot& at) {
 }
 
 // On the way down to where the surface is nearest, and there.
-double ThinViewer::beyond(const Vec3& p, Foot at) {
+double CodimensionalViewer::beyond(const Vec3& p, Foot at) {
   double sum = 0;
   for (auto [next, over] = nearer(p, at); next.triangle != at.triangle; std::tie(next, over) = nearer(p, at)) {
     sum += over * at.off;
@@ -148,7 +148,7 @@ double ThinViewer::beyond(const Vec3& p, Foot at) {
   return sum + sharpness(at.triangle, side, held_.normal(at.triangle), turned_like(other, held_.normal(at.triangle))) * at.off;
 }
 
-ThinViewer::Seen ThinViewer::see(int vertex_index, int triangle, double range) {
+CodimensionalViewer::Seen CodimensionalViewer::see(int vertex_index, int triangle, double range) {
   const Vec3 p = vertex(held_.x(), vertex_index);
   const Foot at = foot(p, triangle);
   const bool own = mesh_.vertex_object[vertex_index] == mesh_.vertex_object[mesh_.triangles[triangle][0]];
@@ -164,7 +164,7 @@ ThinViewer::Seen ThinViewer::see(int vertex_index, int triangle, double range) {
 }
 
 // Over edges, of those within range.
-void ThinViewer::find_neighbours(std::span<const int> triangles, double range) {
+void CodimensionalViewer::find_neighbours(std::span<const int> triangles, double range) {
   uses_.clear();
   for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
     if (seen_[i].distance >= range) continue;
@@ -188,8 +188,8 @@ void ThinViewer::find_neighbours(std::span<const int> triangles, double range) {
 }
 
 // way: k_ij of all triangles i. From the best one on, each by its best neighbour.
-void ThinViewer::lead(int leader, double range, double* way) {
-  const TriangleShare& first = shares_[leader];
+void CodimensionalViewer::lead(int leader, double range, double* way) {
+  const TriangleWeight& first = shares_[leader];
   const auto like_first = [&](int i) {
     const double cosine = first.normal.dot(shares_[i].normal);
     return alike(first.two_sided ? std::abs(cosine) : cosine);
@@ -214,7 +214,7 @@ void ThinViewer::lead(int leader, double range, double* way) {
   }
 }
 
-std::vector<TriangleShare>& ThinViewer::look(int vertex_index, std::span<const int> triangles, double range) {
+std::vector<TriangleWeight>& CodimensionalViewer::look(int vertex_index, std::span<const int> triangles, double range) {
   const int n = static_cast<int>(triangles.size());
   const int object = mesh_.vertex_object[vertex_index];
   const double radius = held_.topology().particle_radius(vertex_index);

@@ -1,5 +1,5 @@
-// A part of the surface of one object that a place of another sees: those triangles between which and the place the same laws hold. To whoever sees it,
-// its seam is a rim.
+// Surface region: the triangles of one object between which and a triangle of another object the
+// same laws hold. Its interface with other regions counts as an overlap boundary.
 #pragma once
 
 #include <algorithm>
@@ -9,15 +9,23 @@
 
 namespace tack {
 
-class PartOfSurface {
+class SurfaceRegion {
  public:
-  // own: the triangle that sees; object: what it sees.
-  PartOfSurface(const PairTable& pairs, const CollisionMesh& mesh, int own, int object, int part)
-      : pairs_(pairs), mesh_(mesh), own_(mesh.triangles[own]), a_(mesh.vertex_object[own_[0]]), b_(object), part_(part) {}
+  // own: the triangle on the other object; object: the object of the region.
+  SurfaceRegion(const PairTable& pairs, const CollisionMesh& mesh, int own, int object, int part)
+      : pairs_(pairs),
+        mesh_(mesh),
+        own_(mesh.triangles[own]),
+        a_(mesh.vertex_object[own_[0]]),
+        b_(object),
+        part_(part) {}
 
   int part() const { return part_; }
-  bool has(int triangle) const { return pairs_.part(a_, b_, own_, mesh_.triangles[triangle]) == part_; }
-  // Whether it goes on beyond a vertex of one of its triangles, and beyond side i of one.
+  bool has(int triangle) const {
+    return pairs_.part(a_, b_, own_, mesh_.triangles[triangle]) == part_;
+  }
+  // Returns whether the region holds all triangles around a vertex, and around side i of a
+  // triangle.
   bool around(const SurfaceTopology& topology, int vertex_index) const {
     const auto at = topology.triangles_at(vertex_index);
     return std::all_of(at.begin(), at.end(), [this](int t) { return has(t); });

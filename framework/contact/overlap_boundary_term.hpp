@@ -1,0 +1,49 @@
+// Overlap-boundary forces (overlap_boundary_forces.hpp) as a potential that is linear in the
+// positions, constant through the step. At the end of a step its value is, to first order, the
+// difference between the adhesion energy with the present areas and with those of the start, so
+// that it counts as adhesion.
+#pragma once
+
+#include "framework/contact/contact_term.hpp"
+#include "framework/contact/overlap_boundary_forces.hpp"
+#include "framework/core/linear_term.hpp"
+
+namespace tack {
+
+class OverlapBoundaryTerm : public LinearTerm {
+ public:
+  // The system must outlive this term, and begin each step before it.
+  explicit OverlapBoundaryTerm(const ContactSystem& system) : LinearTerm("rim"), system_(system) {}
+
+  // Adhesion and the change of its area have the same factor in every integrator (assembly/term_scales.hpp).
+  bool dynamic() const override { return true; }
+
+  void forget() override { set_force({}); }
+  void begin_step(const StepStart& start) override {
+    set_force(system_.overlap_boundary_forces().all());
+    set_reference(start.x);
+  }
+
+  // All of it is adhesion. The forces are those of the step at any x. Its work is within the energy
+  // that contact stores.
+  void publish(Records& records) const override {
+    ForceRecord force_record{"rim", Acting::normal, {"adhesion"}};
+    force_record.add = [this](const VecX&, std::string_view, VecX& forces) {
+      if (force().size() > 0) forces += force();
+    };
+    force_record.between = [this](const VecX&, std::string_view, ObjectPair pair) {
+      return system_.overlap_boundary_forces().on(pair.a, pair.b, system_.surface().mesh);
+    };
+    records.add(std::move(force_record));
+    records.add(
+        EnergyRecord{"adhesion", EnergyKind::contact, [this](const VecX& x) { return value(x); }});
+    records.add(FlowRecord{"rim",
+                           {{"work_rim", FlowKind::within}},
+                           [this](const VecX& x, double* amounts) { amounts[0] = -value(x); }});
+  }
+
+ private:
+  const ContactSystem& system_;
+};
+
+}  // namespace tack

@@ -1,0 +1,38 @@
+// Clips a piece of a triangle by the boundary lines of the opposite surface. A line is the
+// intersection of the triangle with the plane through an edge of the other surface, perpendicular
+// to that edge's triangle. The lines cut the piece into convex polygons, each of which overlaps as
+// a whole or not at all, so that overlap areas are continuous in the positions.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "framework/contact/lagged_surface.hpp"
+#include "framework/contact/surface_region.hpp"
+
+namespace tack {
+
+struct ClipLine {
+  int triangle, side;  // the edge
+  Vec3 at, outward;    // a point of the plane, its unit normal away from the triangle
+};
+
+struct ClipCorner {
+  Vec3 inside;  // barycentric coordinates
+  int line;     // the line of the edge that begins here; -1: none
+  bool beyond;  // whether the polygon lies on the outward side of that line
+};
+using ClipPolygon = std::vector<ClipCorner>;
+
+// Appends the lines of creases and boundaries in which the closest point of a triangle to p lies,
+// and of the interfaces of its region (part; null: none).
+void add_clip_lines(const CollisionMesh& mesh, const LaggedSurface& held, const SurfaceRegion* part,
+                    int triangle, const Vec3& p, std::vector<ClipLine>& lines);
+
+// Returns the polygons of a piece of the triangle `own`; piece: barycentric coordinates of its
+// corners.
+std::vector<ClipPolygon> clip_by_lines(const VecX& x, const Triangle& own,
+                                       const std::array<Vec3, 3>& piece,
+                                       const std::vector<ClipLine>& lines);
+
+}  // namespace tack
