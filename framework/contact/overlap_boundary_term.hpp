@@ -15,7 +15,7 @@ class OverlapBoundaryTerm : public LinearTerm {
   // The system must outlive this term, and begin each step before it.
   explicit OverlapBoundaryTerm(const ContactSystem& system) : LinearTerm("rim"), system_(system) {}
 
-  // Adhesion and the change of its area have the same factor in every integrator (assembly/term_scales.hpp).
+  // Adhesion and the change of its area have one factor in every integrator (term_scales.hpp).
   bool dynamic() const override { return true; }
 
   void forget() override { set_force({}); }

@@ -23,8 +23,8 @@ fs::path checkpoint_of(const fs::path& from) {
 
 }  // namespace
 
-EarlierState earlier_state(const StateFile& file, const Experiment& experiment, const std::string& name) {
-  EarlierState state{name, file.state.time, file.state.x, file.state.v, file.state.a, file.state.history, file.objects, {}, {}};
+InitialStateFromRun initial_state_of(const StateFile& file, const Experiment& experiment, const std::string& name) {
+  InitialStateFromRun state{name, file.state.time, file.state.x, file.state.v, file.state.a, file.state.history, file.objects, {}, {}};
   for (const ObjectConfig& object : experiment.objects) state.order.push_back(object.name), state.energies[object.name] = energies_text(object);
   for (size_t i = 0; i < experiment.interactions.size(); ++i) state.energies[interaction_name(experiment, i)] = "";
   const Eigen::Index vertices = file.state.x.size() / 3;
@@ -37,12 +37,12 @@ EarlierState earlier_state(const StateFile& file, const Experiment& experiment, 
   return state;
 }
 
-EarlierState state_of_run(const std::string& from) {
+InitialStateFromRun state_of_run(const std::string& from) {
   const fs::path path = checkpoint_of(from);
   const StateFile file = read_state_file(path, StateFile::Kind::checkpoint);
   if (file.objects.empty())
     throw InputError(fmt::format("{}: was written by an earlier program, which did not note whose vertices are whose; write it anew", path.string()));
-  return earlier_state(file, parse_experiment(file.scene, path.string()).experiment, path.string());
+  return initial_state_of(file, parse_experiment(file.scene, path.string()).experiment, path.string());
 }
 
 }  // namespace tack

@@ -7,14 +7,14 @@
 
 #include "framework/body/flowed_mesh.hpp"
 #include "framework/experiment/experiment.hpp"
-#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/initial_state.hpp"
 
 namespace tack {
 
 struct LoadedExperiment {
   Value root;  // as parsed, for places in messages
   Experiment experiment;
-  std::optional<EarlierState> earlier;  // where it starts; unset: as `start` says (earlier_run.hpp)
+  std::optional<InitialStateFromRun> earlier;  // where it starts; unset: as `start` says (earlier_run.hpp)
   FlowedMeshes flowed;  // of objects that were meshed anew in a run that is gone on with
 };
 

@@ -37,7 +37,7 @@ LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
   loaded.flowed = file.flowed;
   // The start is checked where the problem is, and the file that the experiment started from may be gone.
   if (!file.objects.empty()) {
-    loaded.earlier = earlier_state(file, loaded.experiment, name);
+    loaded.earlier = initial_state_of(file, loaded.experiment, name);
     loaded.experiment.start.reset();
   }
   return loaded;

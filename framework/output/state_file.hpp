@@ -28,7 +28,7 @@
 #include "framework/core/state.hpp"
 #include "framework/core/warning.hpp"
 #include "framework/remesh/remeshing.hpp"
-#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/initial_state.hpp"
 #include "geometry/mesh/digest.hpp"
 #include "geometry/mesh/mesh.hpp"
 

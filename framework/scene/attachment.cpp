@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "framework/scene/scene_config.hpp"
-#include "framework/world/carrier.hpp"
+#include "framework/world/embedding.hpp"
 #include "framework/world/world.hpp"
 #include "geometry/errors.hpp"
 
@@ -40,7 +40,7 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
     const AttachConfig& attach = object.attach[i];
     const std::string name = fmt::format("attach {} of '{}'", i, object.name);
     const int to = target_index(attach, index, world, name);
-    const Carrier target(world, to);
+    const Embedding target(world, to);
     const double within = attach.within.value_or(of_size * target.size());
     Tie tie{name, {}, 0, attach.until.value_or(std::numeric_limits<double>::infinity())};
     double closest = std::numeric_limits<double>::infinity();
@@ -52,8 +52,8 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
       if (std::find(taken.begin(), taken.end(), v) != taken.end())
         throw InputError(fmt::format("{}: vertex {} is attached twice; take it out of one of the selections", name, local));
       taken.push_back(v);
-      Carrier::Place place = target.of(vertex(world.rest, v));
-      if (place.distance > within || place.off > Carrier::touching * target.size())
+      Embedding::Attachment place = target.of(vertex(world.rest, v));
+      if (place.distance > within || place.off > Embedding::touching * target.size())
         throw InputError(fmt::format("{}: vertex {} is {:.4g} m away from '{}'{}; move the objects together (place), select "
                                      "fewer vertices{}", name, local, place.distance, attach.to,
                                      place.distance > within ? "" : ", which has no tets to follow beyond its surface",
@@ -61,7 +61,7 @@ void add_attachments(const SceneConfig& scene, int index, World& world) {
       closest = std::min(closest, place.distance);
       tie.dependences.push_back({v, std::move(place.on)});
     }
-    if (closest <= Carrier::touching * target.size()) world.attached.emplace_back(std::min(index, to), std::max(index, to));
+    if (closest <= Embedding::touching * target.size()) world.attached.emplace_back(std::min(index, to), std::max(index, to));
     world.bindings.add(std::move(tie));
   }
 }

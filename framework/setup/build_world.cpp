@@ -16,7 +16,7 @@
 #include "framework/setup/affine_bodies.hpp"
 #include "framework/setup/carried_motion.hpp"
 #include "framework/setup/contact_support.hpp"
-#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/initial_state.hpp"
 #include "framework/setup/interaction_builder.hpp"
 #include "framework/setup/named_selections.hpp"
 #include "framework/setup/push_out.hpp"
@@ -267,7 +267,7 @@ std::string place_of(const Value& root, const std::string& list, size_t i) {
   return value ? value->mark.text() + ": " : "";
 }
 
-std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, const EarlierState* earlier,
+std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, const RunTimes& times, PhaseClock& clock, const InitialStateFromRun* earlier,
                                    const FlowedMeshes& flowed) {
   auto world = std::make_unique<World>();
   std::set<std::string> names;
@@ -296,7 +296,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     world->bodies.back().notes = std::move(notes[i]);
   });
   meshes.clear();
-  world->mass = world->weighing_mass = VecX::Zero(world->rest.size() / 3);
+  world->mass = world->gravitational_mass = VecX::Zero(world->rest.size() / 3);
   world->script = Script(static_cast<int>(world->rest.size()) / 3);
   for_each_object(scene, root, [&](size_t i) {
     if (scene.objects[i].body) add_frame(scene.objects[i], static_cast<int>(i), *world);
@@ -317,10 +317,10 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
     });
   for_each_object(scene, root, [&](size_t i) { add_attachments(scene, static_cast<int>(i), *world); });
   for_each_object(scene, root, [&](size_t i) { add_energies(scene.objects[i], static_cast<int>(i), *world); });
-  world->weighing_mass = world->mass;
+  world->gravitational_mass = world->mass;
   for (const UnknownGroup& group : world->unknowns)
     if (group.length > 0)
-      for (const int v : group.vertices) world->weighing_mass(v) = 0;
+      for (const int v : group.vertices) world->gravitational_mass(v) = 0;
   add_affine_terms(scene, root, times, *world);
   add_interactions(scene, root, *world);
   const std::vector<char> active = world->script.active(times.step / 2), free = world->script.free(active);
@@ -328,10 +328,10 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root, 
   check_mass(root, *world);
   add_loads(scene, root, *world);
   world->gravity = scene.gravity;
-  if (!scene.gravity.isZero()) world->gravity_term.set_up(world->weighing_mass, scene.gravity);
+  if (!scene.gravity.isZero()) world->gravity_term.set_up(world->gravitational_mass, scene.gravity);
   start_state(scene, *world);
   if (earlier)
-    at_place(root.find("start"), [&] { world->start_notes.push_back(start_as_before(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
+    at_place(root.find("start"), [&] { world->start_notes.push_back(start_from_run(scene.start.value_or(StartConfig{}), *earlier, scene, *world)); });
   world->meeting = meeting_groups(scene, *world, times.duration);
   build_contact(scene, root, times, clock, *world);
   if (flowed.empty()) check_start(scene, root, *world);

@@ -13,7 +13,7 @@
 
 namespace tack {
 
-struct EarlierState;
+struct InitialStateFromRun;
 
 // Builds the world as it is before the first step of a run; it points into the scene. `root` is the
 // parsed file, for places in messages. Throws InputError for anything that does not fit together,
@@ -22,7 +22,7 @@ struct EarlierState;
 // whose start is behind it.
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root,
                                    const RunTimes& times, PhaseClock& clock,
-                                   const EarlierState* earlier = nullptr, const FlowedMeshes& flowed = {});
+                                   const InitialStateFromRun* earlier = nullptr, const FlowedMeshes& flowed = {});
 
 // The pairs of objects and their laws (contact_setup.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times,

@@ -68,7 +68,7 @@ std::vector<double> resting_pressures(const SceneConfig& scene, const World& wor
     const Body& body = world.bodies[i];
     if (!body.movable) continue;
     double mass = 0;
-    for (const int v : world.vertices_of(static_cast<int>(i))) mass += world.weighing_mass(v);
+    for (const int v : world.vertices_of(static_cast<int>(i))) mass += world.gravitational_mass(v);
     if (const double area = area_of_shadow(body, world.rest); area > 0)
       pressures[i] = to_two_digits((forces[i] + mass * scene.gravity.norm()) / area);
   }

@@ -10,7 +10,7 @@
 #include "framework/scene/pair_configs.hpp"
 #include "framework/setup/add_loads.hpp"
 #include "framework/setup/build_world.hpp"
-#include "framework/world/carrier.hpp"
+#include "framework/world/embedding.hpp"
 #include "framework/world/joint_relations.hpp"
 #include "geometry/errors.hpp"
 
@@ -48,12 +48,12 @@ std::vector<int> InteractionBuilder::vertices(const ObjectVertices& of) const {
 }
 
 int InteractionBuilder::anchor(int body, const Vec3& at) {
-  const Carrier carrier(world_, body);
-  const Carrier::Place place = carrier.of(at);
+  const Embedding carrier(world_, body);
+  const Embedding::Attachment place = carrier.of(at);
   const std::string& object = world_.bodies[body].name;
   if (place.on.empty())
     throw InputError(fmt::format("interaction '{}': '{}' has neither tets nor triangles that could carry a point along; choose vertices of it", name(), object));
-  if (place.off > Carrier::touching * carrier.size())
+  if (place.off > Embedding::touching * carrier.size())
     throw InputError(fmt::format("interaction '{}': the point ({:.6g}, {:.6g}, {:.6g}) m is {:.4g} m away from '{}', which has no tets that could carry it "
                                  "beyond its surface; choose one on it", name(), at.x(), at.y(), at.z(), place.off, object));
   Unknowns own = unknowns();

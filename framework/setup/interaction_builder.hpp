@@ -31,7 +31,7 @@ class InteractionBuilder {
   int body(const std::string& object) const;                 // its index
   std::vector<int> bodies(const std::string& name) const;    // of an object, a group, or "*"; ascending
   std::vector<int> vertices(const ObjectVertices& of) const;  // global, ascending, at least one
-  // A vertex at that place [m] that a body carries along (carrier.hpp).
+  // A vertex at that place [m] that a body carries along (embedding.hpp).
   int anchor(int body, const Vec3& at);
 
   // A vertex that stays at that place [m]: what is held to space holds on to one.

@@ -90,7 +90,7 @@ class MeetingSearch {
       boxes[root(i)].extend(boxes_[i]);
       groups[root(i)].speed = speed_[root(i)];
       for (const int v : world_.vertices_of(i))
-        if (world_.script.ever_free(v)) groups[root(i)].weight += world_.weighing_mass(v) * scene_.gravity.norm();
+        if (world_.script.ever_free(v)) groups[root(i)].weight += world_.gravitational_mass(v) * scene_.gravity.norm();
     }
     for_each_overlap(reaches, [&](int a, int b) {
       if (!movable(a) && movable(b)) boxes[root(b)].extend(boxes_[a]);

@@ -8,13 +8,13 @@
 #include "framework/core/dof_map.hpp"
 #include "framework/core/state.hpp"
 #include "framework/motion/script.hpp"
-#include "framework/world/bindings.hpp"
+#include "framework/world/multi_point_constraints.hpp"
 
 namespace tack {
 
 class HeldVertices {
  public:
-  HeldVertices(const Script& script, const Bindings& bindings, const VecX& rest)
+  HeldVertices(const Script& script, const MultiPointConstraints& bindings, const VecX& rest)
       : script_(script), bindings_(bindings), rest_(rest) {}
 
   // Makes the holds and ties at time `middle`, that of the step, the present ones; false if they are already.
@@ -41,7 +41,7 @@ class HeldVertices {
   DofMap dofs_of(const std::vector<char>& active) const;
 
   const Script& script_;
-  const Bindings& bindings_;
+  const MultiPointConstraints& bindings_;
   const VecX& rest_;
   bool known_ = false;
   std::vector<char> active_;  // per hold of the script, then per tie

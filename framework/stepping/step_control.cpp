@@ -35,8 +35,8 @@ StepControl::StepControl(const World& world, const TimeConfig& time) : time_(tim
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     Part part{world.vertices_of(static_cast<int>(i)), {}};
     double mass = 0;
-    for (const int v : part.vertices) mass += world.weighing_mass(v);
-    for (const int v : part.vertices) part.weights.push_back(mass > 0 ? world.weighing_mass(v) : world.is_number(v) ? 0 : 1);
+    for (const int v : part.vertices) mass += world.gravitational_mass(v);
+    for (const int v : part.vertices) part.weights.push_back(mass > 0 ? world.gravitational_mass(v) : world.is_number(v) ? 0 : 1);
     parts_.push_back(std::move(part));
   }
 }

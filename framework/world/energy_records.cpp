@@ -27,7 +27,7 @@ void sort(std::vector<NamedEnergy>& energies) {
 double weight_of_free_vertices(const World& world, const VecX& x) {
   double sum = 0;
   for (int v = 0; v < world.dofs.vertex_count(); ++v)
-    if (world.dofs.moves(v)) sum += world.weighing_mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(x, v));
+    if (world.dofs.moves(v)) sum += world.gravitational_mass(v) * world.gravity.dot(vertex(world.rest, v) - vertex(x, v));
   return sum;
 }
 

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "framework/world/bindings.hpp"
+#include "framework/world/multi_point_constraints.hpp"
 #include "framework/world/joint.hpp"
 
 namespace tack {

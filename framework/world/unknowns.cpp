@@ -53,11 +53,11 @@ std::vector<int> Unknowns::append(const std::string& name, std::span<const Vec3>
   if (added.empty()) return added;
   world_.rest.conservativeResize(3 * static_cast<Eigen::Index>(count));
   world_.mass.conservativeResize(count);
-  world_.weighing_mass.conservativeResize(count);
+  world_.gravitational_mass.conservativeResize(count);
   for (int i = 0; i < more; ++i) {
     vertex(world_.rest, added[i]) = at[i];
     world_.mass(added[i]) = mass;
-    world_.weighing_mass(added[i]) = length > 0 ? 0 : mass;
+    world_.gravitational_mass(added[i]) = length > 0 ? 0 : mass;
   }
   world_.script.grow(more);
   world_.extra_object.insert(world_.extra_object.end(), at.size(), body_);

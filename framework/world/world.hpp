@@ -14,7 +14,7 @@
 #include "framework/motion/motion.hpp"
 #include "framework/motion/script.hpp"
 #include "framework/world/acting_interaction.hpp"
-#include "framework/world/bindings.hpp"
+#include "framework/world/multi_point_constraints.hpp"
 #include "framework/world/load_terms.hpp"
 #include "framework/world/meeting_groups.hpp"
 #include "framework/world/unknowns.hpp"
@@ -41,10 +41,10 @@ struct World {
   std::vector<int> extra_object;  // of the latter: the body that each belongs to; -1: none
   std::vector<UnknownGroup> unknowns;  // the latter, as they were asked for, ascending
   VecX mass;              // n [kg]
-  VecX weighing_mass;     // n [kg]: what gravity pulls at; none of numbers
+  VecX gravitational_mass;     // n [kg]: what gravity pulls at; none of numbers
   std::vector<std::unique_ptr<Motion>> own_motions;  // beside those of the scene: of what is carried, and of what is held of unknowns
   Script script;          // who is held when
-  Bindings bindings;      // which vertices follow others
+  MultiPointConstraints bindings;      // which vertices follow others
   std::vector<std::pair<int, int>> attached;  // bodies that are in no contact, as one is attached or joined to the other, ascending
   MeetingGroups meeting;  // bodies that may touch each other in the run
   DofMap dofs;            // of the present step; the first before it
@@ -72,7 +72,7 @@ struct World {
   std::vector<AdhesionSummary> adhesion;
   std::vector<StepFigure> step_figures;  // what the stepper tells of the last step
   State start;
-  std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (earlier_state.hpp)
+  std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (initial_state.hpp)
 
   int body_index(const std::string& name) const;  // -1 if there is none
   // The same; throws InputError with the nearest name, after `who` ("probe 'gap': "), if there is none.

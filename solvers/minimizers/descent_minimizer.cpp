@@ -52,7 +52,7 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   gradient_before_.resize(0);
   too_stiff_ = cut_ = unbalanced_ = false;
   judge_.begin();
-  crawl_.begin();
+  stagnation_.begin();
   begin(problem, result);
   const TellIteration tell(problem);
   VecX p;
@@ -80,10 +80,10 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     if (last && balanced(problem, result)) return end(MinimizerStatus::converged);
     unbalanced_ = last;
     if (!last) {
-      crawl_.begin();
+      stagnation_.begin();
     } else if (moved == MinimizerStatus::converged && !balance_given()) {  // what a scene states is met
       const double way = problem.stopping_norm(q - before, objective.gradient());
-      if (crawl_.crawls(way, problem.imbalance(objective.gradient()))) return end(MinimizerStatus::converged);
+      if (stagnation_.stagnates(way, problem.imbalance(objective.gradient()))) return end(MinimizerStatus::converged);
     }
     if (moved == MinimizerStatus::line_search_failed && restart(problem)) continue;
     if (moved != MinimizerStatus::converged) return end(moved);

@@ -6,7 +6,7 @@
 
 #include "framework/core/minimizer.hpp"
 #include "solvers/line_search/line_search.hpp"
-#include "solvers/minimizers/balance_crawl.hpp"
+#include "solvers/minimizers/stagnation.hpp"
 #include "solvers/minimizers/convergence_judge.hpp"
 
 namespace tack {
@@ -60,7 +60,7 @@ class DescentMinimizer : public Minimizer {
   bool accelerated_ = false;  // the present one: conjugate to the last, and prolonged
   double room_ = 0;           // for it, in units of its direction
   ConvergenceJudge judge_;
-  BalanceCrawl crawl_;
+  Stagnation stagnation_;
 };
 
 }  // namespace tack

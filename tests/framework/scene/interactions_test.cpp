@@ -8,7 +8,7 @@
 #include "framework/core/records.hpp"
 #include "framework/run/gradient_check.hpp"
 #include "framework/scene/energy_with_unknowns.hpp"
-#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/initial_state.hpp"
 #include "framework/setup/interaction_builder.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"
@@ -168,7 +168,7 @@ TEST_CASE("a number without mass is where the potential is least, one with mass 
   const int n = group_of(*run.world, "jack/way").vertices.at(0);
   CHECK(run.world->is_number(n));
   CHECK(run.world->body_of(n) == -1);
-  CHECK(run.world->weighing_mass(n) == 0);
+  CHECK(run.world->gravitational_mass(n) == 0);
   CHECK_FALSE(run.world->is_number(group_of(*run.world, "jack/anchor").vertices.at(0)));
   const double other = spring / (length * length);
   for (int i = 0; i < 5; ++i) {
@@ -258,12 +258,12 @@ TEST_CASE("unknowns and memories of interactions resume bit for bit, and go alon
   CHECK(middle.history.at("jack/steps").values == std::vector<double>{7});
   CHECK(steps(whole) == 7);
 
-  EarlierState earlier{"before", middle.time, middle.x, middle.v, middle.a, middle.history, state_objects(*whole.world), {"wall", "cart"}, {}};
+  InitialStateFromRun earlier{"before", middle.time, middle.x, middle.v, middle.a, middle.history, state_objects(*whole.world), {"wall", "cart"}, {}};
   for (const char* name : {"wall", "cart", "jack"}) earlier.energies[name] = "";
   const int n = group_of(*whole.world, "jack/way").vertices[0];
   const auto start = [&](const std::string& interactions) {
     TestScene s(scene(interactions));
-    start_as_before(StartConfig{}, earlier, s.config, *s.world);
+    start_from_run(StartConfig{}, earlier, s.config, *s.world);
     return s.world->start;
   };
   const State taken = start("{type: test_jack, name: jack, between: [wall, cart], " + at + ", mass: 0.2}");

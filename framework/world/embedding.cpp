@@ -1,4 +1,4 @@
-#include "framework/world/carrier.hpp"
+#include "framework/world/embedding.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -36,11 +36,11 @@ void snap(std::vector<std::pair<int, double>>& weights) {
 
 }  // namespace
 
-Carrier::Carrier(const World& world, int body)
+Embedding::Embedding(const World& world, int body)
     : world_(world), body_(world.bodies[body]), size_(extent_of(body_, world.rest).diagonal().norm()) {}
 
-Carrier::Place Carrier::of(const Vec3& point) const {
-  Place place;
+Embedding::Attachment Embedding::of(const Vec3& point) const {
+  Attachment place;
   const Triangle* closest = nullptr;
   double least_square = std::numeric_limits<double>::infinity();
   for (const Triangle& t : body_.triangles) {
@@ -62,7 +62,7 @@ Carrier::Place Carrier::of(const Vec3& point) const {
 }
 
 // In the tet that holds it, or else in that of the closest face.
-std::vector<std::pair<int, double>> Carrier::on_tets(const Vec3& point, const Triangle* closest) const {
+std::vector<std::pair<int, double>> Embedding::on_tets(const Vec3& point, const Triangle* closest) const {
   const Tet* chosen = nullptr;
   for (const Tet& t : body_.tets) {
     if (least(weights_on(t, world_.rest, point)) >= -touching) return weights_on(t, world_.rest, point);
@@ -73,7 +73,7 @@ std::vector<std::pair<int, double>> Carrier::on_tets(const Vec3& point, const Tr
   return weights_on(*chosen, world_.rest, point);
 }
 
-std::vector<std::pair<int, double>> Carrier::on_triangle(const Triangle& t, const Vec3& point) const {
+std::vector<std::pair<int, double>> Embedding::on_triangle(const Triangle& t, const Vec3& point) const {
   const Vec3 a = at(t[0]), u = at(t[1]) - a, v = at(t[2]) - a;
   Eigen::Matrix<double, 3, 2> edges;
   edges << u, v;

@@ -1,4 +1,4 @@
-#include "framework/setup/earlier_state.hpp"
+#include "framework/setup/initial_state.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,7 +14,7 @@
 namespace tack {
 namespace {
 
-const StateObject& checked(const std::string& name, const EarlierState& earlier, const StateObject& here) {
+const StateObject& checked(const std::string& name, const InitialStateFromRun& earlier, const StateObject& here) {
   const StateObject& there = earlier.objects.at(name);
   MeshDigest was = there.mesh;
   was.vertices = here.mesh.vertices, was.groups = here.mesh.groups;  // it may be of another size, and have other groups
@@ -39,7 +39,7 @@ std::string names_of(const std::map<std::string, StateObject>& objects) {
 }
 
 // In the scene's order.
-std::vector<const ObjectConfig*> chosen(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene) {
+std::vector<const ObjectConfig*> chosen(const StartConfig& start, const InitialStateFromRun& earlier, const SceneConfig& scene) {
   std::vector<const ObjectConfig*> all;
   const auto among = [](const std::vector<std::string>& list, const std::string& name) { return std::find(list.begin(), list.end(), name) != list.end(); };
   for (const ObjectConfig& object : scene.objects) {
@@ -62,7 +62,7 @@ std::vector<const ObjectConfig*> chosen(const StartConfig& start, const EarlierS
 }
 
 // What the object remembers, by the names that it begins with.
-void take_history(const ObjectConfig& object, const EarlierState& earlier, State& state) {
+void take_history(const ObjectConfig& object, const InitialStateFromRun& earlier, State& state) {
   const std::string prefix = object.name + "/";
   bool any = false;
   for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
@@ -81,7 +81,7 @@ struct Places {
 };
 
 // What is remembered between objects: entries of a point and another object, both of which are taken, by their numbers here.
-void take_keyed(const EarlierState& earlier, const Places& places, State& state) {
+void take_keyed(const InitialStateFromRun& earlier, const Places& places, State& state) {
   for (const auto& [name, there] : earlier.history) {
     const bool keyed = !there.keys.empty() && static_cast<int>(there.keys.size()) == there.entries();
     if (!keyed) continue;
@@ -105,7 +105,7 @@ void take_keyed(const EarlierState& earlier, const Places& places, State& state)
 
 // Unknowns and memories of interactions of which all objects are taken.
 void take_interactions(const std::map<std::string, StateObject>& here, const std::vector<const ObjectConfig*>& objects, const StartConfig& start,
-                       const EarlierState& earlier, World& world) {
+                       const InitialStateFromRun& earlier, World& world) {
   const auto taken = [&](int body) {
     return std::any_of(objects.begin(), objects.end(), [&](const ObjectConfig* object) { return object->name == world.bodies[body].name; });
   };
@@ -160,7 +160,7 @@ std::string energies_text(const ObjectConfig& object) {
   return text;
 }
 
-std::string start_as_before(const StartConfig& start, const EarlierState& earlier, const SceneConfig& scene, World& world) {
+std::string start_from_run(const StartConfig& start, const InitialStateFromRun& earlier, const SceneConfig& scene, World& world) {
   const std::map<std::string, StateObject> here = state_objects(world);
   State& s = world.start;
   const std::vector<const ObjectConfig*> objects = chosen(start, earlier, scene);

@@ -1,4 +1,5 @@
-// Which vertices of a scene follow others, and when (core/dependence.hpp).
+// Multi-point constraints of a scene: dependent vertices that follow independent ones, and the
+// times at which they do (core/dependence.hpp).
 #pragma once
 
 #include <array>
@@ -10,7 +11,8 @@
 
 namespace tack {
 
-// The four vertices that all others of an affine body follow, with weights that add up to one for each.
+// The frame of an affine body: four independent vertices that all others follow, with weights that
+// sum up to one for each.
 struct AffineFrame {
   std::array<int, 4> frame;
   struct Carried {
@@ -20,17 +22,17 @@ struct AffineFrame {
   std::vector<Carried> carried;
 };
 
-// Vertices of one object that follow another's, for a while.
+// A tie: vertices of one object that follow another object's for an interval of time.
 struct Tie {
   std::string name;  // for messages: "attach 0 of 'box'"
   Dependences dependences;
   double from = 0, until = 0;  // s
 };
 
-class Bindings {
+class MultiPointConstraints {
  public:
   void add(AffineFrame frame) { frames_.push_back(std::move(frame)); }
-  // Another vertex that follows the frame of which that is the first one.
+  // Adds a dependent vertex of the frame with this first vertex.
   void carry(int first_of_frame, const AffineFrame::Carried& carried);
   void add(Tie tie) { ties_.push_back(std::move(tie)); }
   void add_lasting(Dependence dependence) { lasting_.push_back(std::move(dependence)); }
@@ -40,16 +42,19 @@ class Bindings {
   const std::vector<Tie>& ties() const { return ties_; }
   const Dependences& lasting() const { return lasting_; }
   const std::vector<Joint>& joints() const { return joints_; }
-  bool empty() const { return frames_.empty() && ties_.empty() && lasting_.empty(); }  // joints are between frames
+  // Joints are between frames.
+  bool empty() const { return frames_.empty() && ties_.empty() && lasting_.empty(); }
 
-  // Which ties act at time t [s].
+  // Returns a flag per tie: whether it acts at time t [s].
   std::vector<char> active(double t) const;
-  // With those ties, where the vertices with free[v] == 0 are held. Where vertices of an affine body are held or tied, as
-  // many of its frame follow them as they are independent places: one leaves it three, on a line two, in a plane one.
-  // free may be empty where there are no joints: nothing is held.
+  // Returns all constraints with these ties and with vertices fixed where free[v] == 0. Where
+  // vertices of an affine body are fixed or tied, as many vertices of its frame become dependent as
+  // these are affinely independent: one vertex leaves three independent, a line two, a plane one.
+  // free may be empty where there are no joints: no vertex is fixed.
   Dependences at(const std::vector<char>& free, const std::vector<char>& active_ties) const;
-  // The same without joints.
-  Dependences unjoined_at(const std::vector<char>& free, const std::vector<char>& active_ties) const;
+  // Returns these constraints without joints.
+  Dependences unjoined_at(const std::vector<char>& free,
+                          const std::vector<char>& active_ties) const;
 
  private:
   std::vector<AffineFrame> frames_;

@@ -1,5 +1,5 @@
 // Forces that fall are waited for, those that crawl where nothing moves are not.
-#include "solvers/minimizers/balance_crawl.hpp"
+#include "solvers/minimizers/stagnation.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -9,10 +9,10 @@ namespace {
 
 // After how many of at most 100 iterations of that norm, whose imbalance falls by that factor each, it is given up; 0: never.
 int given_up(double norm, double factor) {
-  BalanceCrawl crawl;
+  Stagnation crawl;
   double imbalance = 1e4;
   for (int i = 1; i <= 100; ++i, imbalance *= factor)
-    if (crawl.crawls(norm, imbalance)) return i;
+    if (crawl.stagnates(norm, imbalance)) return i;
   return 0;
 }
 
@@ -31,9 +31,9 @@ TEST_CASE("forces that crawl are given up", "[minimizers][crawl]") {
 }
 
 TEST_CASE("a step above the tolerance begins it anew", "[minimizers][crawl]") {
-  BalanceCrawl crawl;
-  for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.crawls(1e-3, 10));
+  Stagnation crawl;
+  for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.stagnates(1e-3, 10));
   crawl.begin();
-  for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.crawls(1e-3, 10));
-  CHECK(crawl.crawls(1e-3, 10));
+  for (int i = 0; i < 7; ++i) CHECK_FALSE(crawl.stagnates(1e-3, 10));
+  CHECK(crawl.stagnates(1e-3, 10));
 }

@@ -1,4 +1,4 @@
-#include "framework/world/bindings.hpp"
+#include "framework/world/multi_point_constraints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,18 +63,18 @@ Dependences frame_follows(const AffineFrame& body, const std::set<int>& led, std
 
 }  // namespace
 
-void Bindings::carry(int first_of_frame, const AffineFrame::Carried& carried) {
+void MultiPointConstraints::carry(int first_of_frame, const AffineFrame::Carried& carried) {
   const auto at = std::find_if(frames_.begin(), frames_.end(), [&](const AffineFrame& f) { return f.frame[0] == first_of_frame; });
   at->carried.push_back(carried);
 }
 
-std::vector<char> Bindings::active(double t) const {
+std::vector<char> MultiPointConstraints::active(double t) const {
   std::vector<char> active;
   for (const Tie& tie : ties_) active.push_back(tie.from <= t && t < tie.until);
   return active;
 }
 
-Dependences Bindings::at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
+Dependences MultiPointConstraints::at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
   Dependences all = unjoined_at(free, active_ties);
   if (joints_.empty()) return all;
   SolvedJoints solved = solve_joints(joints_, frames_, free, all);
@@ -82,7 +82,7 @@ Dependences Bindings::at(const std::vector<char>& free, const std::vector<char>&
   return all;
 }
 
-Dependences Bindings::unjoined_at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
+Dependences MultiPointConstraints::unjoined_at(const std::vector<char>& free, const std::vector<char>& active_ties) const {
   Dependences all = lasting_;
   std::set<int> led;
   for (int v = 0; v < static_cast<int>(free.size()); ++v)
