@@ -29,7 +29,7 @@
 
 namespace tack {
 
-// Arity: the vertices of a stencil, of which the last `Numbers` are numbers (scene/unknowns.hpp): x[k].x() is their way [m].
+// Arity: the vertices of a stencil, of which the last `Numbers` are numbers (world/unknowns.hpp): x[k].x() is their way [m].
 template <int Arity, int Numbers = 0>
 struct FormulaOf {
   static_assert(Arity >= 1 && Arity <= largest_arity, "core/term.hpp says how many vertices a stencil may have");

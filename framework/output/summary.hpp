@@ -60,7 +60,7 @@ struct RunSummary {
   double max_unbalanced_force = 0;  // at the end of a step [N]
   int unbalanced_steps = 0;         // that ended with more than is tolerated, because it crawled where nothing moved
   double max_affine_strain = 0;     // of any affine body
-  // The lowest mean ratio of an element that flowed, over what it had at rest (scene/flow_quality.hpp); infinity: none flowed.
+  // The lowest mean ratio of an element that flowed, over what it had at rest (checks/flow_quality.hpp); infinity: none flowed.
   double lowest_quality = std::numeric_limits<double>::infinity();
   int intersections = 0;
   int inverted_tets = 0;

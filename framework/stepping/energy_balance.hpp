@@ -36,7 +36,7 @@ class Minimizer;
 
 class EnergyBalance {
  public:
-  using Energies = std::vector<NamedEnergy>;  // scene/energy_records.hpp
+  using Energies = std::vector<NamedEnergy>;  // world/energy_records.hpp
 
   EnergyBalance(const World& world, const Minimizer& solver);
 

@@ -17,7 +17,7 @@
 #include "framework/stepping/predicted_motion.hpp"
 #include "framework/stepping/script_follower.hpp"
 #include "framework/stepping/stepper.hpp"
-#include "framework/stepping/straight_ways.hpp"
+#include "framework/stepping/tunnelling_check.hpp"
 #include "framework/stepping/time_config.hpp"
 #include "geometry/exact/intersections.hpp"
 #include "geometry/exact/orientation.hpp"
@@ -53,7 +53,7 @@ class Minimization {
   std::optional<IterateCheck> check_;
   FeasibleSteps steps_;
   ScriptFollower follower_;
-  std::optional<StraightWays> straight_;
+  std::optional<TunnellingCheck> straight_;
   VecX from_;     // 3n [m]: where the latest step starts
   double h_ = 0;  // s: likewise
   bool free_body_ = false;  // the latest attempt failed as nothing holds a body
@@ -113,7 +113,7 @@ bool Minimization::start(const Step& step, const VecX* guess, Attempt& attempt, 
     q = first_guess(step);
     return true;
   }
-  const ScriptWalk::Result start = follower_.follow(step, check_ ? &*check_ : nullptr, observers_.walk);
+  const DirichletContinuation::Result start = follower_.follow(step, check_ ? &*check_ : nullptr, observers_.walk);
   attempt.result = start.solve;
   attempt.failure = start.failure;
   if (!start.failure.empty() || start.solve.status != MinimizerStatus::converged) return false;

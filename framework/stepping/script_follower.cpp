@@ -13,7 +13,7 @@ constexpr double most_of_it = 0.9;
 
 }  // namespace
 
-ScriptWalk::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
+DirichletContinuation::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
                                           const MinimizerProblem::Observer& observer) {
   const State& state = step.state;
   const TimeIntegrator::Prediction& prediction = step.prediction;
@@ -24,7 +24,7 @@ ScriptWalk::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
     world_.dofs.gather(step.h / parts * state.v, along.drift);
   }
   const Way way{step, check, observer};
-  ScriptWalk::Result result{{}, state.x, ""};
+  DirichletContinuation::Result result{{}, state.x, ""};
   for (int i = 1; i <= parts; ++i) {
     VecX places = result.x;
     step.held.place(state.time + step.h * i / parts, places);
@@ -40,26 +40,26 @@ ScriptWalk::Result ScriptFollower::follow(const Step& step, IterateCheck* check,
 
 // From x to where the scripted vertices are at their places: the straight way with the free ones moving along as predicted; a walk if that is
 // blocked or takes bonds or adhesion past their peaks. Where these let go on a walk as well, they are being torn off, and it may be straight.
-ScriptWalk::Result ScriptFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
+DirichletContinuation::Result ScriptFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
   const VecX none = VecX::Zero(world_.dofs.size());
   const PredictedMotion predicted = predicted_motion(world_, x, places - x, along ? along->full : none, along ? along->drift : none);
   if (!predicted.lets_go) {
-    const ScriptWalk::Result straight = go_straight(x, places, predicted.ways, way.step.potential);
+    const DirichletContinuation::Result straight = go_straight(x, places, predicted.ways, way.step.potential);
     return straight.x.size() > 0 ? straight : walk(x, places, way);
   }
-  const ScriptWalk::Result walked = walk(x, places, way);
+  const DirichletContinuation::Result walked = walk(x, places, way);
   if (walked.failure.empty()) return walked;
-  ScriptWalk::Result straight = go_straight(x, places, {along ? along->full : none}, way.step.potential);
+  DirichletContinuation::Result straight = go_straight(x, places, {along ? along->full : none}, way.step.potential);
   if (straight.x.size() == 0) return walked;
   straight.solve.add_work(walked.solve);
   return straight;
 }
 
 // With the free vertices moving along one of these ways as far as they may, or not at all, whichever is best; without x if that is blocked.
-ScriptWalk::Result ScriptFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
+DirichletContinuation::Result ScriptFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
   const VecX scripted = places - x;
   VecX q;
-  ScriptWalk::Result best{{}, VecX(), ""};
+  DirichletContinuation::Result best{{}, VecX(), ""};
   double lowest = std::numeric_limits<double>::infinity();
   const auto reach_of = [&](const VecX& along, double part) {
     const VecX p = scripted + part * along;
@@ -85,7 +85,7 @@ ScriptWalk::Result ScriptFollower::go_straight(const VecX& x, const VecX& places
   return best;
 }
 
-ScriptWalk::Result ScriptFollower::walk(const VecX& x, const VecX& places, const Way& way) {
+DirichletContinuation::Result ScriptFollower::walk(const VecX& x, const VecX& places, const Way& way) {
   if (!walk_) walk_.emplace(world_, like_, clock_, steps_);
   if (way.check) way.check->begin(way.step.state.step + 1, "the walk of what the script moves");
   return walk_->run(x, places, way.step.prediction, way.observer);

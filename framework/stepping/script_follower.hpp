@@ -1,11 +1,11 @@
 // Brings scripted vertices to their places at the end of a step, before the minimisation: the straight way if nothing
-// is in it and nothing lets go on it (predicted_motion.hpp), a walk otherwise (script_walk.hpp).
+// is in it and nothing lets go on it (predicted_motion.hpp), a walk otherwise (dirichlet_continuation.hpp).
 #pragma once
 
 #include <optional>
 
 #include "framework/stepping/iterate_check.hpp"
-#include "framework/stepping/script_walk.hpp"
+#include "framework/stepping/dirichlet_continuation.hpp"
 #include "framework/stepping/stepper.hpp"
 
 namespace tack {
@@ -20,7 +20,7 @@ class ScriptFollower {
 
   // From the step's state to a feasible start of it with the scripted vertices at their places, to which they are
   // moved in parts that turn nothing too far. The step's potential is begun anew at the places. check: may be null.
-  ScriptWalk::Result follow(const Step& step, IterateCheck* check, const MinimizerProblem::Observer& observer);
+  DirichletContinuation::Result follow(const Step& step, IterateCheck* check, const MinimizerProblem::Observer& observer);
 
  private:
   struct Way {
@@ -32,16 +32,16 @@ class ScriptFollower {
   struct Along {
     VecX full, drift;
   };
-  ScriptWalk::Result move(const VecX& x, const VecX& places, const Along* along, const Way& way);
-  ScriptWalk::Result go_straight(const VecX& x, const VecX& places,
+  DirichletContinuation::Result move(const VecX& x, const VecX& places, const Along* along, const Way& way);
+  DirichletContinuation::Result go_straight(const VecX& x, const VecX& places,
                                  const std::vector<VecX>& ways, StepPotential& potential);
-  ScriptWalk::Result walk(const VecX& x, const VecX& places, const Way& way);
+  DirichletContinuation::Result walk(const VecX& x, const VecX& places, const Way& way);
 
   World& world_;
   const Minimizer& like_;
   PhaseClock& clock_;
   FeasibleSteps& steps_;
-  std::optional<ScriptWalk> walk_;  // made when it is first needed
+  std::optional<DirichletContinuation> walk_;  // made when it is first needed
 };
 
 }  // namespace tack

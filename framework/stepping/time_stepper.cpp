@@ -23,12 +23,12 @@ namespace {
 constexpr int most_refinements = 3;  // halvings of a step that makes or loses energy
 
 // While it lives, nothing is broken off for want of wall time: a step is begun and kept as a whole.
-class Unlimited {
+class DeadlineSuspension {
  public:
-  Unlimited(PhaseClock& clock, const TimeConfig& time) : clock_(clock), time_(time) { clock_.deadline().limit_run(clock_.begun(), std::nullopt); }
-  ~Unlimited() { clock_.deadline().limit_run(clock_.begun(), time_.wall_limit); }
-  Unlimited(const Unlimited&) = delete;
-  Unlimited& operator=(const Unlimited&) = delete;
+  DeadlineSuspension(PhaseClock& clock, const TimeConfig& time) : clock_(clock), time_(time) { clock_.deadline().limit_run(clock_.begun(), std::nullopt); }
+  ~DeadlineSuspension() { clock_.deadline().limit_run(clock_.begun(), time_.wall_limit); }
+  DeadlineSuspension(const DeadlineSuspension&) = delete;
+  DeadlineSuspension& operator=(const DeadlineSuspension&) = delete;
 
  private:
   PhaseClock& clock_;
@@ -57,7 +57,7 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   if (time.adaptive) control_.emplace(world, time);
   if (time.integrator->follows_contact())
     std::copy_if(world.terms.begin(), world.terms.end(), std::back_inserter(dynamic_terms_), [](const Term* term) { return term->dynamic(); });
-  const Unlimited unlimited(clock_, time_);
+  const DeadlineSuspension suspension(clock_, time_);
   stepper_->prepare({world, scene, time, solver, clock});
   const bool anew = state_.a.size() == 0;
   if (anew) begin_anew();
@@ -225,7 +225,7 @@ bool TimeStepper::finished() const {
 
 // Commits the attempt; false if it was undone because energy has grown or been lost, and smaller steps or another integrator do it again.
 bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
-  const Unlimited unlimited(clock_, time_);
+  const DeadlineSuspension suspension(clock_, time_);
   const double end = (state_.whole_steps + 1) * time_.step;
   std::optional<State> undo;
   if (integrator_->fallback()) undo = state_;
@@ -343,7 +343,7 @@ StepReport TimeStepper::advance() {
     }
     if (off_by_too_much(attempt, h)) continue;
     if (solved_) {
-      const Unlimited unlimited(clock_, time_);
+      const DeadlineSuspension suspension(clock_, time_);
       solved_({state_, h, *integrator_, integrator_ != time_.integrator.get(), attempt, *potential_, unknowns_});
     }
     if (keep(attempt, h, r)) {

@@ -1,5 +1,5 @@
 // Bodies that go further than they are long in a step hit what is in their way, and whatever is not in it does not bother them.
-#include "framework/stepping/straight_ways.hpp"
+#include "framework/stepping/tunnelling_check.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "framework/stepping/script_walk.hpp"
+#include "framework/stepping/dirichlet_continuation.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ class DissolvedGroups {
 }  // namespace
 
 // One run: where to, how far at once, and whether it still gets anywhere.
-struct ScriptWalk::Pull {
+struct DirichletContinuation::Pull {
   const VecX& goal;          // 3n: the places, and the prediction of all others
   const double whole_way;    // of the vertex that has the longest [m]
   VecX towards = {};         // 3n: a part of the way there
@@ -93,10 +93,10 @@ struct ScriptWalk::Pull {
   void adapt() { length = std::min(std::clamp(cut / wanted_cut, 0.1, 2.0) * length, whole_way); }
 };
 
-ScriptWalk::ScriptWalk(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
+DirichletContinuation::DirichletContinuation(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
     : world_(world), minimizer_(like.fresh()), clock_(clock), steps_(steps) {}
 
-void ScriptWalk::prepare(const VecX& x, const VecX& places) {
+void DirichletContinuation::prepare(const VecX& x, const VecX& places) {
   std::vector<int> moving;
   std::vector<char> depends(world_.dofs.vertex_count(), 0);
   for (const int v : world_.dofs.dependents()) depends[v] = 1;
@@ -114,7 +114,7 @@ void ScriptWalk::prepare(const VecX& x, const VecX& places) {
 }
 
 // Rollers that do not move keep their directions; those of pulled vertices are free, but for directions that no motion frees.
-std::vector<HeldDirections> ScriptWalk::held_directions() const {
+std::vector<HeldDirections> DirichletContinuation::held_directions() const {
   std::vector<HeldDirections> held;
   const auto pulled = [&](int v) { return std::binary_search(moving_.begin(), moving_.end(), v); };
   for (const DofMap::HeldBlock& h : world_.dofs.held_blocks())
@@ -124,14 +124,14 @@ std::vector<HeldDirections> ScriptWalk::held_directions() const {
   return held;
 }
 
-VecX ScriptWalk::masses(double pull, bool inertia) const {
+VecX DirichletContinuation::masses(double pull, bool inertia) const {
   VecX mass = inertia ? world_.mass : VecX::Zero(world_.mass.size()).eval();
   for (const int v : moving_) mass(v) = pull;
   return mass;
 }
 
 // The mean of the Hessian's diagonal without the pull: what K is measured against.
-double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction) {
+double DirichletContinuation::stiffness(const VecX& x, const TimeIntegrator::Prediction& prediction) {
   VecX q;
   dofs_.gather(x, q);
   potential_->set_mass(masses(0, prediction.inertia));
@@ -143,7 +143,7 @@ double ScriptWalk::stiffness(const VecX& x, const TimeIntegrator::Prediction& pr
   return sum > 0 ? sum / matrix.size() : 1.0;  // nothing resists: any pull will do
 }
 
-void ScriptWalk::minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer) {
+void DirichletContinuation::minimize(Pull& pull, Result& result, const MinimizerProblem::Observer& observer) {
   const auto left = [&](const VecX& goal) { return largest_row(potential_->configuration(), goal, moving_); };
   const auto own_step = [&](const VecX& p) {
     double largest = 0;
@@ -172,7 +172,7 @@ void ScriptWalk::minimize(Pull& pull, Result& result, const MinimizerProblem::Ob
 }
 
 // The last move, to the exact places.
-bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
+bool DirichletContinuation::arrive(const VecX& places, VecX& x) const {
   VecX last = VecX::Zero(x.size());
   for (const int v : moving_) vertex(last, v) = vertex(places, v) - vertex(x, v);
   dofs_.follow(last);
@@ -184,7 +184,7 @@ bool ScriptWalk::arrive(const VecX& places, VecX& x) const {
   return true;
 }
 
-ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
+DirichletContinuation::Result DirichletContinuation::run(const VecX& x, const VecX& places,
                                    const TimeIntegrator::Prediction& prediction,
                                    const MinimizerProblem::Observer& observer) {
   prepare(x, places);
@@ -217,7 +217,7 @@ ScriptWalk::Result ScriptWalk::run(const VecX& x, const VecX& places,
   return result;
 }
 
-std::string ScriptWalk::failure(const VecX& x, const VecX& places) const {
+std::string DirichletContinuation::failure(const VecX& x, const VecX& places) const {
   int furthest = moving_.front();
   double distance = 0;
   for (const int v : moving_) {

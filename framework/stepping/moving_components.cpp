@@ -1,4 +1,4 @@
-#include "framework/stepping/moving_parts.hpp"
+#include "framework/stepping/moving_components.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,14 @@ namespace {
 
 // Those that moved too far against each other, for overlap_pairs.
 struct Passing {
-  const MovingParts& parts;
+  const MovingComponents& parts;
   const CollidingObjects& colliding;
   double fraction, least;
 
   bool accept(int a, int b) const {
-    const MovingPart &one = parts[a], &other = parts[b];
+    const MovingComponent &one = parts[a], &other = parts[b];
     const double size = smaller_size(one, other, least);
-    return one.way_against(other, size) > fraction * size &&
+    return one.displacement_against(other, size) > fraction * size &&
            colliding.allows(one.object, other.object);
   }
   std::array<int, 2> pair(int a, int b) const { return {a, b}; }
@@ -28,7 +28,7 @@ struct Passing {
 
 }  // namespace
 
-MovingParts::MovingParts(const World& world) : world_(world), part_of_(static_cast<size_t>(world.rest.size()) / 3, -1) {
+MovingComponents::MovingComponents(const World& world) : world_(world), part_of_(static_cast<size_t>(world.rest.size()) / 3, -1) {
   const ContactSurface& surface = world.contact->surface();
   DisjointSets sets(static_cast<int>(part_of_.size()));
   for (const Edge& e : surface.mesh.edges) sets.join(e[0], e[1]);
@@ -50,12 +50,12 @@ MovingParts::MovingParts(const World& world) : world_(world), part_of_(static_ca
   }
 }
 
-void MovingParts::move(const VecX& x, const VecX& y) {
-  for (MovingPart& part : parts_) part = {part.object, part.width, {}, {}};
+void MovingComponents::move(const VecX& x, const VecX& y) {
+  for (MovingComponent& part : parts_) part = {part.object, part.width, {}, {}};
   std::vector<int> count(parts_.size(), 0);
   // First the sums of ways, and of their squares.
   for (const int v : world_.contact->surface().mesh.vertices) {
-    MovingPart& part = parts_[part_of_[v]];
+    MovingComponent& part = parts_[part_of_[v]];
     const Vec3 way = vertex(y, v) - vertex(x, v);
     part.place.include(Vec3(vertex(x, v)));
     part.way.include(way);
@@ -64,29 +64,29 @@ void MovingParts::move(const VecX& x, const VecX& y) {
     ++count[part_of_[v]];
   }
   for (size_t i = 0; i < parts_.size(); ++i) {
-    MovingPart& part = parts_[i];
+    MovingComponent& part = parts_[i];
     part.mean /= count[i];
     part.deviation = std::sqrt(std::max(0.0, part.deviation / count[i] - part.mean.squaredNorm()));
   }
 }
 
 // Whether anything may have moved that far against anything else.
-bool MovingParts::anything_moves(double fraction, double least) const {
+bool MovingComponents::anything_moves(double fraction, double least) const {
   Aabb ways;
   double smallest = std::numeric_limits<double>::infinity();
-  for (const MovingPart& part : parts_) {
+  for (const MovingComponent& part : parts_) {
     ways.include(part.way);
     smallest = std::min(smallest, part.size());
   }
   return parts_.size() > 1 && (ways.hi - ways.lo).norm() > fraction * std::max(smallest, least);
 }
 
-std::vector<std::array<int, 2>> MovingParts::passing(double fraction, double least) const {
+std::vector<std::array<int, 2>> MovingComponents::tunnelling_pairs(double fraction, double least) const {
   std::vector<std::array<int, 2>> pairs;
   if (!anything_moves(fraction, least)) return pairs;
   std::vector<Aabb> swept;
   swept.reserve(parts_.size());
-  for (const MovingPart& part : parts_) {
+  for (const MovingComponent& part : parts_) {
     swept.push_back(part.swept());
     swept.back().inflate(part.width / 2);
   }

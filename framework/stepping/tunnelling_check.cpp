@@ -1,4 +1,4 @@
-#include "framework/stepping/straight_ways.hpp"
+#include "framework/stepping/tunnelling_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,9 +81,9 @@ bool meet(const std::array<int, A>& va, const std::array<int, B>& vb, const Stag
 }  // namespace
 
 // The pairs that are looked at, and what meets of them.
-struct StraightWays::Search {
+struct TunnellingCheck::Search {
   const CollisionMesh& mesh;
-  const MovingParts& parts;
+  const MovingComponents& parts;
   const std::vector<std::array<int, 2>>& pairs;  // ascending
 
   const double least;                             // the size of what has none [m]
@@ -91,9 +91,9 @@ struct StraightWays::Search {
   // What they go on by is what is tolerated. Approach 0: they are not looked at.
   Pass pass(int part, int other) const {
     if (!std::binary_search(pairs.begin(), pairs.end(), std::array{std::min(part, other), std::max(part, other)})) return {};
-    const MovingPart &a = parts[part], &b = parts[other];
-    const double size = smaller_size(a, b, least), rest = StraightWays::tolerated * size;
-    return {a.way_against(b, size) - rest, rest};
+    const MovingComponent &a = parts[part], &b = parts[other];
+    const double size = smaller_size(a, b, least), rest = TunnellingCheck::tolerated * size;
+    return {a.displacement_against(b, size) - rest, rest};
   }
 
   // The parts of the first of the candidates that meet.
@@ -122,11 +122,11 @@ struct StraightWays::Search {
   }
 };
 
-StraightWays::StraightWays(const World& world) : world_(world), parts_(world) {}
+TunnellingCheck::TunnellingCheck(const World& world) : world_(world), parts_(world) {}
 
-StraightWays::~StraightWays() = default;
+TunnellingCheck::~TunnellingCheck() = default;
 
-std::optional<std::array<int, 2>> StraightWays::blocked_parts(const VecX& x, const VecX& y, const std::vector<std::array<int, 2>>& pairs) {
+std::optional<std::array<int, 2>> TunnellingCheck::blocked_components(const VecX& x, const VecX& y, const std::vector<std::array<int, 2>>& pairs) {
   const ContactSystem& contact = *world_.contact;
   const CollisionMesh& mesh = contact.surface().mesh;
   if (!finder_) finder_ = std::make_unique<CandidateFinder>(mesh, contact.colliding());
@@ -151,18 +151,18 @@ std::optional<std::array<int, 2>> StraightWays::blocked_parts(const VecX& x, con
   return std::nullopt;
 }
 
-std::optional<BlockedWay> StraightWays::blocked(const VecX& x, const VecX& y) {
+std::optional<Tunnelling> TunnellingCheck::blocked(const VecX& x, const VecX& y) {
   parts_.move(x, y);
   const double least = world_.contact->range();
-  const auto pairs = parts_.passing(tolerated, least);
+  const auto pairs = parts_.tunnelling_pairs(tolerated, least);
   if (pairs.empty()) return std::nullopt;
-  const auto found = blocked_parts(x, y, pairs);
+  const auto found = blocked_components(x, y, pairs);
   if (!found) return std::nullopt;
-  const MovingPart &a = parts_[(*found)[0]], &b = parts_[(*found)[1]];
-  const auto furthest = [](const MovingPart& part) { return part.way.lo.cwiseAbs().cwiseMax(part.way.hi.cwiseAbs()).norm(); };
+  const MovingComponent &a = parts_[(*found)[0]], &b = parts_[(*found)[1]];
+  const auto furthest = [](const MovingComponent& part) { return part.way.lo.cwiseAbs().cwiseMax(part.way.hi.cwiseAbs()).norm(); };
   const bool first = furthest(a) >= furthest(b);
   const double size = smaller_size(a, b, least);
-  BlockedWay blocked{first ? a.object : b.object, first ? b.object : a.object, a.way_against(b, size), size};
+  Tunnelling blocked{first ? a.object : b.object, first ? b.object : a.object, a.displacement_against(b, size), size};
   while (blocked.way > blocked.parts * tolerated * blocked.size) blocked.parts *= 2;
   return blocked;
 }
