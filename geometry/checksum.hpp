@@ -6,7 +6,7 @@
 
 namespace tack {
 
-// Of `size` bytes behind those that gave `before`.
+// Returns the checksum of `size` bytes that follow those with the checksum `before`.
 std::uint32_t crc32_of(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
 }  // namespace tack

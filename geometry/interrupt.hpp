@@ -1,5 +1,6 @@
-// Ctrl-C: the signal handler sets a flag, minimisers and the time loop look at it, so that a run ends
-// between iterations with everything written. What takes long before there is a run, the making of meshes, throws Interrupted.
+// Ctrl-C: the signal handler sets a flag, minimisers and the time loop look at it, so that a run
+// ends between iterations with everything written. Mesh generation, which may take long before the
+// run, throws Interrupted.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,5 @@
-// Shared libraries of tack's own that the program opens when it needs them: beside it in bin/, or in lib/tack where tack is installed.
+// Shared libraries of tack's own that the program opens when it needs them: beside it in bin/, or
+// in lib/tack where tack is installed.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +9,10 @@ namespace tack {
 
 // The file that this code is in: a program, or libtack.so in one of others.
 std::filesystem::path own_file();
-// The folder above the one that it lies in: bin/ of a program, lib/ of the library, and beside them share/.
+// Returns the parent of the folder that holds the program (bin/) or library (lib/), beside share/.
 std::filesystem::path own_root();
 
-// What is there of that name, or in share/tack/ where tack is installed.
+// Returns the path of that name there, or in share/tack/ where tack is installed.
 std::filesystem::path shared_file(const std::string& name);
 
 std::filesystem::path own_library_path(const std::string& name);
@@ -24,7 +25,8 @@ struct OwnLibrary {
   const char* without;    // what cannot be done without it: ".msh files cannot be read or written"
 };
 
-// Opens it, for good, and returns its table of functions. Throws InputError, with the remedy: not built, broken, or of another build.
+// Opens it, for good, and returns its table of functions. Throws InputError, with the remedy: not
+// built, broken, or of another build.
 const void* open_library(const OwnLibrary& library);
 
 }  // namespace tack

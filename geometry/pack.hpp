@@ -1,6 +1,7 @@
-// Numbers of several elements side by side, one per lane: what is written once for numbers is computed for
-// all of them at a time, by the compiler's own vectors, so that no instruction set is assumed. Lanes do not
-// mix and never branch: what differs between them is selected. A scalar of Eigen's fixed-size matrices.
+// Pack of numbers of several elements, one per lane: code written once for numbers computes
+// all of them at a time, by the compiler's own vectors, so that no instruction set is assumed.
+// Lanes do not mix and never branch: differences between them are selected. A scalar of Eigen's
+// fixed-size matrices.
 #pragma once
 
 #include <Eigen/Core>
@@ -65,13 +66,22 @@ class Pack {
   friend Pack abs(const Pack& a) { return select(a < 0, -a, a); }
   friend Pack sqrt(const Pack& a) { return each_lane(a, [](double x) { return std::sqrt(x); }); }
   friend Pack log(const Pack& a) { return each_lane(a, [](double x) { return std::log(x); }); }
-  // Of finite numbers, to four roundings; a zero of either sign counts as +0. By arcs of at most pi/8 and a polynomial
-  // for atan(t) / t in t^2 that is exact at Chebyshev's points.
+  // Returns the angle of finite numbers, to four roundings; a zero of either sign counts as +0. By
+  // arcs of at most pi/8 and a polynomial for atan(t) / t in t^2 that is exact at Chebyshev's
+  // points.
   friend Pack atan2(const Pack& y, const Pack& x) {
     constexpr double quarter = 0.78539816339744830962;  // pi / 4
-    constexpr double p[] = {1.0, -0.33333333333328435, 0.19999999998854168, -0.14285714180900647, 0.11111106177375227,
-                            -0.09090773003240828, 0.07689952488233016, -0.066402251735395, 0.0568830340363325,
-                            -0.043479198390465365, 0.02113375203374836};
+    constexpr double p[] = {1.0,
+                            -0.33333333333328435,
+                            0.19999999998854168,
+                            -0.14285714180900647,
+                            0.11111106177375227,
+                            -0.09090773003240828,
+                            0.07689952488233016,
+                            -0.066402251735395,
+                            0.0568830340363325,
+                            -0.043479198390465365,
+                            0.02113375203374836};
     const Pack ax = abs(x), ay = abs(y);
     const PackMask upright = ax < ay;
     const Pack small = select(upright, ax, ay), big = select(upright, ay, ax);
@@ -103,7 +113,8 @@ class Pack {
 namespace detail {
 // One step of a transposition by halves: lane l of row i and lane l ^ h of row i ^ h change places.
 template <int h, int... l>
-[[gnu::always_inline]] inline void exchange(Pack::Vector (&rows)[pack_width], std::integer_sequence<int, l...>) {
+[[gnu::always_inline]] inline void exchange(Pack::Vector (&rows)[pack_width],
+                                            std::integer_sequence<int, l...>) {
   for (int i = 0; i < pack_width; ++i) {
     if (i & h) continue;
     const Pack::Vector a = rows[i], b = rows[i + h];
@@ -120,7 +131,7 @@ template <int h, int... l>
   if constexpr (pack_width == 8) detail::exchange<4>(rows, lanes);
 }
 
-// The same for plain numbers, for functions of either.
+// Overload for plain numbers, for functions of either.
 inline bool any(bool mask) { return mask; }
 inline double select(bool mask, double yes, double no) { return mask ? yes : no; }
 
@@ -130,7 +141,8 @@ using PackVec3 = PackMatrix<3>;
 using PackMat3 = PackMatrix<3, 3>;
 
 template <int Rows, int Columns>
-void set_lane(PackMatrix<Rows, Columns>& pack, int lane, const Eigen::Matrix<double, Rows, Columns>& m) {
+void set_lane(PackMatrix<Rows, Columns>& pack, int lane,
+              const Eigen::Matrix<double, Rows, Columns>& m) {
   for (int i = 0; i < Rows * Columns; ++i) pack(i).set(lane, m(i));
 }
 template <int Rows, int Columns>
@@ -140,7 +152,8 @@ Eigen::Matrix<double, Rows, Columns> get_lane(const PackMatrix<Rows, Columns>& p
   return m;
 }
 
-// out[count * l + i] <- packs[i][l] for the first `lanes` lanes: one array of `count` numbers after the other.
+// out[count * l + i] <- packs[i][l] for the first `lanes` lanes: one array of `count` numbers after
+// the other.
 inline void store_lanes(const Pack* packs, int count, double* out, int lanes) {
   if (count < pack_width) {
     for (int l = 0; l < lanes; ++l)
@@ -152,7 +165,8 @@ inline void store_lanes(const Pack* packs, int count, double* out, int lanes) {
     Pack::Vector rows[pack_width];
     for (int i = 0; i < pack_width; ++i) rows[i] = packs[at + i].vector();
     transpose(rows);
-    for (int l = 0; l < lanes; ++l) std::memcpy(out + std::ptrdiff_t(count) * l + at, &rows[l], sizeof rows[l]);
+    for (int l = 0; l < lanes; ++l)
+      std::memcpy(out + std::ptrdiff_t(count) * l + at, &rows[l], sizeof rows[l]);
   }
 }
 

@@ -1,5 +1,5 @@
-// The parallel loops of the program. Work is cut into chunks of a fixed size, whatever the number of
-// threads, and partial sums are added in chunk order: the same input gives the same bits.
+// The parallel loops of the program. Work is cut into chunks of a fixed size, whatever the number
+// of threads, and partial sums are added in chunk order: the same input gives the same bits.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -15,11 +15,12 @@ inline int chunk_count(int n, int chunk = chunk_size) { return (n + chunk - 1) /
 
 namespace detail {
 
-// Not inlined: the scheduler calls a body from several places, and copies of it, each optimised in its
-// place, may contract products and sums differently.
+// Not inlined: the scheduler calls a body from several places, and copies of it, each optimised in
+// its place, may contract products and sums differently.
 template <class Body>
 [[gnu::noinline]] void run_chunks(int first, int last, int n, int chunk, const Body& body) {
-  for (int c = first; c < last; ++c) body(c, c * chunk, c * chunk + chunk < n ? c * chunk + chunk : n);
+  for (int c = first; c < last; ++c)
+    body(c, c * chunk, c * chunk + chunk < n ? c * chunk + chunk : n);
 }
 
 }  // namespace detail

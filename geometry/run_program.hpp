@@ -9,7 +9,7 @@ namespace tack {
 
 struct ProgramPlaces {
   std::filesystem::path folder = {};    // where it works; empty: here
-  std::filesystem::path output = {};    // the file that gets what it tells; empty: where this program's goes
+  std::filesystem::path output = {};    // file of its standard output; empty: this program's
   bool errors_too = false;              // and what it complains of
 };
 

@@ -9,7 +9,8 @@
 namespace tack {
 
 // Its barycentric coordinates; they add up to one, and are positive inside.
-inline std::array<double, 4> tet_coordinates(const std::array<Vec3, 4>& corners, const Vec3& point) {
+inline std::array<double, 4> tet_coordinates(const std::array<Vec3, 4>& corners,
+                                             const Vec3& point) {
   const Vec3 w = edges_of(corners).inverse() * (point - corners[0]);
   return {1 - w.sum(), w(0), w(1), w(2)};
 }

@@ -1,4 +1,5 @@
-// The edges of a tet from its first vertex to the others, as columns [m]; their determinant is six times its volume.
+// The edges of a tet from its first vertex to the others, as columns [m]; their determinant is six
+// times its volume.
 #pragma once
 
 #include "geometry/types.hpp"

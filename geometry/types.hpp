@@ -1,12 +1,12 @@
-// The vocabulary types of every layer. SI units; a configuration of n vertices is one flat vector of
-// 3n coordinates (x0 y0 z0 x1 ...), so that it is also the argument of the minimisers.
+// The vocabulary types of every layer. SI units; a configuration of n vertices is one flat vector
+// of 3n coordinates (x0 y0 z0 x1 ...), so that it is also the argument of the minimisers.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 
-// The same whatever the instruction set, so that plugins which were compiled for another one share arrays with the program:
-// what is built outside of the tree gets it from the target tack::plugin.
+// The same whatever the instruction set, so that plugins which were compiled for another one share
+// arrays with the program: what is built outside of the tree gets it from the target tack::plugin.
 static_assert(EIGEN_MAX_ALIGN_BYTES == 64 && EIGEN_MAX_STATIC_ALIGN_BYTES == 64);
 
 namespace tack {
@@ -38,7 +38,8 @@ std::array<Vec3, N> corners(const VecX& x, const std::array<int, N>& element) {
 
 // The point with the given barycentric coordinates.
 inline Vec3 point_inside(const VecX& x, const Triangle& t, const Vec3& coordinates) {
-  return coordinates[0] * vertex(x, t[0]) + coordinates[1] * vertex(x, t[1]) + coordinates[2] * vertex(x, t[2]);
+  return coordinates[0] * vertex(x, t[0]) + coordinates[1] * vertex(x, t[1]) +
+         coordinates[2] * vertex(x, t[2]);
 }
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// A function of one variable by cubic pieces between knots, of given values and slopes (cubic Hermite): it has a continuous first
-// derivative, and its integral, taken exactly, a second one.
+// A function of one variable by cubic pieces between knots, of given values and slopes (cubic
+// Hermite): it has a continuous first derivative, and its integral, taken exactly, a second one.
 #pragma once
 
 #include <vector>
@@ -19,14 +19,17 @@ class CubicCurve {
   };
 
   CubicCurve() = default;
-  // One value and slope per x. Throws std::logic_error without two knots, and unless x ascends and all is finite.
-  CubicCurve(const std::vector<double>& x, const std::vector<double>& values, const std::vector<double>& slopes);
+  // Takes one value and slope per x. Throws std::logic_error without two knots, and unless x
+  // ascends and all is finite.
+  CubicCurve(const std::vector<double>& x, const std::vector<double>& values,
+             const std::vector<double>& slopes);
 
-  // Through the values, monotone between any two of them: where they rise the curve does, and it has their extrema alone (PCHIP: Fritsch
-  // and Butland 1984, at the ends as Moler 2004, Numerical computing with MATLAB, 3.6). Throws as above.
+  // Returns a curve through the values that is monotone between neighbours, so that it has no other
+  // extrema (PCHIP: Fritsch and Butland 1984, at the ends as Moler 2004, Numerical computing with
+  // MATLAB, 3.6). Throws as above.
   static CubicCurve monotone(const std::vector<double>& x, const std::vector<double>& values);
 
-  // Beyond the ends the values there go on, without an end.
+  // Extends the values at the ends as constants.
   Sample at(double x) const;
 
   double first() const { return pieces_.front().x; }

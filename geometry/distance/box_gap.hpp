@@ -1,5 +1,6 @@
-// Gaps between the boxes around two primitives, along each axis [m]; negative where the boxes overlap in it. The
-// largest of them, and the norm of those above zero, are lower bounds of the distance, and cheap ones.
+// Gaps between the AABBs of two primitives along each axis [m]; negative along axes in which they
+// overlap. The largest gap, and the norm of the positive gaps, are cheap lower bounds of the
+// distance.
 #pragma once
 
 #include "geometry/types.hpp"

@@ -1,12 +1,15 @@
 // Where on two primitives the closest points lie, for a known type (closest_feature.hpp) or with
-// the classification included. All parameters lie in [0, 1] (rounding could put them beyond by its error); dimensionless.
+// the classification included. All parameters lie in [0, 1] (rounding could put them beyond by its
+// error); dimensionless.
 #pragma once
 
 #include "geometry/distance/closest_feature.hpp"
 
 namespace tack {
 
-inline double clamped(double parameter) { return parameter < 0 ? 0 : parameter > 1 ? 1 : parameter; }
+inline double clamped(double parameter) {
+  return parameter < 0 ? 0 : parameter > 1 ? 1 : parameter;
+}
 
 // The closest point is (1 - u) e0 + u e1.
 inline double point_edge_parameter(const Vec3& p, const Vec3& e0, const Vec3& e1,

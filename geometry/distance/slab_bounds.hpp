@@ -1,8 +1,9 @@
 // Lower bounds of the distances of several pairs of primitives, one pair in each lane [m].
 //
-// Key idea: whatever n is, two convex hulls are at least as far apart as the slab between them across n is thick. For n
-// the shortest way from one to the other, that is their distance; so where rounding errors of n make a difference, the
-// bound is smaller, but still one. Coordinates should be those from a vertex of the pair.
+// Key idea: for any n, the thickness of the slab between two convex hulls across n is a lower bound
+// of their distance. For n between their closest points it is the distance itself; so where
+// rounding errors of n make a difference, the bound is smaller, but still one. Coordinates should
+// be those from a vertex of the pair.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -28,9 +29,11 @@ inline Pack part(const Pack& a, const Pack& b) {
 
 inline Pack smaller(const Pack& a, const Pack& b) { return select(a < b, a, b); }
 
-// Of the slab across n, which points from b to a, less what rounding may add; 0 where n is.
+// Returns the thickness of the slab across n, which points from b to a, less rounding errors; 0
+// where n is 0.
 template <size_t A, size_t B>
-Pack thickness(const PackVec3& n, const std::array<PackVec3, A>& a, const std::array<PackVec3, B>& b) {
+Pack thickness(const PackVec3& n, const std::array<PackVec3, A>& a,
+               const std::array<PackVec3, B>& b) {
   Pack lowest = n.dot(a[0]), highest = n.dot(b[0]);
   for (size_t i = 1; i < A; ++i) lowest = smaller(lowest, n.dot(a[i]));
   for (size_t i = 1; i < B; ++i) highest = -smaller(-highest, -n.dot(b[i]));
@@ -39,7 +42,8 @@ Pack thickness(const PackVec3& n, const std::array<PackVec3, A>& a, const std::a
   for (const PackVec3& x : b) size += x.squaredNorm();
   const Pack length = sqrt(n.squaredNorm());
   const PackMask some = length > 0;
-  const Pack thick = (lowest - highest) / select(some, length, 1) - 16 * std::numeric_limits<double>::epsilon() * sqrt(size);
+  const Pack thick = (lowest - highest) / select(some, length, 1) -
+                     16 * std::numeric_limits<double>::epsilon() * sqrt(size);
   return select(some, select(thick < 0, 0, thick), 0);
 }
 
@@ -62,7 +66,8 @@ inline Pack slab_bound(const std::array<PackVec3, 1>& p, const std::array<PackVe
 // The closest points are inside both edges, or one is an end.
 inline Pack slab_bound(const std::array<PackVec3, 2>& a, const std::array<PackVec3, 2>& b) {
   const PackVec3 u = a[1] - a[0], v = b[1] - b[0], w = a[0] - b[0];
-  const Pack uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w), vw = v.dot(w);
+  const Pack uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), uw = u.dot(w),
+             vw = v.dot(w);
   const Pack s = detail::part(uv * vw - vv * uw, uu * vv - uv * uv);
   const Pack t = detail::part(uv * s + vw, vv);
   const Pack s_of_t = detail::part(uv * t - uw, uu);

@@ -1,4 +1,4 @@
-// The squared distance [m^2] of a point and a point, edge or triangle, or of two edges, under one name.
+// Squared distance [m^2] between a point and a point, edge or triangle, or between two edges.
 #pragma once
 
 #include "geometry/distance/edge_edge.hpp"
@@ -7,7 +7,9 @@
 
 namespace tack {
 
-inline double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b) { return (a[0] - b[0]).squaredNorm(); }
+inline double squared_distance(const std::array<Vec3, 1>& a, const std::array<Vec3, 1>& b) {
+  return (a[0] - b[0]).squaredNorm();
+}
 inline double squared_distance(const std::array<Vec3, 1>& p, const std::array<Vec3, 2>& e) {
   return point_edge_distance(p[0], e[0], e[1]);
 }

@@ -5,7 +5,8 @@
 
 namespace tack {
 
-// A lower bound of their distance [m]: the distance itself (within rounding) where that is less than `enough`, and at least that elsewhere.
+// Returns a lower bound of the distance of two triangles [m]: the distance itself (within rounding)
+// if it is less than `enough`, else at least `enough`.
 double triangles_apart(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b, double enough);
 
 }  // namespace tack

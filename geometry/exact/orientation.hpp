@@ -13,7 +13,7 @@ namespace tack {
 // tetrahedra count as inverted.
 int first_inverted_tet(const std::vector<Tet>& tets, const VecX& x);
 
-// Whether a point lies in a closed tetrahedron of positive volume.
+// Returns whether a point lies in a closed tetrahedron of positive volume.
 bool tet_contains(const Tet& tet, const VecX& x, const Vec3& point);
 
 }  // namespace tack

@@ -13,7 +13,7 @@
 namespace tack {
 
 // True only if the closed segment pq and the closed triangle abc are certainly disjoint.
-// Whatever the direction, a projection of differences of size m is wrong by less than
+// For any direction, a projection of differences of size m has an error below
 // 8 eps |direction|_1 m, so rounding in the direction itself does no harm.
 inline bool certainly_disjoint(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b,
                                const Vec3& c) {

@@ -1,5 +1,6 @@
-// A frame of a run (framework/output/vtu.hpp) read back, with every array that it holds, whatever it is called.
-// Errors: InputError naming the file: unreadable, or cells that are not tets, triangles, edges and points in this order.
+// Reads a frame of a run (framework/output/vtu.hpp), with all of its arrays.
+// Errors: InputError naming the file: unreadable, or cells that are not tets, triangles, edges and
+// points in this order.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// glTF 2.0 (Khronos; ISO/IEC 12113), its geometry alone: .glb is one binary file, .gltf JSON with the data inside. Metres, y up, single precision.
+// glTF 2.0 (Khronos; ISO/IEC 12113), its geometry alone: .glb is one binary file, .gltf JSON with
+// the data inside. Metres, y up, single precision.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@ namespace tack {
 std::string glb_bytes(const Mesh& mesh);
 std::string gltf_text(const Mesh& mesh);
 
-// The first two vertices, by number, that lie apart and would be in one place; {-1, -1}: there are none.
+// Returns the first two vertices, by number, with different positions that coincide in single
+// precision; {-1, -1}: none.
 std::array<int, 2> merged_in_single_precision(const Mesh& mesh);
 
 }  // namespace tack

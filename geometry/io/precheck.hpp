@@ -1,4 +1,4 @@
-// What is checked in a mesh file before a library reads it: damage on which that library (CGAL 5.5,
+// Checks of mesh files before a library reads them: damage on which that library (CGAL 5.5,
 // VTK 9.1, Gmsh 4.8) would crash, run something else or return a part without a word.
 // Errors: InputError naming the file, the damage and the remedy.
 #pragma once

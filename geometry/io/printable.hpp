@@ -1,4 +1,4 @@
-// What stands in a file, for messages: garbage must not reach the terminal as control characters.
+// Text of a file for messages: garbage must not reach the terminal as control characters.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Whole files, written so that an interrupted run or a full disk leaves either the old content or the new.
+// Atomic replacement of files: an interrupted run or a full disk leaves either the old content or
+// the new.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +13,10 @@ namespace tack {
 // system's reason. A device or a pipe, as /dev/stdout, stays, and is written to.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
-// The same with a file that `write` makes by itself: at the path that it gets, which ends as the real one does. Returns whether all of it
-// was written.
-void replace_file_by(const std::filesystem::path& path, const std::function<bool(const std::filesystem::path&)>& write);
+// Replaces a file by one that `write` creates at the path that it gets, which has the extension of
+// the real one. `write` returns whether all of it was written.
+void replace_file_by(const std::filesystem::path& path,
+                     const std::function<bool(const std::filesystem::path&)>& write);
 
 // "<path>: cannot be written (<reason>): <remedy>", with the reason of the last failed system call.
 std::string write_failure(const std::filesystem::path& path);

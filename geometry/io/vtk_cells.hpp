@@ -1,4 +1,5 @@
-// Points and cells that VTK has read, as a mesh: vertices in their order, polygons cut into triangles.
+// Converts points and cells read by VTK to a mesh: vertices in their order, polygons cut into
+// triangles.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@ class vtkDataSet;
 
 namespace tack {
 
-// Throws InputError, beginning with `name`: what has no points of its own, cells of other kinds, indices out of range, coordinates that are not finite.
+// Throws InputError, beginning with `name`, for data without points, cells of other kinds, indices
+// out of range, and coordinates that are not finite.
 Mesh mesh_of(vtkDataSet& data, const std::string& name);
 
 }  // namespace tack

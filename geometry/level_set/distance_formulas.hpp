@@ -1,5 +1,5 @@
-// Signed distances to primitives about the origin: negative inside, exact everywhere. Lengths in metres. What has an axis
-// stands along y.
+// Signed distances to primitives about the origin: negative inside, exact everywhere. Lengths in
+// metres. What has an axis stands along y.
 #pragma once
 
 #include <algorithm>
@@ -39,20 +39,23 @@ inline double cone_distance(const Vec3& p, double bottom, double top, double hei
   const Vec2 q(std::hypot(p.x(), p.z()), p.y());
   const Vec2 low(bottom, -height / 2), high(top, height / 2);
   const double side = segment_distance(q, low, high);
-  const double lid = segment_distance(q, Vec2(0, high.y()), high), floor = segment_distance(q, Vec2(0, low.y()), low);
+  const double lid = segment_distance(q, Vec2(0, high.y()), high),
+               floor = segment_distance(q, Vec2(0, low.y()), low);
   const Vec2 e = high - low, d = q - low;
   const bool inside = std::abs(q.y()) <= height / 2 && d.x() * e.y() - d.y() * e.x() <= 0;
   const double distance = std::min({side, lid, floor});
   return inside ? -distance : distance;
 }
 
-// What is thick by 2 * half along z and has the signed distance `flat` in the plane z = 0.
+// Returns the distance of the extrusion by 2 * half along z of a shape with the signed distance
+// `flat` in the plane z = 0.
 inline double extruded_distance(double flat, double z, double half) {
   const Vec2 q(flat, std::abs(z) - half);
   return q.cwiseMax(0).norm() + std::min(q.maxCoeff(), 0.0);
 }
 
-// min(a, b), rounded where they differ by less than `blend`: at most blend / 4 below it, and no steeper than the steeper one.
+// Returns min(a, b), rounded where they differ by less than `blend`: at most blend / 4 below it,
+// and no steeper than the steeper one.
 inline double blended_min(double a, double b, double blend) {
   if (blend <= 0) return std::min(a, b);
   const double h = std::max(blend - std::abs(a - b), 0.0) / blend;

@@ -1,6 +1,7 @@
-// Distances on the voxels near a surface (OpenVDB's narrow band), and surfaces from them. Lengths in metres; a voxel is a
-// cube. Numbers are kept in single precision in units of a voxel and from a point of the body, so that its scale and place do not matter.
-// Same input, same bits, whatever the number of threads.
+// Distances on the voxels near a surface (OpenVDB's narrow band), and surfaces from them. Lengths
+// in metres; a voxel is a cube. Numbers are kept in single precision in units of a voxel and from a
+// point of the body, so that its scale and position do not matter. Same input, same bits, whatever
+// the number of threads.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,10 +18,11 @@ using DistanceFunction = std::function<void(std::span<const Vec3>, std::span<dou
 
 class DistanceGrid {
  public:
-  // Of a function whose slope is nowhere above 1, in a box beyond which it is positive. Throws InputError if that
-  // takes more than max_band_voxels.
-  static DistanceGrid of(const DistanceFunction& function, const Eigen::AlignedBox3d& box, double voxel);
-  // Of the closed surface of a mesh, up to `band` [m] on both sides.
+  // Returns the grid of a function with slope at most 1, positive outside the box. Throws
+  // InputError if that takes more than max_band_voxels.
+  static DistanceGrid of(const DistanceFunction& function, const Eigen::AlignedBox3d& box,
+                         double voxel);
+  // Returns the grid of the closed surface of a mesh, up to `band` [m] on both sides.
   static DistanceGrid of(const Mesh& mesh, double voxel, double band);
 
   // How deep it is where it is deepest, below zero; no less than minus the band's width.
@@ -28,7 +30,8 @@ class DistanceGrid {
   // Interpolated between voxels; the band's width where a point is farther.
   void sample(std::span<const Vec3> points, std::span<double> distances) const;
 
-  // Triangles, whose normals point outwards, with a vertex for each voxel that the surface crosses; empty if nothing is inside.
+  // Returns triangles with outward normals, with a vertex per voxel that the surface crosses; empty
+  // if nothing is inside.
   Mesh surface() const;
   // The voxel that a point lies in.
   Eigen::AlignedBox3d voxel_of(const Vec3& point) const;
@@ -38,7 +41,8 @@ class DistanceGrid {
   struct Impl;  // OpenVDB's grid
 
  private:
-  DistanceGrid(std::shared_ptr<const Impl> impl, double voxel) : impl_(std::move(impl)), voxel_(voxel) {}
+  DistanceGrid(std::shared_ptr<const Impl> impl, double voxel)
+      : impl_(std::move(impl)), voxel_(voxel) {}
 
   std::shared_ptr<const Impl> impl_;
   double voxel_;

@@ -1,5 +1,6 @@
-// Smooth noise without a preferred direction at points of a lattice (Perlin 1985, with the fade of his 2002 paper):
-// of zero mean, within -1 and 1, its gradient no longer than gradient_noise_slope. The same on every machine.
+// Smooth noise without a preferred direction at points of a lattice (Perlin 1985, with the fade of
+// his 2002 paper): of zero mean, within -1 and 1, its gradient no longer than gradient_noise_slope.
+// The same on every machine.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// Signed distance to a polygon in the plane: negative inside by the even-odd rule, exact everywhere.
+// Signed distance to a polygon in the plane: negative inside by the even-odd rule, exact
+// everywhere.
 #pragma once
 
 #include <span>

@@ -1,4 +1,5 @@
-// Letters as lines: capitals, digits and . , ! ? - + = / : ' & (small letters are taken for capitals).
+// Letters as lines: capitals, digits and . , ! ? - + = / : ' & (small letters are taken for
+// capitals).
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@ namespace tack {
 
 using Stroke = std::array<Vec2, 2>;
 
-// The strokes of a line of text, its capitals one unit high, centred at the origin; x runs to the right, y up. Throws
-// InputError for a character that is not known.
+// Returns the strokes of a line of text, its capitals one unit high, centred at the origin; x runs
+// to the right, y up. Throws InputError for a character that is not known.
 std::vector<Stroke> text_strokes(std::string_view text);
 
 }  // namespace tack

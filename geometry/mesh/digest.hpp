@@ -1,4 +1,4 @@
-// By which a mesh is known again: counts, and checksums of its parts.
+// Digest of a mesh, to recognise it: counts, and checksums of its arrays.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ struct MeshDigest {
 
 MeshDigest digest_of(const Mesh& mesh);
 
-// "8 vertices there, 27 here", "vertices at other places", ...: the first that differs; "" if nothing does.
+// Returns the first difference: "8 vertices there, 27 here", "vertices at other places", ...; "" if
+// there is none.
 std::string difference(const MeshDigest& there, const MeshDigest& here);
 
 }  // namespace tack

@@ -5,8 +5,9 @@
 
 namespace tack {
 
-// Of a closed surface, each triangle that is lower than `height` [m] gives its longest edge for the other diagonal of the two
-// triangles beside it, where the lower one of the two that result is higher. Vertices stay; returns how many edges turned.
+// Flips the longest edge of each triangle of a closed surface that is lower than `height` [m], if
+// the lower one of the two resulting triangles is higher. Vertices stay. Returns the number of
+// flipped edges.
 int flip_slivers(Mesh& mesh, double height);
 
 }  // namespace tack

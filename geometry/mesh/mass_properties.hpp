@@ -1,5 +1,5 @@
-// Volume, centroid and second moments of what a mesh encloses: exact integrals over its tets or, without any, over
-// the inside of its closed surface.
+// Volume, centroid and second moments of the space that a mesh encloses: exact integrals over its
+// tets or, without any, over the inside of its closed surface.
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"
@@ -12,9 +12,9 @@ struct MassProperties {
   Mat3 moments = Mat3::Zero();     // of (x - centroid) (x - centroid)^T over the volume [m^5]
 };
 
-// Throws InputError if there are neither tets nor triangles, or if the surface is not closed, not oriented alike
-// throughout, inside out, or has closed parts within each other that would count the inner one
-// twice (a cavity faces inwards). Edges and points are not asked.
+// Throws InputError if there are neither tets nor triangles, or if the surface is not closed, not
+// oriented alike throughout, inside out, or has closed parts within each other that would count the
+// inner one twice (a cavity faces inwards). Edges and points are not asked.
 MassProperties mass_properties(const Mesh& mesh);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// One model for solids (tets), shells (triangles), rods (edges) and particles (points) over one list of
-// vertices. A mesh may mix them, but what takes part in contact may not yet
+// One model for solids (tets), shells (triangles), rods (edges) and particles (points) over one
+// list of vertices. A mesh may mix them, but what takes part in contact may not yet
 // (framework/setup/contact_support.hpp). Coordinates in metres, angles in radians.
 // A tet (a, b, c, d) is positive when (b-a) x (c-a) . (d-a) > 0; a triangle's normal is
 // (b-a) x (c-a).

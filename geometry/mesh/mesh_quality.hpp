@@ -25,7 +25,8 @@ AngleHistogram dihedral_angles(const Mesh& mesh);   // of the tets
 AngleHistogram triangle_angles(const Mesh& mesh);   // of the explicit triangles
 EdgeLengths edge_lengths(const Mesh& mesh);         // of tets and triangles
 
-// The largest ratio of circumradius to shortest edge among the tets (0.612 if regular), and the tet that has it.
+// Largest ratio of circumradius to shortest edge among the tets (0.612 if regular), and the tet
+// that has it.
 struct RadiusEdge {
   double largest = 0;
   int worst = -1;

@@ -12,7 +12,8 @@ namespace tack {
 // vertices, +1 for a part around it that faces outwards, -1 for one that faces inwards. part: of
 // each triangle, from 0 (parts_of); at: the place of a vertex [m]. Parts may not intersect each
 // other; one that touches another has the nearest whole number.
-std::vector<int> enclosing_windings(const std::vector<Triangle>& triangles, const std::vector<int>& part,
+std::vector<int> enclosing_windings(const std::vector<Triangle>& triangles,
+                                    const std::vector<int>& part,
                                     const std::function<Vec3(int)>& at);
 
 }  // namespace tack

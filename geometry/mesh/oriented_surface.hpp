@@ -1,13 +1,16 @@
-// Triangles that are oriented alike, and what they enclose. With an origin o and corners a, b, c less o
-//     V(x) = 1/6 sum_t det(a, b, c),
-// a cubic polynomial: the volume within a closed surface, whatever o is, and of an open one that of the cone from o. Of what acts along the
-// normals with a traction of 1, its areas, a vertex has a third of each of its triangles:
-//     N_v = 1/6 sum_{t with v} (b - a) x (c - a)   = dV/dv + 1/6 sum_{boundary edges u -> w with v} u x w.
-// Closed, the areas are the gradient of V. Along a boundary they are no gradient, as what leans on it encloses nothing.
-// Everything is stored by edges, as the second derivative couples their ends alone: by a, then b, with the corners l, r opposite (o in the
-// place of one that is missing)
-//     - 1/6 [l - r]_x,
-// which other origins or sums over triangles would make of parts that are far larger and cancel.
+// Surface of consistent orientation: enclosed volume and area vectors. With an origin o and corners
+// a, b, c relative to o, the enclosed volume is the cubic polynomial
+//     V(x) = 1/6 sum_t det(a, b, c):
+// for a closed surface that of its interior, for any o; for an open one that of the cone from o.
+//
+// The area vector of a vertex, its force under a unit pressure, sums up a third of its triangles':
+//     N_v = 1/6 sum_{t with v} (b - a) x (c - a)
+//         = dV/dv + 1/6 sum_{boundary edges u -> w with v} u x w.
+// Area vectors of a closed surface are the gradient of V; along a boundary they are no gradient.
+// Values are stored by edges, as the second derivative couples only their ends, a then b, with the
+// opposite corners l, r (o for a missing one):
+//     - 1/6 [l - r]_x.
+// Other origins, or sums over triangles, yield far larger terms that cancel.
 #pragma once
 
 #include <span>
@@ -25,7 +28,7 @@ class OrientedSurface {
     int left, right;  // right: -1 at a boundary
   };
 
-  // Of one orientation throughout (oriented_alike).
+  // triangles: of one orientation throughout (oriented_alike).
   explicit OrientedSurface(std::vector<Triangle> triangles);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }
@@ -37,7 +40,8 @@ class OrientedSurface {
   double area(const VecX& x) const;
   // Adds factor times the areas of all vertices (3n) [m^2].
   void add_areas(const VecX& x, double factor, VecX& sum) const;
-  // What an edge has of the areas of either end: half of its triangles, of each a third.
+  // Returns the contribution of an edge to the area vectors of both ends: a third of half of its
+  // triangles.
   Vec3 share(const SurfaceEdge& e, const VecX& x) const;
   Vec3 mean_place(const VecX& x) const;  // of its vertices
 
@@ -48,17 +52,21 @@ class OrientedSurface {
   bool closed_ = true;
 };
 
-// The same triangles, turned so that neighbours are oriented alike; what hangs together keeps the orientation of its first one. Throws InputError,
-// without a place, if there is none (a Moebius strip), or if an edge has more than two triangles.
+// Returns the triangles with consistent orientation; each connected component keeps the orientation
+// of its first triangle. Throws InputError, without a place, if there is none (a Moebius strip), or
+// if an edge has more than two triangles.
 std::vector<Triangle> oriented_alike(std::vector<Triangle> triangles);
 
-// What hangs together by edges: the number of its part for each triangle, from 0.
+// Returns the connected component of each triangle, by edges, numbered from 0.
 std::vector<int> parts_of(const std::vector<Triangle>& triangles);
 
-// The boundaries of triangles that are oriented alike, each once around. Throws InputError, without a place, where two of them meet in a vertex.
+// Returns the boundary loops of triangles of consistent orientation. Throws InputError, without a
+// place, where two of them meet in a vertex.
 std::vector<std::vector<int>> boundary_loops(const std::vector<Triangle>& triangles);
 
-// Triangles that close the slit between two loops, from each vertex of one to what is nearest of the other, at x; of any orientation.
-std::vector<Triangle> stitched(std::span<const int> first, std::span<const int> second, const VecX& x);
+// Returns triangles that close the slit between two loops, each vertex joined to the nearest one of
+// the other loop at x; of any orientation.
+std::vector<Triangle> stitched(std::span<const int> first, std::span<const int> second,
+                               const VecX& x);
 
 }  // namespace tack

@@ -1,7 +1,8 @@
-// How deep two surfaces lie in each other, and which way one leaves the other. Lengths in metres.
+// Overlap depth of two surfaces, and the direction that separates them. Lengths in metres.
 //
-// A surface that encloses a volume has a signed distance, negative inside: that to the closest triangle, with the sign of the
-// angle-weighted normal there (Baerentzen and Aanaes 2005); it needs no grid. One that is open has a distance without a sign.
+// A surface that encloses a volume has a signed distance, negative inside: that to the closest
+// triangle, with the sign of the angle-weighted normal there (Baerentzen and Aanaes 2005); it needs
+// no grid. One that is open has a distance without a sign.
 #pragma once
 
 #include <optional>
@@ -18,15 +19,17 @@ class SurfaceDistance {
 
   struct Closest {
     double distance;  // negative inside of a closed surface
-    Vec3 away;        // unit: the way in which it grows fastest
+    Vec3 away;        // unit gradient
   };
-  // None if nothing is within `reach`, or right on an open surface.
+  // Returns none if nothing is within `reach`, or for a point on an open surface.
   std::optional<Closest> at(const Vec3& x, double reach) const;
 
   const Aabb& box() const { return box_; }
   bool closed() const { return closed_; }
-  double volume() const { return volume_; }  // m^3; of an open one, or of edges and points, that of a ball of its extent
-  // Points of it within a box: vertices, and points of edges and triangles that are longer than the spacing.
+  // m^3; of an open surface, edges and points: that of a ball of its extent.
+  double volume() const { return volume_; }
+  // Returns its points within a box: vertices, and points of edges and triangles that are longer
+  // than the spacing.
   struct Sample {
     Vec3 at, normal;  // outwards, of any length; zero on an open surface
   };
@@ -41,7 +44,8 @@ class SurfaceDistance {
   std::vector<Edge> edges_;
   std::vector<Vec3> edge_;  // of each, the normals of its triangles, summed
   std::vector<Triangle> triangles_;
-  std::vector<Vec3> face_, corner_;                // unit normals of triangles; angle-weighted ones of vertices
+  // Unit normals of triangles; angle-weighted ones of vertices.
+  std::vector<Vec3> face_, corner_;
   std::vector<std::array<Vec3, 3>> side_;          // per triangle, of its edges
   Bvh tree_;
   Aabb box_;
@@ -49,16 +53,19 @@ class SurfaceDistance {
   double volume_ = 0;
 };
 
-// Of the points of one in the other those count whose surface faces the way out: on the other side of what has
-// gone through the middle, the way out leads deeper. Where there are none, the two part along the line between their middles.
+// Counts those points of one surface in the other whose normal faces the exit direction: past the
+// medial surface the exit direction leads deeper. Without such points, the surfaces separate along
+// the line between their centres.
 struct OverlapDepth {
-  double distance;  // the least between a point of one and the other; negative: how deep they lie in each other
+  double distance;  // smallest distance; negative: overlap depth
   Vec3 at;          // there
   Vec3 away;        // unit: where the first one has to go
 };
 
-// Of two surfaces, moved by a and b. None if they are `reach` apart, or farther, or lie too deep in each other.
-std::optional<OverlapDepth> overlap_depth(const SurfaceDistance& first, const Vec3& a, const SurfaceDistance& second, const Vec3& b, double reach,
-                                          double deepest);
+// Returns the overlap depth of two surfaces, moved by a and b; none if their distance is at least
+// `reach`, or the overlap too deep.
+std::optional<OverlapDepth> overlap_depth(const SurfaceDistance& first, const Vec3& a,
+                                          const SurfaceDistance& second, const Vec3& b,
+                                          double reach, double deepest);
 
 }  // namespace tack

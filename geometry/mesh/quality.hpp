@@ -1,5 +1,5 @@
-// Sizes of elements: volumes [m^3], areas [m^2], and the tets that are inverted. Signs are those of rounded
-// determinants, not of exact predicates.
+// Sizes of elements: volumes [m^3], areas [m^2], and the tets that are inverted. Signs are those of
+// rounded determinants, not of exact predicates.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
-// What a mesh shows to the outside: the primitives that can touch something.
+// Surface of a mesh: the primitives that can touch something.
 //   triangles  boundary faces of the tets (faces of exactly one tet, oriented outward), in their
-//              tets' order, then from first_sheet on the explicit triangles that are not faces of a tet, in
-//              theirs: sheets, which have two sides
+//              tets' order, then from first_sheet on the explicit triangles that are not faces of a
+//              tet, in theirs: sheets, which have two sides
 //   edges      unique edges of those triangles and explicit edges, as (smaller, larger), sorted
 //   vertices   every vertex of the above and of the particles, ascending
 //   codim_edges  numbers (into `edges`) of the edges of no triangle: rods

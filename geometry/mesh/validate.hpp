@@ -2,8 +2,8 @@
 // file), the first offending element and what to do about it. Demands, in this order:
 //   at least one element; indices within the vertices; finite coordinates; no vertex twice in an
 //   element; no tet with volume <= 1e-14 L^3, no triangle with area <= 1e-14 L^2, no edge of
-//   length zero (L: the element's longest edge); no vertex that no element uses; no tets that overlap
-//   (overlaps.hpp); no triangle of a sheet and no edge of a rod twice.
+//   length zero (L: the element's longest edge); no vertex that no element uses; no tets that
+//   overlap (overlaps.hpp); no triangle of a sheet and no edge of a rod twice.
 #pragma once
 
 #include <string>

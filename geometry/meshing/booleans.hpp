@@ -1,5 +1,6 @@
-// Union, difference and intersection of solids, and what a plane leaves of one (CGAL's corefinement: which triangles
-// meet is decided exactly; the new vertices are rounded to the nearest double).
+// Union, difference and intersection of solids, and what a plane leaves of one (CGAL's
+// corefinement: which triangles meet is decided exactly; the new vertices are rounded to the
+// nearest double).
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"
@@ -9,12 +10,16 @@ namespace tack {
 
 enum class Boolean { unite, subtract, intersect };  // A or B, A without B, A and B
 
-// Of closed surfaces with normals outwards that do not cross themselves (require_solid); else throws InputError that
-// begins with that mesh's name. Likewise if nothing is left, and if the result would touch itself in an edge or vertex.
-Mesh boolean(Boolean kind, const Mesh& a, const Mesh& b, const std::string& name_a, const std::string& name_b, Notes& notes);
+// Of closed surfaces with normals outwards that do not cross themselves (require_solid); else
+// throws InputError that begins with that mesh's name. Likewise if nothing is left, and if the
+// result would touch itself in an edge or vertex.
+Mesh boolean(Boolean kind, const Mesh& a, const Mesh& b, const std::string& name_a,
+             const std::string& name_b, Notes& notes);
 
-// The part of a solid on the side of the plane against `normal`, closed by the cut. The normal needs no unit length.
-// Throws InputError as above, also for a normal of length zero or if nothing is left.
-Mesh cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, const std::string& name, Notes& notes);
+// The part of a solid on the side of the plane against `normal`, closed by the cut. The normal
+// needs no unit length. Throws InputError as above, also for a normal of length zero or if nothing
+// is left.
+Mesh cut(const Mesh& mesh, const Vec3& point, const Vec3& normal, const std::string& name,
+         Notes& notes);
 
 }  // namespace tack

@@ -18,7 +18,7 @@ using CgalMesh = CGAL::Surface_mesh<CgalPoint>;
 inline CgalPoint cgal_point(const Vec3& v) { return {v[0], v[1], v[2]}; }
 inline Vec3 vec3(const CgalPoint& p) { return {p.x(), p.y(), p.z()}; }
 
-// Of an oriented manifold (require_oriented_manifold), elements in the same order.
+// Converts an oriented manifold (require_oriented_manifold), elements in the same order.
 inline CgalMesh to_cgal(const Mesh& surface) {
   CgalMesh result;
   result.reserve(surface.vertices.size(), 3 * surface.triangles.size(), surface.triangles.size());

@@ -1,6 +1,7 @@
-// What the shared library libtack_meshing.so holds: CGAL's operations and OpenVDB's grids, which take minutes to compile and tenths of
-// a second to load. The program calls the functions of this folder's headers and of level_set/distance_grid.hpp as if they were its
-// own; meshing_library.cpp has those go through this table.
+// Functions of the shared library libtack_meshing.so: CGAL's operations and OpenVDB's grids, which
+// take minutes to compile and tenths of a second to load. The program calls the functions of this
+// folder's headers and of level_set/distance_grid.hpp as if they were its own; meshing_library.cpp
+// has those go through this table.
 #pragma once
 
 #include "geometry/level_set/distance_grid.hpp"
@@ -18,7 +19,8 @@
 namespace tack {
 
 struct MeshingFunctions {
-  const char* interface;  // TACK_MESHING_INTERFACE: a digest of these headers and of how they were compiled
+  // TACK_MESHING_INTERFACE: a digest of these headers and of how they were compiled.
+  const char* interface;
   decltype(&tack::boolean) boolean;
   decltype(&tack::cut) cut;
   decltype(&tack::find_defects) find_defects;
@@ -34,7 +36,8 @@ struct MeshingFunctions {
   decltype(&tack::distance_from_to) distance_from_to;
   decltype(&tack::tetrahedralize) tetrahedralize;
   decltype(&tack::triangulate) triangulate;
-  DistanceGrid (*grid_of_function)(const DistanceFunction&, const Eigen::AlignedBox3d&, double voxel);
+  DistanceGrid (*grid_of_function)(const DistanceFunction&, const Eigen::AlignedBox3d&,
+                                   double voxel);
   DistanceGrid (*grid_of_mesh)(const Mesh&, double voxel, double band);
   double (*grid_lowest)(const DistanceGrid&);
   void (*grid_sample)(const DistanceGrid&, std::span<const Vec3>, std::span<double>);

@@ -1,4 +1,5 @@
-// What an operation on a mesh has to tell: a line each, without a newline. A warning begins with "warning: ".
+// Notes of an operation on a mesh: a line each, without a newline. A warning begins with "warning:
+// ".
 #pragma once
 
 #include <string>

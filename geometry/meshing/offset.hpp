@@ -1,5 +1,6 @@
-// The surface at a distance from another: of all points that far outside (or inside) a solid, found as the zero set of
-// the distance by Delaunay refinement (Boissonnat and Oudot, Provably good sampling and meshing of surfaces, 2005; CGAL).
+// Offset surface of a solid: the points at a distance outside (or inside), found as the zero set of
+// the distance by Delaunay refinement (Boissonnat and Oudot, Provably good sampling and meshing of
+// surfaces, 2005; CGAL).
 #pragma once
 
 #include <optional>
@@ -12,11 +13,13 @@ namespace tack {
 struct OffsetOptions {
   double distance = 0;              // outwards if positive [m]
   double edge_length = 0;           // of the new surface, about [m]
-  std::optional<double> deviation = std::nullopt;  // of the new surface from that distance [m]; a twentieth of the edges unless given
+  // Of the new surface from that distance [m]; a twentieth of the edges unless given.
+  std::optional<double> deviation = std::nullopt;
 };
 
-// Of a solid (require_solid); the result is closed and manifold. Concave edges of the result are cut off by about the
-// deviation. Throws InputError, beginning with `name`, for anything else, and if nothing lies that deep inside.
+// Offsets a solid (require_solid); the result is closed and manifold. Concave edges of the result
+// are cut off by about the deviation. Throws InputError, beginning with `name`, for anything else,
+// and if nothing lies that deep inside.
 Mesh offset(const Mesh& mesh, const OffsetOptions& options, const std::string& name, Notes& notes);
 
 }  // namespace tack

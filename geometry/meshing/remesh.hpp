@@ -1,5 +1,5 @@
-// Isotropic remeshing: edges of much the same length, vertices of much the same number of neighbours (Botsch and
-// Kobbelt, A remeshing approach to multiresolution modeling, 2004; CGAL).
+// Isotropic remeshing: edges of much the same length, vertices of much the same number of
+// neighbours (Botsch and Kobbelt, A remeshing approach to multiresolution modeling, 2004; CGAL).
 #pragma once
 
 #include <numbers>
@@ -16,8 +16,10 @@ struct RemeshOptions {
   int iterations = 10;
 };
 
-// Of a surface (triangle_surface.hpp), open or closed; borders and creases are divided anew, but do not move. New
-// vertices lie on the old surface. Creases between which the surface would fold are not kept: a warning. Throws InputError, beginning with `name`, for one that is no oriented manifold.
+// Remeshes a surface (triangle_surface.hpp), open or closed; borders and creases are divided anew,
+// but do not move. New vertices lie on the old surface. Creases between which the surface would
+// fold are not kept: a warning. Throws InputError, beginning with `name`, for one that is no
+// oriented manifold.
 Mesh remesh(const Mesh& mesh, const RemeshOptions& options, const std::string& name, Notes& notes);
 
 }  // namespace tack

@@ -1,6 +1,7 @@
-// A broken surface made whole: the border of a solid, or a sheet that is one. Vertices merged, triangles that are degenerate,
-// duplicated or dangle removed, neighbours turned alike, crossing parts united, triangles that cross within a part
-// replaced, holes filled, normals turned outwards (CGAL's polygon mesh processing).
+// Repair of surfaces: the result bounds a solid, or is a sheet. Vertices merged, triangles that are
+// degenerate, duplicated or dangle removed, neighbours turned alike, crossing parts united,
+// triangles that cross within a part replaced, holes filled, normals turned outwards (CGAL's
+// polygon mesh processing).
 #pragma once
 
 #include <optional>
@@ -11,7 +12,8 @@
 namespace tack {
 
 enum class Holes {
-  of_solids,  // filled where what is missing is little: at most a tenth of the area of the part; other parts are sheets, whose borders stay
+  // Fills holes of at most a tenth of the area of their component; other components are sheets.
+  of_solids,
   fill,       // all; a part that its own filling would lie on is refused
   keep        // none
 };
@@ -23,7 +25,7 @@ struct RepairOptions {
   Holes holes = Holes::of_solids;
 };
 
-// Tells what it did, with the numbers of elements of the mesh that was given. What could not be repaired throws
+// Notes its changes, with the numbers of elements of the given mesh. A defect that remains throws
 // InputError, beginning with `name`, with the numbers of what was bad and where it still is.
 Mesh repair(const Mesh& mesh, const RepairOptions& options, const std::string& name, Notes& notes);
 

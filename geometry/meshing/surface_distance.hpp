@@ -1,4 +1,4 @@
-// How far apart two surfaces are, measured from each to the other.
+// Distance between two surfaces, measured from each to the other.
 #pragma once
 
 #include "geometry/mesh/mesh.hpp"
@@ -11,9 +11,10 @@ struct SurfaceDistance {
   Vec3 place = Vec3::Zero();  // where on the first surface it is largest [m]
 };
 
-// From points of `from`, at most `spacing` [m] apart and all its vertices, to the closest point of `to`; both have
-// triangles (triangle_surface.hpp). At most 64 x 64 points are taken of a triangle. The largest distance of all points
-// of a triangle is larger than that found by less than the spacing.
+// Measures from points of `from`, at most `spacing` [m] apart and all its vertices, to the closest
+// point of `to`; both have triangles (triangle_surface.hpp). At most 64 x 64 points are taken of a
+// triangle. The largest distance of all points of a triangle is larger than that found by less than
+// the spacing.
 SurfaceDistance distance_from_to(const Mesh& from, const Mesh& to, double spacing);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// What the shared library libtack_msh.so holds: .msh files by Gmsh, which takes longer to load than all else together. The program
-// opens it when it meets the first of them (msh_library.hpp).
+// Functions of the shared library libtack_msh.so: .msh files by Gmsh, which takes longer to load
+// than all else together. The program opens it when it meets the first of them (msh_library.hpp).
 #pragma once
 
 #include <string>
@@ -13,7 +13,8 @@ Mesh read_msh_by_gmsh(const std::string& path);
 void write_msh_by_gmsh(const std::string& path, const Mesh& mesh);
 
 struct MshFunctions {
-  const char* interface;  // TACK_MSH_INTERFACE: a digest of these headers and of how they were compiled
+  // TACK_MSH_INTERFACE: a digest of these headers and of how they were compiled.
+  const char* interface;
   decltype(&read_msh_by_gmsh) read;
   decltype(&write_msh_by_gmsh) write;
 };

@@ -28,11 +28,12 @@ inline void require_even(const char* shape, const char* what, int value) {
                                shape, what, value, value - 1, value + 1));
 }
 
-// Vertices are numbered by int, and so are three coordinates each; but what is more than this fits no memory.
+// Largest number of vertices: coordinates are numbered by int, and more fit no memory.
 inline void require_count(const char* shape, double vertices) {
   constexpr double most = 1e7;
   if (vertices <= most) return;
-  throw InputError(fmt::format("{}: {} vertices are too many, at most {}: use fewer cells", shape, vertices, most));
+  throw InputError(fmt::format("{}: {} vertices are too many, at most {}: use fewer cells", shape,
+                               vertices, most));
 }
 
 }  // namespace tack

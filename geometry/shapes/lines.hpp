@@ -10,21 +10,22 @@ namespace tack {
 // from vertex i to i + 1.
 Mesh segment(double length, int edges);
 
-// Closed polygon in the plane y = 0: vertex i at the angle 2 pi i/edges from x towards -z (right-handed about y), edge i
-// from vertex i to the next.
+// Closed polygon in the plane y = 0: vertex i at the angle 2 pi i/edges from x towards -z
+// (right-handed about y), edge i from vertex i to the next.
 Mesh ring(double radius, int edges);
 
-// Right-handed about the y axis, along which it rises by the pitch in each turn, from y = -height/2 to height/2 = turns pitch / 2; it
-// starts above x, and its vertices are evenly spaced.
+// Right-handed about the y axis, along which it rises by the pitch in each turn, from y = -height/2
+// to height/2 = turns pitch / 2; it starts above x, and its vertices are evenly spaced.
 Mesh helix(double radius, double pitch, double turns, int edges);
 
-// Straight threads in the plane y = 0 along x and z, cells[0] x cells[1] meshes; each side of a mesh has that many edges. Knots
-// come first: (i, j) is vertex i + (cells[0] + 1) j. Tags: knots, border (what lies on the outline).
+// Straight threads in the plane y = 0 along x and z, cells[0] x cells[1] meshes; each side of a
+// mesh has that many edges. Knots come first: (i, j) is vertex i + (cells[0] + 1) j. Tags: knots,
+// border (what lies on the outline).
 Mesh net(const Vec2& size, const std::array<int, 2>& cells, int edges);
 
-// A spider's web in the plane y = 0: straight spokes from the centre to a radius, and on them a spiral that winds outward
-// from the inner radius; straight pieces are divided into edges no longer than edge_length. Tags: centre, ends (outer, of the
-// spokes), spiral.
+// A spider's web in the plane y = 0: straight spokes from the centre to a radius, and on them a
+// spiral that winds outward from the inner radius; straight pieces are divided into edges no longer
+// than edge_length. Tags: centre, ends (outer, of the spokes), spiral.
 Mesh web(double radius, double inner_radius, int spokes, int turns, double edge_length);
 
 // counts[0] x counts[1] x counts[2] particles, the outermost at +-size/2; an axis with one particle

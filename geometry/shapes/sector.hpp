@@ -1,5 +1,6 @@
-// A thin sector of a body of revolution about y, for what is the same all around: one cell wide, of graded cells along radius and depth. Its top is the
-// plane y = 0, or a crown that touches that from below; it lies to both sides of the x axis.
+// A thin sector of a body of revolution about y, for axisymmetric problems: one cell wide, of
+// graded cells along radius and depth. Its top is the plane y = 0, or a crown that touches that
+// from below; it lies to both sides of the x axis.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,9 @@
 
 namespace tack {
 
-// From 0 to the last place, with cells that are as long as said at each {place, length}, linearly in between. Throws InputError for places that do not
-// ascend from 0, and lengths that are not positive.
+// Returns nodes from 0 to the last position, with cell lengths interpolated between {position,
+// length}. Throws InputError for positions that do not ascend from 0, and lengths that are not
+// positive.
 std::vector<double> graded(const std::vector<Vec2>& cells);
 
 struct Sector {
@@ -19,8 +21,9 @@ struct Sector {
   std::vector<double> depths;   // below the top on the axis, from 0 [m]; the bottom is flat
 };
 
-// Groups of vertices: axis; left and right, the sides without it, at -angle / 2 and +angle / 2 (turned from x to z); top, bottom and rim. Throws
-// InputError for an angle, radii or depths that are none, and a crown that is smaller than the radius.
+// Vertex groups: axis; left and right, the sides without it, at -angle / 2 and +angle / 2 (turned
+// from x to z); top, bottom and rim. Throws InputError for an angle, radii or depths that are none,
+// and a crown that is smaller than the radius.
 Mesh sector(const Sector& shape);
 
 }  // namespace tack

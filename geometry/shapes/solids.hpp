@@ -23,9 +23,10 @@ Mesh sphere(double radius, int cells);
 Mesh cylinder(double radius, double height, int cells_across, int cells_along);
 
 // A stone of an arch about the z axis, where it lies: its crown at (0, r, 0), its flat sides on the
-// planes through the axis at -angle/2 and angle/2 from +y, each moved inwards by joint/2. Corners have
-// the inner and outer radius before that; top and bottom are flat. `cells` run along the arc (x), the
-// radius (y) and the axis (z). The angle is below pi, the inner radius below the outer one.
+// planes through the axis at -angle/2 and angle/2 from +y, each moved inwards by joint/2. Corners
+// have the inner and outer radius before that; top and bottom are flat. `cells` run along the arc
+// (x), the radius (y) and the axis (z). The angle is below pi, the inner radius below the outer
+// one.
 struct Voussoir {
   double inner_radius = 0.9, outer_radius = 1.1;  // m
   double angle = 0.1;                             // rad

@@ -13,10 +13,11 @@ enum class Diagonals {
 
 // Rectangle size[0] (x) by size[1] (z) in the plane y = 0, normals +y. Node (i, k) lies at
 // -size/2 + size (i/nx, k/nz) and is vertex i + (nx+1) k; two triangles per cell, cells x fastest.
-// With jitter, nodes that are not on the border are moved within the plane by up to that part of a cell along x
-// and along z, at random, the same for the same seed. It is below a quarter of a cell: no triangle turns over.
-Mesh grid(const Vec2& size, const std::array<int, 2>& cells, Diagonals diagonals = Diagonals::alternating, double jitter = 0,
-          int seed = 1);
+// With jitter, nodes that are not on the border are moved within the plane by up to that part of a
+// cell along x and along z, at random, the same for the same seed. It is below a quarter of a cell:
+// no triangle turns over.
+Mesh grid(const Vec2& size, const std::array<int, 2>& cells,
+          Diagonals diagonals = Diagonals::alternating, double jitter = 0, int seed = 1);
 
 // Closed surface of a box, normals outward. Sides in the order -x, +x, -y, +y, -z, +z, each a grid
 // of cells cut from corner (0,0) to (1,1); vertices in order of first use. One cell per axis: 8

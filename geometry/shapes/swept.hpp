@@ -1,8 +1,9 @@
-// What a profile in the plane passes over: turned about the y axis, from x towards -z (right-handed), with x its distance from the axis; or moved along z,
-// from length/2 to -length/2. Sheets have their normals to the right of the way along the profile, outwards of one that runs counter-clockwise, or up beside the
-// axis. Metres, radians.
-// Groups of vertices, where a sweep has ends: start, end.
-// Errors: InputError for a profile that crosses the axis or touches it where the result would be pinched, and for sizes and counts that are none.
+// Swept shapes of a profile in the plane: revolved about the y axis, from x towards -z
+// (right-handed), with x its distance from the axis; or moved along z, from length/2 to -length/2.
+// Sheets have their normals to the right of the way along the profile, outwards of one that runs
+// counter-clockwise, or up beside the axis. Metres, radians. Groups of vertices, where a sweep has
+// ends: start, end. Errors: InputError for a profile that crosses the axis or touches it where the
+// result would be pinched, and for sizes and counts that are none.
 #pragma once
 
 #include <vector>
@@ -12,14 +13,17 @@
 
 namespace tack {
 
-// From corner to corner (and back to the first one, of a `closed` one), each piece in equal cells of about the length that makes `cells` of them in all.
+// Divides a profile from corner to corner (and back to the first one, if `closed`) into about
+// `cells` cells in all, equal on each side.
 std::vector<Vec2> divided(const std::vector<Vec2>& corners, bool closed, int cells);
 
-// A profile that ends where it began makes a sheet without that seam. `cells` along the way; a turn needs three.
+// Sweeps a profile to a sheet; a profile that ends where it began gives no duplicate vertices.
+// cells: along the path; a turn needs three.
 Mesh revolved_sheet(const std::vector<Vec2>& profile, double angle, int cells);
 Mesh extruded_sheet(const std::vector<Vec2>& profile, double length, int cells);
 
-// Tets of what a section passes over; exactly so, but for the polygon that circles become: n cells of a turn have n/(2 pi) sin(2 pi/n) of its volume.
+// Sweeps a section to tets. Exact, except that circles become polygons: n cells of a turn have n/(2
+// pi) sin(2 pi/n) of its volume.
 Mesh revolved_solid(const FlatMesh& section, double angle, int cells);
 Mesh extruded_solid(const FlatMesh& section, double length, int cells);
 

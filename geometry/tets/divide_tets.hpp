@@ -1,5 +1,6 @@
-// Division of tets into eight (red refinement): middles of edges become vertices, which cut off the four corners; what is left, an octahedron, is cut along
-// its shortest diagonal (Bey 1995, Tetrahedral Grid Refinement).
+// Division of tets into eight (red refinement): midpoints of edges become vertices, which cut off
+// the four corners; the remaining octahedron is cut along its shortest diagonal (Bey 1995,
+// Tetrahedral Grid Refinement).
 #pragma once
 
 #include <array>
@@ -8,17 +9,25 @@
 
 namespace tack {
 
-// The nodes of a tet that is divided: its corners 0 to 3, then the middles of these edges. The diagonal joins those of the first and the last.
+// Nodes of a divided tet: its corners 0 to 3, then the midpoints of these edges. The diagonal joins
+// those of the first and the last.
 inline constexpr int composite_nodes = 10, composite_parts = 8;
-inline constexpr std::array<std::array<int, 2>, 6> composite_edges = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+inline constexpr std::array<std::array<int, 2>, 6> composite_edges = {
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 // Its eight parts, by nodes: the corners in their order, then the four around the diagonal.
-inline constexpr std::array<std::array<int, 4>, composite_parts> composite_tets = {
-    {{0, 4, 5, 6}, {4, 1, 7, 8}, {5, 7, 2, 9}, {6, 8, 9, 3}, {4, 9, 5, 6}, {4, 9, 6, 8}, {4, 9, 8, 7}, {4, 9, 7, 5}}};
+inline constexpr std::array<std::array<int, 4>, composite_parts> composite_tets = {{{0, 4, 5, 6},
+                                                                                    {4, 1, 7, 8},
+                                                                                    {5, 7, 2, 9},
+                                                                                    {6, 8, 9, 3},
+                                                                                    {4, 9, 5, 6},
+                                                                                    {4, 9, 6, 8},
+                                                                                    {4, 9, 8, 7},
+                                                                                    {4, 9, 7, 5}}};
 
 using CompositeTet = std::array<int, composite_nodes>;
 
-// Every tet, triangle and edge, halved along each of its edges. Tets 8 t to 8 t + 7 are the parts of tet t; the old vertices come first.
-// A middle belongs to the groups that both ends belong to.
+// Divides every tet, triangle and edge at the midpoints of its edges. Tets 8 t to 8 t + 7 are those
+// of tet t; the old vertices come first. A middle belongs to the groups that both ends belong to.
 Mesh divide_tets(const Mesh& mesh);
 
 // The nodes of tets of which each eight are one, as divide_tets left them.

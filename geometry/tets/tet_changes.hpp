@@ -1,6 +1,7 @@
-// Single changes of tets, each of which is made if the worst tet of those that result is better than the worst of those that it replaces.
-// Of the surface nothing changes. Each returns whether it was made.
-// Source: Klingner and Shewchuk 2007, Aggressive Tetrahedral Mesh Improvement; the best filling of a ring is Klincsek's, 1980.
+// Single changes of tets, each of which is made if the worst tet of those that result is better
+// than the worst of those that it replaces. The surface stays. Each function returns whether it
+// made the change. Source: Klingner and Shewchuk 2007, Aggressive Tetrahedral Mesh Improvement; the
+// best filling of a ring is Klincsek's, 1980.
 #pragma once
 
 #include "geometry/tets/tet_editor.hpp"

@@ -1,5 +1,6 @@
-// Tets that are being changed a few at a time, with who is around each vertex and how good each tet is. What fills a cavity may be
-// replaced by what fills it otherwise; vertices of the surface and its triangles stay.
+// Tets that are being changed a few at a time, with who is around each vertex and how good each tet
+// is. What fills a cavity may be replaced by what fills it otherwise; vertices of the surface and
+// its triangles stay.
 #pragma once
 
 #include <vector>
@@ -13,11 +14,13 @@ class TetEditor {
   // Positive tets that fill a volume, each face of at most two.
   TetEditor(std::vector<Vec3> places, std::vector<Tet> tets);
 
-  int count() const { return static_cast<int>(tets_.size()); }  // of tets that there were, also those that are gone
+  // Number of tets, removed ones included.
+  int count() const { return static_cast<int>(tets_.size()); }
   bool alive(int tet) const { return alive_[tet] != 0; }
   const Tet& tet(int t) const { return tets_[t]; }
   double quality(int tet) const { return quality_[tet]; }       // its mean ratio
-  const std::vector<Vec3>& places() const { return places_; }   // of vertices, also those that are gone [m]
+  // Positions of vertices, removed ones included [m].
+  const std::vector<Vec3>& places() const { return places_; }
   const Vec3& place(int vertex) const { return places_[vertex]; }
   bool on_surface(int vertex) const { return on_surface_[vertex] != 0; }
   const std::vector<int>& around(int vertex) const { return around_[vertex]; }  // its tets
@@ -26,10 +29,11 @@ class TetEditor {
   double worst_of(const std::vector<int>& tets) const;
   double worst_of(const std::vector<Tet>& tets) const;
 
-  // Those that have both vertices.
+  // Returns the tets that have both vertices.
   std::vector<int> around_edge(int a, int b) const;
-  // What is opposite the edge in the tets around it, in order: each two that follow each other, the last and the first as well, make a positive
-  // tet (a, b, one, next). Empty if the edge is one of the surface.
+  // Returns the vertices opposite the edge in the tets around it, in order: each two that follow
+  // each other, the last and the first as well, make a positive tet (a, b, one, next). Empty if the
+  // edge is one of the surface.
   std::vector<int> ring(int a, int b, const std::vector<int>& around) const;
   // The tet on the other side of the face opposite `corner`; -1: there is none.
   int across(int tet, int corner) const;

@@ -1,4 +1,4 @@
-// What two sets of tets have in common.
+// Intersections of two sets of tets.
 #pragma once
 
 #include <array>
@@ -16,7 +16,8 @@ struct TetOverlap {
   double volume;   // m^3
 };
 
-// Of each of `ones` with each of `others`, those that share something, by `one` and then by `other`.
-std::vector<TetOverlap> tet_overlaps(const std::vector<std::array<Vec3, 4>>& ones, const std::vector<std::array<Vec3, 4>>& others);
+// Returns the intersections of each of `ones` with each of `others`, sorted by `one`, then `other`.
+std::vector<TetOverlap> tet_overlaps(const std::vector<std::array<Vec3, 4>>& ones,
+                                     const std::vector<std::array<Vec3, 4>>& others);
 
 }  // namespace tack

@@ -1,5 +1,6 @@
-// Patches of neighbouring tets, over which a change of volume is averaged: the six around the diagonal of a cell where a mesh is made of such cells
-// (geometry/shapes/kuhn.hpp); elsewhere most of the tets around a vertex, of vertices that have many, and what is left between them.
+// Patches of neighbouring tets, over which a change of volume is averaged: the six around the
+// diagonal of a cell where a mesh is made of such cells (geometry/shapes/kuhn.hpp); elsewhere most
+// of the tets around a vertex, of vertices that have many, and the tets left between them.
 #pragma once
 
 #include <vector>

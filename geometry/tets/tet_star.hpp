@@ -8,7 +8,8 @@ namespace tack {
 class TetStar {
  public:
   // Faces that are counterclockwise as seen from within.
-  TetStar(const TetEditor& mesh, std::vector<Triangle> faces) : mesh_(mesh), faces_(std::move(faces)) {}
+  TetStar(const TetEditor& mesh, std::vector<Triangle> faces)
+      : mesh_(mesh), faces_(std::move(faces)) {}
 
   double worst_at(const Vec3& place) const;  // the lowest quality of its tets
   // Moves a place to where the worst tet is better, as far as that goes on.
