@@ -74,7 +74,7 @@ class NarrowPhase {
   std::vector<GroupView> views_;        // of the start of this step, by key
   std::vector<GroupView> later_views_;  // of groups that came later, likewise
   PointPieces pieces_;
-  SamplePieces sample_pieces_;    // of the coverage's samples
+  SamplePieces sample_pieces_;    // of the samples of the overlap
   RodOverlaps rods_;              // of this step
   LaggedWeights shares_before_;     // of the step before the next
   LaggedWeights shares_at_start_;   // of the step before this one
