@@ -69,7 +69,7 @@ ContactPoints contact_points(const ContactPointsRequest& request);
 std::vector<char> laws_of_area(const PairTable& pairs);
 std::vector<char> laws_of_area(const PairTable& pairs, int a, int b);
 
-// Its parts: a basis of the plane across a unit normal, and vertices and samples (points_of_features.cpp).
+// Its parts: a basis of the plane across a unit normal, and vertices and samples (contact_points_of_features.cpp).
 TangentBasis tangents_of(const Vec3& normal);
 void add_points_of_features(const ContactPointsRequest& request, ContactPoints& out);
 

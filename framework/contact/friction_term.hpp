@@ -57,7 +57,7 @@ class FrictionTerm : public Term, public ResidualView {
   void derivatives(const VecX& x, Projection projection, double* gradient,
                    double* hessian) const override;
 
-  // Least squares (friction_residuals.cpp).
+  // Least squares (friction_term_residuals.cpp).
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override;
   bool residuals(const VecX& x, double* r, double* jacobian) const override;

@@ -1,4 +1,4 @@
-// What contact publishes.
+// Records of the normal contact potential: forces, energies and contact points.
 #include <cmath>
 
 #include "framework/contact/contact_points.hpp"
