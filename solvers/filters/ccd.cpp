@@ -16,15 +16,16 @@
 namespace tack {
 namespace {
 
-constexpr double keep = 0.1;  // fraction of each gap that must remain
-constexpr double spare = 0.02;  // of the motion that a distance bound allows: additive CCD stops 1-2% short
-constexpr double caution = 1 / ((1 - keep) * (1 - spare));  // factor on motions that are compared with distance bounds
-constexpr double kept = keep + 2 * spare;  // of a motion: a gap that is never smaller lets it pass, with a reserve
-constexpr double longer = 4;  // than the last stage of a fast step
+constexpr double gap_fraction_min = 0.1;      // fraction of each gap that must remain
+constexpr double stop_short_fraction = 0.02;  // of the motion that a distance bound allows: additive CCD stops 1-2% short
+constexpr double motion_factor = 1 / ((1 - gap_fraction_min) * (1 - stop_short_fraction));  // factor on motions that are compared with distance bounds
+// Least gap over the motion for which the whole motion passes, with a reserve.
+constexpr double free_gap_fraction = gap_fraction_min + 2 * stop_short_fraction;
+constexpr double stage_growth = 4;  // length of a stage of a fast step over the last one
 
-// Largest motion of a vertex of one relative to the other's, bounded through the mean of all.
+// Returns a bound of the displacement of any vertex of one primitive relative to any of the other, through the mean of all.
 template <size_t A, size_t B>
-double approach(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
+double relative_displacement(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   Vec3 mean = Vec3::Zero();
   for (const Vec3& d : da) mean += d;
   for (const Vec3& d : db) mean += d;
@@ -35,39 +36,39 @@ double approach(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   return std::sqrt(a) + std::sqrt(b);
 }
 
-// Two configurations and the way from the second on.
-struct Way {
-  const VecX& moved;  // from where the distances of candidates were found to x [m]
+// Displacement since the reference, positions, and the displacement of the step.
+struct StepMotion {
+  const VecX& moved;  // from the reference positions of the candidates to x [m]
   const VecX& x;
   const VecX& p;
 };
 
-// The largest step up to t that one pair allows; distance_bound: a lower bound of its distance, distance: one of its reference distance
-// it moved, offset: what is filled of it [m].
+// Returns the largest step up to t that a pair allows. distance_bound: lower bound of its distance; distance: its reference distance;
+// offset: of the pair [m].
 template <size_t A, size_t B, class Accd>
 double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double distance_bound, double distance, double offset,
-               const Way& way, double t, const Accd& accd) {
-  const auto da = corners(way.p, va);
-  const auto db = corners(way.p, vb);
-  const double motion = t * approach(da, db) / (1 - keep);
-  if (motion < (1 - spare) * (distance_bound - offset)) return t;
-  const auto a = corners(way.x, va);
-  const auto b = corners(way.x, vb);
+               const StepMotion& step, double t, const Accd& accd) {
+  const auto da = corners(step.p, va);
+  const auto db = corners(step.p, vb);
+  const double motion = t * relative_displacement(da, db) / (1 - gap_fraction_min);
+  if (motion < (1 - stop_short_fraction) * (distance_bound - offset)) return t;
+  const auto a = corners(step.x, va);
+  const auto b = corners(step.x, vb);
   const double reach = motion + offset;
   if (reach * reach < box_gaps(a, b).cwiseMax(0.0).squaredNorm()) return t;
   if (distance - offset > motion) {
-    auto ua = corners(way.moved, va);
-    auto ub = corners(way.moved, vb);
-    const double before = approach(ua, ub);
+    auto ua = corners(step.moved, va);
+    auto ub = corners(step.moved, vb);
+    const double before = relative_displacement(ua, ub);
     for (size_t i = 0; i < A; ++i) ua[i] += t * da[i];
     for (size_t i = 0; i < B; ++i) ub[i] += t * db[i];
-    const double gap = distance - std::max(before, approach(ua, ub)) - offset;  // the smallest on the way, at least
-    if (kept * motion < gap) return t;
+    const double gap = distance - std::max(before, relative_displacement(ua, ub)) - offset;  // lower bound of the gap in the whole step
+    if (free_gap_fraction * motion < gap) return t;
   }
   return std::min(t, accd(a, b, da, db, t, offset));
 }
 
-// Of a vertex [m].
+// Returns the largest displacement of a vertex [m].
 double largest_motion(const VecX& p) {
   return std::sqrt(Eigen::Map<const Eigen::Matrix3Xd>(p.data(), 3, p.size() / 3).colwise().squaredNorm().maxCoeff());
 }
@@ -90,12 +91,12 @@ class Ccd : public StepFilter {
     return contact_ != nullptr;
   }
 
-  // In stages: the boxes that a fast step sweeps would overlap nearly everything, and most of the way is
-  // cut off by what is near. Each stage is a whole search of its part of the way, so the result is that
-  // of one search.
+  // Searches in stages: the boxes swept by a fast step would overlap nearly everything, and near obstacles
+  // cut off most of the step. Each stage searches its part of the step completely, so that the result is
+  // that of one search.
   double largest_step(const VecX& x, const VecX& p, double t_max) override {
     const double reach = contact_->stride() / std::max(p.lpNorm<Eigen::Infinity>(), 1e-300);
-    for (double stage = reach;; stage *= longer) {
+    for (double stage = reach;; stage *= stage_growth) {
       const double end = std::min(stage, t_max);
       const double t = search(x, p, end);
       if (t < end || end == t_max || out_of_time()) return t;
@@ -127,10 +128,10 @@ class Ccd : public StepFilter {
     contact_->cover(x, t_max * p);
     const PhaseScope scope(*clock_, Phase::ccd);
     double t = t_max;
-    const double most = 2 * largest_motion(p) * caution;  // of one vertex to another
+    const double most = 2 * largest_motion(p) * motion_factor;  // of one vertex to another
     const VecX moved = x - contact_->candidates().reference;
     const DisplacementBounds displacements(contact_->surface().mesh, [&](int v) {
-      return vertex(moved, v).norm() + caution * t * vertex(p, v).norm();
+      return vertex(moved, v).norm() + motion_factor * t * vertex(p, v).norm();
     });
     for_each_kind([&](const auto& kind) {
       t = min_chunks(static_cast<int>(kind.pairs.size()), t, [&, limit = t](int first, int last) {
@@ -149,16 +150,16 @@ class Ccd : public StepFilter {
   }
 
   // Candidates of one kind.
-  template <class Primitives, class Stray, class Accd>
+  template <class Primitives, class Displacement, class Accd>
   struct Kind {
     Kind(const std::vector<std::array<int, 2>>& pairs_, const std::vector<double>& clearances_, const std::vector<double>& distances_,
          Primitives primitives_, Stray stray_, Accd accd_)
         : pairs(pairs_), clearances(clearances_), distances(distances_), primitives(primitives_), stray(stray_), accd(accd_) {}
     const std::vector<std::array<int, 2>>& pairs;
     const std::vector<double>&distance_bounds, &reference_distances;
-    Primitives primitives;  // of a pair
-    Stray displacement;            // of both together
-    Accd accd;              // of both
+    Primitives primitives;      // vertices of both primitives of a pair
+    Displacement displacement;  // sum of both displacement bounds
+    Accd accd;                  // largest step of a pair
   };
 
   // Calls visit for each kind of candidates.
@@ -171,25 +172,25 @@ class Ccd : public StepFilter {
                [&](const auto& pair) { return std::pair{mesh.edges[pair[0]], mesh.edges[pair[1]]}; },
                [](const DisplacementBounds& s, const auto& pair) { return s.edge(pair[0]) + s.edge(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], keep, limit, offset);
+                 return edge_edge_accd(a[0], a[1], b[0], b[1], da[0], da[1], db[0], db[1], gap_fraction_min, limit, offset);
                }});
     visit(Kind{c.point_triangle, c.distance_bounds.point_triangle, c.reference_distances.point_triangle,
                [&](const auto& pair) { return std::pair{point(pair[0]), mesh.triangles[pair[1]]}; },
                [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.triangle(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], keep, limit, offset);
+                 return point_triangle_accd(a[0], b[0], b[1], b[2], da[0], db[0], db[1], db[2], gap_fraction_min, limit, offset);
                }});
     visit(Kind{c.point_edge, c.distance_bounds.point_edge, c.reference_distances.point_edge,
                [&](const auto& pair) { return std::pair{point(pair[0]), mesh.edges[pair[1]]}; },
                [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.edge(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], keep, limit, offset);
+                 return point_edge_accd(a[0], b[0], b[1], da[0], db[0], db[1], gap_fraction_min, limit, offset);
                }});
     visit(Kind{c.point_point, c.distance_bounds.point_point, c.reference_distances.point_point,
                [&](const auto& pair) { return std::pair{point(pair[0]), point(pair[1])}; },
                [](const DisplacementBounds& s, const auto& pair) { return s.vertex(pair[0]) + s.vertex(pair[1]); },
                [](const auto& a, const auto& b, const auto& da, const auto& db, double limit, double offset) {
-                 return point_point_accd(a[0], b[0], da[0], db[0], keep, limit, offset);
+                 return point_point_accd(a[0], b[0], da[0], db[0], gap_fraction_min, limit, offset);
                }});
   }
 

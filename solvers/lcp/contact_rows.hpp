@@ -1,6 +1,7 @@
-// The contacts that constraints are made of: points and what of a surface they are nearest to, and pairs of edges, as far as they are near
-// each other when a step starts. The gap is signed: whoever was on one side of a surface is on that side until it goes around a boundary, also after
-// it has crossed it. Without that, who has crossed would be pushed further in.
+// Contacts as constraint rows: points with their nearest features of a surface, and pairs of edges,
+// within range at the start of a step. The gap is signed: a point stays on its side of a surface
+// until it goes around a boundary, also after it has crossed the surface. With an unsigned gap a
+// point that has crossed would be pushed further in.
 #pragma once
 
 #include <algorithm>
@@ -16,16 +17,20 @@
 namespace tack {
 
 struct ContactRow {
-  std::array<int, 4> vertices;         // global: the point's, then those of the place that it faces; or of two edges
-  std::array<double, 4> coefficients;  // sum_i c_i x_i leads from the place to the point; 0 where there are fewer
-  int own;                             // how many of the vertices are the point's: 1, or 2 of an edge
+  // global: the point's, then those of the place that it faces; or of two edges.
+  std::array<int, 4> vertices;
+  // sum_i c_i x_i leads from the place to the point; 0 where there are fewer.
+  std::array<double, 4> coefficients;
+  // How many of the vertices are the point's: 1, or 2 of an edge.
+  int own;
   Vec3 normal;                         // unit, towards where the point belongs
   double distance;                     // along it, signed, less the offsets of both [m]
   double gap;                          // that is kept [m]
   double mu;
   int object, opposite;                // whose point it is, and who it faces
   Vec3 force;                          // on the point: in the step before, later in this one [N]
-  int held;                            // of HeldContacts: its entry among points (own 1) or edges; -1: none
+  // Of HeldContacts: its entry among points (own 1) or edges; -1: none.
+  int held;
 
   Vec3 moved(const VecX& way) const {  // way: 3n, displacements
     Vec3 sum = Vec3::Zero();
@@ -39,9 +44,11 @@ struct ContactRows {
   HeldContacts held;  // what the next step is to know; forces are those of the step before
 };
 
-// What is within so many margins of each other has rows from the start of a step; the rest, if it meets on the way (impact_rows.hpp).
+// What is within so many margins of each other has rows from the start of a step; the rest, if it
+// meets on the way (impact_rows.hpp).
 constexpr double near_in_margins = 2;
-// Of the margin: what is kept between edges, which only see to it that nothing passes between the points.
+// Of the margin: what is kept between edges, which only see to it that nothing passes between the
+// points.
 constexpr double part_for_edges = 0.5;
 // Below this cosine a point is beside a surface rather than on one side of it.
 constexpr double beside = 0.2;
@@ -61,10 +68,12 @@ double relative_way(const VecX& way, const std::array<int, A>& a, const std::arr
 
 class ContactFinder {
  public:
-  // Both must outlive it. margin: the gap that points keep from surfaces; edges keep half of it from each other [m].
+  // Both must outlive it. margin: the gap that points keep from surfaces; edges keep half of it
+  // from each other [m].
   ContactFinder(const ContactSystem& system, double margin);
 
-  // What is near at x (3n), and what was near before. way: how far vertices have gone since (3n); empty: nowhere.
+  // What is near at x (3n), and what was near before. way: how far vertices have gone since (3n);
+  // empty: nowhere.
   ContactRows find(const VecX& x, const VecX& way, const HeldContacts& before);
 
  private:
@@ -73,9 +82,12 @@ class ContactFinder {
     std::vector<HeldPoint> points;
     std::vector<HeldEdges> edges;
   };
-  void add_points(const Candidates& candidates, int first, int last, const VecX& x, const VecX& way, double reach, const HeldContacts& before, Chunk& out) const;
-  void add_edges(int a, int b, const VecX& x, const VecX& way, const HeldContacts& before, const std::vector<HeldPoint>& sides, Chunk& out) const;
-  double side_of_edges(const NearEdges& near, const VecX& x, const std::vector<HeldPoint>& sides, const HeldEdges* held) const;
+  void add_points(const Candidates& candidates, int first, int last, const VecX& x, const VecX& way,
+                  double reach, const HeldContacts& before, Chunk& out) const;
+  void add_edges(int a, int b, const VecX& x, const VecX& way, const HeldContacts& before,
+                 const std::vector<HeldPoint>& sides, Chunk& out) const;
+  double side_of_edges(const NearEdges& near, const VecX& x, const std::vector<HeldPoint>& sides,
+                       const HeldEdges* held) const;
   bool share_vertex(int triangle, int other) const;
   double strayed(const HeldContacts& before, const VecX& way) const;
 

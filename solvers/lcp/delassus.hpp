@@ -1,5 +1,6 @@
-// The Delassus operator W = J A^-1 J^T [1/kg] of rows that are added in the order of their numbers: dense in blocks of at most so many
-// rows. What rows of different blocks do to each other goes through A itself, with a solve for each block in each sweep, and is not stored.
+// The Delassus operator W = J A^-1 J^T [1/kg] of rows that are added in the order of their numbers:
+// dense in blocks of at most so many rows. What rows of different blocks do to each other goes
+// through A itself, with a solve for each block in each sweep, and is not stored.
 #pragma once
 
 #include <vector>
@@ -19,9 +20,11 @@ class Delassus {
   };
 
   // most: rows of a block. Both others must outlive it.
-  Delassus(LinearizedStep& step, const Rows& rows, int most) : step_(step), rows_(rows), most_(most) {}
+  Delassus(LinearizedStep& step, const Rows& rows, int most)
+      : step_(step), rows_(rows), most_(most) {}
 
-  // Takes the rows that have been made since, which end where a block may end: at one of `ends` (ascending).
+  // Takes the rows that have been made since, which end where a block may end: at one of `ends`
+  // (ascending).
   void extend(const std::vector<int>& ends);
   const std::vector<Block>& blocks() const { return blocks_; }
   // A^-1 J^T impulses, of rows first .. last - 1: velocities in the unknowns [m/s].

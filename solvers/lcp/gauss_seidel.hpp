@@ -1,8 +1,10 @@
-// Projected Gauss-Seidel over contacts and bonds, one after the other (Otaduy et al. 2009, Gascon et al. 2010): with the velocities
-// u = u* + W lambda along rows,
-//     contact    0 <= lambda_n, u_n + g/h >= 0, one of them 0;  |lambda_t| <= mu lambda_n, against the slip (cone)
-//     bond       a_n = -h k_n <d + h u_n> (of bonds that resist pressing: without <>),  a_t = -h k_t (s + h u_t): rows of compliance 1/(h^2 k)
-// g: the gap at the start of the step less what is kept; d, s: opening and slip of the bond there. k is that of the law at the end of the step.
+// Projected Gauss-Seidel over contacts and bonds, one after the other (Otaduy et al. 2009, Gascon
+// et al. 2010): with the velocities u = u* + W lambda along rows,
+//     contact    0 <= lambda_n, u_n + g/h >= 0, one of them 0;  |lambda_t| <= mu lambda_n, against
+//     the slip (cone) bond       a_n = -h k_n <d + h u_n> (of bonds that resist pressing: without
+//     <>),  a_t = -h k_t (s + h u_t): rows of compliance 1/(h^2 k)
+// g: the gap at the start of the step less what is kept; d, s: opening and slip of the bond there.
+// k is that of the law at the end of the step.
 #pragma once
 
 #include <functional>
@@ -37,7 +39,8 @@ class GaussSeidel {
 
   // Units are added with the impulses that they start from [N s]; their rows have been made.
   void add(RowUnit unit, const Vec3& impulse);
-  // Sweeps until no velocity changes by more than the tolerance [m/s], or so often; false in that case.
+  // Sweeps until no velocity changes by more than the tolerance [m/s], or so often; false in that
+  // case.
   bool solve(int sweeps, double tolerance, PhaseClock& clock);
 
   const std::vector<RowUnit>& units() const { return units_; }
@@ -45,7 +48,8 @@ class GaussSeidel {
   Vec3 velocity(const RowUnit& unit) const { return unit.free + at(unit, change_); }
   // The velocities in the unknowns that all impulses make.
   const VecX& made() const { return made_; }
-  // By how much the constraints are not fulfilled: |min(u_n + g/h, W lambda)| and the like, the largest [m/s].
+  // By how much the constraints are not fulfilled: |min(u_n + g/h, W lambda)| and the like, the
+  // largest [m/s].
   double residual() const;
   int sweeps() const { return sweeps_; }
   int row_count() const { return rows_.count(); }

@@ -1,5 +1,6 @@
-// What contacts remember from step to step: on which side of the other surface they were, how close they started, and with what they
-// pressed. By (point, object), where each may be near several parts of the object, and by pairs of edges.
+// History of contacts between steps: the side of the other surface, the distance at the start, and
+// the pressure. Keyed by (point, object), where a point may be near several features of the object,
+// and by pairs of edges.
 #pragma once
 
 #include <vector>
@@ -12,7 +13,8 @@ namespace tack {
 struct HeldPoint {
   int point, object;
   int triangle;        // of the mesh, that it was nearest to
-  double side;         // 1: where the triangle's normal points; -1: behind it; 0: it has none (beside a boundary)
+  // 1: where the triangle's normal points; -1: behind it; 0: it has none (beside a boundary).
+  double side;
   double gap;          // that is kept [m]: the margin, or less of what started closer
   double depth;        // that it is behind where it belongs; 0 in front [m]
   Vec3 force;          // on the point [N]

@@ -1,6 +1,7 @@
-// Contacts that are nobody's nearest when a step starts but meet on the straight ways to where it would end: by continuous collision detection,
-// with the normals and places of where they meet (Otaduy et al. 2009). Linearised where they start, what moves by several of its own
-// sizes in a step would be kept off planes that it never gets to.
+// Contacts that are no nearest features at the start of a step but are met on the linear
+// trajectories of the step: found by continuous collision detection, with the normals and positions
+// at the time of impact (Otaduy et al. 2009). Linearised at the start of the step, a body that
+// moves by several of its sizes in a step would be kept off planes that it never reaches.
 #pragma once
 
 #include <array>
@@ -18,8 +19,8 @@ class ImpactFinder {
 
   // A step begins; near: who has rows already.
   void begin(const HeldContacts& near);
-  // Adds the rows of what meets between x and end (3n) and was not found before, in the order of candidates, and what the next step is to
-  // know of it.
+  // Adds the rows of what meets between x and end (3n) and was not found before, in the order of
+  // candidates, and what the next step is to know of it.
   void find(const VecX& x, const VecX& end, ContactRows& out);
 
  private:

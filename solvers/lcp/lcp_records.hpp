@@ -1,5 +1,5 @@
-// What results show of contact where it is constraints: forces are impulses over the step, in the place of those of the barrier and of
-// friction's potential, which store nothing.
+// Records of contact by constraints: forces are impulses over the step. They replace those of the
+// barrier and of the friction potential, which store nothing here.
 #pragma once
 
 #include <memory>

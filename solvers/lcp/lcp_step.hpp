@@ -1,6 +1,7 @@
-// A step with constraints: linearised (linearized_step.hpp), contact with friction and bonds as rows (contact_rows.hpp), projected
-// Gauss-Seidel (gauss_seidel.hpp). Contacts that nothing violates have no rows until something does, and where the step ends is looked at
-// for others that were met on the way (impact_rows.hpp).
+// A step with constraints: linearised (linearized_step.hpp), contact with friction and bonds as
+// rows (contact_rows.hpp), projected Gauss-Seidel (gauss_seidel.hpp). Contacts have rows once they
+// are violated. The end of the step is searched for contacts that were met on linear trajectories
+// (impact_rows.hpp).
 #pragma once
 
 #include <optional>
@@ -12,11 +13,11 @@
 namespace tack {
 
 struct LcpSettings {
-  double margin = 0;      // that surfaces keep [m]
-  double tolerance = 0;   // the largest change of a velocity in the last sweep [m/s]
-  int sweeps = 0;         // at most, in a step
-  int dense_rows = 0;     // of a dense block
-  double recovery = 0;    // what of a gap that is too small a step takes back
+  double margin = 0;      // gap that surfaces keep [m]
+  double tolerance = 0;   // largest change of a velocity in the last sweep [m/s]
+  int sweeps = 0;         // most sweeps of a step
+  int dense_rows = 0;     // rows of a dense block
+  double recovery = 0;    // fraction of a violation that a step corrects
 };
 
 class LcpStep {
@@ -27,8 +28,8 @@ class LcpStep {
   // Leaves where it ends in attempt.x.
   void solve(const Step& step, Attempt& attempt);
 
-  // Of the step that was solved last: its contacts with their forces, what the next one is to know, and how deep anything is at the end
-  // behind what it was in front of [m].
+  // Of the step that was solved last: its contacts with their forces, what the next one is to know,
+  // and how deep anything is at the end behind what it was in front of [m].
   const std::vector<ContactRow>& contacts() const { return contacts_.rows; }
   const HeldContacts& held() const { return held_; }
   double deepest() const { return deepest_; }
@@ -38,7 +39,8 @@ class LcpStep {
   double slid() const { return slid_; }          // what friction dissipated: force times slip [J]
 
  private:
-  // By how much a contact may still close, or, if below zero, what of its gap is to be taken back in the step [m].
+  // By how much a contact may still close, or, if below zero, what of its gap is to be taken back
+  // in the step [m].
   double room(const ContactRow& contact) const;
   void add_contact(int contact, const VecX& way);
   void add_bonds(const VecX& x, const VecX& end);

@@ -42,7 +42,8 @@ class LinearizedStep {
   LinearSolver& solver_;
   std::vector<const Term*> terms_;
   std::unique_ptr<StepPotential> potential_;
-  // With all held vertices free: how what the script moves acts on others. Only made if it moves something.
+  // With all held vertices free: how what the script moves acts on others. Only made if it moves
+  // something.
   DofMap all_;
   std::unique_ptr<StepPotential> of_all_;
   VecX places_;  // 3n: what the script moves at its end, the rest at its start

@@ -1,4 +1,4 @@
-// The rows J of constraints, sparse: of each, a 3-vector for every block of unknowns that it touches.
+// Rows J of constraints, sparse: a 3-vector per row and block of unknowns that it touches.
 #pragma once
 
 #include <span>
@@ -16,7 +16,9 @@ class Rows {
   };
 
   int count() const { return static_cast<int>(start_.size()) - 1; }
-  std::span<const Entry> entries(int row) const { return {entries_.data() + start_[row], entries_.data() + start_[row + 1]}; }
+  std::span<const Entry> entries(int row) const {
+    return {entries_.data() + start_[row], entries_.data() + start_[row + 1]};
+  }
 
   // To the row that is being made: what vertex `v` moving along `along` is to it.
   void add(const DofMap& dofs, int v, const Vec3& along) {

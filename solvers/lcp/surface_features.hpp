@@ -1,5 +1,5 @@
-// What of a surface points and edges of others are nearest to: the local minima of the distance, each with the unit normal from there,
-// and with the side of the surface on which it lies.
+// Nearest features of a surface for points and edges of other surfaces: local minima of the
+// distance, each with the unit normal there and the side of the surface.
 #pragma once
 
 #include <array>
@@ -20,16 +20,20 @@ struct NearPoint {
   std::array<double, 3> weights; // of the place
   double distance;               // m
   Vec3 normal;                   // unit, from the place to the point
-  double facing;                 // cosine of the angle between it and the surface's normal there; 0 at a boundary, which has no sides
+  // Cosine of the angle between it and the surface's normal there; 0 at a boundary, which has no
+  // sides.
+  double facing;
 };
 
 // Two edges, nearest to each other inside both.
 struct NearEdges {
   int a, b;                      // edges of the mesh
-  Vec2 at;                       // the places are (1 - at) of the first vertex of either and at of the second
+  // The places are (1 - at) of the first vertex of either and at of the second.
+  Vec2 at;
   double distance;               // m
   Vec3 normal;                   // unit, from b to a
-  double facing_a, facing_b;     // as above: of -normal and the surface of a, of normal and that of b
+  // As above: of -normal and the surface of a, of normal and that of b.
+  double facing_a, facing_b;
 };
 
 class SurfaceFeatures {
@@ -38,7 +42,8 @@ class SurfaceFeatures {
   explicit SurfaceFeatures(const ContactSurface& surface);
 
   // Of candidates first .. last - 1, of one point and one object: those nearer than reach [m].
-  void near_point(const Candidates& candidates, int first, int last, const VecX& x, double reach, std::vector<NearPoint>& out) const;
+  void near_point(const Candidates& candidates, int first, int last, const VecX& x, double reach,
+                  std::vector<NearPoint>& out) const;
   // False if the two edges are not nearest inside both, or nearly parallel.
   bool near_edges(int a, int b, const VecX& x, NearEdges& out) const;
 
@@ -50,7 +55,8 @@ class SurfaceFeatures {
 
  private:
   std::span<const int> triangles_at_edge(int edge) const {
-    return {edge_triangles_.data() + edge_start_[edge], edge_triangles_.data() + edge_start_[edge + 1]};
+    return {edge_triangles_.data() + edge_start_[edge],
+            edge_triangles_.data() + edge_start_[edge + 1]};
   }
   Vec3 normal_at(const NearPoint& near, const VecX& x) const;
   Vec3 normal_at_edge(int edge, const VecX& x) const;
@@ -59,7 +65,8 @@ class SurfaceFeatures {
   const ContactSurface& surface_;
   SurfaceTopology topology_;
   std::vector<int> edge_start_, edge_triangles_;  // the triangles at each edge of the mesh
-  std::vector<char> boundary_;                    // per global vertex: of an edge that is not in two triangles
+  // Per global vertex: of an edge that is not in two triangles.
+  std::vector<char> boundary_;
 };
 
 }  // namespace tack

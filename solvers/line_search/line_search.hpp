@@ -26,13 +26,15 @@ class LineSearch : public Component {
 };
 
 // Armijo's condition for a step t, by more than the rounding error of the values; start: at t = 0.
-inline bool descends(double start, double value, double noise, double t, double slope, double decrease) {
+inline bool descends(double start, double value, double noise, double t, double slope,
+                     double decrease) {
   return value < start - noise && value <= start + decrease * t * slope;
 }
 
 // Steps that are shorter change no digit of q: nothing to be learned there.
 inline double smallest_step(const VecX& q, const VecX& p) {
-  return std::numeric_limits<double>::epsilon() * q.lpNorm<Eigen::Infinity>() / p.lpNorm<Eigen::Infinity>();
+  return std::numeric_limits<double>::epsilon() * q.lpNorm<Eigen::Infinity>() /
+         p.lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// What both minimisers of Ceres set alike.
+// Settings that both minimisers of Ceres share.
 #pragma once
 
 #include <ceres/types.h>

@@ -1,5 +1,5 @@
-// The residual model as Ceres sees it: a cost function per stencil and per block of unknowns, which are the parameter
-// blocks.
+// The residual model as Ceres sees it: a cost function per stencil and per block of unknowns, which
+// are the parameter blocks.
 #pragma once
 
 #include <ceres/cost_function.h>
@@ -29,7 +29,8 @@ class StencilCost : public ceres::CostFunction {
     for (int k = 0; k < stencil_.blocks; ++k)
       if (double* out = jacobians[k])
         for (int row = 0; row < stencil_.residuals; ++row)
-          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.blocks * row + k), 3, out + 3 * row);
+          std::copy_n(model_.jacobian(stencil_) + 3 * (stencil_.blocks * row + k), 3,
+                      out + 3 * row);
     return true;
   }
 

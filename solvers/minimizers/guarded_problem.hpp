@@ -1,12 +1,13 @@
-// A minimisation as foreign gradient methods see it: a smooth function f(z) of scaled unknowns, which
-// they may ask for anywhere, and a chain of accepted points, which is ours. A trial point counts only if
-// the step filters pass the straight way to it from the last accepted point whole; so whatever a method
-// asks for, the accepted points are joined by feasible ways.
+// A minimisation for external gradient methods: a smooth function f(z) of scaled unknowns,
+// evaluated anywhere, and a chain of accepted points. A trial point is usable only if the step
+// filters pass the linear trajectory to it from the last accepted point; so accepted points are
+// joined by feasible trajectories, whatever points a method asks for.
 //
-// Scaled unknowns, around the point c where a round starts, with D the diagonal of the Hessian there:
+// Scaled unknowns, around the point c where a round starts, with D the diagonal of the Hessian
+// there:
 //     q = c + rho D^-1/2 z,    f = (E(q) - E(c)) / rho^2,    rho = |D^-1/2 grad E(c)|_inf,
-// so that f has slopes and curvatures of about one. Where a difference of energies drowns in rounding
-// error, f continues from the last accepted point by the mean of both gradients instead.
+// so that f has slopes and curvatures of about one. Where rounding errors exceed a difference of
+// energies, f continues from the last accepted point by the mean of both gradients instead.
 #pragma once
 
 #include <exception>
@@ -22,36 +23,38 @@ namespace tack {
 class GuardedProblem {
  public:
   // Moves q with every accepted point, and fills the result's counts.
-  GuardedProblem(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations, VecX& q,
-                 MinimizerResult& result);
+  GuardedProblem(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
+                 VecX& q, MinimizerResult& result);
 
-  // Scales anew around the last accepted point. False if nothing is left to do; see over().
+  // Scales around the last accepted point. Returns false if the minimisation is over().
   bool begin_round();
   int size() const { return static_cast<int>(q_.size()); }
 
   enum class Trial { usable, blocked, not_finite };
-  // f and its gradient at z (both scaled). `blocked`: the way to z is not feasible, or far too long.
+  // Sets f and its gradient at z (both scaled). `blocked`: the trajectory to z is not feasible, or
+  // far too long.
   Trial evaluate(const double* z, double& f, double* gradient);
-  // After a trial that is not usable: value and gradient of a bowl above the last accepted point, for
-  // methods that cannot do without.
+  // Sets value and gradient of a convex penalty above the last accepted point, after a trial that
+  // is not usable, for methods that need finite values.
   void evaluate_wall(const double* z, double& f, double* gradient);
 
   double accepted_value() const { return accepted_f_; }
-  // Makes z the accepted point. False, with nothing changed, unless f is lower there and the way is free.
-  // One iteration.
+  // Accepts z: one iteration. Returns false, and changes nothing, unless f is lower there and the
+  // trajectory is free.
   bool accept(const double* z);
 
-  // Why no further trial is wanted: convergence, budgets, Ctrl-C, or an exception of the objective.
+  // Returns whether the minimisation is over: converged, out of budget, interrupted, or the
+  // objective has thrown.
   bool over() const { return status_.has_value() || failure_; }
   MinimizerStatus status() const { return *status_; }
   void stop(MinimizerStatus status) { status_ = status; }
-  // Foreign code is not asked to pass exceptions on.
+  // Stores an exception of the objective: external code does not propagate exceptions.
   void fail(std::exception_ptr failure) { failure_ = failure; }
   void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
 
-  // So many trials in a row led nowhere that the method had better start anew.
+  // Returns whether too many trials in a row were not usable, so that the method should restart.
   bool gets_nowhere() const;
-  // Whether the last round brought no accepted point; the status that fits.
+  // Returns whether the last round had no accepted point; reason(): its status.
   bool fruitless() const { return result_.iterations == iterations_before_; }
   MinimizerStatus reason() const;
 
@@ -69,24 +72,26 @@ class GuardedProblem {
 
   VecX centre_, scale_;      // c [m]; rho D^-1/2 [m]
   double rho_squared_ = 1;   // kg m^2
-  double longest_ = 0;       // a coordinate's way that a trial may ask for [m]
+  double longest_ = 0;       // largest displacement of a coordinate in a trial [m]
   double accepted_value_ = 0, accepted_noise_ = 0, accepted_f_ = 0;
   VecX accepted_gradient_;
 
   VecX trial_;        // the last evaluated point
-  double reach_ = 0;  // part of the way to it that is free
+  double reach_ = 0;  // free fraction of the trajectory to it
   double trial_f_ = 0;
   bool trial_usable_ = false;
 
   int trials_left_ = 0;
-  int iterations_before_ = 0, tried_ = 0, blocked_ = 0, idle_ = 0;  // in the round; the last, in a row
+  // In the round; the last, in a row.
+  int iterations_before_ = 0, tried_ = 0, blocked_ = 0, idle_ = 0;
   std::optional<MinimizerStatus> status_;
   std::exception_ptr failure_;
 };
 
-// Calls round(guarded), in which a foreign method runs from z = 0 until it ends by itself or is told to,
-// until nothing is left to do, or two rounds in a row bring nothing.
-MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
-                                   VecX& q, const std::function<void(GuardedProblem&)>& round);
+// Calls round(guarded), in which an external method runs from z = 0 until it ends or the problem is
+// over, until the minimisation is over or two rounds in a row accept no point.
+MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge,
+                                   int max_iterations, VecX& q,
+                                   const std::function<void(GuardedProblem&)>& round);
 
 }  // namespace tack

@@ -1,8 +1,9 @@
 // A least-squares model of an incremental potential around one point q0:
 //     1/2 |sqrt(M) (q - target)|^2 + 1/2 sum over terms of scale |r(q)|^2,
-// with the residuals of all terms over the stencils that are active at q0. The rest of the potential
-// (residual_view.hpp) acts with its force at q0: it is folded into the target, so that the model's
-// gradient at q0 is the potential's. Where there is no inertia, a weak pull towards q0 takes its place.
+// with the residuals of all terms over the stencils that are active at q0. The rest of the
+// potential (residual_view.hpp) acts with its force at q0: it is folded into the target, so that
+// the model's gradient at q0 is the potential's. Where there is no inertia, a weak pull towards q0
+// takes its place.
 #pragma once
 
 #include "framework/core/objective.hpp"
@@ -23,7 +24,8 @@ class ResidualModel {
     size_t first;           // of its residuals
     size_t first_of_vertices;  // of the entries of its Jacobian: residuals x (3 arity), row-major
     size_t first_jacobian;     // likewise residuals x (3 blocks)
-    size_t first_block, first_weight;  // of its blocks, and of the weights of each of its vertices on all of them
+    // Of its blocks, and of the weights of each of its vertices on all of them.
+    size_t first_block, first_weight;
   };
   const std::vector<Stencil>& stencils() const { return stencils_; }
   const DofMap& dofs() const { return squares_.dofs; }

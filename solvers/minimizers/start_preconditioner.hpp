@@ -1,5 +1,5 @@
-// A metric for gradient methods, made once per minimisation from the clamped Hessian at its start: what
-// they take for H^-1.
+// Metric for gradient methods, their H^-1: made once per minimisation from the clamped Hessian at
+// its start.
 #pragma once
 
 #include <memory>

@@ -14,7 +14,8 @@ class TellIteration {
   void operator()(const MinimizerResult& result) const {
     if (!problem_.observer) return;
     const std::chrono::duration<double> seconds = Clock::now() - started_;
-    problem_.observer(result.iterations, result.residual, problem_.objective.value(), seconds.count());
+    problem_.observer(result.iterations, result.residual, problem_.objective.value(),
+                      seconds.count());
   }
 
  private:

@@ -36,10 +36,12 @@ const std::vector<std::string> done = {
     "framework/stepping/tunnelling_check.hpp",
     "framework/world/embedding.hpp",
     "framework/world/multi_point_constraints.hpp",
-    "solvers/minimizers/stagnation.hpp"};
+    "solvers/lcp/",
+    "solvers/line_search/",
+    "solvers/minimizers/"};
 
 // Comment lines of C++ code that open with "What" or "Of". The bound falls; it never rises.
-constexpr int openings_max = 578;
+constexpr int openings_max = 573;
 
 // Returns the number of characters of a line in UTF-8.
 size_t columns(const std::string& line) {

@@ -116,9 +116,9 @@ TEST_CASE("statuses of minimizers", "[minimizer]") {
   SECTION("factorization failed") {
     const Curve broken = {bowl.value, bowl.slope, [](double) { return std::nan(""); }};
     const MinimizerStatus status = minimize(type, broken).result.status;
-    // Foreign methods factorise nothing that is ours: they go on unjudged, and never converge.
-    const bool foreign = type == "nlopt" || type.rfind("ceres", 0) == 0;
-    if (foreign) CHECK(status != MinimizerStatus::converged);
+    // External methods factorise nothing that is ours: they go on unjudged, and never converge.
+    const bool external = type == "nlopt" || type.rfind("ceres", 0) == 0;
+    if (external) CHECK(status != MinimizerStatus::converged);
     else CHECK(status == MinimizerStatus::factorization_failed);
   }
   SECTION("not finite") {

@@ -1,4 +1,4 @@
-// What foreign minimisers report of objectives that are not as they should be.
+// External minimisers report defective objectives.
 #include <catch2/catch.hpp>
 #include <functional>
 #include <limits>
@@ -66,7 +66,7 @@ void for_each_method(const Check& check) {
 
 }  // namespace
 
-TEST_CASE("foreign minimizers: a bowl", "[minimizer]") {
+TEST_CASE("external minimizers: a bowl", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     Told told(bowl, bowl_slope);
     VecX q = start;
@@ -76,7 +76,7 @@ TEST_CASE("foreign minimizers: a bowl", "[minimizer]") {
   });
 }
 
-TEST_CASE("foreign minimizers: no way out", "[minimizer]") {
+TEST_CASE("external minimizers: no way out", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     Told told(bowl, bowl_slope);
     VecX q = start;
@@ -86,7 +86,7 @@ TEST_CASE("foreign minimizers: no way out", "[minimizer]") {
   });
 }
 
-TEST_CASE("foreign minimizers: a gradient that lies", "[minimizer]") {
+TEST_CASE("external minimizers: a gradient that lies", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     Told told(bowl, [](const Vec3& q) { return Vec3(-bowl_slope(q)); });
     VecX q = start;
@@ -98,7 +98,7 @@ TEST_CASE("foreign minimizers: a gradient that lies", "[minimizer]") {
   });
 }
 
-TEST_CASE("foreign minimizers: what is not a number", "[minimizer]") {
+TEST_CASE("external minimizers: what is not a number", "[minimizer]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for_each_method([=](const std::string& yaml) {
     VecX q = start;
@@ -114,7 +114,7 @@ TEST_CASE("foreign minimizers: what is not a number", "[minimizer]") {
   });
 }
 
-TEST_CASE("foreign minimizers: exceptions of the objective arrive", "[minimizer]") {
+TEST_CASE("external minimizers: exceptions of the objective arrive", "[minimizer]") {
   for_each_method([](const std::string& yaml) {
     int calls = 0;
     Told told([&](const Vec3& q) { return ++calls > 3 ? throw std::runtime_error("broken") : bowl(q); }, bowl_slope);
