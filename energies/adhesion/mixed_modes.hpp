@@ -1,4 +1,4 @@
-// What parts a bond under opening and slip together. The mixity B is the share of slip in its pull, K_T |u|^2 / (K d^2 + K_T |u|^2): 0 under
+// Separation of a bond under opening and slip together. The mixity B is the share of slip in its pull, K_T |u|^2 / (K d^2 + K_T |u|^2): 0 under
 // opening alone, 1 under slip alone; G_I, G_II the work of either, sigma and tau the strength.
 //     power: work      G = (((1 - B) / G_I)^p + (B / G_II)^p)^(-1/p),      onset   (t_n / sigma)^2 + (t_t / tau)^2 = 1
 //     Benzeggagh-Kenane: G = G_I + (G_II - G_I) B^p,                  onset^2 = o_I^2 + (o_II^2 - o_I^2) B^p (Turon et al. 2006)

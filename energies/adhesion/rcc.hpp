@@ -1,4 +1,4 @@
-// What both forms of Raous-Cangemi-Cocou adhesion share (the paper, eq. 5 and 6): a bond stores k beta^2 / 2 with its pull
+// Base of both forms of Raous-Cangemi-Cocou adhesion (the paper, eq. 5 and 6): a bond stores k beta^2 / 2 with its pull
 // k = C_N d^2 + C_T |u|^2 [J/m^2] and its intensity beta, which it remembers. As long as beta < 0.01 and does not grow a bond is none,
 // so that its place bonds anew, unstressed, when it is pressed again.
 #pragma once

@@ -4,7 +4,7 @@
 //     beta' = min(W - k beta, 0) / eta                              while p < 0,
 //     beta' = r max(p - beta p_0, 0) + min(W - C_T beta |u|^2, 0) / eta   else.
 // At a fixed opening beta overshoots from h > eta / k on, and is clamped to 0 from little more. In a step the force has no peak.
-// What is dissipated is what the update takes from the energy that is stored, k (beta^2 - beta'^2) / 2: so energy is conserved, and what
+// The dissipation is the energy that the update takes from the stored energy, k (beta^2 - beta'^2) / 2: so energy is conserved, and what
 // the integration makes up shows as a work of separation that is not W; where a bond grows while it is stretched it is below zero.
 #include <algorithm>
 

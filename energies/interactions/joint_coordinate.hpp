@@ -1,4 +1,4 @@
-// What a hinge or a slider leaves free, as one number of its vertices, and its memory: angles count whole turns.
+// The free coordinate of a hinge or a slider, as a function of its vertices, and its history variable: angles count whole turns.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// What works in a joint against its motion, or for it: with v the rate of its coordinate q at the end of a step,
+// Forces of a joint against its motion, or for it: with v the rate of its coordinate q at the end of a step,
 //     friction  T f(|v| / e) against v, and c v,
 //     motor     T f(|w - v| / e) towards a rate w,
 //     servo     T f(|p - q| / e) towards a value p,
@@ -36,7 +36,7 @@ struct JointDrive : FormulaOf<Coordinate::arity> {
     const T integral = y < T(1) ? T(y * y - y * y * y / 3.0) : T(y - 1.0 / 3);
     return (d.most * d.soft * integral + 0.5 * d.damping * off * off) / d.rate;
   }
-  // What it exerts along the coordinate.
+  // Returns the force along the coordinate.
   static double drive(const Data& d, double q) {
     const double off = d.rate * (q - d.still) - d.target;
     return -(d.most * std::copysign(saturation(std::abs(off) / d.soft), off) + d.damping * off);
@@ -53,7 +53,7 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
     this->add(coordinate_->vertices(), {kind, most, soft, damping, coordinate_->offset(), coordinate_->offset(), kind == DriveKind::servo ? 0 : coordinate_->offset(), 1, target.at(0)});
     targets_.push_back(std::move(target));
   }
-  // Of what is of that kind, by the step that ends at x.
+  // Returns the work of that kind in the step that ends at x.
   double exerted(DriveKind kind, const VecX& x) const {
     double sum = 0;
     for (const Data& d : this->data())

@@ -1,4 +1,4 @@
-// What keeps a joint's coordinate q between two limits: of both gaps g = q - low, high - q, where they are less than a margin m,
+// Limits of a joint's coordinate q, unilateral: of both gaps g = q - low, high - q, where they are less than a margin m,
 //     P = -K (g - m)^2 ln(g / m),
 // the barrier of contact (Li et al. 2020, Incremental Potential Contact, eq. 6) in the coordinate: it is infinite beyond, so no step ends there.
 #pragma once

@@ -15,7 +15,7 @@
 
 namespace tack {
 
-// Of a hinge: angles and torques; of a slider: ways and forces.
+// A hinge has angles and torques, a slider displacements and forces.
 struct JointUnits {
   Unit value, rate, effort, damping;
   const char* what;    // "angle"

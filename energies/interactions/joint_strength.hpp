@@ -1,4 +1,4 @@
-// What bodies that are joined are stiff enough for.
+// Loads for which joined bodies are stiff enough.
 #pragma once
 
 #include <algorithm>

@@ -23,7 +23,7 @@ class SpringTerm : public Term, public ResidualView {
   void add(Edge vertices, const Spring& spring);
   int count() const { return static_cast<int>(springs_.size()); }
   int intact() const;
-  // What the springs exert on their first vertices in sum [N].
+  // Returns the summed force of the springs on their first vertices [N].
   Vec3 force(const VecX& x) const;
 
   void remember(const History& history) override;

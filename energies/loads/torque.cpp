@@ -67,7 +67,7 @@ class TorqueTerm : public FollowingLoad, public GlobalModeSource {
     for (const double sign : {-1.0, 1.0}) {
       const double coefficient = projected(sign * size, projection);
       if (coefficient == 0) continue;
-      // Of -M times the second derivative by S and C: to +1 / rho^2 belongs (cos, sin) of half the angle.
+      // -M times the second derivative by S and C: to +1 / rho^2 belongs (cos, sin) of half the angle.
       const double of_s = sign < 0 ? std::cos(half) : -std::sin(half), of_c = sign < 0 ? std::sin(half) : std::cos(half);
       GlobalMode mode{coefficient, VecX::Zero(x.size())};
       for (int i = 0; i < count(); ++i) vertex(mode.vector, vertices_[i]) = of_s * ahead_.col(i) + of_c * across_.col(i);

@@ -1,4 +1,4 @@
-// What a scene says of plastic flow, of solids and of sheets.
+// Parameters of plastic flow of solids and sheets in a scene.
 #pragma once
 
 namespace tack {

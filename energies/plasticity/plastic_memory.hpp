@@ -1,4 +1,4 @@
-// What a von Mises material remembers at each of its samples, which are tets or points of them, and the return mapping.
+// History variables of a von Mises material at each of its samples (tets or points of them), and the return mapping.
 #pragma once
 
 #include <string>
@@ -43,7 +43,7 @@ class PlasticMemory {
   double dissipated(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
     return over_flows(material, deformation, volume, [&](int i, double added) { return material.work(strain_[i], added); });
   }
-  // What viscosity takes beside it.
+  // Energy that viscosity dissipates beside it.
   template <class Deformation, class Volume>
   double viscous(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
     return over_flows(material, deformation, volume, [&](int, double added) { return material.viscous_work(added); });

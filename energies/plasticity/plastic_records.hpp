@@ -1,4 +1,4 @@
-// What results show of terms that flow.
+// Records of terms with plastic flow.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace tack {
 
-// Of a step to x, what plastic flow takes, and what its viscosity does beside it: none where there is none [J].
+// Energies that plastic flow and its viscosity dissipate in a step to x [J]; no entry without viscosity.
 struct PlasticFlows {
   std::function<double(const VecX& x)> work;
   std::function<double(const VecX& x)> viscous = {};

@@ -69,7 +69,7 @@ struct VonMisesLanes {
   double bulk() const { return lame.lambda + 2 * lame.mu / 3; }
 };
 
-// Of a body, each of whose tets has its own yield surface.
+// Term of a body, each of whose tets has its own yield surface.
 struct VonMises {
   Lame lame;
   double yield_stress;  // sigma_y [Pa]
@@ -94,7 +94,7 @@ struct VonMises {
   }
   // Work per volume of plastic flow that adds to an accumulated strain [J/m^3].
   double work(double strain, double added) const { return added * (yield_stress + hardening * (strain + added / 2)); }
-  // What viscosity dissipates of it: the stress beyond the yield surface, that of the end of the step, times the flow [J/m^3].
+  // The energy of it that viscosity dissipates: the stress beyond the yield surface, that of the end of the step, times the flow [J/m^3].
   double viscous_work(double added) const { return added > 0 && viscosity > 0 ? viscosity * added * added / h : 0; }
 
  private:

@@ -77,7 +77,7 @@ class VonMisesTerm : public Base {
   std::vector<TetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
 };
 
-// Of tets that are taken together (Body::elements).
+// Term of tets that are grouped (Body::elements).
 std::unique_ptr<Term> make_grouped_von_mises(const std::string& name, const VonMises& material, const Body& body, const VecX& rest);
 
 }  // namespace tack

@@ -9,7 +9,7 @@ using Vec4 = Eigen::Vector4d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-// Of a frame that has to be carried along, as a function of its edge l.
+// Parallel transport of a frame as a function of its edge l.
 struct Carried {
   explicit Carried(const Vec3& l) : length(l.norm()), direction(l / length), s(length + l.x(), -l.z(), l.y()) {
     slope << direction.x() + 1, direction.y(), direction.z(), 0, 0, -1, 0, 1, 0;

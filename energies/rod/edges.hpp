@@ -1,4 +1,4 @@
-// What energies of edges have in common.
+// Base of energies of edges.
 #pragma once
 
 #include "framework/body/body.hpp"

@@ -21,7 +21,7 @@ namespace tack {
 
 class FanStencils final : public StencilRanges {
  public:
-  // Of the fans first ... last - 1, which are of one shape.
+  // Stencils of the fans first ... last - 1, which are of one shape.
   FanStencils(const HingeFan* fans, const FanMatrix* c, int count);
 
   StencilBatch batch() const { return {shape_.arity(), count_, vertices_.data()}; }

@@ -1,4 +1,4 @@
-// What every membrane has in common: parameters, lumped mass, fibres, the term. An elastic material is one file: its
+// Base of membrane energies: parameters, lumped mass, fibres, the term. An elastic material is one file: its
 // density, its derivatives, and a TACK_REGISTER of Membrane<Material>.
 #pragma once
 

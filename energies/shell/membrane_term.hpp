@@ -71,7 +71,7 @@ class MembraneTerm : public Term, public StencilRanges {
     records.add(StressRecord{[this](const VecX& x) { return cauchy_stress(x); }});
   }
 
-  // Of the thickness without its elastic change, and without that of fibres [Pa].
+  // Stresses of the thickness without its elastic change, and without that of fibres [Pa].
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(triangles_.size());
     for_each(static_cast<int>(rest_.size()), [&](int p) {
@@ -87,7 +87,7 @@ class MembraneTerm : public Term, public StencilRanges {
  protected:
   int count() const { return static_cast<int>(triangles_.size()); }
 
-  // Of one triangle.
+  // Data of one triangle.
   SheetRest<double> rest_of(int t) const {
     const SheetRest<Pack>& pack = rest_[t / pack_width];
     return {get_lane<2, 2>(pack.shape, t % pack_width), pack.volume[t % pack_width]};

@@ -60,7 +60,7 @@ inline PlaneStrain plane_strain(const PackMat32& f) {
   return e;
 }
 
-// Of a density psi(s) [J/m^3].
+// Derivatives of a density psi(s) [J/m^3].
 struct PlaneDerivatives {
   PackVec2 gradient;
   PackMat2 hessian;

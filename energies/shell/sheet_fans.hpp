@@ -28,7 +28,7 @@ struct FanShape {
   int ring() const { return closed ? hinges : hinges + 2; }
   int arity() const { return 1 + ring(); }
   int triangles() const { return closed ? hinges : hinges + 1; }
-  // Of hinge i, among the fan's vertices, of which the first is that in the middle: where it ends, and the apexes of its
+  // Vertices of hinge i among the fan's vertices, of which the first is that in the middle: where it ends, and the apexes of its
   // sides. To the left lies the later one.
   int tip(int i) const { return closed ? 1 + i : 2 + i; }
   int left(int i) const { return closed ? 1 + (i + 1) % hinges : 3 + i; }

@@ -19,7 +19,7 @@
 
 namespace tack {
 
-// What a return mapping adds: the principal logarithmic strains of the flow, and its length (nothing where it is zero).
+// Increment of a return mapping: the principal logarithmic strains of the flow, and its length (nothing where it is zero).
 struct PlaneFlow {
   PackVec2 strain;
   Pack amount;
@@ -62,7 +62,7 @@ struct VonMisesMembraneLanes {
     return d;
   }
 
-  // What does not move afterwards does not flow: the state stays a little within the yield surface.
+  // A sheet that does not move afterwards does not flow: the state stays a little within the yield surface.
   PlaneFlow flow(const PackVec2& s) const {
     constexpr double inside = 1e-13;
     const Return r = mapped(s);
@@ -106,7 +106,7 @@ struct VonMisesMembraneLanes {
   }
 };
 
-// Of a sheet, each of whose triangles has its own yield surface.
+// Term of a sheet, each of whose triangles has its own yield surface.
 struct VonMisesMembrane {
   VonMisesMembrane(const PlaneStress& lame, double yield_stress_, double hardening_, double viscosity_ = 0)
       : elastic(lame), yield_stress(yield_stress_), hardening(hardening_), viscosity(viscosity_) {}

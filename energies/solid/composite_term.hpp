@@ -64,7 +64,7 @@ class CompositeTerm : public Term, public StencilRanges {
     records.add(std::move(stress));
   }
 
-  // Of the parts: a corner has that of its own point, what is inside the mean of the four; the pressure of U is the same in all.
+  // Of samples: a corner has that of its own point, what is inside the mean of the four; the pressure of U is the same in all.
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(tets_.parts().size());
     for_each(tets_.packs(), [&](int p) {

@@ -9,7 +9,7 @@ namespace tack {
 
 using CompositeNodes = PackMatrix<3, composite_nodes>;
 
-// Of pack_width tets.
+// Data of pack_width tets.
 struct CompositePoints {
   std::array<PackMat3, composite_points> f;
   Pack growth;  // mean J - 1
@@ -26,10 +26,10 @@ class CompositeTets {
   const std::vector<CompositeTet>& nodes() const { return nodes_; }
   const Pack& volume(int pack) const { return volume_[pack]; }
   double volume_of(int tet) const { return volume_[tet / pack_width][tet % pack_width]; }
-  // What of a tet's volume a sample's shape and part count for.
+  // Fractions of a tet's volume for the shape and the sub-tet of a sample.
   static double weight(int k) { return k < composite_points ? (1 - share_of_parts) / composite_points : share_of_parts / composite_parts; }
 
-  // Of sample k: the gradients of corners 1 to 3, as rows, or those times what a material remembers.
+  // Sample k: the gradients of corners 1 to 3, as rows, or those times what a material remembers.
   const PackMat3& shape(int pack, int k) const { return turned_.empty() ? shape_[pack] : turned_[composite_samples * pack + k]; }
   Mat3 shape_of(int tet, int k) const { return get_lane<3, 3>(shape(tet / pack_width, k), tet % pack_width); }
   // Sets it to that at rest times inverse(i) for sample i % 12 of tet i / 12.
@@ -46,7 +46,7 @@ class CompositeTets {
   CompositeNodes at(int first, int n, const VecX& x) const;
   CompositePoints points(int pack, const CompositeNodes& x) const;
   PackMat3 part(int pack, int s, const CompositeNodes& x) const;
-  // Of one sample of one tet.
+  // Data of one sample of one tet.
   Mat3 deformation(int tet, int k, const VecX& x) const;
 
  private:

@@ -1,4 +1,4 @@
-// What every isotropic solid energy has in common: parameters, lumped mass, the term. An elastic material is
+// Base of isotropic solid energies: parameters, lumped mass, the term. An elastic material is
 // its density and derivatives, which it may split (material_split.hpp), and a TACK_REGISTER of IsotropicSolid<Material>.
 #pragma once
 
@@ -43,7 +43,7 @@ class SolidEnergy : public Energy {
   double density_ = 1000;   // kg/m^3
 };
 
-// Of tets that are taken together (Body::elements). Defined in grouped_solid.hpp, for a file of its own or that of a plugin's material: in the file of linear
+// Term of tets that are grouped (Body::elements). Defined in grouped_solid.hpp, for a file of its own or that of a plugin's material: in the file of linear
 // ones the compiler would inline other functions, so that those round differently.
 template <SplitMaterial Material>
 std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material, const Body& body, const VecX& rest);

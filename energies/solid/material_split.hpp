@@ -11,7 +11,7 @@
 
 namespace tack {
 
-// Of psi_s, what composite tets leave to their parts (composite_term.hpp): below 0.02 steps stall, beyond 0.1 bending stiffens.
+// Fraction of psi_s that composite tets leave to their samples (composite_term.hpp): below 0.02 steps stall, beyond 0.1 bending stiffens.
 inline constexpr double share_of_parts = 0.05;
 
 // psi_s; what stands for it where small tets have to be kept from inverting: of the same stiffness at rest, and infinite at J = 0; and U.

@@ -38,7 +38,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
 }
 
 std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<ContactRow>& contacts, const ContactSystem& system) {
-  // Of each vertex: the normal forces on it, by whose they are.
+  // Per vertex: the normal forces on it, by the object that exerts them.
   struct Pushed {
     int vertex, other;
     Vec3 force;

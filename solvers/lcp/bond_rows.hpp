@@ -9,14 +9,14 @@
 
 namespace tack {
 
-// Of bond i, which is at x when the step starts and at `end` (3n) without impulses; nothing for one
-// without strength.
+// Adds the rows of bond i, which is at x when the step starts and at `end` (3n) without impulses;
+// nothing for one without strength.
 void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
                    const LinearizedStep& step, Rows& rows, GaussSeidel& sweeps);
 // at: opening and slip in the bond's rows [m].
 BondStiffness bond_stiffness(const BondTerm& bonds, int i, const Vec3& at, double h);
-// What presses on the surfaces at each bond [Pa], by the forces of contacts on the vertices of its
-// place.
+// Returns the pressure on the surfaces at each bond [Pa], by the forces of contacts on the vertices
+// of its place.
 std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<ContactRow>& contacts,
                                    const ContactSystem& system);
 

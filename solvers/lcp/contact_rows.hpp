@@ -29,7 +29,7 @@ struct ContactRow {
   double mu;
   int object, opposite;                // whose point it is, and who it faces
   Vec3 force;                          // on the point: in the step before, later in this one [N]
-  // Of HeldContacts: its entry among points (own 1) or edges; -1: none.
+  // Entry of HeldContacts among points (own 1) or edges; -1: none.
   int held;
 
   Vec3 moved(const VecX& way) const {  // way: 3n, displacements
@@ -44,11 +44,11 @@ struct ContactRows {
   HeldContacts held;  // what the next step is to know; forces are those of the step before
 };
 
-// What is within so many margins of each other has rows from the start of a step; the rest, if it
-// meets on the way (impact_rows.hpp).
+// Primitives within so many margins of each other have rows from the start of a step; the rest, if
+// it meets on the way (impact_rows.hpp).
 constexpr double near_in_margins = 2;
-// Of the margin: what is kept between edges, which only see to it that nothing passes between the
-// points.
+// Fraction of the margin that is kept between edges, which only see to it that nothing passes
+// between the points.
 constexpr double part_for_edges = 0.5;
 // Below this cosine a point is beside a surface rather than on one side of it.
 constexpr double beside = 0.2;
@@ -72,8 +72,8 @@ class ContactFinder {
   // from each other [m].
   ContactFinder(const ContactSystem& system, double margin);
 
-  // What is near at x (3n), and what was near before. way: how far vertices have gone since (3n);
-  // empty: nowhere.
+  // Finds contacts near at x (3n); before: those of the last step. way: how far vertices have gone
+  // since (3n); empty: nowhere.
   ContactRows find(const VecX& x, const VecX& way, const HeldContacts& before);
 
  private:

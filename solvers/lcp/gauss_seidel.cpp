@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// Of a block, before others are told of its impulses: that costs a solve.
+// Sweeps over a block before its impulses are passed to the others, which costs a solve.
 constexpr int inner_sweeps = 4;
 
 }  // namespace
@@ -62,7 +62,7 @@ bool GaussSeidel::solve(int sweeps, double tolerance, PhaseClock& clock) {
   return converged;
 }
 
-// What the impulses of a unit become if nothing else changes; w: the diagonal of W.
+// Returns the impulses of a unit if nothing else changes; w: the diagonal of W.
 Vec3 GaussSeidel::wanted(const RowUnit& unit, const Vec3& w) const {
   const double h = step_.h();
   const Vec3 old = at(unit, impulses_), u = velocity(unit);

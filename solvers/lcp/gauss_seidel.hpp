@@ -14,7 +14,7 @@
 
 namespace tack {
 
-// What up to three rows make: along the normal first, then, if there are three, across.
+// A unit of up to three rows: along the normal first, then, if there are three, across.
 struct RowUnit {
   int first = 0, rows = 1;
   int contact = -1, bond = -1;      // which one it is of

@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-// Of the gap at the start, what is left where normals are taken.
+// Fraction of the gap at the start that is left where normals are taken.
 constexpr double of_gap = 0.05;
 
 }  // namespace

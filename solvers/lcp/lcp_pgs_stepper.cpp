@@ -22,7 +22,7 @@
 namespace tack {
 namespace {
 
-// Of what the solver's tolerance is: sweeps are cheap, and forces are what they leave.
+// Fraction of the solver's tolerance: sweeps are cheap, and their residual is an error of forces.
 constexpr double of_tolerance = 1e-3;
 constexpr int most_crossings = 1000000;
 

@@ -11,7 +11,7 @@ namespace {
 
 enum class Direction { normal, across };
 
-// Of a contact, on its point.
+// The force of a contact on its point.
 Vec3 force_of(const ContactRow& c, Direction direction) {
   const Vec3 normal = c.normal.dot(c.force) * c.normal;
   return direction == Direction::normal ? normal : Vec3(c.force - normal);
@@ -20,7 +20,7 @@ Vec3 force_of(const ContactRow& c, Direction direction) {
 ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name, Direction direction, std::vector<std::string> parts) {
   ForceRecord record{name, direction == Direction::normal ? Acting::normal : Acting::tangential, std::move(parts)};
   record.stored = false;
-  // Of both kinds of forces, the second part is adhesion, which bonds tell of.
+  // The second term of both kinds of forces is adhesion, which bonds record.
   const auto none = [](std::string_view part) { return part == "adhesion"; };
   record.add = [=](const VecX&, std::string_view part, VecX& sum) {
     if (none(part)) return;

@@ -75,7 +75,7 @@ int LcpStep::add_violated(const VecX& way, double tolerated, bool first) {
   return added;
 }
 
-// What meets on the way to where the step would end. How many.
+// Adds contacts met on the trajectory to the end of the step. Returns their number.
 int LcpStep::add_impacts(const VecX& x, const VecX& end) {
   if (!impacts_) return 0;
   const PhaseScope scope(clock_, Phase::ccd);

@@ -28,7 +28,7 @@ class LcpStep {
   // Leaves where it ends in attempt.x.
   void solve(const Step& step, Attempt& attempt);
 
-  // Of the step that was solved last: its contacts with their forces, what the next one is to know,
+  // The step that was solved last: its contacts with their forces, what the next one is to know,
   // and how deep anything is at the end behind what it was in front of [m].
   const std::vector<ContactRow>& contacts() const { return contacts_.rows; }
   const HeldContacts& held() const { return held_; }

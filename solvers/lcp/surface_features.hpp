@@ -41,7 +41,8 @@ class SurfaceFeatures {
   // The surface must outlive it.
   explicit SurfaceFeatures(const ContactSurface& surface);
 
-  // Of candidates first .. last - 1, of one point and one object: those nearer than reach [m].
+  // Finds, among candidates first .. last - 1 of one point and one object, those nearer than reach
+  // [m].
   void near_point(const Candidates& candidates, int first, int last, const VecX& x, double reach,
                   std::vector<NearPoint>& out) const;
   // False if the two edges are not nearest inside both, or nearly parallel.
@@ -49,7 +50,7 @@ class SurfaceFeatures {
 
   const SurfaceTopology& topology() const { return topology_; }
   bool two_sided(int triangle) const { return surface_.two_sided[triangle] != 0; }
-  // Of the triangles at an edge of the mesh.
+  // Triangles at an edge of the mesh.
   bool two_sided_at(int edge) const;
   Vec3 normal_of(int triangle, const VecX& x) const;  // unit; zero of one without area
 

@@ -90,7 +90,7 @@ class AutomaticSolver : public LinearSolver {
                           cost->entries, cost->operations, budget_, iterative_->describe(), experience_);
   }
 
-  // What it took to find x.
+  // The cost of finding x.
   void judge(const VecX& b, VecX& x, PhaseClock& clock) {
     const bool unsolved = !x.allFinite();
     if (unsolved && maybe_indefinite_ && iterative_->iterations() <= hopeless * budget_) return;

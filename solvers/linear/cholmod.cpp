@@ -45,7 +45,7 @@ class Cholmod : public DirectSolver {
   int analyses() const override { return analysis_.count(); }
 
  private:
-  // Of so many right-hand sides, one behind the other.
+  // Solves that many right-hand sides, stored one after the other.
   const double* solution(const double* b, Eigen::Index rows, Eigen::Index count) {
     cholmod_dense right{};
     right.nrow = right.d = static_cast<size_t>(rows);

@@ -27,7 +27,7 @@ class CholmodAnalysis {
   cholmod_common* common() { return session_.get(); }
   ScalarCsc& csc() { return csc_; }
   int count() const { return count_; }
-  // Of the present factor, in scalars.
+  // Size of the present factor, in scalars.
   FactorCost cost() const { return cost_; }
 
  private:

@@ -1,4 +1,4 @@
-// What matrix_sweeps.hpp describes, as a preconditioner.
+// The sweeps of matrix_sweeps.hpp as a preconditioner.
 #include "framework/config/field.hpp"
 #include "solvers/linear/matrix_sweeps.hpp"
 #include "solvers/linear/preconditioner.hpp"

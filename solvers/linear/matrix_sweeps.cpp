@@ -59,7 +59,7 @@ bool invert_pivot(const double* own, const double* update, double* inverse) {
 
 }  // namespace
 
-// What loops read, as numbers that stores cannot change.
+// Copies of what loops read, which stores cannot change.
 struct MatrixSweeps::View {
   const double* block(int entry) const { return row9(values, source[entry] >> 1); }
   bool turned(int entry) const { return source[entry] & 1; }

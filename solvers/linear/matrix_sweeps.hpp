@@ -47,7 +47,7 @@ class MatrixSweeps {
   DomainRows rows_;
   std::uint64_t version_ = 0;
   const double* values_ = nullptr;
-  // What stands below the diagonal in each column, in the order of rows_: where (a row, or a slot of the column's domain that stands for the
+  // Entries below the diagonal of each column, in the order of rows_: where (a row, or a slot of the column's domain that stands for the
   // row of a separator), and twice the block of the matrix, one more if it is to be transposed.
   std::vector<int> start_, target_, source_, diagonal_;
   std::vector<int> slot_start_, slot_row_;      // of each domain

@@ -42,7 +42,7 @@ class Pcg : public LinearSolver {
     columns_ = matrix.columns();
     moved_rigidly_ = with_rigid_motions_ && columns_ >= many && easy_ < in_a_row && rigid_motions_.update(matrix);
     if (with_translations_ && !moved_rigidly_) translations_.update(matrix);
-    // Of what is not positive definite the preconditioner has to be: iterations find it.
+    // The preconditioner has to be positive definite even if the matrix is not: iterations detect the latter.
     GlobalModes modes = matrix.modes;
     std::erase_if(modes, [](const GlobalMode& mode) { return mode.coefficient < 0; });
     return update_.prepare(modes, [&](const VecX& b, VecX& x) { precondition(b, x); });

@@ -19,7 +19,7 @@ class Preconditioner : public Component {
   // OutOfTime.
   virtual bool update(const BlockMatrix& matrix, const Deadline& deadline) = 0;
   virtual void apply(const VecX& r, VecX& z) = 0;  // z <- M^-1 r
-  // What applies it and multiplies by the matrix in the same passes, if that is what it is made of.
+  // Applies it and multiplies by the matrix in the same passes, if it is made of matrix sweeps.
   virtual MatrixSweeps* sweeps() { return nullptr; }
 };
 

@@ -44,7 +44,7 @@ class Lbfgs : public DescentMinimizer {
     pairs_.push_back(std::move(pair));
   }
 
-  // What the pairs say may be out of date; the metric alone may do.
+  // The pairs may be out of date; the metric alone may suffice.
   bool restart(const MinimizerProblem&) override {
     const bool something_to_forget = !pairs_.empty();
     pairs_.clear();

@@ -140,7 +140,7 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
   static constexpr int calm = 3;  // iterations of steps that are easy: not worth a trial
-  // Of the decrease that the quadratic model predicts, the part that may miss where it fits.
+  // Fraction of the predicted decrease of the quadratic model that may be missing where the model fits.
   static constexpr double fit = 0.01;
   static constexpr double little = 0.25;  // of it, where the step went too far
 

@@ -18,13 +18,13 @@ class ResidualModel {
   ResidualModel(const ResidualModel&) = delete;
   ResidualModel& operator=(const ResidualModel&) = delete;
 
-  // Of unknown blocks: those that move its vertices.
+  // The blocks of unknowns that move its vertices.
   struct Stencil {
     int arity, residuals, blocks;
     size_t first;           // of its residuals
     size_t first_of_vertices;  // of the entries of its Jacobian: residuals x (3 arity), row-major
     size_t first_jacobian;     // likewise residuals x (3 blocks)
-    // Of its blocks, and of the weights of each of its vertices on all of them.
+    // Offsets of its blocks, and of the weights of each of its vertices on all of them.
     size_t first_block, first_weight;
   };
   const std::vector<Stencil>& stencils() const { return stencils_; }

@@ -41,7 +41,7 @@ const std::vector<std::string> done = {
     "solvers/minimizers/"};
 
 // Comment lines of C++ code that open with "What" or "Of". The bound falls; it never rises.
-constexpr int openings_max = 573;
+constexpr int openings_max = 500;
 
 // Returns the number of characters of a line in UTF-8.
 size_t columns(const std::string& line) {
