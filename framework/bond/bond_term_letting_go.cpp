@@ -27,7 +27,7 @@ struct Path {
 
   double d(double opening) const { return opening * cosine; }
   double s(double opening) const { return opening * opening * across(); }
-  // Of the law's sample at that opening.
+  // Returns slope and curvature of the law along the opening, from its sample there.
   AlongOpening along(const BondSample& s, double opening) const {
     return {s.by_d * cosine + 2 * s.by_s * opening * across(),
             s.by_dd * cosine * cosine + 4 * s.by_ds * cosine * across() * opening + 4 * s.by_ss * opening * opening * across() * across() +
