@@ -101,19 +101,19 @@ TEST_CASE("a fit that leaves more than the noise, and one of too few points, are
 
 namespace {
 
-struct SurfaceOverlap {
+struct Coverage {
   double held = 0, flagged = 0, held_or_flagged = 0, width = 0;
 };
 
 // Straight lines a + b x through 100 points of the truth 1 + 2 x + bend x^2, with noise of deviation 0.1 that is correlated from one point to the next. With s the
 // deviation that is known or not, least squares give a and b in closed form.
-SurfaceOverlap of_lines(double bend, double correlated, bool known, double said = 0.1) {
+Coverage of_lines(double bend, double correlated, bool known, double said = 0.1) {
   const int n = 100, fits = 200;
   std::vector<FittedNumber> line = two(false);
   for (FittedNumber& number : line) number.from = 0, number.to = 3;  // u is the value
   Eigen::MatrixXd j(n, 2);
   for (int i = 0; i < n; ++i) j.row(i) << 1, i / double(n);
-  SurfaceOverlap c;
+  Coverage c;
   for (int seed = 1; seed <= fits; ++seed) {
     Noise random(static_cast<unsigned>(seed));
     Eigen::VectorXd y(n);
@@ -141,12 +141,12 @@ SurfaceOverlap of_lines(double bend, double correlated, bool known, double said 
 TEST_CASE("intervals hold the truth, or the fit is flagged", "[calibrate]") {
   for (const bool known : {true, false}) {
     CAPTURE(known);
-    const SurfaceOverlap white = of_lines(0, 0, known);
+    const Coverage white = of_lines(0, 0, known);
     CHECK(white.held >= 0.93);
     CHECK(white.flagged <= 0.06);
     CHECK(white.width == Approx(2 * 1.96 * 0.1 / std::sqrt(100 / 12.)).epsilon(0.05));
 
-    const SurfaceOverlap correlated = of_lines(0, 0.9, known);
+    const Coverage correlated = of_lines(0, 0.9, known);
     UNSCOPED_INFO("correlated: held " << correlated.held << ", flagged " << correlated.flagged);
     CHECK(correlated.held >= 0.8);
     CHECK(correlated.held_or_flagged >= 0.99);
@@ -159,7 +159,7 @@ TEST_CASE("intervals hold the truth, or the fit is flagged", "[calibrate]") {
     }
   }
   // Noise that is larger than said.
-  const SurfaceOverlap understated = of_lines(0, 0, true, 0.06);
+  const Coverage understated = of_lines(0, 0, true, 0.06);
   CHECK(understated.flagged >= 0.99);
   CHECK(understated.held >= 0.93);
 }
