@@ -15,7 +15,7 @@ bool ContactTerm::share_energy(const VecX& x, const EnergyShare& share) const {
       const auto& v = stencils[i].vertices;
       const double gap = std::sqrt(stencil_distance<ValueKernels>(kind, x, stencils[i]));
       double energy = 0;
-      laws(LawPart::all)[stencils[i].law].values(1, &gap, &energy);
+      laws(LawTerm::all)[stencils[i].law].values(1, &gap, &energy);
       energy *= stencils[i].weight;
       if constexpr (std::is_same_v<decltype(kind), EdgeEdgeKind>)
         energy *= edge_edge_mollifier(vertex(x, v[0]), vertex(x, v[1]), vertex(x, v[2]), vertex(x, v[3]), thresholds[i]);

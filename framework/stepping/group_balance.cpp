@@ -153,7 +153,7 @@ std::vector<GroupAccount> GroupBalance::accounts_at(const State& state) const {
     const int g = group_[v];
     if (g < 0 || !world_.dofs.moves(v)) continue;
     accounts[g].kinetic += 0.5 * world_.mass(v) * vertex(state.v, v).squaredNorm();
-    accounts[g].gravity += world_.weighing_mass(v) * world_.gravity.dot(vertex(world_.rest, v) - vertex(state.x, v));
+    accounts[g].gravity += world_.gravitational_mass(v) * world_.gravity.dot(vertex(world_.rest, v) - vertex(state.x, v));
   }
   return accounts;
 }

@@ -153,8 +153,8 @@ class Ccd : public StepFilter {
   template <class Primitives, class Displacement, class Accd>
   struct Kind {
     Kind(const std::vector<std::array<int, 2>>& pairs_, const std::vector<double>& clearances_, const std::vector<double>& distances_,
-         Primitives primitives_, Stray stray_, Accd accd_)
-        : pairs(pairs_), clearances(clearances_), distances(distances_), primitives(primitives_), stray(stray_), accd(accd_) {}
+         Primitives primitives_, Displacement stray_, Accd accd_)
+        : pairs(pairs_), distance_bounds(clearances_), distances(distances_), primitives(primitives_), displacement(stray_), accd(accd_) {}
     const std::vector<std::array<int, 2>>& pairs;
     const std::vector<double>&distance_bounds, &reference_distances;
     Primitives primitives;      // vertices of both primitives of a pair
