@@ -264,7 +264,7 @@ class CommandLine {
     CLI::App* list = app_.add_subcommand("list", "List what a scene file may name");
     list->add_option("kind", list_.kind, "energy, adhesion, minimizer, ...");
     list->add_option("name", list_.name, "a component, for its parameters");
-    list->add_option("--reference", list_.reference, "write the reference page (Markdown) to a file")->type_name("FILE");
+    list->add_option("--reference", list_.reference, "write the reference (Markdown): a page per kind into a folder, or one page if the path ends in .md")->type_name("FOLDER");
     list->add_option("--schema", list_.schema, "write the JSON schema for editors to a file")->type_name("FILE");
     list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`")->type_name("FILE");
     list->add_option("--batch-schema", list_.batch_schema, "the same for the files of `tack batch`")->type_name("FILE");

@@ -1,4 +1,6 @@
-// tack list --reference, --schema, ...: the reference page and the JSON schemas, as files.
+// tack list --reference, --schema, ...: the reference pages and the JSON schemas, as files.
+#include <filesystem>
+
 #include "framework/app/commands.hpp"
 #include "framework/batch/batch_config.hpp"
 #include "framework/calibrate/calibrate_config.hpp"
@@ -9,17 +11,35 @@
 #include "geometry/io/replace_file.hpp"
 
 namespace tack {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Writes one page if the path ends in .md, else a folder with a page per format and kind. Other files
+// of the folder stay.
+void write_reference(const fs::path& path) {
+  const Fields scene = prototype<Experiment>(), comparison = prototype<CompareConfig>(),
+               batch = prototype<BatchConfig>(), calibration = prototype<CalibrateConfig>();
+  const std::vector<FileFormat> formats = {
+      {"scene", "Scene files", "Read by `tack run`, `check` and `view`; by topic: [scenes](../scenes.md).", &scene},
+      {"comparison", "Comparison files", "Read by `tack compare`; see [comparing](../comparing.md).", &comparison},
+      {"batch", "Batch files", "Read by `tack batch`; see [batches](../batches.md). Variations: [variation](variation.md).", &batch},
+      {"calibration", "Calibration files", "Read by `tack calibrate`; see [calibration](../calibration.md).", &calibration}};
+  if (path.extension() != ".md") {
+    fs::create_directories(path);
+    for (const auto& [file, text] : reference_pages(formats)) replace_file(path / file, text);
+    return;
+  }
+  std::string page = reference_page(scene, "Scene file reference");
+  for (size_t i = 1; i < formats.size(); ++i)
+    page += "\n## " + formats[i].title + "\n\n" + parameter_table(*formats[i].keys);
+  replace_file(path, page);
+}
+
+}  // namespace
 
 int describe_command(const ListOptions& o) {
-  const std::string title = "Scene file reference";
-  if (!o.reference.empty())
-    replace_file(o.reference, reference_page(prototype<Experiment>(), title) +
-                                "\n## Comparison files\n\nWhat `tack compare` reads; see [comparing.md](comparing.md).\n\n" +
-                                parameter_table(prototype<CompareConfig>()) +
-                                "\n## Batch files\n\nWhat `tack batch` reads; see [batches.md](batches.md). What varies: [variation](#variation).\n\n" +
-                                parameter_table(prototype<BatchConfig>()) +
-                                "\n## Calibration files\n\nWhat `tack calibrate` reads; see [calibration.md](calibration.md).\n\n" +
-                                parameter_table(prototype<CalibrateConfig>()));
+  if (!o.reference.empty()) write_reference(o.reference);
   if (!o.schema.empty())
     replace_file(o.schema, json_schema(prototype<Experiment>(), "tack scene") + "\n");
   if (!o.compare_schema.empty())

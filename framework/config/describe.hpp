@@ -2,7 +2,9 @@
 // for editors, and the echo of a resolved scene.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "framework/config/field.hpp"
 
@@ -20,8 +22,20 @@ std::string list_named(const std::string& name);
 // Markdown: the parameters of `root` as a table.
 std::string parameter_table(const Fields& root);
 
-// Markdown: the parameters of `root` (the scene), then every registered kind and component.
+// Markdown, one page: the parameters of `root` (the scene), then every registered kind and component.
 std::string reference_page(const Fields& root, const std::string& title);
+
+// A kind of file that users write, as a page of the reference.
+struct FileFormat {
+  std::string name;    // name of its page without the ending: "scene"
+  std::string title;   // "Scene files"
+  std::string about;   // one sentence, Markdown
+  const Fields* keys;  // not null
+};
+
+// Returns the pages of the reference (Markdown) by file name: "README.md", the index; one page per
+// format; one page per registered kind, KIND.md, in which each component has its name as anchor.
+std::map<std::string, std::string> reference_pages(const std::vector<FileFormat>& formats);
 
 // JSON schema, draft 7, of files that bind to `root`.
 std::string json_schema(const Fields& root, const std::string& title);

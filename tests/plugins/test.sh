@@ -28,7 +28,7 @@ cmake --build "$build" --target tack_library >/dev/null
 install=$(block '## Install tack' | grep '^cmake --install')
 bash -euc "${install/build\/release/\"$build\"}" >/dev/null
 for file in bin/tack bin/tack_studies lib/tack/libtack_{meshing,msh,further}.so lib/libtack.so lib/cmake/tack/tackConfig.cmake include/tack/framework/plugin/headers_digest.hpp \
-  share/tack/README.md share/tack/docs/reference.md share/tack/experiments/debonding/pull.yaml share/bash-completion/completions/tack share/zsh/site-functions/_tack \
+  share/tack/README.md share/tack/docs/reference/README.md share/tack/experiments/debonding/pull.yaml share/bash-completion/completions/tack share/zsh/site-functions/_tack \
   share/fish/vendor_completions.d/tack.fish share/man/man1/tack.1; do
   [[ -s $HOME/tack-1.0/$file ]] || fail "not installed: $file"
 done

@@ -1,6 +1,7 @@
 // The other commands, and what is generated from the program.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <set>
 
 #include "framework/output/provenance.hpp"
 #include "tests/support/program.hpp"
@@ -9,19 +10,48 @@
 using namespace tack;
 namespace fs = std::filesystem;
 
-TEST_CASE("the committed reference page and schema are those of the program") {
+namespace {
+
+// The names of all files of a folder.
+std::set<std::string> files_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("the committed reference pages and schemas are those of the program, none stale, missing or surplus") {
   const TemporaryFolder folder;
   const fs::path docs = fs::path(TACK_SOURCE_DIR) / "docs";
-  REQUIRE(run_tack(folder.path(), {"list", "--reference", "page.md", "--schema", "schema.json", "--compare-schema",
+  REQUIRE(run_tack(folder.path(), {"list", "--reference", "pages", "--schema", "schema.json", "--compare-schema",
                                     "compare.json", "--batch-schema", "batch.json", "--calibrate-schema", "calibrate.json", "--plot-schema", "plot.json"}).exit_code == 0);
-  INFO("regenerate: ./tack list --reference docs/reference.md --schema docs/scene.schema.json --compare-schema "
+  INFO("regenerate: ./tack list --reference docs/reference --schema docs/scene.schema.json --compare-schema "
        "docs/compare.schema.json --batch-schema docs/batch.schema.json --calibrate-schema docs/calibrate.schema.json --plot-schema docs/plot.schema.json");
-  CHECK((file_text(folder.path() / "page.md") == file_text(docs / "reference.md")));
+  const std::set<std::string> pages = files_in(folder.path() / "pages");
+  CHECK(pages == files_in(docs / "reference"));
+  CHECK(pages.size() > 25);
+  for (const std::string& page : pages) {
+    INFO(page);
+    if (fs::exists(docs / "reference" / page)) CHECK((file_text(folder.path() / "pages" / page) == file_text(docs / "reference" / page)));
+  }
   CHECK((file_text(folder.path() / "schema.json") == file_text(docs / "scene.schema.json")));
   CHECK((file_text(folder.path() / "compare.json") == file_text(docs / "compare.schema.json")));
   CHECK((file_text(folder.path() / "batch.json") == file_text(docs / "batch.schema.json")));
   CHECK((file_text(folder.path() / "calibrate.json") == file_text(docs / "calibrate.schema.json")));
   CHECK((file_text(folder.path() / "plot.json") == file_text(docs / "plot.schema.json")));
+}
+
+TEST_CASE("a reference whose path ends in .md is one page, with the components of the folder") {
+  const TemporaryFolder folder;
+  REQUIRE(run_tack(folder.path(), {"list", "--reference", "page.md"}).exit_code == 0);
+  REQUIRE(run_tack(folder.path(), {"list", "--reference", "pages"}).exit_code == 0);
+  const std::string page = file_text(folder.path() / "page.md"), energies = file_text(folder.path() / "pages" / "energy.md");
+  CHECK(contains(page, "\n### energy `neo_hookean`\n"));
+  CHECK(contains(page, "\n## Calibration files\n"));
+  CHECK(contains(page, "[list of energies](#energy)"));
+  CHECK(contains(energies, "\n## `neo_hookean`\n"));
+  CHECK(contains(energies, "[selection](selection.md)"));
 }
 
 TEST_CASE("without the program that has it, a command says what to build, and the others work") {

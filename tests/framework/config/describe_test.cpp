@@ -149,3 +149,21 @@ TEST_CASE("the reference page holds the scene and every component") {
     CHECK(page.find(line) != std::string::npos);
   }
 }
+
+TEST_CASE("the reference pages are an index, one page per format and one per kind") {
+  const Fields scene = prototype<toy::Scene>();
+  const auto pages = reference_pages({{"toy", "Toy files", "Read by tests.", &scene}});
+  CHECK(pages.size() == registered_kinds().size() + 2);
+  const auto has = [&](const char* file, const std::string& text) {
+    INFO(text << "\nin\n" << pages.at(file));
+    CHECK(pages.at(file).find(text) != std::string::npos);
+  };
+  has("README.md", "| [Toy files](toy.md) | Read by tests. |\n");
+  has("README.md", "| [toy_energy](toy_energy.md) | 4 | Energy of the tests. |\n");
+  has("toy.md", "| `time` | map |  |  | when |\n| `ramp` |");
+  has("toy.md", "\n## `time`\n\nWhen.\n\n| key | value | default | range | meaning |\n| --- | --- | --- | --- | --- |\n| `time.step` |");
+  has("toy.md", "| `spring` | [toy_energy](toy_energy.md) | `toy_spring` |");
+  has("toy_energy.md", "# Toy energies\n\nEnergy of the tests.\n");
+  has("toy_energy.md", "| [`toy_spring`](#toy_spring) | A linear spring. |\n");
+  has("toy_energy.md", "\n## `toy_spring`\n\nA linear spring.\nSource: Hooke 1678, p. 1.\n");
+}
