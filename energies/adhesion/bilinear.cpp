@@ -16,10 +16,12 @@ class BilinearAdhesion : public DamageLawOf<BilinearAdhesion> {
     f.number("peak_traction", strength_, units::pressure, "sigma: the strength").required().positive();
     f.number("work_of_adhesion", work_, units::work_of_adhesion, "W: energy to separate unit area").required().positive();
     f.optional_number("onset", given_onset_, units::length, "d_0: opening of the largest traction; a tenth of 2 W / sigma unless given").positive();
-    f.optional_number("stiffness", given_stiffness_, units::traction_stiffness, "K = sigma / d_0: traction per opening before, instead of onset").positive();
-    f.optional_number("tangential_stiffness", given_across_, units::traction_stiffness, "K_T: traction per slip before; K (tau / sigma)^2 unless given").positive();
+    f.optional_number("stiffness", given_stiffness_, units::traction_stiffness, "K = sigma / d_0: traction per opening before damage, instead of "
+                                                                                "onset").positive();
+    f.optional_number("tangential_stiffness", given_across_, units::traction_stiffness, "K_T: tangential traction per slip before damage; K (tau / "
+                                                                                        "sigma)^2 unless given").positive();
     modes_.fields(f);
-    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists damage, the more the faster it grows").nonnegative();
+    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: viscous resistance to the growth of damage").nonnegative();
     f.check("stiffness", [this]() -> std::string { return given_stiffness_ && given_onset_ ? "follows from onset: drop one of the two" : ""; });
     f.check("tangential_stiffness", [this]() -> std::string {
       const bool twice = given_across_ && !modes_.mixed() && modes_.given_tangential_strength();
@@ -60,7 +62,7 @@ class BilinearAdhesion : public DamageLawOf<BilinearAdhesion> {
   MixedModes modes_;
 };
 
-TACK_REGISTER(AdhesionLaw, BilinearAdhesion, "bilinear", "Bonds whose traction rises and falls linearly, with damage that stays.",
+TACK_REGISTER(AdhesionLaw, BilinearAdhesion, "bilinear", "Bilinear cohesive law: the traction rises and falls linearly; damage is irreversible.",
               "Camanho and Davila 2002; Turon, Camanho, Costa and Davila 2006");
 
 }  // namespace tack

@@ -11,10 +11,9 @@ class BondedAdhesion : public DamageLawOf<BondedAdhesion> {
   void fields(Fields& f) override {
     f.number("peak_traction", strength_, units::pressure, "sigma: the strength along the normal").required().positive();
     f.optional_number("tangential_strength", tangential_strength_, units::pressure,
-                      "tau: the strength across; peak_traction unless given. 0: none").nonnegative();
+                      "tau: the tangential strength; peak_traction unless given. 0: none").nonnegative();
     f.optional_number("onset", given_onset_, units::length,
-                      "opening at which it breaks, the most that it gives: 1e-6 m unless given, or a thousandth of the contact distance if "
-                      "that is less").positive();
+                      "opening at which a bond breaks: 1e-6 m unless given, or a thousandth of the contact distance if that is less").positive();
     f.optional_number("stiffness", given_stiffness_, units::traction_stiffness, "traction per opening, instead of onset").positive();
     f.check("stiffness", [this]() -> std::string { return given_stiffness_ && given_onset_ ? "follows from onset: drop one of the two" : ""; });
   }
@@ -39,6 +38,6 @@ class BondedAdhesion : public DamageLawOf<BondedAdhesion> {
   BilinearEnvelope envelope_{5e-3, 1e-6, 1.001e-6};
 };
 
-TACK_REGISTER(AdhesionLaw, BondedAdhesion, "bonded", "Bonds that hold without creep up to their strength and then break.", "");
+TACK_REGISTER(AdhesionLaw, BondedAdhesion, "bonded", "Brittle cohesive law: bonds carry load without creep up to their strength, then break.", "");
 
 }  // namespace tack

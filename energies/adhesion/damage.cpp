@@ -12,10 +12,10 @@ class EnvelopeAdhesion : public DamageLawOf<EnvelopeAdhesion> {
  public:
   void fields(Fields& f) override {
     f.component("envelope", envelope_,
-                "an adhesion of the gap, its gap being the opening: the traction of what has not been unloaded; it begins with 0").required();
+                "a traction-separation law of the gap, evaluated at the opening: the traction under monotonic loading; must be 0 at opening 0").required();
     f.optional_number("tangential_strength", tangential_strength_, units::pressure,
-                      "tau: the largest traction across; that of the envelope unless given. 0: none").nonnegative();
-    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists damage, the more the faster it grows").nonnegative();
+                      "tau: the largest tangential traction; that of the envelope unless given. 0: none").nonnegative();
+    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: viscous resistance to the growth of damage").nonnegative();
   }
   void prepare(const PairMaterials& pair) override {
     const auto* given = dynamic_cast<const NormalAdhesion*>(envelope_.get());
@@ -52,6 +52,6 @@ class EnvelopeAdhesion : public DamageLawOf<EnvelopeAdhesion> {
   std::vector<std::string> doubts_;
 };
 
-TACK_REGISTER(AdhesionLaw, EnvelopeAdhesion, "damage", "Bonds whose traction follows a law of the gap, with damage that stays.", "");
+TACK_REGISTER(AdhesionLaw, EnvelopeAdhesion, "damage", "Cohesive law whose envelope is a traction-separation law of the gap; damage is irreversible.", "");
 
 }  // namespace tack

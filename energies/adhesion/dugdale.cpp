@@ -14,7 +14,7 @@ class DugdaleAdhesion : public NormalLawOf<DugdaleAdhesion, NormalAdhesion> {
  public:
   void fields(Fields& f) override {
     given_.fields(f, "range", "gap beyond which nothing adheres, (1 + spread) W / peak_traction; twice the contact distance unless given, or fixed by the other two");
-    f.number("spread", spread_, units::none, "part of W / peak_traction, before and beyond it, over which the traction falls").range(1e-3, 0.5);
+    f.number("spread", spread_, units::none, "fraction of W / peak_traction, on either side of it, over which the traction falls").range(1e-3, 0.5);
   }
 
   void prepare(const PairMaterials& m) override {
@@ -44,7 +44,7 @@ class DugdaleAdhesion : public NormalLawOf<DugdaleAdhesion, NormalAdhesion> {
   double sigma_ = 1e3, begin_ = 0.95e-3, end_ = 1.05e-3;  // Pa, m
 };
 
-TACK_REGISTER(AdhesionLaw, DugdaleAdhesion, "dugdale", "Constant traction up to a gap, and none beyond.",
+TACK_REGISTER(AdhesionLaw, DugdaleAdhesion, "dugdale", "Constant traction up to a gap, zero beyond.",
               "Dugdale 1960, Yielding of steel sheets containing slits; Maugis 1992");
 
 }  // namespace tack

@@ -30,7 +30,7 @@ class ExponentialAdhesion : public DamageLawOf<ExponentialAdhesion> {
     f.number("peak_traction", strength_, units::pressure, "sigma: the strength").required().positive();
     f.number("work_of_adhesion", work_, units::work_of_adhesion, "W: energy to separate unit area; the traction is largest at W / (e sigma)").required().positive();
     modes_.fields(f);
-    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists damage, the more the faster it grows").nonnegative();
+    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: viscous resistance to the growth of damage").nonnegative();
   }
   void prepare(const PairMaterials&) override {
     const double across = modes_.tangential_strength(strength_), work = modes_.tangential_work(work_);
@@ -54,7 +54,7 @@ class ExponentialAdhesion : public DamageLawOf<ExponentialAdhesion> {
   MixedModes modes_;
 };
 
-TACK_REGISTER(AdhesionLaw, ExponentialAdhesion, "exponential", "Bonds whose traction rises and fades exponentially, with damage that stays.",
+TACK_REGISTER(AdhesionLaw, ExponentialAdhesion, "exponential", "Exponential cohesive law; damage is irreversible.",
               "Ortiz and Pandolfi 1999");
 
 }  // namespace tack

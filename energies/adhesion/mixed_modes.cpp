@@ -5,15 +5,15 @@
 namespace tack {
 
 void MixedModes::fields(Fields& f) {
-  f.optional_number("tangential_strength", strength_, units::pressure, "tau: the largest traction across; peak_traction unless given. 0: none").nonnegative();
+  f.optional_number("tangential_strength", strength_, units::pressure, "tau: the largest tangential traction; peak_traction unless given. 0: none").nonnegative();
   f.choice("mixed_mode", criterion_,
-           {{"none", Criterion::none, "the same work every way"},
-            {"power", Criterion::power, "power law of the works, quadratic onset by the strengths"},
-            {"benzeggagh_kenane", Criterion::benzeggagh_kenane, "work and onset go with a power of the mixity"}},
-           "what parts surfaces that open and slip together");
-  f.optional_number("tangential_work", work_, units::work_of_adhesion, "G_II: energy to separate unit area by slip, of mixed modes").positive();
+           {{"none", Criterion::none, "the work of separation is the same in every mode"},
+            {"power", Criterion::power, "power law of the works of the modes, quadratic onset criterion of the strengths"},
+            {"benzeggagh_kenane", Criterion::benzeggagh_kenane, "work and onset depend on a power of the mode mixity"}},
+           "failure criterion if opening and slip act together");
+  f.optional_number("tangential_work", work_, units::work_of_adhesion, "G_II: energy to separate unit area by slip, for mixed_mode").positive();
   f.optional_number("mixity_exponent", exponent_, units::none,
-                    "of the criterion: at least 1 for a power law, 1 unless given; for benzeggagh_kenane 2 unless given").positive();
+                    "exponent of the criterion; power: at least 1, and 1 unless given; benzeggagh_kenane: 2 unless given").positive();
   f.check("tangential_work", [this]() -> std::string {
     if (mixed() == work_.has_value()) return "";
     return mixed() ? "mixed_mode needs tangential_work: add it" : "is of mixed modes: choose mixed_mode, or drop it";

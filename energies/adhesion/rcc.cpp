@@ -20,7 +20,7 @@ class RccAdhesion : public RccLawOf<RccAdhesion> {
  public:
   void fields(Fields& f) override {
     RccLawOf::fields(f);
-    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists debonding, the more the faster it is").nonnegative();
+    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: viscous resistance to debonding").nonnegative();
   }
 
   template <class T>
@@ -52,7 +52,7 @@ class RccAdhesion : public RccLawOf<RccAdhesion> {
   double debonded(double beta, double k, double e) const { return (work_ + e * beta) / (k + e); }
 };
 
-TACK_REGISTER(AdhesionLaw, RccAdhesion, "rcc", "Raous-Cangemi-Cocou adhesion: bonds whose intensity falls where they are pulled, and heals under pressure.",
+TACK_REGISTER(AdhesionLaw, RccAdhesion, "rcc", "Raous-Cangemi-Cocou adhesion: the bond intensity decreases under tension and heals under pressure.",
               "Fang et al., eq. 5-9; Raous, Cangemi and Cocou 1999");
 
 }  // namespace tack

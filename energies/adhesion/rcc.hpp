@@ -21,14 +21,15 @@ class RccLawOf : public BondLawOf<Law> {
   using Memory = RccIntensity;
 
   void fields(Fields& f) override {
-    f.number("normal_stiffness", normal_, units::traction_stiffness, "C_N: traction along the normal, per opening").required().positive();
-    f.number("tangential_stiffness", across_, units::traction_stiffness, "C_T: traction across, per slip; 0: none").nonnegative();
+    f.number("normal_stiffness", normal_, units::traction_stiffness, "C_N: normal traction per opening").required().positive();
+    f.number("tangential_stiffness", across_, units::traction_stiffness, "C_T: tangential traction per slip; 0: none").nonnegative();
     f.number("work_of_adhesion", work_, units::work_of_adhesion,
              "W: energy to separate unit area slowly; the traction peaks at sqrt(W C_N), when the opening is sqrt(W / C_N)").required().nonnegative();
-    f.number("healing", healing_, units::fluidity, "r: how fast bonds heal where surfaces press on each other; 0: never").nonnegative();
-    f.number("saturation", saturation_, units::pressure, "p_0: pressure for whole bonds; less heals to that share. 0: any does").nonnegative();
+    f.number("healing", healing_, units::fluidity, "r: healing rate per contact pressure; 0: no healing").nonnegative();
+    f.number("saturation", saturation_, units::pressure, "p_0: contact pressure that heals bonds fully; a lower pressure p heals to p / p_0. 0: any "
+                                                         "pressure heals fully").nonnegative();
     f.optional_number("intensity", intensity_, units::none,
-                      "of new bonds; unless given 1, but 0 of what comes into contact in a run and heals").range(0, 1);
+                      "intensity of new bonds; unless given 1, and 0 for healing bonds that form during a run").range(0, 1);
   }
   void prepare(const PairMaterials&) override {}
   double peak_traction() const override { return std::sqrt(work_ * normal_); }

@@ -17,7 +17,7 @@ class ExplicitRccAdhesion : public RccLawOf<ExplicitRccAdhesion> {
   ExplicitRccAdhesion() { viscosity_ = 1e-3; }
   void fields(Fields& f) override {
     RccLawOf::fields(f);
-    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: resists debonding; steps have to be shorter than eta / W").required().positive();
+    f.number("viscosity", viscosity_, units::surface_viscosity, "eta: viscous resistance to debonding; time steps must be shorter than eta / W").required().positive();
   }
   double longest_step() const override { return viscosity_ / work_; }
 
@@ -39,6 +39,6 @@ class ExplicitRccAdhesion : public RccLawOf<ExplicitRccAdhesion> {
 };
 
 TACK_REGISTER(AdhesionLaw, ExplicitRccAdhesion, "rcc_explicit",
-              "Raous-Cangemi-Cocou adhesion, its intensity held in a step and integrated explicitly; to compare `rcc` with.", "Fang et al., eq. 5-9");
+              "Raous-Cangemi-Cocou adhesion with the intensity lagged within a step and integrated explicitly; a baseline for `rcc`.", "Fang et al., eq. 5-9");
 
 }  // namespace tack

@@ -8,7 +8,7 @@ class TableAdhesion : public CurveAdhesion<TableAdhesion> {
  public:
   void fields(Fields& f) override {
     table_.fields(f);
-    f.flag("cut", cut_, "the traction may jump to 0 behind the last row");
+    f.flag("cut", cut_, "the traction may jump to 0 after the last row");
   }
   void prepare(const PairMaterials& m) override {
     TractionTable::Read read = table_.read();
@@ -27,7 +27,7 @@ class TableAdhesion : public CurveAdhesion<TableAdhesion> {
   std::vector<std::string> doubts_;
 };
 
-TACK_REGISTER(AdhesionLaw, TableAdhesion, "table", "Traction by gap as the rows of a file.",
+TACK_REGISTER(AdhesionLaw, TableAdhesion, "table", "Traction-separation law given as a table of gap and traction in a file.",
               "Fritsch, Butland 1984, A method for constructing local monotone piecewise cubic interpolants");
 
 }  // namespace tack

@@ -45,8 +45,8 @@ double energy_error(const CubicCurve& curve, const std::function<double(double)>
 
 void TractionFormula::fields(Fields& f) {
   f.text("traction", traction, "a formula of the gap d [m] and the parameters: the traction [Pa], positive where it pulls: `s * d / l * exp(1 - d / l)`").formula({"d"});
-  f.text("energy", energy, "instead of it: the energy per area [J/m^2], whose derivative is the traction; a constant in it is of no matter").formula({"d"});
-  f.quantities("parameters", parameters, "names in the formula and what they stand for, each in any unit: `{s: 3 kPa, l: 0.2 mm}`; the formula has them in SI");
+  f.text("energy", energy, "instead of traction: the energy per area [J/m^2], whose derivative is the traction; an added constant has no effect").formula({"d"});
+  f.quantities("parameters", parameters, "parameters of the formula with values in any unit: `{s: 3 kPa, l: 0.2 mm}`; the formula has them in SI");
   f.number("range", range, units::length, "gap beyond which nothing adheres").required().positive();
   f.check("traction", [this]() -> std::string {
     if (traction.empty() != energy.empty()) return "";

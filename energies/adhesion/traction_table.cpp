@@ -52,11 +52,11 @@ void smooth_out(const QuantityTable& table, double reach, std::vector<double>& t
 
 void TractionTable::fields(Fields& f) {
   f.path("file", file, "text in columns (CSV) with a line of names and units, `gap [um], traction [kPa]`; relative to the scene file").required();
-  f.text("gap_column", gap_column, "what the column of gaps is called; they ascend, and the last is the range").line();
-  f.text("traction_column", traction_column, "what the column of tractions is called; positive ones pull").line();
+  f.text("gap_column", gap_column, "name of the column of gaps; gaps ascend, and the last is the range").line();
+  f.text("traction_column", traction_column, "name of the column of tractions; positive is attraction").line();
   f.optional_number("smooth", smooth, units::length,
-                    "against noise: each traction becomes what the line says that fits those of the rows within this distance best (nearer ones count more), "
-                    "and all are scaled so that the work stays").positive();
+                    "smoothing length against noise: each traction is replaced by a distance-weighted linear fit to "
+                    "the rows within this length; all tractions are then scaled to keep the work").positive();
 }
 
 TractionTable::Read TractionTable::read() const {

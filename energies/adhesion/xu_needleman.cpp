@@ -48,7 +48,7 @@ class XuNeedlemanAdhesion : public NormalLawOf<XuNeedlemanAdhesion, NormalAdhesi
   double peak_ = 1e3, work_ = std::numbers::e, length_ = 1e-3, range_ = 12e-3;
 };
 
-TACK_REGISTER(AdhesionLaw, XuNeedlemanAdhesion, "xu_needleman", "Exponential traction: rises to its peak and fades.",
+TACK_REGISTER(AdhesionLaw, XuNeedlemanAdhesion, "xu_needleman", "Exponential traction-separation law: the traction rises to its peak and decays.",
               "Xu, Needleman 1993, Void nucleation by inclusion debonding in a crystal matrix");
 
 }  // namespace tack

@@ -14,8 +14,9 @@ class CoupledXuNeedlemanAdhesion : public BondLawOf<CoupledXuNeedlemanAdhesion> 
 
   void fields(Fields& f) override {
     f.number("peak_traction", strength_, units::pressure, "sigma: the strength along the normal, at the opening W / (e sigma)").required().positive();
-    f.number("work_of_adhesion", work_, units::work_of_adhesion, "W: energy to separate unit area, either way").required().positive();
-    f.optional_number("tangential_strength", tangential_strength_, units::pressure, "tau: the strength across; peak_traction unless given. 0: none").nonnegative();
+    f.number("work_of_adhesion", work_, units::work_of_adhesion, "W: energy to separate unit area, by opening or by slip").required().positive();
+    f.optional_number("tangential_strength", tangential_strength_, units::pressure, "tau: the tangential strength; peak_traction unless given. 0: "
+                                                                                    "none").nonnegative();
   }
   void prepare(const PairMaterials&) override {
     const double tau = tangential_strength_.value_or(strength_);
@@ -39,7 +40,8 @@ class CoupledXuNeedlemanAdhesion : public BondLawOf<CoupledXuNeedlemanAdhesion> 
   double per_opening_ = 1e4, per_slip_ = 1e8;  // 1/l [1/m], 1/l_t^2 [1/m^2]
 };
 
-TACK_REGISTER(AdhesionLaw, CoupledXuNeedlemanAdhesion, "xu_needleman_coupled", "Reversible bonds by one potential of opening and slip, both fading exponentially.",
+TACK_REGISTER(AdhesionLaw, CoupledXuNeedlemanAdhesion, "xu_needleman_coupled", "Reversible cohesive law with one potential of opening and slip, "
+                                                                               "which decays exponentially in both.",
               "Xu and Needleman 1993");
 
 }  // namespace tack

@@ -17,11 +17,12 @@ class ClampedLogBarrier : public NormalLawOf<ClampedLogBarrier, BarrierLaw> {
                              {"squared", Form::squared, "logarithm of the squared gap"}},
              "the argument of the barrier");
     f.optional_number("stiffness", stiffness_, units::pressure,
-                      "kappa; by default a tenth of the softer Young's modulus (of an affine body: a hundredth of its stiffness; of a soft body that "
-                      "may fly or fall faster than waves run in it: density times that speed squared, up to ten times the modulus; of a sheet that "
-                      "nothing but weight and contact act on, at most a thousand times what presses it: the weight of all that moves, its own mass "
-                      "stopped within a step, its tension), or a twentieth "
-                      "of the pair's peak adhesive traction if that is less, but no less than the pressure of weight and loads less ten peak tractions")
+                      "kappa. Unless given, a tenth of the softer Young's modulus; for an affine body a hundredth of "
+                      "its stiffness; for a soft body that may fly or fall faster than its wave speed, density times "
+                      "that speed squared, up to ten times the modulus; for a sheet on which only weight and contact "
+                      "act, at most a thousand times the pressure on it (weight of all that moves, its own mass "
+                      "stopped within a step, its tension). At most a twentieth of the pair's peak adhesive "
+                      "traction, but at least the pressure of weight and loads minus ten peak tractions")
         .positive();
   }
 

@@ -35,8 +35,9 @@ class Weld : public PointJoint {
   }
 };
 
-TACK_REGISTER(Interaction, Ball, "ball", "A joint: a point of an affine body is one of another object, or stays; all turns are free. Exact.", "");
-TACK_REGISTER(Interaction, Weld, "weld", "A joint: an affine body moves with another object as if they were one, or stays. Exact.", "");
+TACK_REGISTER(Interaction, Ball, "ball", "Ball joint: a point of an affine body coincides with a point of another object or of space; all rotations "
+                                         "are free. Exact.", "");
+TACK_REGISTER(Interaction, Weld, "weld", "Weld: an affine body is rigidly joined to another object or to space. Exact.", "");
 
 }  // namespace
 }  // namespace tack

@@ -17,12 +17,13 @@ class ChamberBetween : public Interaction {
  public:
   void fields(Fields& f) override {
     Interaction::fields(f);
-    f.list("parts", parts_, "what is around it: of each object the triangles with all three vertices selected; slits between parts are closed by what presses as they do")
+    f.list("parts", parts_, "walls of the cavity: the triangles of each object with all three vertices selected; slits between walls are closed by "
+                            "virtual triangles that carry the same pressure")
         .required().nonempty();
-    f.component("filling", filling_, "what is in it").required();
+    f.component("filling", filling_, "content of the cavity").required();
     f.number("vent", vent_, units::velocity,
-             "how fast the filling leaves through slits between parts, as far as these are more than twice as wide as at rest: of the pressure above the ambient one, "
-             "vent times their area over the volume a second").nonnegative();
+             "leak through slits between walls that open beyond twice their rest width: the pressure above ambient "
+             "decays at the rate vent times the area beyond that width over the volume").nonnegative();
     f.check("vent", [this]() -> std::string {
       return vent_ == 0 || dynamic_cast<const StoredFilling*>(filling_.get()) ? "" : "a pressure that is given does not fall; fill the chamber with a gas or a liquid, or take it away";
     });
@@ -60,7 +61,8 @@ class ChamberBetween : public Interaction {
   double vent_ = 0;  // m/s
 };
 
-TACK_REGISTER(Interaction, ChamberBetween, "chamber", "What fills the room between surfaces of one or more objects, and presses on them by its volume.", "");
+TACK_REGISTER(Interaction, ChamberBetween, "chamber", "Fluid cavity between surfaces of one or more objects; its pressure depends on the enclosed "
+                                                      "volume.", "");
 
 }  // namespace
 }  // namespace tack

@@ -17,7 +17,7 @@ class Hinge : public Interaction {
   void fields(Fields& f) override {
     Interaction::fields(f);
     ends_.fields(f);
-    f.vector("axis", axis_, units::none, "about which the object turns: angles are right-handed").required();
+    f.vector("axis", axis_, units::none, "rotation axis; angles are right-handed").required();
     mechanics_.fields(f);
   }
   std::vector<std::string> objects() const override { return ends_.objects(); }
@@ -43,9 +43,10 @@ class Hinge : public Interaction {
 using JointAngle = CoordinateProbe<HingeAngle, of_hinges>;
 using MotorTorque = DriveProbe<HingeAngle, of_hinges>;
 
-TACK_REGISTER(Interaction, Hinge, "hinge", "A joint: an affine body turns about an axis of another object or of space alone. Exact; with limits, friction and motors if asked.", "");
-TACK_REGISTER(Probe, JointAngle, "joint_angle", "By which angle a hinge has turned, whole turns included [rad].", "");
-TACK_REGISTER(Probe, MotorTorque, "motor_torque", "What the motor and the servo of a hinge exert about its axis [N m].", "");
+TACK_REGISTER(Interaction, Hinge, "hinge", "Hinge joint: an affine body rotates only about an axis of another object or of space. Exact; optional "
+                                           "limits, friction and motors.", "");
+TACK_REGISTER(Probe, JointAngle, "joint_angle", "Rotation angle of a hinge, whole turns included [rad].", "");
+TACK_REGISTER(Probe, MotorTorque, "motor_torque", "Moment of the motor and the servo of a hinge about its axis [N m].", "");
 
 }  // namespace
 }  // namespace tack

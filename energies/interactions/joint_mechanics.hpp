@@ -32,9 +32,9 @@ template <const JointUnits& U>
 struct MotorKeys : JointMotor {
   MotorKeys() { soft = U.soft_rate; }
   void fields(Fields& f) {
-    f.schedule("speed", target, U.rate, "the rate that it drives at, over time").required();
-    f.number(U.effort_key, most, U.effort, "what it exerts at most").required().positive();
-    f.number("within", soft, U.rate, "how far off the rate is where it exerts all of that").positive();
+    f.schedule("speed", target, U.rate, "target rate over time").required();
+    f.number(U.effort_key, most, U.effort, "largest magnitude").required().positive();
+    f.number("within", soft, U.rate, "rate error at which the motor saturates").positive();
   }
 };
 
@@ -42,9 +42,9 @@ template <const JointUnits& U>
 struct ServoKeys : JointMotor {
   ServoKeys() { soft = U.soft; }
   void fields(Fields& f) {
-    f.schedule(U.what, target, U.value, "where it drives to, over time").required();
-    f.number(U.effort_key, most, U.effort, "what it exerts at most").required().positive();
-    f.number("within", soft, U.value, "how far off it is where it exerts all of that").positive();
+    f.schedule(U.what, target, U.value, "target over time").required();
+    f.number(U.effort_key, most, U.effort, "largest magnitude").required().positive();
+    f.number("within", soft, U.value, "error at which the motor saturates").positive();
   }
 };
 
@@ -52,8 +52,8 @@ template <const JointUnits& U>
 struct FrictionKeys {
   double most = 0, soft = U.soft_rate;
   void fields(Fields& f) {
-    f.number(U.effort_key, most, U.effort, "by which it resists motion, dry").required().positive();
-    f.number("eps", soft, U.rate, "rate below which it resists less, and what stands creeps").positive();
+    f.number(U.effort_key, most, U.effort, "magnitude of the dry friction").required().positive();
+    f.number("eps", soft, U.rate, "rate below which friction is regularised: a joint at rest creeps").positive();
   }
 };
 
@@ -62,10 +62,11 @@ struct LimitKeys {
   std::optional<double> low, high, effort;
   double margin = U.margin;
   void fields(Fields& f) {
-    f.optional_number("low", low, U.value, "the least");
-    f.optional_number("high", high, U.value, "the most");
-    f.number("margin", margin, U.value, "how near a limit is where it begins to resist").positive();
-    f.optional_number(U.effort_key, effort, U.effort, "what it exerts at half of the margin, without end towards the limit; unless given, as much as bodies so stiff are made for").positive();
+    f.optional_number("low", low, U.value, "lower limit");
+    f.optional_number("high", high, U.value, "upper limit");
+    f.number("margin", margin, U.value, "distance to a limit at which resistance begins").positive();
+    f.optional_number(U.effort_key, effort, U.effort, "magnitude at half of the margin; it diverges at the limit; unless given, derived from the "
+                                                      "stiffness of the bodies").positive();
     f.check("low", [this] { return low && high && *low >= *high ? std::string("is not below `high`; exchange them") : std::string(); });
   }
 };
@@ -79,12 +80,12 @@ struct MechanicsKeys {
   std::optional<ServoKeys<U>> servo;
 
   void fields(Fields& f) {
-    f.number("start", start, U.value, fmt::format("its {} at the start", U.what));
-    f.optional_object("limits", limits, "that it never passes");
-    f.optional_object("friction", friction, "dry, of a stated size");
-    f.number("damping", damping, U.damping, "viscous").nonnegative();
-    f.optional_object("motor", motor, "drives at a rate");
-    f.optional_object("servo", servo, "drives to a place");
+    f.number("start", start, U.value, "initial coordinate along or about the axis");
+    f.optional_object("limits", limits, "unilateral limits, never exceeded");
+    f.optional_object("friction", friction, "dry friction of prescribed magnitude");
+    f.number("damping", damping, U.damping, "viscous damping").nonnegative();
+    f.optional_object("motor", motor, "velocity motor");
+    f.optional_object("servo", servo, "position motor");
   }
 
   // effort: what limits exert at half of their margin unless told.

@@ -11,10 +11,10 @@
 namespace tack {
 
 void JointEnds::fields(Fields& f) {
-  f.text("object", object, "what is joined").required();
-  f.text("to", to, "the object that it is joined to; unless given, space");
-  f.vector("at", at, units::length, "the point that the two have in common at the start").required();
-  f.flag("contact", contact, "whether the two can touch each other; without it they may overlap at the joint");
+  f.text("object", object, "the affine body that is joined").required();
+  f.text("to", to, "the object that it is joined to; space unless given");
+  f.vector("at", at, units::length, "the common point of the two at the start").required();
+  f.flag("contact", contact, "contact between the two; false: they may overlap at the joint");
 }
 
 std::vector<std::string> JointEnds::objects() const { return to.empty() ? std::vector{object} : std::vector{object, to}; }

@@ -47,8 +47,8 @@ struct RopeEnd {
 
   void fields(Fields& f) {
     f.text("object", object, "name of the object; unless given, space");
-    f.optional_vector("at", at, units::length, "a point that the object carries along, or that stays");
-    f.component("select", select, "its vertices, instead of a point");
+    f.optional_vector("at", at, units::length, "a point, fixed to the object or in space");
+    f.component("select", select, "selected vertices, instead of a point");
     f.check("object", [this] {
       return std::string(select && (object.empty() || at) ? "`select` chooses vertices of an `object`, and stands in the place of `at`" : "");
     });
@@ -66,10 +66,10 @@ class Rope : public Interaction {
  public:
   void fields(Fields& f) override {
     Interaction::fields(f);
-    f.object("from", from_, "a point, or vertices that have one rope each");
-    f.object("to", to_, "a point, or vertices of which each is tied to the one that is nearest at the start");
-    f.number("stiffness", stiffness_, units::stiffness, "of each rope, once it is taut").required().positive();
-    f.optional_number("length", length_, units::length, "from which on it is taut; unless given, its length at the start").nonnegative();
+    f.object("from", from_, "a point, or vertices with one rope each");
+    f.object("to", to_, "a point, or vertices: each rope ends at the one nearest at the start");
+    f.number("stiffness", stiffness_, units::stiffness, "stiffness of each rope when taut").required().positive();
+    f.optional_number("length", length_, units::length, "length above which it is taut; its length at the start unless given").nonnegative();
   }
   std::vector<std::string> objects() const override {
     std::vector<std::string> all;
@@ -100,8 +100,8 @@ class RopeForce : public OfInteraction<RopeTerm, VectorProbe> {
   Vec3 value(const World&, const State& state) override { return term().force(state.x); }
 };
 
-TACK_REGISTER(Interaction, Rope, "rope", "Ropes between points or vertices of objects, or from these to space, which pull where they are taut and do not push.", "");
-TACK_REGISTER(Probe, RopeForce, "rope_force", "What ropes exert on where they start from, in sum [N].", "");
+TACK_REGISTER(Interaction, Rope, "rope", "Tension-only cables between points or vertices of objects, or from these to space.", "");
+TACK_REGISTER(Probe, RopeForce, "rope_force", "Total force of ropes on their start points [N].", "");
 
 }  // namespace
 }  // namespace tack

@@ -39,9 +39,9 @@ class Slider : public Interaction {
   void fields(Fields& f) override {
     Interaction::fields(f);
     ends_.fields(f);
-    f.vector("axis", axis_, units::none, "along which the object goes").required();
+    f.vector("axis", axis_, units::none, "direction of the displacement").required();
     mechanics_.fields(f);
-    f.optional_number("stiffness", stiffness_, units::stiffness, "of the line on another object; unless given, as stiff as the bodies are").positive();
+    f.optional_number("stiffness", stiffness_, units::stiffness, "stiffness of the line on another object; that of the bodies unless given").positive();
   }
   std::vector<std::string> objects() const override { return ends_.objects(); }
 
@@ -82,9 +82,10 @@ class Slider : public Interaction {
 using JointWay = CoordinateProbe<SliderWay, of_sliders>;
 using MotorForce = DriveProbe<SliderWay, of_sliders>;
 
-TACK_REGISTER(Interaction, Slider, "slider", "A joint: an affine body goes along a line of another object or of space, and does not turn against it; with limits, friction and motors if asked.", "");
-TACK_REGISTER(Probe, JointWay, "joint_way", "How far a slider has gone along its line [m].", "");
-TACK_REGISTER(Probe, MotorForce, "motor_force", "What the motor and the servo of a slider exert along its line [N].", "");
+TACK_REGISTER(Interaction, Slider, "slider", "Slider joint: an affine body translates along a line of another object or of space without rotating "
+                                             "relative to it; optional limits, friction and motors.", "");
+TACK_REGISTER(Probe, JointWay, "joint_way", "Displacement of a slider along its line [m].", "");
+TACK_REGISTER(Probe, MotorForce, "motor_force", "Force of the motor and the servo of a slider along its line [N].", "");
 
 }  // namespace
 }  // namespace tack

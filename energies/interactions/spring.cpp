@@ -15,13 +15,13 @@ class Spring : public Interaction {
  public:
   void fields(Fields& f) override {
     Interaction::fields(f);
-    f.object("from", from_, "vertices that have one spring each");
-    f.object("to", to_, "vertices of which each is tied to the one that is nearest at the start");
-    f.number("stiffness", stiffness_, units::stiffness, "of each spring").required().positive();
-    f.optional_number("length", length_, units::length, "at which it exerts no force; unless given, its length at the start")
+    f.object("from", from_, "vertices with one spring each");
+    f.object("to", to_, "vertices: each spring ends at the one nearest at the start");
+    f.number("stiffness", stiffness_, units::stiffness, "stiffness of each spring").required().positive();
+    f.optional_number("length", length_, units::length, "rest length; the length at the start unless given")
         .nonnegative();
     f.optional_number("breaking_force", breaking_force_, units::force,
-                      "of each: one that is strained by more at the end of a step is broken from then on; unless given, none breaks")
+                      "force above which a spring breaks, checked at the end of each step; none breaks unless given")
         .positive();
   }
   std::vector<std::string> objects() const override { return {from_.object, to_.object}; }
@@ -59,9 +59,9 @@ class IntactSprings : public OfInteraction<SpringTerm, Probe> {
   std::vector<double> sample(const World&, const State&) override { return {static_cast<double>(term().intact())}; }
 };
 
-TACK_REGISTER(Interaction, Spring, "spring", "Springs from each vertex of a selection to the nearest one of another, which may break.", "");
-TACK_REGISTER(Probe, SpringForce, "spring_force", "What springs exert on the vertices that they start from, in sum [N].", "");
-TACK_REGISTER(Probe, IntactSprings, "intact_springs", "How many springs are not broken.", "");
+TACK_REGISTER(Interaction, Spring, "spring", "Springs from each vertex of a selection to the nearest vertex of another selection; they may break.", "");
+TACK_REGISTER(Probe, SpringForce, "spring_force", "Total force of springs on their start vertices [N].", "");
+TACK_REGISTER(Probe, IntactSprings, "intact_springs", "Number of springs that are not broken.", "");
 
 }  // namespace
 }  // namespace tack

@@ -11,9 +11,9 @@ namespace {
 class ChamberLoad : public Load {
  public:
   void fields(Fields& f) override {
-    f.text("name", name_, "in messages and probes; the object's unless given").line();
-    f.component("filling", filling_, "what is in it").required();
-    f.component("select", select_, "vertices; triangles with all three selected are around it: a closed sheet, or the faces of a cavity");
+    f.text("name", name_, "name in messages and probes; the object's unless given").line();
+    f.component("filling", filling_, "content of the cavity").required();
+    f.component("select", select_, "vertices; triangles with all three selected are its walls: a closed sheet, or the faces of a cavity");
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
     const std::string label = name_.empty() ? body.name : name_;
@@ -27,7 +27,7 @@ class ChamberLoad : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-TACK_REGISTER(Load, ChamberLoad, "chamber", "What fills a closed sheet, or a cavity of a solid, and presses on it by its volume.", "");
+TACK_REGISTER(Load, ChamberLoad, "chamber", "Fluid cavity inside a closed sheet or a solid; its pressure depends on the enclosed volume.", "");
 
 }  // namespace
 }  // namespace tack

@@ -155,16 +155,17 @@ class FieldLoad : public Load {
   void fields(Fields& f) override {
     for (int i = 0; i < 3; ++i) {
       const std::string key(1, "xyz"[i]);
-      f.text(key, formulas_.text[i], "its component along " + key + ", a formula of t [s], the place x, y, z [m], the velocity vx, vy, vz [m/s] and the parameters, in SI")
+      f.text(key, formulas_.text[i], "component along " + key + ", a formula of t [s], the position x, y, z [m], the velocity vx, vy, vz [m/s] "
+                                                                    "and the parameters, in SI")
           .formula({"t", "x", "y", "z", "vx", "vy", "vz"});
     }
-    f.quantities("parameters", formulas_.parameters, "numbers that the formulas name, with their units");
+    f.quantities("parameters", formulas_.parameters, "parameters of the formulas, with their units");
     f.choice("per", per_,
              {{"mass", Per::mass, "the formulas are accelerations [m/s^2]"},
               {"volume", Per::volume, "forces per volume at rest [N/m^3]"},
               {"area", Per::area, "forces per area of the surface at rest [Pa]"},
-              {"object", Per::object, "the force on all that is chosen, each vertex by its part of the mass, as a charge would be spread [N]"}},
-             "what they are per");
+              {"object", Per::object, "the total force on the selection, distributed over its vertices by mass [N]"}},
+             "reference quantity of the formulas");
     f.component("select", select_, "vertices");
     f.check("x", [this] { return formulas_.compile(); });
   }
@@ -218,7 +219,7 @@ class FieldLoad : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-TACK_REGISTER(Load, FieldLoad, "field", "A force by formulas of place, time and velocity.", "");
+TACK_REGISTER(Load, FieldLoad, "field", "A force given by formulas of position, time and velocity.", "");
 
 }  // namespace
 }  // namespace tack

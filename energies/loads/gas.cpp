@@ -14,11 +14,11 @@ namespace {
 class Gas : public StoredFilling {
  public:
   void fields(Fields& f) override {
-    f.optional_number("pressure", pressure_, units::pressure, "of the gas in the chamber at rest, absolute; the ambient one unless given").positive();
-    f.number("ambient", ambient_, units::pressure, "pressure all around, absolute; 0: a vacuum").nonnegative();
-    f.number("gamma", gamma_, units::none, "ratio of specific heats: p V^gamma stays the same; 1: isothermal").range(1, 3);
-    amount_.fields(f, "amount", "of gas, as a part of what there is at rest, over time");
-    f.number("leak", leak_, units::rate, "of the pressure above the ambient one, so much of itself a second").nonnegative();
+    f.optional_number("pressure", pressure_, units::pressure, "absolute pressure of the gas in the chamber at rest; ambient unless given").positive();
+    f.number("ambient", ambient_, units::pressure, "absolute pressure of the surroundings; 0: a vacuum").nonnegative();
+    f.number("gamma", gamma_, units::none, "ratio of specific heats: p V^gamma is constant; 1: isothermal").range(1, 3);
+    amount_.fields(f, "amount", "amount of gas relative to that at rest, over time");
+    f.number("leak", leak_, units::rate, "leak rate: the pressure above ambient decays at this rate").nonnegative();
     f.check("pressure", [this]() -> std::string { return p0() > 0 ? "" : "a gas needs a pressure at rest where the ambient one is 0"; });
   }
 
@@ -55,9 +55,9 @@ class Liquid : public StoredFilling {
  public:
   void fields(Fields& f) override {
     f.number("bulk_modulus", bulk_modulus_, units::pressure,
-             "pressure per relative change of volume: what the volume is off by is the pressure over this; as large as is needed for that")
+             "pressure per relative change of volume; the relative volume error is the pressure over this modulus")
         .required().positive();
-    volume_.fields(f, "volume", "volume without pressure, as a part of that of the chamber at rest, over time");
+    volume_.fields(f, "volume", "volume at zero pressure relative to that of the chamber at rest, over time");
   }
   VolumeSample at(double volume, double at_rest, double left, double time) const override {
     const double wanted = left * target(at_rest, time), off = volume - wanted, k = bulk_modulus_ / wanted;
@@ -78,7 +78,7 @@ class Liquid : public StoredFilling {
 };
 
 TACK_REGISTER(Filling, Gas, "gas", "An ideal gas, isothermal or polytropic, with or without a leak.", "");
-TACK_REGISTER(Filling, Liquid, "liquid", "A liquid that hardly changes its volume, which may be pumped in and out.", "");
+TACK_REGISTER(Filling, Liquid, "liquid", "A nearly incompressible liquid, which may be pumped in and out.", "");
 
 }  // namespace
 }  // namespace tack

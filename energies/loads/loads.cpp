@@ -49,7 +49,7 @@ class Traction : public Load {
 class Force : public Load {
  public:
   void fields(Fields& f) override {
-    f.vector("value", value_, units::force, "the force, of which each vertex takes the same part").required();
+    f.vector("value", value_, units::force, "total force, shared equally by the vertices").required();
     f.component("select", select_, "vertices");
     profile_.fields(f);
   }
@@ -91,7 +91,7 @@ class BodyForce : public Load {
   LoadProfile profile_;
 };
 
-TACK_REGISTER(Load, Traction, "traction", "Force per rest area on a part of the surface.", "");
+TACK_REGISTER(Load, Traction, "traction", "Force per rest area on a region of the surface.", "");
 TACK_REGISTER(Load, Force, "force", "A force on vertices: on the tip of a rod, on particles.", "");
 TACK_REGISTER(Load, BodyForce, "body_force", "Force per mass on a body.", "");
 

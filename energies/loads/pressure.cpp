@@ -10,11 +10,11 @@ namespace {
 class Pressure : public Load {
  public:
   void fields(Fields& f) override {
-    f.text("name", name_, "in messages and probes; the object's unless given").line();
+    f.text("name", name_, "name in messages and probes; the object's unless given").line();
     f.number("value", value_, units::pressure,
-             "above zero, it presses on faces of solids, inflates what is closed, and pushes an open sheet along the normals of its triangles").required();
+             "positive pushes on faces of solids, inflates closed sheets, and pushes an open sheet along the normals of its triangles").required();
     ramp_.fields(f, "ramp", "factor over time");
-    f.component("select", select_, "vertices; triangles with all three selected are pressed");
+    f.component("select", select_, "vertices; triangles with all three selected are loaded");
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
     return std::make_unique<PressureTerm>(name_.empty() ? body.name : name_, OrientedSurface(pressed_triangles(*select_, {body, rest})), value_, ramp_);
@@ -30,7 +30,7 @@ class Pressure : public Load {
 class PressureFilling : public Filling {
  public:
   void fields(Fields& f) override {
-    f.number("value", value_, units::pressure, "above zero, from within").required();
+    f.number("value", value_, units::pressure, "pressure; positive acts from inside").required();
     ramp_.fields(f, "ramp", "factor over time");
   }
   std::unique_ptr<VolumeTerm> make_term(std::string label, OrientedSurface surface, const VecX&) const override {
@@ -42,8 +42,8 @@ class PressureFilling : public Filling {
   Ramp ramp_;
 };
 
-TACK_REGISTER(Load, Pressure, "pressure", "A pressure that follows a surface: along its present normals, on its present area.", "");
-TACK_REGISTER(Filling, PressureFilling, "pressure", "A pressure that is given, whatever the volume.", "");
+TACK_REGISTER(Load, Pressure, "pressure", "Follower pressure: along the current normals, on the current area of a surface.", "");
+TACK_REGISTER(Filling, PressureFilling, "pressure", "A prescribed pressure, independent of the volume.", "");
 
 }  // namespace
 }  // namespace tack

@@ -16,7 +16,7 @@ struct Ramp {
 
   void fields(Fields& f, const std::string& key, const std::string& doc) {
     f.schedule(key, ramp, units::none, doc + ": a number or [[t, factor], ...]");
-    f.text(key + "_formula", text, "a further factor, as a formula of the time t [s]");
+    f.text(key + "_formula", text, "additional factor, a formula of the time t [s]");
     f.check(key + "_formula", [this]() -> std::string {
       formula_.reset();
       if (text.empty()) return "";

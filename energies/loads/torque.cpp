@@ -112,11 +112,11 @@ class TorqueTerm : public FollowingLoad, public GlobalModeSource {
 class Torque : public Load {
  public:
   void fields(Fields& f) override {
-    f.number("value", settings_.value, units::moment, "the moment about the axis, by the right hand").required();
-    f.vector("axis", settings_.axis, units::none, "its direction, which stays");
-    f.optional_vector("point", settings_.point, units::length, "a point of the axis, which stays: unless given, the centre of mass of what it turns, with which it goes");
+    f.number("value", settings_.value, units::moment, "moment about the axis, right-handed").required();
+    f.vector("axis", settings_.axis, units::none, "direction of the axis, fixed in space");
+    f.optional_vector("point", settings_.point, units::length, "a fixed point of the axis; the moving centre of mass of the selection unless given");
     settings_.ramp.fields(f, "ramp", "factor over time");
-    f.component("select", select_, "vertices that are turned, each by a force in proportion to its mass and its distance from the axis");
+    f.component("select", select_, "vertices; each takes a force proportional to its mass and its distance from the axis");
     f.check("axis", [this]() -> std::string { return settings_.axis.norm() > 0 ? "" : "must not be zero"; });
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX& mass) const override {
@@ -144,7 +144,7 @@ class Torque : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-TACK_REGISTER(Load, Torque, "torque", "A moment about an axis that goes on as what it turns does.", "");
+TACK_REGISTER(Load, Torque, "torque", "A moment about an axis of fixed direction, through a fixed point or the moving centre of mass.", "");
 
 }  // namespace
 }  // namespace tack

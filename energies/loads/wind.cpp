@@ -116,11 +116,12 @@ class WindTerm : public FollowingLoad {
 class Wind : public Load {
  public:
   void fields(Fields& f) override {
-    f.vector("velocity", settings_.velocity, units::velocity, "of the medium; zero: it only resists");
+    f.vector("velocity", settings_.velocity, units::velocity, "velocity of the medium; zero: drag of a medium at rest");
     settings_.ramp.fields(f, "ramp", "factor of the velocity over time");
-    f.number("density", settings_.density, units::density, "of the medium; that of air unless given").positive();
-    f.number("drag", settings_.drag, units::none, "c_d of a face across the flow: pressure on its windward side over 1/2 density speed^2. Of that, a sphere has 1/2, a cylinder across the flow 2/3").positive();
-    f.component("select", select_, "vertices; triangles with all three selected are in it");
+    f.number("density", settings_.density, units::density, "density of the medium; that of air unless given").positive();
+    f.number("drag", settings_.drag, units::none, "c_d of a face normal to the flow: windward pressure over 1/2 density speed^2; a sphere then has "
+                                                  "1/2 of it, a cylinder across the flow 2/3").positive();
+    f.component("select", select_, "vertices; triangles with all three selected are exposed");
   }
   std::unique_ptr<FollowingLoad> make_term(const Body& body, const VecX& rest, const VecX&) const override {
     const ExposedTriangles exposed = exposed_triangles(*select_, {body, rest});
@@ -134,7 +135,8 @@ class Wind : public Load {
   std::unique_ptr<Selection> select_ = Registry<Selection>::make("all");
 };
 
-TACK_REGISTER(Load, Wind, "wind", "The drag of a medium on surfaces, along their normals, by the square of its speed towards them: on both sides of sheets, on the windward side of solids and closed sheets.", "");
+TACK_REGISTER(Load, Wind, "wind", "Drag of a medium on surfaces, along their normals, quadratic in the relative normal speed: on both sides of "
+                                  "sheets, on the windward side of solids and closed sheets.", "");
 
 }  // namespace
 }  // namespace tack

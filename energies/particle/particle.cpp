@@ -15,7 +15,7 @@ class Particle : public RollingEnergy {
   void fields(Fields& f) override {
     Energy::fields(f);
     f.number("density", density_, units::density, "mass per volume of the sphere").positive();
-    f.optional_number("mass", mass_, units::mass, "of each, instead of the one that the density gives").positive();
+    f.optional_number("mass", mass_, units::mass, "mass of each sphere, instead of density").positive();
     rolling_field(f);
   }
   std::unique_ptr<Term> make_term(const Body& body, const VecX&) const override {
@@ -36,7 +36,8 @@ class Particle : public RollingEnergy {
   std::optional<double> mass_;  // kg
 };
 
-TACK_REGISTER(Energy, Particle, "particle", "Points with a radius (`particle`) that have a mass, and no stiffness: spheres, which turn only if they roll.", "");
+TACK_REGISTER(Energy, Particle, "particle", "Spheres: points with a radius (`particle`), with mass and without stiffness; they rotate only with "
+                                            "`rolling`.", "");
 
 }  // namespace
 }  // namespace tack

@@ -8,7 +8,7 @@ namespace {
 class PlasticStrain : public PublishedField {
   bool of_elements() const override { return true; }
 };
-TACK_REGISTER(PublishedField, PlasticStrain, "plastic_strain", "Accumulated.", "");
+TACK_REGISTER(PublishedField, PlasticStrain, "plastic_strain", "Accumulated equivalent plastic strain.", "");
 
 }  // namespace
 

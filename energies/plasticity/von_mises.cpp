@@ -25,7 +25,7 @@ class VonMisesSolid : public SolidEnergy {
 };
 
 TACK_REGISTER(Energy, VonMisesSolid, "von_mises",
-              "Solid in Hencky strain that flows plastically from a yield stress on, of von Mises.",
+              "Elastoplastic solid in Hencky strain with the von Mises yield criterion.",
               "Li, Li, Jiang 2022, Energetically Consistent Inelasticity");
 
 }  // namespace

@@ -16,16 +16,16 @@ class ElasticRod : public RollingEnergy {
   void fields(Fields& f) override {
     Energy::fields(f);
     f.number("young", young_, units::pressure, "Young's modulus E").required().positive();
-    f.number("poisson", poisson_, units::none, "Poisson's ratio, of which the shear modulus follows: G = E / (2 (1 + nu))").range(-0.99, 0.5);
+    f.number("poisson", poisson_, units::none, "Poisson's ratio, from which the shear modulus follows: G = E / (2 (1 + nu))").range(-0.99, 0.5);
     f.optional_number("shear", shear_, units::pressure, "shear modulus G, instead of the one that poisson gives").positive();
     f.number("density", density_, units::density, "mass per rest volume").positive();
     f.choice("rest", straight_,
-             {{"mesh", false, "without stress as the mesh is"},
-              {"straight", true, "straight between joints, where more than two edges meet; those keep the shape of the mesh"}},
-             "its shape without stress");
+             {{"mesh", false, "the shape of the mesh"},
+              {"straight", true, "straight between joints (vertices where more than two edges meet); joints keep the shape of the mesh"}},
+             "stress-free shape");
     f.vector("curvature", curvature_, units::curvature,
-             "added to the curvature at rest, in the frame of the section: its bending towards `normal`, and across");
-    f.number("twist", twist_, units::curvature, "added to the twist at rest: angle per length");
+             "added to the rest curvature, in the frame of the section: bending towards `normal`, and perpendicular to it");
+    f.number("twist", twist_, units::curvature, "added to the rest twist: angle per length");
     rolling_field(f);
   }
   bool twists() const override { return true; }

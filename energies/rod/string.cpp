@@ -46,7 +46,7 @@ class String : public Energy {
   double density_ = 1000;  // kg/m^3
 };
 
-TACK_REGISTER(Energy, String, "string", "Edges with a section (`rod`) that stretch, and neither bend nor twist.", "");
+TACK_REGISTER(Energy, String, "string", "Edges with a section (`rod`) that stretch but neither bend nor twist.", "");
 
 }  // namespace
 }  // namespace tack

@@ -13,11 +13,11 @@ class HingeBending : public Energy {
   void fields(Fields& f) override {
     Energy::fields(f);
     f.optional_number("young", young_, units::pressure, "Young's modulus: D = E thickness^3 / (12 (1 - nu^2))").positive();
-    f.number("poisson", poisson_, units::none, "nu: what is bent one way curls the other way by so much").range(0, 0.4999);
+    f.number("poisson", poisson_, units::none, "nu: ratio of the transverse (anticlastic) curvature to the bending curvature").range(0, 0.4999);
     f.optional_number("stiffness", stiffness_, units::energy, "D: moment per width and curvature, instead of Young's modulus").positive();
-    f.choice("rest", rest_, {{"flat", Rest::flat, "it wants to be flat, whatever the mesh is"},
-                             {"mesh", Rest::mesh, "as it is at rest"}},
-             "the shape without moments");
+    f.choice("rest", rest_, {{"flat", Rest::flat, "flat, for any mesh"},
+                             {"mesh", Rest::mesh, "the shape of the mesh"}},
+             "moment-free shape");
     f.check("young", [this]() -> std::string {
       return young_.has_value() != stiffness_.has_value() ? "" : "and stiffness: give one of the two";
     });
@@ -40,7 +40,7 @@ class HingeBending : public Energy {
 };
 
 TACK_REGISTER(Energy, HingeBending, "hinge_bending",
-              "Bending of a sheet at the edges between its triangles, that of a plate. It has no mass: a membrane has.",
+              "Plate bending of a sheet at the edges between its triangles. Without mass: combine it with a membrane.",
               "Grinspun et al. 2003, Discrete Shells; Comodi 1989 for the moments of hinges");
 
 }  // namespace

@@ -7,8 +7,8 @@
 namespace tack {
 
 void FibreConfig::fields(Fields& f) {
-  f.vector("direction", direction, units::none, "of the fibres; in each triangle at rest, its projection").required();
-  f.number("young", young, units::pressure, "E_f: what the fibres add to Young's modulus along them").required().positive();
+  f.vector("direction", direction, units::none, "direction of the fibres, projected onto each rest triangle").required();
+  f.number("young", young, units::pressure, "E_f: added to Young's modulus along the fibres").required().positive();
   f.check("direction", [this]() -> std::string { return direction.norm() > 0 ? "" : "must not be zero"; });
 }
 
@@ -17,7 +17,7 @@ void MembraneEnergy::fields(Fields& f) {
   f.number("young", young_, units::pressure, "Young's modulus").required().positive();
   f.number("poisson", poisson_, units::none, "Poisson's ratio").range(0, 0.4999);
   f.number("density", density_, units::density, "mass per rest volume").positive();
-  f.optional_object("fibre", fibre_, "stiffer in one direction: fibres add E_f/2 ((|F d|^2 - 1)/2)^2 to the density");
+  f.optional_object("fibre", fibre_, "fibres that stiffen one direction: they add E_f/2 ((|F d|^2 - 1)/2)^2 to the density");
 }
 
 Fibres MembraneEnergy::fibres(const Body& body, const VecX& rest) const {

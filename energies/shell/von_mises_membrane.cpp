@@ -122,7 +122,7 @@ class VonMisesMembraneEnergy : public MembraneEnergy {
 };
 
 TACK_REGISTER(Energy, VonMisesMembraneEnergy, "von_mises_membrane",
-              "Membrane in Hencky strain that flows plastically from a yield stress on, of von Mises, in plane stress.",
+              "Elastoplastic membrane in Hencky strain with the von Mises yield criterion, in plane stress.",
               "Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo and Taylor 1986 for plane stress");
 
 }  // namespace

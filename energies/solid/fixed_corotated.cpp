@@ -3,7 +3,7 @@
 namespace tack {
 
 using FixedCorotatedSolid = IsotropicSolid<FixedCorotated>;
-TACK_REGISTER(Energy, FixedCorotatedSolid, "fixed_corotated", "Fixed corotated solid; below a tenth of its volume a barrier keeps it from being crushed flat.",
+TACK_REGISTER(Energy, FixedCorotatedSolid, "fixed_corotated", "Fixed corotated solid, with a barrier below a tenth of its rest volume.",
               "Stomakhin et al. 2012, Energetically Consistent Invertible Elasticity");
 
 }  // namespace tack

@@ -20,8 +20,8 @@
 namespace tack {
 namespace {
 
-void add_scene_options(CLI::App& command, SceneOptions& options) {
-  command.add_option("file", options.file, "the experiment (YAML); required")->type_name("YAML");
+void add_scene_options(CLI::App& command, SceneOptions& options, const std::string& kind = "scene") {
+  command.add_option("file", options.file, kind + " file (YAML); required")->type_name("YAML");
   command.add_option("--set", options.overrides, "override keys: a.b=c (one or more; repeatable)")
       ->take_all()->allow_extra_args(true);
 }
@@ -123,12 +123,12 @@ class CommandLine {
   }
 
   void add_run() {
-    CLI::App* run = app_.add_subcommand("run", "Simulate an experiment");
+    CLI::App* run = app_.add_subcommand("run", "Run a scene");
     add_run_options(*run, run_);
-    run->add_flag("--resume", run_.resume, "go on from the newest checkpoint of the results folder");
-    run->add_option("--memory", run_.memory, "GB that it may have (default: any); a run that needs more fails")->check(number_above_zero);
+    run->add_flag("--resume", run_.resume, "continue from the newest checkpoint of the results folder");
+    run->add_option("--memory", run_.memory, "memory limit in GB (default: none); a run that needs more fails")->check(number_above_zero);
     run->add_option("--dump-problem", run_.dump_problems,
-                    "store a step to minimise it again: step=K, or hardest=N for those with most iterations (repeatable)")
+                    "store the minimisation problem of a step: step=K, or hardest=N for the N steps with most iterations (repeatable)")
         ->take_all()->allow_extra_args(false);
     run->callback([this] {
       settle(run_.scene);
@@ -137,15 +137,15 @@ class CommandLine {
   }
 
   void add_view() {
-    CLI::App* view = app_.add_subcommand("view", "Look at a scene before or while it is run, or at results, in a browser on this machine");
+    CLI::App* view = app_.add_subcommand("view", "Show a scene, a live run or results in a browser on this machine");
     add_run_options(*view, view_);
-    view->get_option("file")->description("the experiment (YAML), or a folder of results; required");
+    view->get_option("file")->description("scene file (YAML) or results folder; required");
     view->get_option("--output")
-        ->description("of a scene or of results: the file (.html) to write, and nothing is served; with --run: results folder (default: results/NAME)")->type_name("FILE");
-    CLI::Option* run = view->add_flag("--run", view_.run, "run it, and show frames and curves as they come, with buttons to pause and to stop");
+        ->description("file (.html) to write instead of serving a page; with --run: results folder (default: results/NAME)")->type_name("FILE");
+    CLI::Option* run = view->add_flag("--run", view_.run, "run the scene and show frames and curves live, with buttons to pause and stop");
     for (const char* name : {"--threads", "--steps", "--quiet", "--verbose"}) view->get_option(name)->needs(run);
-    view->add_flag("--resume", view_.resume, "with --run: go on from the newest checkpoint of the results folder")->needs(run);
-    view->add_flag("--no-browser", view_.no_browser, "print the address only");
+    view->add_flag("--resume", view_.resume, "with --run: continue from the newest checkpoint of the results folder")->needs(run);
+    view->add_flag("--no-browser", view_.no_browser, "print the address without opening a browser");
     view->callback([this] {
       settle(view_.scene);
       exit_code_ = view_command(view_);
@@ -153,7 +153,7 @@ class CommandLine {
   }
 
   void add_profile() {
-    CLI::App* profile = app_.add_subcommand("profile", "Simulate an experiment and tell what costs what, and what to change");
+    CLI::App* profile = app_.add_subcommand("profile", "Run a scene and report the cost of each phase, and which keys change it");
     add_run_options(*profile, profile_);
     profile->callback([this] {
       settle(profile_.scene);
@@ -163,8 +163,8 @@ class CommandLine {
   }
 
   void add_compare() {
-    CLI::App* compare = app_.add_subcommand("compare", "Measure speed against error of several solvers");
-    add_scene_options(*compare, compare_.file);
+    CLI::App* compare = app_.add_subcommand("compare", "Compare speed and error of several solvers");
+    add_scene_options(*compare, compare_.file, "comparison");
     add_output(*compare, compare_.output, compare_.threads);
     compare->add_flag("-q,--quiet", compare_.quiet, "print errors only");
     compare->callback([this] {
@@ -174,17 +174,17 @@ class CommandLine {
   }
 
   void add_batch() {
-    CLI::App* batch = app_.add_subcommand("batch", "Run many experiments side by side, and make one table of them");
-    add_scene_options(*batch, batch_.file);
+    CLI::App* batch = app_.add_subcommand("batch", "Run a parameter study: many cases concurrently, with one table of results");
+    add_scene_options(*batch, batch_.file, "batch");
     add_output(*batch, batch_.output, batch_.threads);
-    batch->add_option("--jobs", batch_.jobs, "cases side by side (default: as many as cores allow)")->check(whole_number_above_zero);
-    batch->add_flag("--dry-run", batch_.dry_run, "check all cases, show them and how long they will take");
-    batch->add_flag("--failed", batch_.failed, "run those again that failed");
-    batch->add_option("--only", batch_.only, "run these cases alone, by their names as --dry-run shows them; * is any text")->type_name("CASE");
+    batch->add_option("--jobs", batch_.jobs, "concurrent cases (default: as many as cores allow)")->check(whole_number_above_zero);
+    batch->add_flag("--dry-run", batch_.dry_run, "check and list all cases and estimate the run time");
+    batch->add_flag("--failed", batch_.failed, "repeat the cases that failed");
+    batch->add_option("--only", batch_.only, "run only these cases, by name as shown by --dry-run; * matches any text")->type_name("CASE");
     CLI::Option* slurm = batch->add_flag("--slurm", batch_.slurm, "run the cases as a job array of Slurm");
-    batch->add_flag("--no-wait", batch_.no_wait, "with --slurm: do not wait for the end")->needs(slurm);
-    batch->add_option("--collect", batch_.collect, "make the table of a batch's folder again, and run nothing")->type_name("FOLDER");
-    batch->add_option("--task", batch_.task, "only this case, from 0, of the batch in the folder -o: what a job array runs");
+    batch->add_flag("--no-wait", batch_.no_wait, "with --slurm: submit and exit without waiting")->needs(slurm);
+    batch->add_option("--collect", batch_.collect, "rebuild the table of a batch folder without running anything")->type_name("FOLDER");
+    batch->add_option("--task", batch_.task, "run only this case (index from 0) of the batch in folder -o, as a job array does");
     batch->add_flag("-q,--quiet", batch_.quiet, "print errors only");
     batch->callback([this] {
       if (batch_.task && batch_.output.empty()) throw CLI::RequiredError("--task: -o");
@@ -194,13 +194,13 @@ class CommandLine {
   }
 
   void add_calibrate() {
-    CLI::App* calibrate = app_.add_subcommand("calibrate", "Fit numbers of experiments to measured curves");
-    add_scene_options(*calibrate, calibrate_.file);
+    CLI::App* calibrate = app_.add_subcommand("calibrate", "Fit scene parameters to measured curves");
+    add_scene_options(*calibrate, calibrate_.file, "calibration");
     add_output(*calibrate, calibrate_.output, calibrate_.threads);
-    calibrate->add_option("--jobs", calibrate_.jobs, "runs side by side (default: as many as cores allow)")->check(whole_number_above_zero);
-    calibrate->add_flag("--dry-run", calibrate_.dry_run, "check everything, and say how long it will take");
-    calibrate->add_flag("--failed", calibrate_.failed, "run those again that failed");
-    calibrate->add_flag("--slurm", calibrate_.slurm, "run what is wanted at once as job arrays of Slurm");
+    calibrate->add_option("--jobs", calibrate_.jobs, "concurrent runs (default: as many as cores allow)")->check(whole_number_above_zero);
+    calibrate->add_flag("--dry-run", calibrate_.dry_run, "check everything and estimate the run time");
+    calibrate->add_flag("--failed", calibrate_.failed, "repeat the runs that failed");
+    calibrate->add_flag("--slurm", calibrate_.slurm, "run concurrent evaluations as job arrays of Slurm");
     calibrate->add_flag("-q,--quiet", calibrate_.quiet, "print errors only");
     calibrate->callback([this] {
       settle(calibrate_.file);
@@ -209,51 +209,52 @@ class CommandLine {
   }
 
   void add_plot() {
-    CLI::App* plot = app_.add_subcommand("plot", "Draw pictures (SVG, PNG) of runs, a batch or a comparison");
-    plot->add_option("folder", plot_.folders, "results folders: of runs, or of one batch or comparison")->required()->type_name("FOLDER");
-    plot->add_option("-o,--output", plot_.output, "folder of the pictures (default: plots in the folder; of several, here)")->type_name("FOLDER");
-    CLI::Option* x = plot->add_option("--x", plot_.x, "along the axis: of runs a probe or time, of a batch a column of results.csv");
-    CLI::Option* y = plot->add_option("--y", plot_.y, "what is shown over it")->needs(x);
+    CLI::App* plot = app_.add_subcommand("plot", "Plot runs, a batch or a comparison (SVG, PNG)");
+    plot->add_option("folder", plot_.folders, "results folders of runs, or one folder of a batch or comparison")->required()->type_name("FOLDER");
+    plot->add_option("-o,--output", plot_.output, "folder of the pictures (default: plots in the results folder; for several folders, here)")->type_name("FOLDER");
+    CLI::Option* x = plot->add_option("--x", plot_.x, "x axis: a probe or time for runs, a column of results.csv for a batch");
+    CLI::Option* y = plot->add_option("--y", plot_.y, "y axis: a probe for runs, a column of results.csv for a batch")->needs(x);
     x->needs(y);
-    plot->add_option("--by", plot_.by, "of a batch: a curve for each value of this column (repeatable; default: all else that varies)")
+    plot->add_option("--by", plot_.by, "for a batch: one curve per value of this column (repeatable; default: all other columns that vary)")
         ->take_all()->allow_extra_args(false)->needs(x);
-    plot->add_flag("--log-x", plot_.log_x, "a logarithmic axis")->needs(x);
-    plot->add_option("--x-range", plot_.x_range, "from and to what is shown, in SI")->expected(2)->needs(x);
-    plot->add_option("--data", plot_.data, "a file (CSV, with units) with columns of the same names, drawn as marks (repeatable)")
+    plot->add_flag("--log-x", plot_.log_x, "logarithmic axis")->needs(x);
+    plot->add_option("--x-range", plot_.x_range, "smallest and largest x shown, in SI")->expected(2)->needs(x);
+    plot->add_option("--data", plot_.data, "file (CSV, with units) with columns of the same names, drawn as marks (repeatable)")
         ->type_name("CSV")->take_all()->allow_extra_args(false)->needs(x);
-    plot->add_flag("--log-y", plot_.log_y, "a logarithmic axis")->needs(x);
-    plot->add_option("--style", plot_.style, "a file (YAML) with size on paper, fonts, labels, colours; PDF as well")->type_name("YAML");
+    plot->add_flag("--log-y", plot_.log_y, "logarithmic axis")->needs(x);
+    plot->add_option("--style", plot_.style, "file (YAML) with paper size, fonts, labels, colours, or PDF as an additional format")->type_name("YAML");
     plot->add_option("--set", plot_.overrides, "override keys of the style: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
     plot->callback([this] { exit_code_ = plot_command(plot_); });
   }
 
   void add_report() {
-    CLI::App* report = app_.add_subcommand("report", "Make one HTML file of a run, several runs, a comparison or a batch: charts, tables, 3D view");
-    report->add_option("folder", report_.folders, "results folders: of runs, or of one comparison or batch")->required()->type_name("FOLDER");
-    report->add_option("-o,--output", report_.output, "the file to write (default: report.html in the folder; of several, here)")->type_name("FILE");
-    report->add_option("--frames", report_.frames, "frames to keep (default: 200, fewer of large meshes)")->check(whole_number_above_zero);
-    report->add_option("--case", report_.cases, "of a batch: a case whose run is shown as well (repeatable)")
+    CLI::App* report = app_.add_subcommand("report", "Write one HTML report of runs, a comparison or a batch: charts, tables, 3D view");
+    report->add_option("folder", report_.folders, "results folders of runs, or one folder of a comparison or batch")->required()->type_name("FOLDER");
+    report->add_option("-o,--output", report_.output, "file to write (default: report.html in the results folder; for several folders, here)")->type_name("FILE");
+    report->add_option("--frames", report_.frames, "number of frames to keep (default: 200, fewer for large meshes)")->check(whole_number_above_zero);
+    report->add_option("--case", report_.cases, "for a batch: also show the run of this case (repeatable)")
         ->take_all()->allow_extra_args(false);
     report->callback([this] { exit_code_ = report_command(report_); });
   }
 
   void add_render() {
-    CLI::App* render = app_.add_subcommand("render", "Draw a picture (PNG) or a film (MP4, GIF) of runs, side by side, with shadows");
+    CLI::App* render = app_.add_subcommand("render", "Render runs side by side to a picture (PNG) or a film (MP4, GIF)");
     render->add_option("folder", render_.folders, "results folders of runs")->required()->type_name("FOLDER");
-    render->add_option("-o,--output", render_.output, "the file: its ending says what it is")->type_name("PICTURE")->capture_default_str();
-    render->add_option("--view", render_.view, "a file (YAML) with size, camera, looks of objects, colours by a field")->type_name("YAML");
+    render->add_option("-o,--output", render_.output, "output file; its extension selects the format")->type_name("PICTURE")->capture_default_str();
+    render->add_option("--view", render_.view, "file (YAML) with size, camera, materials of objects, colours by a field")->type_name("YAML");
     render->add_option("--set", render_.overrides, "override keys of the view: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
     render->add_flag("-q,--quiet", render_.quiet, "print errors only");
     render->callback([this] { exit_code_ = render_command(render_); });
   }
 
   void add_check() {
-    CLI::App* check = app_.add_subcommand("check", "Validate an experiment without running it");
+    CLI::App* check = app_.add_subcommand("check", "Validate a scene and its derivatives without running it");
     add_scene_options(*check, check_);
     check->add_option("--gradient", check_.gradient,
-                      "PROBE:KEY: run it, and compare the derivative of a column of probes.csv by a number of the scene with differences of whole runs");
-    check->add_option("--gradient-step", check_.gradient_step, "of those differences, relative (default: 1e-4)")->check(number_above_zero);
-    check->add_option("--threads", check_.threads, "of those runs (default: all cores)")->check(whole_number_above_zero);
+                      "PROBE:KEY: run the scene and compare the sensitivity of a column of probes.csv to a scene parameter with finite differences "
+                      "of whole runs");
+    check->add_option("--gradient-step", check_.gradient_step, "relative increment of those differences (default: 1e-4)")->check(number_above_zero);
+    check->add_option("--threads", check_.threads, "threads of those runs (default: all cores)")->check(whole_number_above_zero);
     check->callback([this] {
       settle(check_);
       exit_code_ = check_command(check_);
@@ -261,16 +262,16 @@ class CommandLine {
   }
 
   void add_list() {
-    CLI::App* list = app_.add_subcommand("list", "List what a scene file may name");
-    list->add_option("kind", list_.kind, "energy, adhesion, minimizer, ...");
-    list->add_option("name", list_.name, "a component, for its parameters");
+    CLI::App* list = app_.add_subcommand("list", "List the kinds and components that a scene may name, with their parameters");
+    list->add_option("kind", list_.kind, "kind (energy, adhesion, minimizer, ...), or name of a component");
+    list->add_option("name", list_.name, "component, to list its parameters");
     list->add_option("--reference", list_.reference, "write the reference (Markdown): a page per kind into a folder, or one page if the path ends in .md")->type_name("FOLDER");
-    list->add_option("--schema", list_.schema, "write the JSON schema for editors to a file")->type_name("FILE");
-    list->add_option("--compare-schema", list_.compare_schema, "the same for the files of `tack compare`")->type_name("FILE");
-    list->add_option("--batch-schema", list_.batch_schema, "the same for the files of `tack batch`")->type_name("FILE");
-    list->add_option("--calibrate-schema", list_.calibrate_schema, "the same for the files of `tack calibrate`")->type_name("FILE");
-    list->add_option("--plot-schema", list_.plot_schema, "the same for the files of `tack plot --style`")->type_name("FILE");
-    list->add_option("--plugin", list_.plugins, "list (and describe) what a plugin adds as well (repeatable)")
+    list->add_option("--schema", list_.schema, "write the JSON schema of scenes (for editors) to a file")->type_name("FILE");
+    list->add_option("--compare-schema", list_.compare_schema, "write the JSON schema of files of `tack compare` to a file")->type_name("FILE");
+    list->add_option("--batch-schema", list_.batch_schema, "write the JSON schema of files of `tack batch` to a file")->type_name("FILE");
+    list->add_option("--calibrate-schema", list_.calibrate_schema, "write the JSON schema of files of `tack calibrate` to a file")->type_name("FILE");
+    list->add_option("--plot-schema", list_.plot_schema, "write the JSON schema of files of `tack plot --style` to a file")->type_name("FILE");
+    list->add_option("--plugin", list_.plugins, "also list the components of this plugin (repeatable)")
         ->type_name("LIBRARY")->take_all()->allow_extra_args(false);
     list->add_option("--man", man_, "write the manual page (roff, for man) to a file")->type_name("FILE");
     list->callback([this] {
@@ -280,36 +281,39 @@ class CommandLine {
   }
 
   void add_law() {
-    CLI::App* law = app_.add_subcommand("law", "Show adhesion laws by themselves: curves, figures, what they ask of a scene, checks");
+    CLI::App* law = app_.add_subcommand("law", "Show an adhesion law: curves, key quantities, recommended mesh and time step, checks");
     law->add_option("words", law_.words,
-                    "a scene, for the laws of its pairs, or the file of an adhesion (type: ..., as below `adhesion:`); and keys of it, or of --type: "
-                    "work_of_adhesion=1J/m^2")->type_name("YAML");
-    law->add_option("--type", law_.type, "a registered law instead of a file: ./tack list adhesion");
-    law->add_option("--set", law_.words, "the same as keys without it: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
+                    "scene (for the laws of its pairs) or file with an adhesion law (type: ..., as below "
+                    "`adhesion:`); and keys of the law or of --type: work_of_adhesion=1J/m^2")->type_name("YAML");
+    law->add_option("--type", law_.type, "registered law instead of a file: ./tack list adhesion");
+    law->add_option("--set", law_.words, "override keys of the law, as without --set: a.b=c (one or more; repeatable)")->take_all()->allow_extra_args(true);
     law->add_option("-o,--output", law_.output, "folder for pictures (SVG, PNG) and tables (CSV)")->type_name("FOLDER");
     law->add_option("--young", law_.young, "Young's modulus of the softer side, '10 MPa', for the process zone and the barrier");
-    law->add_option("--speed", law_.speed, "at which surfaces part, '1 mm/s', for the time step and the rate");
-    law->add_option("--pressure", law_.pressure, "under which bonds heal (default: the peak traction)");
-    law->add_option("--contact-distance", law_.contact_distance, "of the barrier (default: 1 mm, or less if the law pulls most below)");
-    law->add_option("--barrier-stiffness", law_.barrier_stiffness, "of the barrier (default: as in scenes)");
-    law->add_option("--plugin", law_.plugins, "a library with laws of your own (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
+    law->add_option("--speed", law_.speed, "separation speed, '1 mm/s', for the time step and the rate");
+    law->add_option("--pressure", law_.pressure, "pressure under which bonds heal (default: the peak traction)");
+    law->add_option("--contact-distance", law_.contact_distance, "contact distance of the barrier (default: 1 mm, or less if the law peaks below)");
+    law->add_option("--barrier-stiffness", law_.barrier_stiffness, "stiffness of the barrier (default: as in scenes)");
+    law->add_option("--plugin", law_.plugins, "plugin library with custom laws (repeatable)")->type_name("LIBRARY")->take_all()->allow_extra_args(false);
     law->callback([this] { exit_code_ = law_command(law_); });
   }
 
   void add_mesh() {
-    CLI::App* mesh = app_.add_subcommand("mesh", "Look at mesh files and change them (convert, scale, repair, remesh, fill with tets, unite, ...), make them of level sets");
+    CLI::App* mesh = app_.add_subcommand("mesh", "Inspect, convert and process mesh files (scale, repair, remesh, tetrahedralize, unite, ...), or "
+                                                 "mesh level sets");
     mesh->add_option("operation", mesh_.operation,
-                     "info; convert, to another format; an operation: ./tack list mesh_operation; or sdf, the surface of a level set: ./tack list level_set")->required();
+                     "info; convert (to another format); sdf (mesh of a level set: ./tack list level_set); or an operation: ./tack list "
+                     "mesh_operation")->required();
     mesh->add_option("words", mesh_.words,
-                     "the mesh file (obj, ply, stl, off, glb, gltf, msh, vtk or vtu), for union, difference and intersection another one, and "
-                     "parameters of the operation: edge_length=5mm; for sdf a YAML file with `of` and `voxel`, and overrides of its keys")->type_name("MESH");
-    mesh->add_option("-o,--output", mesh_.output, "the mesh file to write")->type_name("MESH");
-    mesh->add_option("--object", mesh_.object, "for sdf: the file is an experiment, and this the object whose shape is written");
+                     "mesh file (obj, ply, stl, off, glb, gltf, msh, vtk or vtu), a second one for union, difference "
+                     "and intersection, and parameters of the operation: edge_length=5mm; for sdf a YAML file with "
+                     "`of` and `voxel`, and overrides of its keys")->type_name("MESH");
+    mesh->add_option("-o,--output", mesh_.output, "mesh file to write")->type_name("MESH");
+    mesh->add_option("--object", mesh_.object, "for sdf with a scene file: the object whose shape is written");
     mesh->callback([this] { exit_code_ = mesh_command(mesh_); });
   }
 
   void add_completion() {
-    CLI::App* completion = app_.add_subcommand("completion", "Print a script with which a shell completes commands, options and files");
+    CLI::App* completion = app_.add_subcommand("completion", "Print a completion script for a shell: commands, options and files");
     completion->add_option("shell", shell_, "bash, zsh or fish: source <(tack completion bash)")->required();
     completion->callback([this] { fmt::print("{}", completion_script(described(), shell_)); });
   }

@@ -24,42 +24,42 @@ std::string twice(const std::vector<T>& list, const char* what, const Name& name
 }  // namespace
 
 void BatchBase::fields(Fields& f) {
-  f.text("name", name, "what tables call it; the file's name unless given").line();
+  f.text("name", name, "name in tables; the file's name unless given").line();
   f.path("file", file, "an experiment").required();
   f.texts("set", set, "overrides of this one, as `time.step=1 ms`");
 }
 
 void BatchStatistic::fields(Fields& f) {
-  f.text("name", name, "the column of results.csv; made from the rest if empty").line();
+  f.text("name", name, "column of results.csv; made from the other keys if empty").line();
   SpecifiedStatistic::fields(f);
 }
 
 std::string BatchStatistic::column() const { return name.empty() ? description(resolved()) : name; }
 
 void SlurmConfig::fields(Fields& f) {
-  f.text("partition", partition, "where to run; the cluster's own unless given").line();
-  f.text("account", account, "who pays").line();
-  f.number("time", time, units::time, "limit of a case; it is sent SIGTERM a minute before").positive();
-  f.integer("at_once", at_once, "cases at the same time; 0: as many as there is room for").at_least(0);
-  f.texts("options", options, "further ones of sbatch, as `--constraint=fast`").line();
+  f.text("partition", partition, "partition; the cluster's default unless given").line();
+  f.text("account", account, "account that is charged").line();
+  f.number("time", time, units::time, "time limit of a case; SIGTERM is sent a minute before").positive();
+  f.integer("at_once", at_once, "largest number of concurrent cases; 0: no limit").at_least(0);
+  f.texts("options", options, "further options of sbatch, as `--constraint=fast`").line();
 }
 
 void BatchConfig::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required().line();
-  f.text("about", about, "what the batch is to show");
-  f.path("base", base, "the experiment that is varied");
-  f.list("bases", bases, "or several, each of which is varied");
+  f.text("name", name, "name of the results folder").required().line();
+  f.text("about", about, "purpose of the batch");
+  f.path("base", base, "the scene that is varied");
+  f.list("bases", bases, "several scenes, each of which is varied");
   f.texts("set", set, "overrides of all cases, as `output.frames=false`");
-  f.component_list("vary", vary, "what varies; with several entries, all combinations of them");
+  f.component_list("vary", vary, "variations; with several entries, all combinations of them");
   f.list("statistics", statistics,
-         "numbers of probes that results.csv has a column of; without any, final, min and max of all probes");
-  f.list("plots", plots, "pictures that `tack plot` draws of it besides its own");
-  f.integer("threads", threads, "of a case").at_least(1);
-  f.integer("jobs", jobs, "cases side by side; 0: as many as there are cores for").at_least(0);
+         "statistics of probes, one column of results.csv each; without any, final, min and max of all probes");
+  f.list("plots", plots, "pictures that `tack plot` draws in addition to its own");
+  f.integer("threads", threads, "threads per case").at_least(1);
+  f.integer("jobs", jobs, "concurrent cases; 0: as many as cores allow").at_least(0);
   f.optional_number("memory", memory, units::none,
-                    "GB that a case may take; one that asks for more fails. Without it, none is started while memory is short").positive();
-  f.optional_number("time_limit", time_limit, units::time, "wall time of a case; then it is ended, and counts as failed").positive();
-  f.object("slurm", slurm, "what `--slurm` asks for");
+                    "memory limit of a case in GB; a case that needs more fails. Without it, no case starts while memory is short").positive();
+  f.optional_number("time_limit", time_limit, units::time, "wall time of a case, after which it is stopped and counts as failed").positive();
+  f.object("slurm", slurm, "resources that `--slurm` requests");
   f.check("base", [this]() -> std::string {
     if (base.empty() && bases.empty()) return "give an experiment (base), or several (bases)";
     if (!base.empty() && !bases.empty()) return "either base or bases, not both";

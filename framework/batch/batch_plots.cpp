@@ -13,28 +13,28 @@
 namespace tack {
 
 void BatchPlot::CurveOf::fields(Fields& f) {
-  f.text("base", base, "whose runs").required();
+  f.text("base", base, "base whose runs are drawn").required();
   f.text("x", x, "a probe, `time`, or another column of steps.csv");
-  f.text("y", y, "likewise").required();
-  f.text("title", title, "what the picture calls it; the case and `y` unless given").line();
+  f.text("y", y, "a probe, `time`, or another column of steps.csv").required();
+  f.text("title", title, "name in the picture; the case and `y` unless given").line();
 }
 
 void BatchPlot::Published::fields(Fields& f) {
-  f.text("base", base, "beside whose bar").required();
-  f.number("value", value, units::none, "what was published");
+  f.text("base", base, "base beside whose bar it is drawn").required();
+  f.number("value", value, units::none, "published value");
 }
 
 void BatchPlot::fields(Fields& f) {
-  f.text("name", name, "of the picture's file").required().line();
-  f.text("title", title, "above the picture").line();
-  f.text("x_label", x_label, "along the axis of curves; the first one's `x` unless given").line();
-  f.text("y_label", y_label, "the first one's `y`, or `bars`, unless given").line();
-  f.list("curves", curves, "of runs, over each other");
+  f.text("name", name, "name of the picture's file").required().line();
+  f.text("title", title, "title above the picture").line();
+  f.text("x_label", x_label, "label of the x axis of curves; the first one's `x` unless given").line();
+  f.text("y_label", y_label, "label of the y axis; the first one's `y`, or `bars`, unless given").line();
+  f.list("curves", curves, "curves of runs in one picture");
   f.text("bars", bars, "instead of curves: a bar per case, of this column of results.csv");
-  f.text("per", per, "and of this one: `newton_iterations` per `steps`");
-  f.texts("bases", bases, "whose cases have a bar; all unless given");
-  f.list("published", published, "numbers that stand beside them");
-  f.text("source", source, "who published them").line();
+  f.text("per", per, "divides the bars by this column: `newton_iterations` per `steps`");
+  f.texts("bases", bases, "bases whose cases have a bar; all unless given");
+  f.list("published", published, "published numbers, drawn beside the bars");
+  f.text("source", source, "source of the published numbers").line();
   f.check("name", [this]() -> std::string {
     if (curves.empty() == bars.empty()) return "give either curves or bars";
     if (!curves.empty() && !(per.empty() && bases.empty() && published.empty())) return "per, bases and published are for bars";

@@ -32,7 +32,7 @@ Variant joined(const Variant& a, const Variant& b);
 class Variation : public Component {
  public:
   static constexpr const char* kind_name = "variation";
-  static constexpr const char* kind_doc = "What varies in a batch: keys of the experiment and their values.";
+  static constexpr const char* kind_doc = "Scene keys that vary in a batch, and their values.";
 
   // At least one. Throws InputError with its place in the file.
   virtual std::vector<Variant> variants() const = 0;

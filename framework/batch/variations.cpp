@@ -26,7 +26,7 @@ Variant variant_of(const VariedKey& key, const Value& value) {
 
 class GridVariation : public Variation {
  public:
-  void fields(Fields& f) override { f.raw("keys", keys_, "keys of the experiment, each with a list of values").required(); }
+  void fields(Fields& f) override { f.raw("keys", keys_, "scene keys, each with a list of values").required(); }
   std::vector<Variant> variants() const override {
     std::vector<Variant> all{{}};
     for (const VariedKey& key : keys_with_values(keys_)) {
@@ -50,7 +50,7 @@ class GridVariation : public Variation {
 class ZipVariation : public Variation {
  public:
   void fields(Fields& f) override {
-    f.raw("keys", keys_, "keys of the experiment, each with a list of as many values").required();
+    f.raw("keys", keys_, "scene keys, each with a list of values; all lists have equal lengths").required();
   }
   std::vector<Variant> variants() const override {
     const std::vector<VariedKey> keys = keys_with_values(keys_);
@@ -72,16 +72,16 @@ struct NamedSettings {
   std::string name;
   Value set;
   void fields(Fields& f) {
-    f.text("name", name, "what tables call it").required().line();
-    f.raw("set", set, "keys of the experiment with their values");
+    f.text("name", name, "name in tables").required().line();
+    f.raw("set", set, "scene keys with their values");
   }
 };
 
 class CasesVariation : public Variation {
  public:
   void fields(Fields& f) override {
-    f.list("cases", cases_, "one after the other").required().nonempty();
-    f.text("as", column_, "heading of their names in tables").line();
+    f.list("cases", cases_, "cases, in order").required().nonempty();
+    f.text("as", column_, "heading of the names in tables").line();
   }
   std::vector<Variant> variants() const override {
     std::vector<Variant> all;
@@ -104,8 +104,8 @@ class CasesVariation : public Variation {
 class SampledVariation : public Variation {
  public:
   void fields(Fields& f) override {
-    f.raw("keys", keys_, "keys of the experiment, each with a range: {from: 1 kPa, to: 1 MPa, scale: log}").required();
-    f.integer("samples", samples_, "how many").required().at_least(1);
+    f.raw("keys", keys_, "scene keys, each with a range: {from: 1 kPa, to: 1 MPa, scale: log}").required();
+    f.integer("samples", samples_, "number of samples").required().at_least(1);
   }
   std::vector<Variant> variants() const final {
     const std::vector<VariedKey> keys = keys_with_ranges(keys_);
@@ -132,7 +132,7 @@ class LatinHypercubeVariation : public SampledVariation {
  public:
   void fields(Fields& f) override {
     SampledVariation::fields(f);
-    f.integer("seed", seed_, "other samples for another one");
+    f.integer("seed", seed_, "random seed");
   }
 
  protected:
@@ -167,8 +167,8 @@ class SobolVariation : public SampledVariation {
 class RepeatVariation : public Variation {
  public:
   void fields(Fields& f) override {
-    f.integer("count", count_, "how often").required().at_least(1);
-    f.texts("keys", keys_, "seeds of the experiment that take the numbers of the repeats; without any, all repeats are alike");
+    f.integer("count", count_, "number of repeats").required().at_least(1);
+    f.texts("keys", keys_, "scene keys of seeds that take the numbers of the repeats; without any, all repeats are equal");
     f.integer("first", first_, "number of the first one");
     f.text("as", column_, "heading of the numbers in tables").line();
   }
@@ -197,11 +197,11 @@ TACK_REGISTER(Variation, GridVariation, "grid", "All combinations of the values 
 TACK_REGISTER(Variation, ZipVariation, "zip", "The first value of each key, then the second of each, and so on.", "");
 TACK_REGISTER(Variation, CasesVariation, "cases", "A list of named sets of keys.", "");
 TACK_REGISTER(Variation, LatinHypercubeVariation, "latin_hypercube",
-              "Random samples of ranges, one in each of as many equal parts of every range.", "McKay, Beckman and Conover 1979");
+              "Latin hypercube: random samples, one in each of as many equal intervals of every range.", "McKay, Beckman and Conover 1979");
 TACK_REGISTER(Variation, SobolVariation, "sobol",
-              "Samples of ranges that fill them evenly; more samples keep those that are there. At best a power of two.",
+              "Sobol sequence: samples that fill the ranges evenly; more samples extend the existing ones. Powers of two are best.",
               "Sobol 1967; Joe and Kuo 2008");
-TACK_REGISTER(Variation, RepeatVariation, "repeat", "The same several times over, with other seeds.", "");
+TACK_REGISTER(Variation, RepeatVariation, "repeat", "Repeats with different seeds.", "");
 
 }  // namespace
 }  // namespace tack

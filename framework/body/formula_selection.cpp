@@ -14,7 +14,7 @@ const std::vector<std::string> place_variables = {"x", "y", "z"};
 class FormulaSelection : public Selection {
  public:
   void fields(Fields& f) override {
-    f.text("where", where_, "what holds of the chosen ones: a formula of their place at rest, x, y, z [m], that is not 0 there: abs(x) > 0.1 || y > 0.2").required().formula(place_variables);
+    f.text("where", where_, "condition, not 0 for selected vertices: a formula of the rest position x, y, z [m]: abs(x) > 0.1 || y > 0.2").required().formula(place_variables);
     f.check("where", [this]() -> std::string {
       try {
         Formula(where_, place_variables);
@@ -38,7 +38,7 @@ class FormulaSelection : public Selection {
   std::string where_;
 };
 
-TACK_REGISTER(Selection, FormulaSelection, "formula", "Vertices at which a formula of their place at rest holds.", "");
+TACK_REGISTER(Selection, FormulaSelection, "formula", "Vertices whose rest position fulfils a formula.", "");
 
 }  // namespace
 }  // namespace tack

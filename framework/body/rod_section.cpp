@@ -30,11 +30,11 @@ double RodSection::torsion_constant() const {
 double RodSection::radius_of_gyration() const { return std::sqrt((moment_across() + moment_along()) / area()); }
 
 void RodConfig::fields(Fields& f) {
-  f.optional_number("radius", radius, units::length, "of a circular section; or give width, height and normal").positive();
-  f.optional_number("width", width, units::length, "of a rectangular section, across normal and edge").positive();
-  f.optional_number("height", height, units::length, "of a rectangular section, along the part of normal that is across the edge")
+  f.optional_number("radius", radius, units::length, "radius of a circular cross-section; or give width, height and normal").positive();
+  f.optional_number("width", width, units::length, "width of a rectangular cross-section, perpendicular to normal and edge").positive();
+  f.optional_number("height", height, units::length, "height of a rectangular cross-section, along the component of normal perpendicular to the edge")
       .positive();
-  f.optional_vector("normal", normal, units::none, "where the height of a rectangular section points");
+  f.optional_vector("normal", normal, units::none, "direction of the height of a rectangular cross-section");
   f.check("radius", [this]() -> std::string {
     const bool rectangle = width && height && normal, any = width || height || normal;
     return radius.has_value() != any && any == rectangle ? "" : "give either radius, or width, height and normal";
@@ -48,7 +48,7 @@ RodSection RodConfig::section() const {
 }
 
 void ParticleConfig::fields(Fields& f) {
-  f.number("radius", radius, units::length, "of the sphere around each point").required().positive();
+  f.number("radius", radius, units::length, "radius of the sphere around each point").required().positive();
 }
 
 }  // namespace tack

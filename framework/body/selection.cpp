@@ -70,7 +70,7 @@ class PlaneSelection : public Selection {
  public:
   void fields(Fields& f) override {
     f.vector("point", point_, units::length, "a point of the plane");
-    f.vector("normal", normal_, units::none, "towards the chosen side").required();
+    f.vector("normal", normal_, units::none, "normal of the plane, towards the selected side").required();
     f.check("normal", [this]() -> std::string {
       return normal_.norm() > 0 ? "" : "must not be zero";
     });

@@ -23,7 +23,7 @@ class WarpedShape : public ShapeSource {
   void fields(Fields& f) override {
     f.component("of", of_, "the mesh that is moved").required();
     for (int i = 0; i < 3; ++i) {
-      f.text(warped_variables[i], text_[i], "where a vertex goes along " + warped_variables[i] + " [m]: a formula of where it was, x, y, z [m]").formula(warped_variables);
+      f.text(warped_variables[i], text_[i], "new position along " + warped_variables[i] + " [m]: a formula of the old position x, y, z [m]").formula(warped_variables);
       f.check(warped_variables[i], [this, i]() -> std::string {
         try {
           Formula(text_[i], warped_variables);
@@ -57,7 +57,7 @@ class WarpedShape : public ShapeSource {
   std::array<std::string, 3> text_ = {"x", "y", "z"};
 };
 
-TACK_REGISTER(ShapeSource, WarpedShape, "warped", "Another shape, each vertex of which goes where formulas of its place say.", "");
+TACK_REGISTER(ShapeSource, WarpedShape, "warped", "Another shape whose vertices are moved by formulas of their position.", "");
 
 }  // namespace
 }  // namespace tack

@@ -27,8 +27,8 @@ class BondIntensity : public PublishedField {};
 class BondTraction : public PublishedField {
   const char* unit() const override { return "Pa"; }
 };
-TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "Of bonds: 1 where all are whole; not a number where there are none.", "");
-TACK_REGISTER(PublishedField, BondTraction, "bond_traction", "Magnitude of the force of bonds per area.", "");
+TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "Mean intensity of bonds: 1 if all are intact; not a number without bonds.", "");
+TACK_REGISTER(PublishedField, BondTraction, "bond_traction", "Magnitude of the bond force per area.", "");
 
 }  // namespace
 

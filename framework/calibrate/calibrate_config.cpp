@@ -39,58 +39,58 @@ std::string check_range(const FitConfig& f) {
 }  // namespace
 
 void MeasuredExperiment::fields(Fields& f) {
-  f.text("name", name, "what tables call it; as the file of its data unless given").line();
+  f.text("name", name, "name in tables; as the file of its data unless given").line();
   f.path("base", base, "an experiment").required();
   f.texts("set", set, "overrides of it, as `output.frame_interval=1 s`");
   f.path("data", data, "the measured curve: text in columns (CSV) with a line of names and units, `gap [mm], force [N]`").required();
-  f.text("x", x, "what it was measured over: a probe of the experiment, or time").line();
-  f.text("y", y, "what was measured: a probe of the experiment").required().line();
-  f.text("x_column", x_column, "what the data call their abscissa; as x unless given").line();
-  f.text("y_column", y_column, "what the data call their measured numbers; as y unless given").line();
-  f.optional_quantity("from", from, "least abscissa that counts; the file's unless given");
+  f.text("x", x, "abscissa: a probe of the scene, or time").line();
+  f.text("y", y, "ordinate: a probe of the scene").required().line();
+  f.text("x_column", x_column, "column of the abscissa in the data; as x unless given").line();
+  f.text("y_column", y_column, "column of the measured values in the data; as y unless given").line();
+  f.optional_quantity("from", from, "smallest abscissa that counts; the file's unless given");
   f.optional_quantity("to", to, "largest abscissa that counts; the file's unless given");
-  f.raw("noise", noise, "standard deviation of a measured number: a part of the largest, as 2%, or in their unit. Unless given, it is taken from what the "
-                        "fit leaves");
-  f.number("weight", weight, units::none, "how often each of its points counts").positive();
+  f.raw("noise", noise, "standard deviation of a measured value: a fraction of the largest, as 2%, or in its unit. "
+                        "Estimated from the residual of the fit unless given");
+  f.number("weight", weight, units::none, "weight of each of its points").positive();
 }
 
 void FitConfig::fields(Fields& f) {
-  f.optional_quantity("from", from, "least value").required();
-  f.optional_quantity("to", to, "largest value").required();
-  f.optional_quantity("start", start, "a guess, which is tried first; the middle unless given");
+  f.optional_quantity("from", from, "lower bound").required();
+  f.optional_quantity("to", to, "upper bound").required();
+  f.optional_quantity("start", start, "initial guess, evaluated first; the middle unless given");
   f.choice("scale", scale,
            {{"automatic", FitScale::automatic, "logarithmic if from is above zero"},
             {"log", FitScale::log, "ratios count: 1 and 2 are as far apart as 10 and 20"},
             {"linear", FitScale::linear, "differences count"}},
-           "how values are spread over the range");
-  f.text("as", as, "what tables call it; the last part of the key unless given").line();
-  f.raw("keys", keys, "keys that take the value, instead of the one that this stands under: one, a list, or one or a list by the name of the experiment");
+           "scale of the range");
+  f.text("as", as, "name in tables; the last element of the key unless given").line();
+  f.raw("keys", keys, "scene keys that take the value, instead of the entry's own: a key, a list, or a map of keys or lists by name of the experiment");
   f.check("from", [this] { return check_range(*this); });
 }
 
 void SearchConfig::fields(Fields& f) {
-  f.integer("design", design, "points that fill the ranges evenly (Sobol), to begin with; 0: 32 for each number").at_least(0);
-  f.integer("chains", chains, "local searches (BOBYQA), each from one of the best points").at_least(0);
-  f.integer("evaluations", evaluations, "most points of design and chains together; 0: as many as it takes").at_least(0);
-  f.flag("polish", polish, "end with Gauss-Newton steps (Levenberg-Marquardt)");
-  f.flag("gradients", gradients, "take derivatives that runs give themselves where they do (output.gradients), instead of differences");
-  f.number("step", step, units::none, "first step of a chain, in logarithms; of a linear scale, in thirds of the range").positive().at_most(1);
-  f.number("difference", difference, units::none, "of values whose runs are compared for derivatives, likewise").positive().at_most(0.5);
-  f.number("tolerance", tolerance, units::none, "of values at the end of a chain, likewise").positive().at_most(0.1);
+  f.integer("design", design, "evaluations of the initial design (Sobol sequence); 0: 32 per parameter").at_least(0);
+  f.integer("chains", chains, "multistart: local searches (BOBYQA), each from one of the best evaluations").at_least(0);
+  f.integer("evaluations", evaluations, "largest number of evaluations of design and chains together; 0: no limit").at_least(0);
+  f.flag("polish", polish, "local refinement at the end: Gauss-Newton steps (Levenberg-Marquardt)");
+  f.flag("gradients", gradients, "use analytic sensitivities of the runs (output.gradients) where available, instead of finite differences");
+  f.number("step", step, units::none, "first step of a local search, in logarithms; on a linear scale, in thirds of the range").positive().at_most(1);
+  f.number("difference", difference, units::none, "increment of finite differences, on the scale of `step`").positive().at_most(0.5);
+  f.number("tolerance", tolerance, units::none, "parameter tolerance at the end of a local search, on the scale of `step`").positive().at_most(0.1);
 }
 
 void CalibrateConfig::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required().line();
-  f.text("about", about, "what the calibration is for");
-  f.list("experiments", experiments, "scenes, each with a measured curve").required().nonempty();
+  f.text("name", name, "name of the results folder").required().line();
+  f.text("about", about, "purpose of the calibration");
+  f.list("experiments", experiments, "experiments: scenes, each with a measured curve").required().nonempty();
   f.texts("set", set, "overrides of all experiments, as `time.step=1 ms`");
-  f.map("fit", fit, "the numbers that are fitted, by their keys").required();
-  f.object("search", search, "how they are searched for");
-  f.integer("threads", threads, "of a run").at_least(1);
-  f.integer("jobs", jobs, "runs side by side; 0: as many as there are cores for").at_least(0);
-  f.optional_number("memory", memory, units::none, "GB that a run may take; one that asks for more fails").positive();
-  f.optional_number("time_limit", time_limit, units::time, "wall time of a run; then it is ended, and counts as failed").positive();
-  f.object("slurm", slurm, "what `--slurm` asks for");
+  f.map("fit", fit, "fitted parameters, by scene key").required();
+  f.object("search", search, "settings of the search");
+  f.integer("threads", threads, "threads per run").at_least(1);
+  f.integer("jobs", jobs, "concurrent runs; 0: as many as cores allow").at_least(0);
+  f.optional_number("memory", memory, units::none, "memory limit of a run in GB; a run that needs more fails").positive();
+  f.optional_number("time_limit", time_limit, units::time, "wall time of a run, after which it is stopped and counts as failed").positive();
+  f.object("slurm", slurm, "resources that `--slurm` requests");
   f.check("experiments", [this] { return check_names(experiments); });
   f.check("experiments", [this] { return check_noise(experiments); });
   f.check("fit", [this]() -> std::string { return fit.empty() ? "name at least one number: a key of the experiments with its range" : ""; });

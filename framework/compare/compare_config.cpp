@@ -13,10 +13,10 @@
 namespace tack {
 
 void SolverEntry::fields(Fields& f) {
-  f.text("name", name, "what tables and plots call it").required().line();
-  f.raw("solver", solver, "laid over the scene's solver block; another `type` replaces it");
-  f.raw("stepper", stepper, "laid over the scene's time.stepper; another `type` replaces it");
-  f.raw("time", time, "laid over the scene's time: another integrator, or steps that adapt. With a `step` it is solved with that instead of time_steps");
+  f.text("name", name, "name in tables and plots").required().line();
+  f.raw("solver", solver, "merged over the scene's solver; another `type` replaces it");
+  f.raw("stepper", stepper, "merged over the scene's time.stepper; another `type` replaces it");
+  f.raw("time", time, "merged over the scene's time: another integrator, or adaptive steps. A `step` given here replaces time_steps");
   f.check("solver", [this]() -> std::string {
     return solver.is_null() && stepper.is_null() && time.is_null() ? "give what is compared: a solver, a stepper, a time, or several of them" : "";
   });
@@ -35,32 +35,32 @@ std::optional<double> SolverEntry::own_step() const {
 }
 
 void BaseEntry::fields(Fields& f) {
-  f.text("name", name, "what tables call it; the experiment's own name unless given").line();
+  f.text("name", name, "name in tables; the scene's own name unless given").line();
   f.path("file", file, "the experiment").required();
   f.texts("set", set, "overrides, as `time.step=1 ms`");
-  f.integer("steps", steps, "in its own time step; 0: to its end").at_least(0);
+  f.integer("steps", steps, "number of its own time steps; 0: to its end").at_least(0);
 }
 
 void CompareConfig::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required().line();
-  f.text("about", about, "what the comparison is to show");
+  f.text("name", name, "name of the results folder").required().line();
+  f.text("about", about, "purpose of the comparison");
   f.paths("plugins", plugins, plugins_doc);
-  f.path("base", base, "an experiment, solved from its start");
+  f.path("base", base, "a scene, solved from its start");
   f.texts("set", set, "overrides of the base, as `time.step=1 ms`");
-  f.list("bases", bases, "several experiments, each with overrides and steps of its own");
-  f.paths("problems", problems, "files of `tack run --dump-problem`, a step each");
-  f.list("solvers", solvers, "what is compared").required().nonempty();
-  f.numbers("tolerances", tolerances, units::velocity, "each solver's `tolerance`, one after the other")
+  f.list("bases", bases, "several scenes, each with its own overrides and steps");
+  f.paths("problems", problems, "files of `tack run --dump-problem`, one step each");
+  f.list("solvers", solvers, "solvers that are compared").required().nonempty();
+  f.numbers("tolerances", tolerances, units::velocity, "values of each solver's `tolerance`, in turn")
       .required().nonempty().positive();
   f.numbers("time_steps", time_steps, units::time,
             "time steps to solve with; the scene's own unless given. A run's end stays where it is").positive();
-  f.integer("steps", steps, "steps of the base, in its own time step; 0: to its end").at_least(0);
-  f.integer("repeat", repeat, "how often everything is measured; medians count").at_least(1);
-  f.number("reference_tolerance", reference_tolerance, units::velocity, "of the solutions that errors are measured against")
+  f.integer("steps", steps, "number of the base's own time steps; 0: to its end").at_least(0);
+  f.integer("repeat", repeat, "number of repeated measurements; medians count").at_least(1);
+  f.number("reference_tolerance", reference_tolerance, units::velocity, "tolerance of the reference solutions")
       .positive();
   f.optional_number("reference_time_step", reference_time_step, units::time,
-                    "of the reference, so that errors hold those of time stepping; unless given, each time "
-                    "step has a reference of its own and errors are the solver's alone").positive();
+                    "time step of the reference, so that errors include time discretisation; unless given, each time "
+                    "step has its own reference and errors are those of the solver alone").positive();
   f.check("base", [this]() -> std::string {
     return base.empty() && bases.empty() && problems.empty() ? "give an experiment (base, bases) or stored steps (problems)" : "";
   });

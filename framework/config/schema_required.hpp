@@ -20,8 +20,8 @@ bool nothing_required(const Fields& fields);
 bool merged_by_name(const Shape& list);
 bool merged_by_name(const Kind& kind);  // whether it does in a list of these
 inline constexpr std::array<std::pair<const char*, const char*>, 2> merging_flags{
-    {{"remove", "takes out the included entry of this name [true or false]"},
-     {"replace", "takes the place of the included entry of this name as a whole [true or false]"}}};
+    {{"remove", "removes the included entry of this name [true or false]"},
+     {"replace", "replaces the included entry of this name instead of merging [true or false]"}}};
 
 // Adds to `definitions` what it refers to. A file without a `name` is one for others to include: of its own keys none is required.
 nlohmann::json required_schema(const Fields& root, nlohmann::json& definitions);

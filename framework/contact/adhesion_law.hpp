@@ -27,7 +27,8 @@ struct AdhesionTraits {
 class AdhesionLaw : public Component {
  public:
   static constexpr const char* kind_name = "adhesion";
-  static constexpr const char* kind_doc = "Attraction of two surfaces: along the normal by the gap, or by bonds that remember.";
+  static constexpr const char* kind_doc = "Adhesion of two surfaces: a reversible traction-separation law of the gap, or cohesive bonds with history "
+                                          "variables.";
 
   // Called once, before use: fills what is left to defaults. Throws InputError for a parameter that
   // does not go with the pair.
@@ -40,8 +41,8 @@ class AdhesionLaw : public Component {
   virtual std::vector<std::string> doubts() const { return {}; }
   std::string traits_text() const override {
     const AdhesionTraits t = traits();
-    const char* acts = t.normal && t.tangential ? "along the normal and across" : t.normal ? "along the normal" : "across";
-    return std::string(t.reversible ? "Reversible" : "Irreversible") + (t.remembers ? ", remembers" : ", without memory") + ", acts " + acts;
+    const char* mode = t.normal && t.tangential ? "mixed-mode (normal and tangential)" : t.normal ? "normal only" : "tangential only";
+    return std::string(t.reversible ? "Reversible" : "Irreversible") + (t.remembers ? ", history-dependent, " : ", history-independent, ") + mode;
   }
 };
 

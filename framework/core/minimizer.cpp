@@ -12,28 +12,29 @@ void Minimizer::fields(Fields& f) {
            {{"velocity", Stopping::velocity, "|p|_inf / h against `tolerance`, p the Newton direction"},
             {"force", Stopping::force, "largest residual force against `force_tolerance`; quasi-static steps always"},
             {"acceleration", Stopping::acceleration, "largest M^-1 times residual force against `acceleration_tolerance`"}},
-           "when a solve has converged");
+           "convergence criterion");
   f.optional_number("tolerance", tolerance_, units::velocity,
-                    "of the velocity; unless given 1 cm/s, or less where a step would end more than a tenth of the "
-                    "contact distance or a thousandth of the smallest moving object off, or where friction sticks below a lower speed "
-                    "(eps_v, down to 0.1 mm/s)").positive();
+                    "tolerance of the velocity. Unless given 1 cm/s, or less: a step errs by at most a tenth of the "
+                    "contact distance and a thousandth of the smallest moving object, and the tolerance stays below "
+                    "the speed at which friction sticks (eps_v, down to 0.1 mm/s)").positive();
   f.number("force_tolerance", force_tolerance_, units::none,
-           "of the residual force at an unknown, as a part of the largest force of the elements and contacts of its body").positive();
+           "residual force at a degree of freedom, relative to the largest force of the elements and contacts of its body").positive();
   f.optional_number("balance_tolerance", balance_tolerance_, units::none,
-                    "of the force that nothing balances, as a part of the largest force of inertia, loads or elements of the bodies in contact with it: must "
-                    "hold too when `stopping` is velocity or acceleration; unless given 0.01, and steps may end above it where they "
-                    "crawl (unbalanced_steps in summary.json)").positive();
+                    "force residual relative to the reference force: the largest force of inertia, loads or elements "
+                    "of the bodies in contact. It must hold too if `stopping` is velocity or acceleration. Unless "
+                    "given 0.01, and steps that stagnate may end above it (unbalanced_steps in summary.json)").positive();
   f.optional_number("force_floor", force_floor_, units::force,
-                    "unbalanced force that is tolerated whatever else acts; unless given, what changes the velocity of "
-                    "the heaviest vertex of the bodies in contact by `tolerance` in a step, and the round-off of the elements around a vertex").nonnegative();
+                    "force residual that is always accepted; unless given, the force that changes the velocity of "
+                    "the heaviest vertex of the bodies in contact by `tolerance` in a step, and the round-off of the "
+                    "elements around a vertex").nonnegative();
   f.number("acceleration_tolerance", acceleration_tolerance_, units::acceleration,
-           "of the residual acceleration").positive();
-  f.integer("max_iterations", max_iterations_, "iterations before the step is given up").at_least(1);
+           "tolerance of the residual acceleration").positive();
+  f.integer("max_iterations", max_iterations_, "iterations after which the solve fails").at_least(1);
   f.optional_number("time_limit", time_limit_, units::time,
-                    "wall time of one solve, after which it counts as failed and the step is halved; none unless given")
+                    "wall time of one solve, after which it fails and the step is divided into substeps; none unless given")
       .positive();
   f.flag("check_iterates", check_iterates_,
-         "check every state on the way exactly for intersections and inverted tets, and end the run at the first; slow");
+         "check every iterate exactly for intersections and inverted tets, and end the run at the first one; slow");
 }
 
 std::unique_ptr<Minimizer> Minimizer::fresh() const { return instance_of(*this); }

@@ -6,12 +6,13 @@
 namespace tack {
 
 void Experiment::fields(Fields& f) {
-  f.text("name", name, "what the results folder is called").required().line();
-  f.text("about", about, "what the experiment must show");
+  f.text("name", name, "name of the results folder").required().line();
+  f.text("about", about, "purpose of the scene");
   f.paths("plugins", plugins, plugins_doc);
   // Kept with their units, which what is read again has to have.
-  f.quantities("parameters", parameters, "numbers with names: expressions of them, `2 * width`, may stand wherever a number does, and formulas know them in SI. Each may be an "
-               "expression of others").write = [this] {
+  f.quantities("parameters", parameters, "scene parameters, named numbers: an expression of them, `2 * width`, may "
+                                         "replace any number, and formulas see them in SI. A parameter may be an "
+                                         "expression of others").write = [this] {
     Value as_written = Value::map(), kept = Value::map(), root = Value::map();
     for (const auto& [name, quantity] : parameters) as_written.set(name, Value::scalar(quantity.written));
     root.set("parameters", as_written);
@@ -23,8 +24,8 @@ void Experiment::fields(Fields& f) {
   SceneConfig::fields(f);
   f.component("solver", solver, "minimiser of each step");
   f.component_list("probes", probes, "quantities recorded every step");
-  f.object("output", output, "what is written");
-  f.list("expect", expect, "what must hold for the run to exit with 0");
+  f.object("output", output, "files that are written");
+  f.list("expect", expect, "expectations: all must hold for exit code 0");
 }
 
 }  // namespace tack

@@ -12,8 +12,8 @@ using Box = Eigen::AlignedBox3d;
 class Combination : public LevelSet {
  public:
   void fields(Fields& f) override {
-    f.component_list("of", of_, "what it is made of, in order").required().nonempty();
-    f.number("blend", blend_, units::length, "where surfaces meet, they are rounded where their distances differ by less").nonnegative();
+    f.component_list("of", of_, "the bodies that it combines, in order").required().nonempty();
+    f.number("blend", blend_, units::length, "rounding where surfaces meet: bodies whose distances differ by less are blended").nonnegative();
     LevelSet::fields(f);
   }
   void prepare(double voxel) override {
@@ -65,7 +65,7 @@ class ArrayLevelSet : public DerivedLevelSet {
  public:
   void fields(Fields& f) override {
     f.vector("counts", counts_, "copies along x, y and z").required().at_least(1);
-    f.vector("spacing", spacing_, units::length, "from one to the next along each axis").required().positive();
+    f.vector("spacing", spacing_, units::length, "distance between copies along each axis").required().positive();
     DerivedLevelSet::fields(f);
   }
 
@@ -108,10 +108,10 @@ class ArrayLevelSet : public DerivedLevelSet {
   Vec3 spacing_ = Vec3::Ones();  // m
 };
 
-TACK_REGISTER(LevelSet, UnionLevelSet, "union", "What is in any of several.", "");
-TACK_REGISTER(LevelSet, IntersectionLevelSet, "intersection", "What is in all of several.", "");
-TACK_REGISTER(LevelSet, DifferenceLevelSet, "difference", "What is in the first of several and in no other.", "");
-TACK_REGISTER(LevelSet, ArrayLevelSet, "array", "Copies at the places of a grid, centred at the origin.", "");
+TACK_REGISTER(LevelSet, UnionLevelSet, "union", "The union of several bodies.", "");
+TACK_REGISTER(LevelSet, IntersectionLevelSet, "intersection", "The common part of several bodies.", "");
+TACK_REGISTER(LevelSet, DifferenceLevelSet, "difference", "The first body minus the others.", "");
+TACK_REGISTER(LevelSet, ArrayLevelSet, "array", "Copies at the points of a grid, centred at the origin.", "");
 
 }  // namespace
 }  // namespace tack

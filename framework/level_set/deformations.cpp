@@ -68,8 +68,8 @@ class TwistLevelSet : public Deformation {
 class BendLevelSet : public Deformation {
  public:
   void fields(Fields& f) override {
-    f.number("radius", radius_, units::length, "of the circle that the x axis becomes, about an axis along z; what lies above, at larger y, "
-             "is nearer to its centre").required().positive();
+    f.number("radius", radius_, units::length, "radius of the circle that the x axis becomes, about an axis along z; "
+                                               "larger y is nearer to the centre").required().positive();
     DerivedLevelSet::fields(f);
   }
 
@@ -118,10 +118,10 @@ class BendLevelSet : public Deformation {
 class NoiseLevelSet : public DerivedLevelSet {
  public:
   void fields(Fields& f) override {
-    f.number("amplitude", amplitude_, units::length, "by which the surface moves out and in at most").required().positive();
-    f.number("wavelength", wavelength_, units::length, "of the coarsest bumps").required().positive();
-    f.integer("octaves", octaves_, "kinds of bumps, each half as long and high as the one before").at_least(1).at_most(8);
-    f.integer("seed", seed_, "another one, other bumps").at_least(0);
+    f.number("amplitude", amplitude_, units::length, "largest displacement of the surface, outwards or inwards").required().positive();
+    f.number("wavelength", wavelength_, units::length, "wavelength of the coarsest bumps").required().positive();
+    f.integer("octaves", octaves_, "number of octaves; each has half the wavelength and amplitude of the one before").at_least(1).at_most(8);
+    f.integer("seed", seed_, "random seed of the bumps").at_least(0);
     DerivedLevelSet::fields(f);
   }
 
@@ -145,9 +145,9 @@ class NoiseLevelSet : public DerivedLevelSet {
   int octaves_ = 1, seed_ = 1;
 };
 
-TACK_REGISTER(LevelSet, TwistLevelSet, "twist", "Turned about the y axis, the more the higher.", "");
-TACK_REGISTER(LevelSet, BendLevelSet, "bend", "The x axis becomes a circle.", "");
-TACK_REGISTER(LevelSet, NoiseLevelSet, "noise", "With bumps on its surface.", "");
+TACK_REGISTER(LevelSet, TwistLevelSet, "twist", "Another body, twisted about the y axis.", "");
+TACK_REGISTER(LevelSet, BendLevelSet, "bend", "Another body, bent so that the x axis becomes a circle.", "");
+TACK_REGISTER(LevelSet, NoiseLevelSet, "noise", "Another body with random bumps on its surface.", "");
 
 }  // namespace
 }  // namespace tack

@@ -59,7 +59,7 @@ class OffsetLevelSet : public Gridded {
 class ShellLevelSet : public Gridded {
  public:
   void fields(Fields& f) override {
-    f.number("thickness", thickness_, units::length, "half of it on each side of the surface").required().positive();
+    f.number("thickness", thickness_, units::length, "thickness, half of it on each side of the surface").required().positive();
     DerivedLevelSet::fields(f);
   }
 
@@ -78,7 +78,7 @@ class ShellLevelSet : public Gridded {
 class MeshLevelSet : public LevelSet {
  public:
   void fields(Fields& f) override {
-    f.component("shape", shape_, "its surface, closed").required();
+    f.component("shape", shape_, "shape with a closed surface").required();
     LevelSet::fields(f);
   }
   void prepare(double voxel) override {
@@ -103,9 +103,9 @@ class MeshLevelSet : public LevelSet {
   std::optional<DistanceGrid> grid_;
 };
 
-TACK_REGISTER(LevelSet, OffsetLevelSet, "offset", "Grown or shrunk by a distance.", "");
-TACK_REGISTER(LevelSet, ShellLevelSet, "shell", "The surface of another, made thick.", "");
-TACK_REGISTER(LevelSet, MeshLevelSet, "mesh", "What a closed surface holds: that of a shape or of a file.", "");
+TACK_REGISTER(LevelSet, OffsetLevelSet, "offset", "Another body, grown or shrunk by a distance.", "");
+TACK_REGISTER(LevelSet, ShellLevelSet, "shell", "A shell around the surface of another body.", "");
+TACK_REGISTER(LevelSet, MeshLevelSet, "mesh", "The interior of a closed surface: that of a shape or of a file.", "");
 
 }  // namespace
 }  // namespace tack

@@ -40,7 +40,7 @@ void LevelSet::evaluate(std::span<const Vec3> points, std::span<double> values) 
 }
 
 void DerivedLevelSet::fields(Fields& f) {
-  f.component("of", of_, "what it is made of").required();
+  f.component("of", of_, "the body that it modifies").required();
   LevelSet::fields(f);
 }
 

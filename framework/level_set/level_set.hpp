@@ -13,7 +13,7 @@ namespace tack {
 class LevelSet : public Component {
  public:
   static constexpr const char* kind_name = "level_set";
-  static constexpr const char* kind_doc = "A body by its signed distances: one of a simple form, or made of others.";
+  static constexpr const char* kind_doc = "A body given by signed distances: a primitive, or a combination of others.";
 
   void fields(Fields& f) override;  // `place`, last; derived classes begin with theirs
 

@@ -9,9 +9,9 @@
 namespace tack {
 
 void LevelSetShape::fields(Fields& f) {
-  f.component("of", of_, "what is inside").required();
-  f.number("voxel", voxel_, units::length, "edge of the cubes on which the surface is found, and about the length of its triangles' edges; "
-           "what is thinner than two of them may be lost").required().positive();
+  f.component("of", of_, "the body").required();
+  f.number("voxel", voxel_, units::length, "edge length of the voxels and, about, of the triangles; features thinner "
+                                           "than two voxels may be lost").required().positive();
 }
 
 Mesh LevelSetShape::make() const {
@@ -25,6 +25,6 @@ Mesh LevelSetShape::make() const {
   return mesh;
 }
 
-TACK_REGISTER(ShapeSource, LevelSetShape, "level_set", "The surface of a body that is given by signed distances.", "");
+TACK_REGISTER(ShapeSource, LevelSetShape, "level_set", "The surface of a body given by signed distances.", "");
 
 }  // namespace tack

@@ -60,8 +60,8 @@ class CapsuleLevelSet : public Primitive {
  public:
   void fields(Fields& f) override {
     f.vector("from", from_, units::length, "one end of its axis").required();
-    f.vector("to", to_, units::length, "the other").required();
-    f.number("radius", radius_, units::length, "about the axis").required().positive();
+    f.vector("to", to_, units::length, "the other end").required();
+    f.number("radius", radius_, units::length, "radius about the axis").required().positive();
     LevelSet::fields(f);
   }
 
@@ -77,7 +77,7 @@ class CapsuleLevelSet : public Primitive {
 class TorusLevelSet : public Primitive {
  public:
   void fields(Fields& f) override {
-    f.number("radius", radius_, units::length, "of the circle in the middle of the tube, about the y axis").required().positive();
+    f.number("radius", radius_, units::length, "radius of the centre line of the tube, about the y axis").required().positive();
     f.number("tube", tube_, units::length, "radius of the tube").required().positive();
     LevelSet::fields(f);
   }
@@ -93,8 +93,8 @@ class TorusLevelSet : public Primitive {
 class ConeLevelSet : public Primitive {
  public:
   void fields(Fields& f) override {
-    f.number("radius", bottom_, units::length, "at the bottom").required().nonnegative();
-    f.number("top_radius", top_, units::length, "at the top").nonnegative();
+    f.number("radius", bottom_, units::length, "radius at the bottom").required().nonnegative();
+    f.number("top_radius", top_, units::length, "radius at the top").nonnegative();
     f.number("height", height_, units::length, "along y; centred at the origin").required().positive();
     f.check("radius", [this]() -> std::string { return bottom_ > 0 || top_ > 0 ? "" : "one of radius and top_radius must be positive"; });
     LevelSet::fields(f);
@@ -133,7 +133,7 @@ class PlaneLevelSet : public Primitive {
  public:
   void fields(Fields& f) override {
     f.vector("normal", normal_, units::none, "points outwards");
-    f.number("offset", offset_, units::length, "of the plane from the origin, along the normal");
+    f.number("offset", offset_, units::length, "distance of the plane from the origin, along the normal");
     f.check("normal", [this]() -> std::string { return normal_.norm() > 0 ? "" : "must not be zero"; });
     LevelSet::fields(f);
   }
@@ -150,9 +150,9 @@ class PlaneLevelSet : public Primitive {
 class ExtrudedLevelSet : public Primitive {
  public:
   void fields(Fields& f) override {
-    f.vectors("polygon", corners_, units::length, "its corners in order, x and y in the plane z = 0; if it crosses itself, what is within an "
-              "odd number of turns is inside").required();
-    f.number("depth", depth_, units::length, "along z; half of it on each side").required().positive();
+    f.vectors("polygon", corners_, units::length, "corners in order, x and y in the plane z = 0; the even-odd rule "
+                                                  "holds if it crosses itself").required();
+    f.number("depth", depth_, units::length, "extent along z, half of it on each side").required().positive();
     f.check("polygon", [this]() -> std::string { return corners_.size() >= 3 ? "" : "needs three corners or more"; });
     LevelSet::fields(f);
   }
@@ -177,9 +177,9 @@ class TextLevelSet : public Primitive {
  public:
   void fields(Fields& f) override {
     f.text("text", text_, "capitals, digits and . , ! ? - + = / : ' & in a line along x").required();
-    f.number("height", height_, units::length, "of its capitals, along y").required().positive();
-    f.number("stroke", stroke_, units::length, "width of its lines").required().positive();
-    f.number("depth", depth_, units::length, "along z; half of it on each side").required().positive();
+    f.number("height", height_, units::length, "height of capitals, along y").required().positive();
+    f.number("stroke", stroke_, units::length, "width of the strokes").required().positive();
+    f.number("depth", depth_, units::length, "extent along z, half of it on each side").required().positive();
     f.check("text", [this] { return problem(); });
     LevelSet::fields(f);
   }
@@ -220,12 +220,12 @@ class TextLevelSet : public Primitive {
 
 TACK_REGISTER(LevelSet, SphereLevelSet, "sphere", "A ball about the origin.", "");
 TACK_REGISTER(LevelSet, BoxLevelSet, "box", "A box about the origin.", "");
-TACK_REGISTER(LevelSet, CapsuleLevelSet, "capsule", "What is near a segment.", "");
+TACK_REGISTER(LevelSet, CapsuleLevelSet, "capsule", "A capsule: all points within a radius of a segment.", "");
 TACK_REGISTER(LevelSet, TorusLevelSet, "torus", "A ring about the y axis.", "");
 TACK_REGISTER(LevelSet, CylinderLevelSet, "cylinder", "A cylinder along y.", "");
 TACK_REGISTER(LevelSet, ConeLevelSet, "cone", "A cone or a frustum along y.", "");
 TACK_REGISTER(LevelSet, PlaneLevelSet, "plane", "A half-space, to cut others with.", "");
-TACK_REGISTER(LevelSet, ExtrudedLevelSet, "extruded", "A polygon, made thick.", "");
+TACK_REGISTER(LevelSet, ExtrudedLevelSet, "extruded", "A polygon, extruded along z.", "");
 TACK_REGISTER(LevelSet, TextLevelSet, "text", "A line of text.", "");
 
 }  // namespace

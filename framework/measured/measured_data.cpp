@@ -11,14 +11,14 @@ namespace tack {
 
 void MeasuredData::fields(Fields& f) {
   f.path("file", file, "text in columns (CSV) with a line of names and units, `opening [mm], load [N]`; relative to the file that names it").required();
-  f.text("x_column", x_column, "what its abscissa is called; as the run's `along` unless given").line();
-  f.text("y_column", y_column, "what its measured numbers are called; as the run's `probe` unless given").line();
-  f.optional_quantity("from", from, "least abscissa that counts; the file's unless given");
+  f.text("x_column", x_column, "column of its abscissa; as the run's `along` unless given").line();
+  f.text("y_column", y_column, "column of its measured values; as the run's `probe` unless given").line();
+  f.optional_quantity("from", from, "smallest abscissa that counts; the file's unless given");
   f.optional_quantity("to", to, "largest abscissa that counts; the file's unless given");
   f.choice("relative_to", scale,
-           {{"point", DeviationScale::point, "each point's own size"},
-            {"peak", DeviationScale::peak, "the largest of the points that count, for curves that pass through zero"}},
-           "what a deviation of 1 is");
+           {{"point", DeviationScale::point, "the magnitude of each point"},
+            {"peak", DeviationScale::peak, "the largest magnitude of the points that count, for curves that pass through zero"}},
+           "reference of relative deviations");
   f.check("from", [this]() -> std::string { return from && to && *from > *to ? "is above to" : ""; });
 }
 

@@ -22,7 +22,7 @@ class BooleanOperation : public MeshOperation {
  protected:
   void parameters(Fields& f) override {
     f.component("with", with_, "the other solid").required();
-    f.object("place", place_, "where it is");
+    f.object("place", place_, "its placement");
   }
 
  private:
@@ -34,9 +34,9 @@ class BooleanOperation : public MeshOperation {
 using Union = BooleanOperation<Boolean::unite>;
 using Difference = BooleanOperation<Boolean::subtract>;
 using Intersection = BooleanOperation<Boolean::intersect>;
-TACK_REGISTER(MeshOperation, Union, "union", "What is in either of two solids.", "");
-TACK_REGISTER(MeshOperation, Difference, "difference", "A solid without what is in another.", "");
-TACK_REGISTER(MeshOperation, Intersection, "intersection", "What is in both of two solids.", "");
+TACK_REGISTER(MeshOperation, Union, "union", "The union of two solids.", "");
+TACK_REGISTER(MeshOperation, Difference, "difference", "A solid minus another.", "");
+TACK_REGISTER(MeshOperation, Intersection, "intersection", "The common part of two solids.", "");
 
 }  // namespace
 }  // namespace tack

@@ -10,15 +10,15 @@ class Cut : public MeshOperation {
 
  protected:
   void parameters(Fields& f) override {
-    f.vector("point", point_, units::length, "on the plane");
-    f.vector("normal", normal_, units::none, "of the plane: what lies on its side is taken away").required();
+    f.vector("point", point_, units::length, "a point of the plane");
+    f.vector("normal", normal_, units::none, "normal of the plane; the side that it points to is removed").required();
   }
 
  private:
   Vec3 point_ = Vec3::Zero();  // m
   Vec3 normal_ = Vec3::UnitY();
 };
-TACK_REGISTER(MeshOperation, Cut, "cut", "What a plane leaves of a solid, closed by the cut.", "");
+TACK_REGISTER(MeshOperation, Cut, "cut", "A solid cut by a plane; the cut is closed.", "");
 
 }  // namespace
 }  // namespace tack

@@ -45,7 +45,7 @@ bool take_notes(std::string_view& text, Notes& notes) {
 
 void MeshOperation::fields(Fields& f) {
   parameters(f);
-  f.number("time_limit", time_limit_, units::time, "after which it is given up").positive();
+  f.number("time_limit", time_limit_, units::time, "wall time after which the operation fails").positive();
 }
 
 Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string& name, Notes& notes) {

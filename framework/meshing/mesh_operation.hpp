@@ -12,7 +12,7 @@ class MeshOperation : public Component {
  public:
   static constexpr const char* kind_name = "mesh_operation";
   static constexpr const char* kind_doc =
-      "A step of a processed shape, and what `tack mesh NAME` does to a file. Groups of the mesh are dropped.";
+      "A step of a processed shape, and an operation of `tack mesh NAME` on a file. Groups of the mesh are dropped.";
 
   void fields(Fields& f) final;
 

@@ -12,9 +12,9 @@ class Offset : public MeshOperation {
  protected:
   void parameters(Fields& f) override {
     f.number("distance", options_.distance, units::length, "outwards if positive, inwards if negative").required();
-    f.number("edge_length", options_.edge_length, units::length, "of the new surface, about").required().positive();
+    f.number("edge_length", options_.edge_length, units::length, "approximate edge length of the new surface").required().positive();
     f.optional_number("deviation", options_.deviation, units::length,
-                      "of the new surface from that distance: a twentieth of its edges unless given").positive();
+                      "largest deviation of the new surface from that distance; a twentieth of its edge length unless given").positive();
     f.check("distance", [this] { return options_.distance != 0 ? "" : "is zero: leave the step out"; });
   }
 

@@ -15,7 +15,7 @@ class ProcessedShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
     f.component("of", of_, "the shape to begin with").required();
-    f.object("place", place_, "where it is before the first step");
+    f.object("place", place_, "placement before the first step");
     f.component_list("steps", steps_, "applied in that order").required().nonempty();
   }
 

@@ -11,10 +11,10 @@ class Remesh : public MeshOperation {
 
  protected:
   void parameters(Fields& f) override {
-    f.number("edge_length", options_.edge_length, units::length, "aimed at; most are between 4/5 and 4/3 of it").required().positive();
-    f.number("crease_angle", options_.crease_angle, units::angle, "normals of neighbours that differ by more make a crease, which is kept")
+    f.number("edge_length", options_.edge_length, units::length, "target edge length; most edges are between 4/5 and 4/3 of it").required().positive();
+    f.number("crease_angle", options_.crease_angle, units::angle, "angle between neighbouring normals above which an edge is a crease, which is kept")
         .positive();
-    f.integer("iterations", options_.iterations, "of splits, collapses, flips and smoothing").at_least(1);
+    f.integer("iterations", options_.iterations, "iterations of splits, collapses, flips and smoothing").at_least(1);
   }
 
  private:

@@ -12,19 +12,20 @@ class Repair : public MeshOperation {
  protected:
   void parameters(Fields& f) override {
     f.optional_number("merge", options_.merge, units::length,
-                      "vertices that close become one; unless given, as close as single precision rounds coordinates of that size (STL)").nonnegative();
+                      "distance within which vertices are merged; unless given, the single-precision rounding of the coordinates (STL)").nonnegative();
     f.choice("holes", options_.holes,
-             {{"of_solids", Holes::of_solids, "are filled where they are at most a tenth of the area of the part, which is taken for a solid; of others, sheets, they stay"},
-              {"fill", Holes::fill, "are filled; a sheet that its own filling would lie on is refused"},
-              {"keep", Holes::keep, "stay"}},
-             "what becomes of them");
+             {{"of_solids", Holes::of_solids, "fill holes of at most a tenth of the area of their component, which then counts as a solid; other "
+                                              "components are sheets and keep their holes"},
+              {"fill", Holes::fill, "fill all holes; a sheet that would coincide with its own filling is refused"},
+              {"keep", Holes::keep, "keep all holes"}},
+             "treatment of holes");
   }
 
  private:
   RepairOptions options_;
 };
 TACK_REGISTER(MeshOperation, Repair, "repair",
-              "A broken surface made manifold, and closed with normals outwards if it is a solid's, or refused with the numbers of what is broken.", "");
+              "A surface made manifold, and closed with outward normals if it bounds a solid; refused with counts of the defects if that fails.", "");
 
 }  // namespace
 }  // namespace tack

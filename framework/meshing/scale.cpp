@@ -21,10 +21,10 @@ class Scale : public MeshOperation {
 
  protected:
   void parameters(Fields& f) override {
-    f.optional_number("factor", factor_, units::none, "of all lengths, about the origin").positive();
-    f.optional_number("size", size_, units::length, "instead: the longest edge of the box around it").positive();
-    f.text("from", units_.from, "instead: unit that its numbers are in: mm, inch, ...");
-    f.text("to", units_.to, "unit that they become numbers in, metres for what tack reads");
+    f.optional_number("factor", factor_, units::none, "scale factor about the origin").positive();
+    f.optional_number("size", size_, units::length, "instead of factor: the longest edge of the bounding box").positive();
+    f.text("from", units_.from, "instead of factor: unit of the coordinates: mm, inch, ...");
+    f.text("to", units_.to, "unit of the result; tack reads metres");
     f.check("from", [this] { return units_.problem(); });
     f.check("factor", [this]() -> std::string {
       const int given = (factor_ ? 1 : 0) + (size_ ? 1 : 0) + (units_.trivial() ? 0 : 1);
@@ -44,7 +44,7 @@ class Scale : public MeshOperation {
   std::optional<double> factor_, size_;  // 1, m
   LengthUnits units_;
 };
-TACK_REGISTER(MeshOperation, Scale, "scale", "The same mesh in another size: by a factor, to a size, or from one unit to another.", "");
+TACK_REGISTER(MeshOperation, Scale, "scale", "A mesh scaled by a factor, to a size, or from one unit to another.", "");
 
 }  // namespace
 }  // namespace tack

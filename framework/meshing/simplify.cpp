@@ -10,7 +10,7 @@ class Simplify : public MeshOperation {
   Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const override { return simplify(mesh, triangles_, name, notes); }
 
  protected:
-  void parameters(Fields& f) override { f.integer("triangles", triangles_, "how many are left").required().at_least(4); }
+  void parameters(Fields& f) override { f.integer("triangles", triangles_, "number of triangles of the result").required().at_least(4); }
 
  private:
   int triangles_ = 4;

@@ -13,10 +13,11 @@ class Subdivide : public MeshOperation {
 
  protected:
   void parameters(Fields& f) override {
-    f.integer("times", times_, "each makes four triangles of one").range(1, 8);
+    f.integer("times", times_, "number of subdivisions; each divides a triangle into four").range(1, 8);
     f.choice("rule", rule_,
-             {{"loop", SubdivisionRule::loop, "rounds the surface off"}, {"flat", SubdivisionRule::flat, "at the middles of edges: the same surface"}},
-             "where new vertices are");
+             {{"loop", SubdivisionRule::loop, "smooths the surface"}, {"flat", SubdivisionRule::flat, "at the midpoints of edges: the surface is "
+                                                                                                         "unchanged"}},
+             "position of new vertices");
   }
 
  private:

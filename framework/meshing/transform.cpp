@@ -27,10 +27,10 @@ class Transform : public MeshOperation {
 
  protected:
   void parameters(Fields& f) override {
-    f.optional_vector("mirror", mirror_, units::none, "normal of the plane through `about` that it is mirrored in, applied first");
-    f.vector("axis", axis_, units::none, "of the rotation, through `about`");
+    f.optional_vector("mirror", mirror_, units::none, "normal of the mirror plane through `about`, applied first");
+    f.vector("axis", axis_, units::none, "rotation axis through `about`");
     f.number("angle", angle_, units::angle, "right-handed rotation about the axis, applied second");
-    f.vector("about", about_, units::length, "the point that mirroring and rotation leave where it is");
+    f.vector("about", about_, units::length, "fixed point of mirroring and rotation");
     f.vector("translate", translate_, units::length, "offset, applied last");
     f.check("mirror", [this] { return mirror_ && mirror_->norm() == 0 ? "must not be zero" : ""; });
     f.check("axis", [this] { return angle_ == 0 || axis_.norm() > 0 ? "" : "must not be zero"; });
@@ -45,7 +45,7 @@ class Transform : public MeshOperation {
   double angle_ = 0;                                       // rad
   Vec3 about_ = Vec3::Zero(), translate_ = Vec3::Zero();  // m
 };
-TACK_REGISTER(MeshOperation, Transform, "transform", "The same mesh somewhere else: mirrored, rotated, translated.", "");
+TACK_REGISTER(MeshOperation, Transform, "transform", "A mesh mirrored, rotated and translated.", "");
 
 }  // namespace
 }  // namespace tack

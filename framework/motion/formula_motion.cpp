@@ -18,8 +18,8 @@ class FormulaMotion : public Motion {
   void fields(Fields& f) override {
     for (int i = 0; i < 3; ++i) {
       const std::string key(1, "xyz"[i]);
-      f.text(key, text_[i], "displacement along " + key + " from where a vertex was seized [m]: a formula in "
-                            "t [s] and its rest position X, Y, Z [m]").formula(variables);
+      f.text(key, text_[i], "displacement along " + key + " from the position at `from` [m]: a formula of t [s] and "
+                                                          "the rest position X, Y, Z [m]").formula(variables);
       f.check(key, [this, i] { return compile(i); });
     }
     Motion::fields(f);
@@ -54,7 +54,7 @@ class FormulaMotion : public Motion {
                                      Formula("0", variables)};
 };
 
-TACK_REGISTER(Motion, FormulaMotion, "formula", "Moves each vertex by formulas of time and place.", "");
+TACK_REGISTER(Motion, FormulaMotion, "formula", "Moves each vertex by formulas of time and rest position.", "");
 
 }  // namespace
 }  // namespace tack

@@ -3,17 +3,17 @@
 namespace tack {
 
 void Motion::fields(Fields& f) {
-  f.component("select", select_, "the vertices it holds");
-  f.text("carrier", carrier_, "object that a motion holds rigidly as a whole: these vertices go along with it, and their motion is told as "
-                              "if it stood still");
-  f.number("from", from_, units::time, "when it seizes them; they are free before").nonnegative();
+  f.component("select", select_, "vertices whose motion is prescribed");
+  f.text("carrier", carrier_, "object with a prescribed rigid motion that carries these vertices; their own motion is relative to it");
+  f.number("from", from_, units::time, "start of the motion; the vertices are free before").nonnegative();
   f.optional_number("until", until_, units::time,
-                    "when it lets go of them, with the velocity they have; never unless given");
+                    "end of the motion; the vertices are free afterwards and keep their velocity; never unless given");
   f.optional_vector("along", along_, units::none,
-                    "holds only the component along this direction; the vertices are free across it (a roller, a plane of "
-                    "symmetry). What another motion holds whole is not asked");
+                    "prescribes only the component along this direction; the vertices are free perpendicular to it "
+                    "(a roller, a plane of symmetry). Vertices that another motion prescribes in all components are "
+                    "skipped");
   f.optional_vector("across", across_, units::none,
-                    "holds only the components across this direction; the vertices are free along it (a slider)");
+                    "prescribes only the components perpendicular to this direction; the vertices are free along it (a slider)");
   f.check("carrier", [this]() -> std::string { return carrier_.empty() || !partial() ? "" : "takes along what is held whole; take `along` or `across` away"; });
   for (const char* key : {"along", "across"})
     f.check(key, [this]() -> std::string {
@@ -43,7 +43,7 @@ class Fixed : public Motion {
   std::optional<RigidMap> pose(double) const override { return RigidMap{}; }
 };
 
-TACK_REGISTER(Motion, Fixed, "fixed", "Vertices that do not move and own no unknowns.", "");
+TACK_REGISTER(Motion, Fixed, "fixed", "Vertices that do not move and own no degrees of freedom.", "");
 
 }  // namespace
 }  // namespace tack

@@ -15,7 +15,7 @@ enum class Easing { linear, smooth };
 void easing_field(Fields& f, Easing& easing) {
   f.choice("easing", easing, {{"linear", Easing::linear, "at constant speed"},
                               {"smooth", Easing::smooth, "from rest to rest, by 3 u^2 - 2 u^3"}},
-           "the way from one frame to the next");
+           "interpolation from one frame to the next");
 }
 
 double eased(Easing easing, double u) { return easing == Easing::smooth ? u * u * (3 - 2 * u) : u; }
@@ -49,8 +49,8 @@ class Translate : public SteadyMotion {
   void fields(Fields& f) override {
     f.optional_vector("velocity", velocity_, units::velocity, "constant velocity; or give displacement");
     f.optional_vector("displacement", displacement_, units::length,
-                      "covered in the duration, at constant velocity; or give velocity");
-    duration_field(f, "moves for so long, then stands; as long as it holds unless given");
+                      "displacement within the duration, at constant velocity; or give velocity");
+    duration_field(f, "duration of the displacement, after which the vertices are fixed; until the end of the motion unless given");
     f.check("velocity", [this]() -> std::string {
       return velocity_.has_value() != displacement_.has_value() ? "" : "give either velocity or displacement";
     });
@@ -74,13 +74,13 @@ class Translate : public SteadyMotion {
 class Rotate : public SteadyMotion {
  public:
   void fields(Fields& f) override {
-    f.vector("axis", axis_, units::none, "direction of the axis; turns are right-handed about it").required();
+    f.vector("axis", axis_, units::none, "direction of the axis; rotations about it are right-handed").required();
     f.vector("centre", centre_, units::length, "a point of the axis");
     f.optional_number("angular_velocity", speed_, units::angular_velocity,
                       "constant angular velocity; or give angle");
     f.optional_number("angle", angle_, units::angle,
-                      "turned in the duration, at constant speed; or give angular_velocity");
-    duration_field(f, "turns for so long, then stands; as long as it holds unless given");
+                      "angle of rotation within the duration, at constant speed; or give angular_velocity");
+    duration_field(f, "duration of the rotation, after which the vertices are fixed; until the end of the motion unless given");
     f.check("axis", [this]() -> std::string { return axis_.norm() > 0 ? "" : "must not be zero"; });
     f.check("angular_velocity", [this]() -> std::string {
       return speed_.has_value() != angle_.has_value() ? "" : "give either angular_velocity or angle";
@@ -108,9 +108,9 @@ class Rotate : public SteadyMotion {
 class Hinge : public Motion {
  public:
   void fields(Fields& f) override {
-    f.vector("axis", axis_, units::none, "direction of the axis; turns are right-handed about it").required();
+    f.vector("axis", axis_, units::none, "direction of the axis; rotations about it are right-handed").required();
     f.vector("centre", centre_, units::length, "a point of the axis");
-    f.schedule("angle", angle_, units::angle, "how far it is open: [[time, angle], ...], constant before and after").required();
+    f.schedule("angle", angle_, units::angle, "angle of rotation: [[time, angle], ...], constant before and after").required();
     easing_field(f, easing_);
     f.check("axis", [this]() -> std::string { return axis_.norm() > 0 ? "" : "must not be zero"; });
     Motion::fields(f);
@@ -143,7 +143,7 @@ struct Keyframe {
   Vec3 rotation = Vec3::Zero();     // rad, axis times angle
   void fields(Fields& f) {
     f.number("time", time, units::time, "time of the frame").required();
-    f.vector("translation", translation, units::length, "from where they were seized, after the rotation");
+    f.vector("translation", translation, units::length, "displacement from the position at `from`, applied after the rotation");
     f.vector("rotation", rotation, units::angle, "axis times angle, about the centre");
   }
 };
@@ -153,8 +153,8 @@ struct Keyframe {
 class Keyframes : public Motion {
  public:
   void fields(Fields& f) override {
-    f.vector("centre", centre_, units::length, "the point that rotations leave in place");
-    f.list("frames", frames_, "what is reached when; straight in between, constant before and after")
+    f.vector("centre", centre_, units::length, "fixed point of the rotations");
+    f.list("frames", frames_, "keyframes; straight paths in between, constant before and after")
         .required().nonempty();
     easing_field(f, easing_);
     f.check("frames", [this]() -> std::string {
@@ -204,10 +204,10 @@ class Keyframes : public Motion {
 };
 
 TACK_REGISTER(Motion, Translate, "translate", "Moves vertices along a line at constant velocity.", "");
-TACK_REGISTER(Motion, Rotate, "rotate", "Turns vertices about an axis at constant angular velocity.", "");
-TACK_REGISTER(Motion, Hinge, "hinge", "Turns vertices about an axis by angles over time: the lid of a box, an arm of a chain.", "");
+TACK_REGISTER(Motion, Rotate, "rotate", "Rotates vertices about an axis at constant angular velocity.", "");
+TACK_REGISTER(Motion, Hinge, "hinge", "Rotates vertices about an axis by prescribed angles: the lid of a box, an arm of a chain.", "");
 TACK_REGISTER(Motion, Keyframes, "keyframes",
-              "Moves vertices rigidly from frame to frame, straight in between.", "");
+              "Moves vertices rigidly through keyframes, along straight paths.", "");
 
 }  // namespace
 }  // namespace tack

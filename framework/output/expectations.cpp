@@ -60,7 +60,7 @@ bool accepted(const ExpectationResult& r) {
 }  // namespace
 
 void Expectation::fields(Fields& f) {
-  f.text("name", name, "how reports call it; made from the rest if empty").line();
+  f.text("name", name, "name in reports; made from the other keys if empty").line();
   SpecifiedStatistic::fields(f);
   f.optional_quantity("target", target,
                       "expected value, in a unit of the probe's kind; for 'integral', of probe times `along`");

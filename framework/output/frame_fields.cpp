@@ -14,18 +14,18 @@ namespace tack {
 std::vector<FrameFieldInfo> frame_fields() {
   std::vector<FrameFieldInfo> all{
       {"velocity", "m/s", "", false},
-      {"displacement", "m", "from where the scene puts it", false},
+      {"displacement", "m", "from the initial position", false},
       {"mass", "kg", "", false},
       {"contact_force", "N", "barrier and adhesion", false},
       {"adhesion_force", "N", "", false},
       {"friction_force", "N", "with tangential adhesion", false},
-      {"contact_pressure", "Pa", "contact force per area of the contact: positive presses, negative pulls; of sheets, of both sides together", false},
-      {"adhesion_pressure", "Pa", "likewise of adhesion alone, positive where it pulls", false},
+      {"contact_pressure", "Pa", "contact force per contact area: positive is compression, negative tension; for sheets the sum of both sides", false},
+      {"adhesion_pressure", "Pa", "adhesion force per contact area, positive in tension", false},
       {"friction_traction", "Pa", "magnitude of the friction force per area of the contact", false},
-      {"gap", "m", "to the nearest of what is within reach of contact; not a number where nothing is", false},
-      {"cauchy_stress", "Pa", "xx, yy, zz, xy, yz, xz, of all energies of the element together; of sheets, in their middle", true},
-      {"von_mises_stress", "Pa", "of the same", true},
-      {"stretches", "", "principal ones, largest first: three of a tet, two of a triangle, one of an edge", true}};
+      {"gap", "m", "distance to the nearest surface within the contact range; not a number if there is none", false},
+      {"cauchy_stress", "Pa", "xx, yy, zz, xy, yz, xz, sum of all energies of the element; for sheets, in the mid-surface", true},
+      {"von_mises_stress", "Pa", "von Mises equivalent of cauchy_stress", true},
+      {"stretches", "", "principal stretches, largest first: three for a tet, two for a triangle, one for an edge", true}};
   const auto in_a_list = [](std::string sentence) {
     sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
     sentence.pop_back();

@@ -23,19 +23,20 @@ std::string described(bool of_elements) {
 }  // namespace
 
 void GradientConfig::fields(Fields& f) {
-  f.text("key", key, "path of a number in the scene, as of --set: objects.plate.energies.0.young, contact.pairs.0.adhesion.peak_traction").required().line();
-  f.text("as", as, "what it is called in gradients.csv; its path unless given").line();
-  f.optional_number("step", step, units::none, "by how much the neighbouring scene has more of it, in SI; a millionth of it unless given; a number that is zero needs one").positive();
+  f.text("key", key, "path of a number in the scene, as for --set: objects.plate.energies.0.young, contact.pairs.0.adhesion.peak_traction").required().line();
+  f.text("as", as, "name in gradients.csv; its path unless given").line();
+  f.optional_number("step", step, units::none, "finite-difference increment of the number, in SI; a millionth of it unless given; required if the "
+                                               "number is zero").positive();
 }
 
 void OutputConfig::fields(Fields& f) {
   f.flag("frames", frames, "write frames/*.vtu and run.pvd");
   f.number("frame_interval", frame_interval, units::time, "time between frames; 0: every step").nonnegative();
   f.optional_number("checkpoint_interval", checkpoint_interval, units::time,
-                    "simulated time between checkpoints, which `tack run --resume` goes on from; none unless given")
+                    "simulated time between checkpoints, from which `tack run --resume` continues; none unless given")
       .positive();
-  f.texts("fields", frame_fields, "what frames hold: " + described(false) + "; and of elements, not a number where an object has none: " + described(true));
-  f.list("gradients", gradients, "numbers by which every probe is differentiated at every time: gradients.csv");
+  f.texts("fields", frame_fields, "fields in frames: " + described(false) + "; fields of elements, not a number where an object has none: " + described(true));
+  f.list("gradients", gradients, "scene parameters for sensitivities of every probe at every time: gradients.csv");
   f.check("gradients", [this]() -> std::string {
     std::vector<std::string> names;
     for (const GradientConfig& g : gradients) {

@@ -16,7 +16,7 @@ class Probe : public Component {
   static constexpr const char* kind_name = "probe";
   static constexpr const char* kind_doc = "A quantity recorded every step.";
 
-  void fields(Fields& f) override { f.text("name", name_, "its column in probes.csv").required().line(); }
+  void fields(Fields& f) override { f.text("name", name_, "column in probes.csv").required().line(); }
   const std::string& name() const { return name_; }
 
   // Checks the probe against the world and finds its vertices; throws InputError.

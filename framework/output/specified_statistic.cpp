@@ -40,20 +40,20 @@ std::vector<Choice<Statistic>> statistics() {
           {"peak", peak, "the largest absolute value"},
           {"integral", integral, "the integral along a column, by the trapezoidal rule"},
           {"at", at, "the value where the column `along` first passes `where`"},
-          {"deviation", deviation, "how far it is from the measured curve `follows`, as a part of that: the average of its points, 0.1 for 10%"},
-          {"rms_deviation", rms_deviation, "likewise, the root of the mean square"},
-          {"worst_deviation", worst_deviation, "likewise, the largest"}};
+          {"deviation", deviation, "relative deviation from the measured curve `follows`, mean over its points; 0.1 for 10%"},
+          {"rms_deviation", rms_deviation, "root mean square of the relative deviation"},
+          {"worst_deviation", worst_deviation, "largest relative deviation"}};
 }
 
 }  // namespace
 
 void SpecifiedStatistic::fields(Fields& f) {
   f.text("probe", query.probe, "column of probes.csv").required();
-  f.choice("statistic", query.statistic, statistics(), "the number that is compared").required();
+  f.choice("statistic", query.statistic, statistics(), "statistic that is compared").required();
   f.numbers("over", query.over, units::time, "first and last time that count; empty for all");
   f.text("along", query.along, "column to integrate over, in which to find `where`, or over which data were measured");
   f.optional_quantity("where", where, "value of the column `along`, for 'at', in a unit of that column's kind");
-  f.optional_object("follows", query.follows, "the measured curve that deviations are from; its abscissa is the column `along`");
+  f.optional_object("follows", query.follows, "measured curve for deviations; its abscissa is the column `along`");
   f.check("over", [this] { return check_window(query.over); });
   f.check("along", [this] { return check_along(*this); });
   f.check("where", [this] { return check_abscissa(*this); });

@@ -25,6 +25,6 @@ void load_plugin(const std::string& path);
 // no list of paths is left for the one who binds the key.
 void load_plugins(const Value& root);
 
-inline constexpr const char* plugins_doc = "shared libraries with components of your own, loaded before the rest is read";
+inline constexpr const char* plugins_doc = "shared libraries with custom components, loaded before the rest is read";
 
 }  // namespace tack

@@ -19,14 +19,14 @@ class BondsProbe : public Probe {
     Probe::fields(f);
     between_.fields(f);
     f.choice("quantity", quantity_,
-             {{"count", Quantity::count, "how many there are"},
-              {"area", Quantity::area, "that they stand for [m^2]"},
-              {"intact_area", Quantity::intact_area, "the same, each by its intensity [m^2]"},
-              {"mean_intensity", Quantity::mean_intensity, "1: all are whole; 0 without any"},
-              {"least_intensity", Quantity::least_intensity, "of the weakest; 0 without any"},
-              {"opening", Quantity::opening, "the mean along the normal since they bonded; 0 without any [m]"},
-              {"slip", Quantity::slip, "likewise across [m]"}},
-             "what of them");
+             {{"count", Quantity::count, "number of bonds"},
+              {"area", Quantity::area, "their area [m^2]"},
+              {"intact_area", Quantity::intact_area, "their area weighted by intensity [m^2]"},
+              {"mean_intensity", Quantity::mean_intensity, "mean intensity, 1 if all bonds are intact; 0 without bonds"},
+              {"least_intensity", Quantity::least_intensity, "intensity of the weakest bond; 0 without bonds"},
+              {"opening", Quantity::opening, "mean normal opening since bonding; 0 without bonds [m]"},
+              {"slip", Quantity::slip, "mean tangential slip since bonding; 0 without bonds [m]"}},
+             "recorded quantity");
   }
   void prepare(const World& world) override {
     require_contact(world, name_);
@@ -73,7 +73,7 @@ class BondsProbe : public Probe {
   int a_ = -1, b_ = -1;
 };
 
-TACK_REGISTER(Probe, BondsProbe, "bonds", "The bonds of an adhesion that remembers between two objects: how many, how whole, how far opened.", "");
+TACK_REGISTER(Probe, BondsProbe, "bonds", "Bonds between two objects: number, area, intensity, opening or slip.", "");
 
 }  // namespace
 }  // namespace tack

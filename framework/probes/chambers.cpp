@@ -24,13 +24,13 @@ class Chamber : public Probe {
   enum class Quantity { pressure, volume, volume_error, amount };
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("chamber", chamber_, "its name").required();
+    f.text("chamber", chamber_, "name of the chamber").required();
     f.choice("quantity", quantity_,
-             {{"pressure", Quantity::pressure, "what its surface feels, above the ambient pressure [Pa]"},
-              {"volume", Quantity::volume, "what it encloses [m^3]"},
-              {"volume_error", Quantity::volume_error, "of a liquid: by how much its volume is above that without pressure, as a part of that"},
-              {"amount", Quantity::amount, "of gas: what leaks have left, as a part of all"}},
-             "what is told of it");
+             {{"pressure", Quantity::pressure, "pressure on its surface above ambient [Pa]"},
+              {"volume", Quantity::volume, "enclosed volume [m^3]"},
+              {"volume_error", Quantity::volume_error, "for a liquid: relative excess of the enclosed volume over the volume at zero pressure"},
+              {"amount", Quantity::amount, "for a gas: fraction that leaks have left"}},
+             "recorded quantity");
   }
   Unit unit() const override {
     return quantity_ == Quantity::pressure ? units::pressure : quantity_ == Quantity::volume ? units::volume : units::none;
@@ -57,7 +57,7 @@ class Chamber : public Probe {
   const VolumeTerm* term_ = nullptr;
 };
 
-TACK_REGISTER(Probe, Chamber, "chamber", "Pressure and volume of a chamber, or of what a pressure acts on.", "");
+TACK_REGISTER(Probe, Chamber, "chamber", "Pressure, volume or content of a fluid cavity, or of the surface that a pressure load acts on.", "");
 
 }  // namespace
 }  // namespace tack

@@ -18,8 +18,10 @@ class EnergyProbe : public Probe {
   void fields(Fields& f) override {
     Probe::fields(f);
     f.text("term", term_,
-           "total (of all that is stored), kinetic, or another energy_ column of steps.csv without that prefix; or what was "
-           "done by loads so far, work_loads, or dissipated: dissipated_friction (with tangential adhesion), dissipated_plastic, dissipated_damping, what else a term publishes that begins so, and dissipated, their sum");
+           "total (all stored energy), kinetic, or another energy_ column of steps.csv without that prefix; "
+           "work_loads, the work of loads so far; dissipated_friction (with tangential adhesion), "
+           "dissipated_plastic, dissipated_damping or another dissipated_ quantity that a term publishes; or "
+           "dissipated, their sum");
   }
   void prepare(const World& world) override {
     std::vector<std::string> names = {"total", "work_loads"};

@@ -59,7 +59,7 @@ class ContactForce : public PairForce {
              {{"all", Part::all, "barrier and adhesion"},
               {"barrier", Part::barrier, "repulsion only"},
               {"adhesion", Part::adhesion, "attraction only"}},
-             "which normal laws");
+             "normal laws that count");
   }
 
   void prepare(const World& world) override {
@@ -86,7 +86,7 @@ class FrictionForce : public PairForce {
              {{"all", Part::all, "friction and tangential adhesion"},
               {"friction", Part::friction, "friction only"},
               {"adhesion", Part::adhesion, "tangential adhesion only"}},
-             "which tangential laws");
+             "tangential laws that count");
   }
 
   void prepare(const World& world) override {
@@ -111,8 +111,8 @@ class NamedForce : public PairForce {
  public:
   void fields(Fields& f) override {
     PairForce::fields(f);
-    f.text("of", of_, "the name under which it is published: contact, rim (of covered areas), bonds, friction, damping, or one of a plugin").required();
-    f.text("part", part_, "a part of it; unless given, all");
+    f.text("of", of_, "published name: contact, rim (overlap-boundary force), bonds, friction, damping, or one of a plugin").required();
+    f.text("part", part_, "published component of it; all unless given");
   }
 
   void prepare(const World& world) override {
@@ -144,7 +144,7 @@ class NamedForce : public PairForce {
 
 TACK_REGISTER(Probe, ContactForce, "contact_force", "Normal contact force between objects [N].", "");
 TACK_REGISTER(Probe, FrictionForce, "friction_force", "Friction and tangential adhesion between objects in the last step [N].", "");
-TACK_REGISTER(Probe, NamedForce, "force", "A force on an object by its name, of those that act in the scene [N].", "");
+TACK_REGISTER(Probe, NamedForce, "force", "A force that the scene publishes, on an object [N].", "");
 
 }  // namespace
 }  // namespace tack

@@ -19,8 +19,8 @@ class FormulaProbe : public DerivedProbe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("of", text_, "a formula of columns of probes that stand before this one, and of t, the time [s]: `force / (0.1 * 0.1)`").required().formula({"t"});
-    f.text("unit", unit_, "what the result of the formula is in: `mN`, say, of which the column has the SI unit; a plain number unless given");
+    f.text("of", text_, "formula of columns of earlier probes and of the time t [s]: `force / (0.1 * 0.1)`").required().formula({"t"});
+    f.text("unit", unit_, "unit of the result, as `mN`; the column has the SI unit; dimensionless unless given");
     f.check("unit", [this] { return check_unit(); });
   }
   Unit unit() const override {
@@ -69,7 +69,7 @@ class FormulaProbe : public DerivedProbe {
   mutable std::vector<double> values_;  // of the variables
 };
 
-TACK_REGISTER(Probe, FormulaProbe, "formula", "A function of other probes: their sums, differences, products, ...", "");
+TACK_REGISTER(Probe, FormulaProbe, "formula", "A formula of other probes.", "");
 
 }  // namespace
 }  // namespace tack

@@ -133,9 +133,10 @@ class JointError : public OfJoint<Probe> {
   std::vector<double> sample(const World&, const State& state) override { return {joint_error(joint(), state.x)}; }
 };
 
-TACK_REGISTER(Probe, JointForce, "joint_force", "What a joint exerts on its object, in sum [N].", "");
-TACK_REGISTER(Probe, JointTorque, "joint_torque", "The moment about its point of what a joint exerts on its object, limits, friction and motors included [N m].", "");
-TACK_REGISTER(Probe, JointError, "joint_error", "How far apart what a joint has in one place is at worst [m].", "");
+TACK_REGISTER(Probe, JointForce, "joint_force", "Total force of a joint on its object [N].", "");
+TACK_REGISTER(Probe, JointTorque, "joint_torque", "Moment of a joint on its object about the joint point, including limits, friction and motors [N "
+                                                  "m].", "");
+TACK_REGISTER(Probe, JointError, "joint_error", "Largest distance between points that a joint constrains to coincide [m].", "");
 
 }  // namespace
 }  // namespace tack

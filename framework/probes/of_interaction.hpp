@@ -19,7 +19,7 @@ class OfInteraction : public Base {
  public:
   void fields(Fields& f) override {
     Base::fields(f);
-    f.text("interaction", interaction_, "its name").required();
+    f.text("interaction", interaction_, "name of the interaction").required();
   }
   void prepare(const World& world) override {
     const ActingInteraction& interaction = interaction_named(world, interaction_, this->name_);

@@ -16,7 +16,7 @@ class CentreOfMass : public VectorProbe {
   void fields(Fields& f) override {
     VectorProbe::fields(f);
     f.text("object", object_, "name of the object").required();
-    f.flag("velocity", velocity_, "its velocity [m/s] instead of its position [m]");
+    f.flag("velocity", velocity_, "record the velocity [m/s] instead of the position [m]");
   }
   Unit unit() const override { return velocity_ ? units::velocity : units::length; }
   void prepare(const World& world) override { index_ = object_index(world, object_, name_); }
@@ -37,9 +37,9 @@ class Separation : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.object("from", from_, "vertices that it is measured from");
-    f.object("to", to_, "vertices that it is measured to");
-    f.vector("direction", direction_, units::none, "direction of measurement");
+    f.object("from", from_, "vertices at which it starts");
+    f.object("to", to_, "vertices at which it ends");
+    f.vector("direction", direction_, units::none, "direction of the distance");
     f.flag("relative", relative_, "relative to the value at rest: (d - d0) / d0, a nominal strain");
     f.check("direction", [this]() -> std::string { return direction_.norm() > 0 ? "" : "must not be zero"; });
   }
@@ -94,7 +94,7 @@ class ObjectsWithin : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("of", of_, "an object, or what copies were made of, all of which are meant").required();
+    f.text("of", of_, "an object; with `fill`, all of its copies").required();
     f.vector("min", min_, units::length, "lowest corner of the box").required();
     f.vector("max", max_, units::length, "highest corner").required();
     f.check("max", [this]() -> std::string { return (max_.array() > min_.array()).all() ? "" : "must be beyond min, in x, y and z"; });
@@ -126,7 +126,7 @@ class ObjectsWithin : public Probe {
 };
 
 TACK_REGISTER(Probe, CentreOfMass, "centre_of_mass", "Position or velocity of an object's centre of mass.", "");
-TACK_REGISTER(Probe, ObjectsWithin, "objects_within", "How many objects, of copies of one, have their centres of mass in a box.", "");
+TACK_REGISTER(Probe, ObjectsWithin, "objects_within", "Number of copies of an object whose centre of mass is in a box.", "");
 TACK_REGISTER(Probe, Separation, "separation",
               "Distance between two sets of vertices along a direction [m], or its relative change.", "");
 TACK_REGISTER(Probe, Gap, "gap", "Smallest distance between two objects [m].", "");

@@ -92,8 +92,8 @@ class Torque : public VectorProbe {
   std::vector<int> edges_;  // of it
 };
 
-TACK_REGISTER(Probe, Torque, "torque", "The moment that holds or drives a selection of held vertices, and the twist of edges between them [N m].", "");
-TACK_REGISTER(Probe, Reaction, "reaction", "The force that holds or drives a selection of held vertices [N].", "");
+TACK_REGISTER(Probe, Torque, "torque", "Reaction moment on vertices with prescribed motion and on the twist of edges between them [N m].", "");
+TACK_REGISTER(Probe, Reaction, "reaction", "Reaction force on vertices with prescribed motion [N].", "");
 
 }  // namespace
 }  // namespace tack

@@ -15,7 +15,7 @@ class StepProbe : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("figure", figure_, "one of the stepper's columns of steps.csv; of lcp_pgs: sweeps, rows, row_residual [m/s], penetration [m] or crossing_pairs").required();
+    f.text("figure", figure_, "column of the stepper in steps.csv; lcp_pgs: sweeps, rows, row_residual [m/s], penetration [m] or crossing_pairs").required();
   }
   void prepare(const World& world) override {
     std::vector<std::string> names;
@@ -33,7 +33,8 @@ class StepProbe : public Probe {
   size_t at_ = 0;
 };
 
-TACK_REGISTER(Probe, StepProbe, "step", "What the stepper tells of the last step (of lcp_pgs: how many surfaces have passed through each other, and how deep) [SI]; 0 before the first.", "");
+TACK_REGISTER(Probe, StepProbe, "step", "A metric that the stepper reports of the last step (lcp_pgs: number of crossing surfaces, penetration) "
+                                        "[SI]; 0 before the first step.", "");
 
 }  // namespace
 }  // namespace tack

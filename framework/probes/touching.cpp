@@ -55,10 +55,10 @@ class ContactArea : public Probe {
     Probe::fields(f);
     between_.fields(f);
     f.choice("part", part_,
-             {{"all", LawTerm::all, "within reach of barrier or adhesion"},
-              {"barrier", LawTerm::barrier, "closer than the contact distance: what presses"},
-              {"adhesion", LawTerm::adhesion, "within reach of adhesion"}},
-             "which laws");
+             {{"all", LawTerm::all, "within the range of barrier or adhesion"},
+              {"barrier", LawTerm::barrier, "closer than the contact distance"},
+              {"adhesion", LawTerm::adhesion, "within the range of adhesion"}},
+             "laws that count");
   }
   void prepare(const World& world) override {
     require_contact(world, name_);
@@ -87,7 +87,7 @@ class AttachedObjects : public Probe {
  public:
   void fields(Fields& f) override {
     Probe::fields(f);
-    f.text("to", to_, "name of the object that holds them").required();
+    f.text("to", to_, "name of the object that they adhere to").required();
   }
   void prepare(const World& world) override {
     require_contact(world, name_);
@@ -132,7 +132,7 @@ TACK_REGISTER(Probe, SlidingSpeed, "sliding_speed",
               "Mean speed of one surface along another where they touch or adhere, in the last step [m/s].", "");
 TACK_REGISTER(Probe, ContactArea, "contact_area", "The area over which two objects touch or adhere [m^2].", "");
 TACK_REGISTER(Probe, AttachedObjects, "attached_objects",
-              "How many other objects an object holds within reach of its adhesion, or by bonds.", "");
+              "Number of other objects within the adhesion range of an object, or bonded to it.", "");
 
 }  // namespace
 }  // namespace tack

@@ -38,7 +38,7 @@ class VertexSet {
  public:
   void fields(Fields& f) {
     f.text("object", object_, "name of the object").required();
-    f.component("select", select_, "its vertices");
+    f.component("select", select_, "selected vertices");
   }
   void prepare(const World& world, const std::string& probe);
   const std::vector<int>& vertices() const { return vertices_; }

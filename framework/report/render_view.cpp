@@ -18,22 +18,22 @@ Json or_null(const std::optional<Vec3>& v) { return v ? Json{v->x(), v->y(), v->
 }  // namespace
 
 void RenderLook::fields(Fields& f) {
-  f.text("colour", colour, "of CSS: `#0072B2`, `tomato`; unless given, its own, as in reports");
-  f.number("roughness", roughness, units::none, "0 shines, 1 is dull").range(0, 1);
-  f.number("metalness", metalness, units::none, "1: as metals shine").range(0, 1);
-  f.number("opacity", opacity, units::none, "what is not seen through").range(0, 1);
-  f.number("smooth", smooth, units::angle, "triangles that meet at less than this look like one surface; 0: every one by itself").range(0, std::numbers::pi);
-  f.flag("lines", lines, "edges of the mesh");
-  f.flag("hide", hide, "is not drawn");
+  f.text("colour", colour, "CSS colour: `#0072B2`, `tomato`; its own colour, as in reports, unless given");
+  f.number("roughness", roughness, units::none, "0: glossy, 1: matt").range(0, 1);
+  f.number("metalness", metalness, units::none, "1: metallic reflection").range(0, 1);
+  f.number("opacity", opacity, units::none, "0: transparent, 1: opaque").range(0, 1);
+  f.number("smooth", smooth, units::angle, "angle between triangles below which they are shaded as one smooth surface; 0: flat shading").range(0, std::numbers::pi);
+  f.flag("lines", lines, "draw the edges of the mesh");
+  f.flag("hide", hide, "do not draw it");
 }
 
 void RenderField::fields(Fields& f) {
-  f.text("name", name, "what colours: a field of frames (`output.fields`)").required();
-  f.numbers("range", limits, units::none, "from and to, in SI; unless given, the least and the largest of the runs");
-  f.flag("log", log, "a logarithmic scale");
-  f.choice("map", map, {{"automatic", "automatic", "`red_blue` of what has both signs, else `viridis`"}, {"viridis", "viridis", "even to the eye, also of the colour-blind"}, {"magma", "magma", "from black"}, {"cividis", "cividis", "blue to yellow"},
-                        {"red_blue", "red_blue", "of what has a sign: its middle is zero"}},
-           "colours");
+  f.text("name", name, "field of frames that colours the surfaces (`output.fields`)").required();
+  f.numbers("range", limits, units::none, "smallest and largest value of the colour scale, in SI; those of the runs unless given");
+  f.flag("log", log, "logarithmic colour scale");
+  f.choice("map", map, {{"automatic", "automatic", "`red_blue` if values have both signs, else `viridis`"}, {"viridis", "viridis", "perceptually uniform, also for the colour-blind"}, {"magma", "magma", "perceptually uniform, from black"}, {"cividis", "cividis", "blue to yellow"},
+                        {"red_blue", "red_blue", "diverging, zero in the middle"}},
+           "colour map");
   f.check("range", [this]() -> std::string {
     if (limits.empty()) return "";
     return limits.size() == 2 && limits[0] < limits[1] ? "" : "needs two numbers, the second above the first";
@@ -41,32 +41,33 @@ void RenderField::fields(Fields& f) {
 }
 
 void RenderCamera::fields(Fields& f) {
-  f.optional_vector("from", from, units::length, "where it stands; unless given, as `look`, `turn`, `lift` and `zoom` say");
-  f.optional_vector("to", to, units::length, "what it looks at; unless given, the middle of what `fit` says");
-  f.choice("look", look, {{"corner", "corner", "from before and above"}, {"x", "x", "along x"}, {"y", "y", "along y"}, {"z", "z", "along z"}}, "from where");
-  f.number("turn", turn, units::angle, "from there about the vertical");
-  f.number("lift", lift, units::angle, "and upwards");
-  f.number("zoom", zoom, units::none, "how much nearer than where all of it is seen").positive();
-  f.number("angle", angle, units::angle, "of view, from below to above").above(0).below(3);
+  f.optional_vector("from", from, units::length, "position of the camera; set by `look`, `turn`, `lift` and `zoom` unless given");
+  f.optional_vector("to", to, units::length, "target of the camera; the centre of the objects chosen by `fit` unless given");
+  f.choice("look", look, {{"corner", "corner", "from the front, above a corner"}, {"x", "x", "along x"}, {"y", "y", "along y"}, {"z", "z", "along z"}}, "direction of view");
+  f.number("turn", turn, units::angle, "rotation from that direction about the vertical");
+  f.number("lift", lift, units::angle, "elevation above that direction");
+  f.number("zoom", zoom, units::none, "magnification relative to the view of all objects").positive();
+  f.number("angle", angle, units::angle, "vertical angle of view").above(0).below(3);
   f.choice("fit", fit, {{"run", "run", "all of the run"}, {"first", "first", "the first frame"}, {"last", "last", "the last frame"}, {"frame", "frame", "each frame: the camera follows"}},
-           "what has to be seen, of the objects that are drawn");
+           "frames whose objects must be in view");
 }
 
 void RenderView::fields(Fields& f) {
-  f.vector("size", size, "of the picture, in pixels").at_least(16).at_most(8192);
-  f.number("fps", fps, units::none, "pictures a second, of films").positive();
-  f.optional_number("speed", speed, units::none, "simulated seconds a second, of films; unless given, each frame of the run is a picture").positive();
-  f.optional_number("at", at, units::time, "when, of pictures; unless given, at the end");
-  f.optional_number("from", from, units::time, "of films: where they begin");
-  f.optional_number("to", to, units::time, "of films: where they end");
-  f.optional_integer("lights", lights, "drawings with a light each, of which a picture is the mean: more are smoother, and take longer; unless given 48, of films 8").at_least(1).at_most(1000);
-  f.text("background", background, "a colour of CSS");
-  f.flag("time", time, "the time is written into a corner");
-  f.flag("scale_bar", scale_bar, "colours of a field are explained");
-  f.texts("labels", labels, "above each run; unless given, names of folders where there are several");
-  f.map("objects", objects, "how objects look, by name; `chip*` are all that begin so");
-  f.optional_object("field", field, "what colours surfaces; unless given, objects have colours");
-  f.object("camera", camera, "from where");
+  f.vector("size", size, "size of the picture in pixels").at_least(16).at_most(8192);
+  f.number("fps", fps, units::none, "frames per second of films").positive();
+  f.optional_number("speed", speed, units::none, "simulated time per second of films; unless given, each frame of the run is one picture").positive();
+  f.optional_number("at", at, units::time, "time of a picture; the end unless given");
+  f.optional_number("from", from, units::time, "start time of films");
+  f.optional_number("to", to, units::time, "end time of films");
+  f.optional_integer("lights", lights, "lights whose drawings are averaged into a picture: more give smoother shadows and take longer; 48 unless "
+                                       "given, 8 for films").at_least(1).at_most(1000);
+  f.text("background", background, "CSS colour of the background");
+  f.flag("time", time, "write the time into a corner");
+  f.flag("scale_bar", scale_bar, "draw the colour scale of the field");
+  f.texts("labels", labels, "titles above the runs; names of the folders unless given, if there are several");
+  f.map("objects", objects, "appearance of objects, by name; `chip*` matches all names with that beginning");
+  f.optional_object("field", field, "field that colours the surfaces; object colours unless given");
+  f.object("camera", camera, "position and direction of the camera");
 }
 
 Json json_of(const RenderView& v, int lights) {

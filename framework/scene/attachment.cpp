@@ -13,11 +13,11 @@
 namespace tack {
 
 void AttachConfig::fields(Fields& f) {
-  f.component("select", select, "its vertices that follow");
-  f.text("to", to, "the object that they follow").required();
+  f.component("select", select, "vertices that are attached");
+  f.text("to", to, "object that they are attached to").required();
   f.optional_number("within", within, units::length,
-                    "how far from that object they may be; unless given, a thousandth of its size").nonnegative();
-  f.optional_number("until", until, units::time, "when they are let go, with the velocity they have; never unless given")
+                    "largest initial distance from that object; a thousandth of its size unless given").nonnegative();
+  f.optional_number("until", until, units::time, "time of release; the vertices keep their velocity; never unless given")
       .positive();
 }
 

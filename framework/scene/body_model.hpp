@@ -12,7 +12,7 @@ namespace tack {
 class BodyModel : public Component {
  public:
   static constexpr const char* kind_name = "body";
-  static constexpr const char* kind_doc = "How an object as a whole may move.";
+  static constexpr const char* kind_doc = "Kinematics of an object as a whole.";
 
   virtual double density() const = 0;                   // kg/m^3
   virtual std::optional<double> stiffness() const = 0;  // Pa

@@ -4,11 +4,11 @@ namespace tack {
 
 void DampingConfig::fields(Fields& f) {
   f.number("stiffness", stiffness, units::time,
-           "beta: times the stiffness of its energies at the start of each step; damps the rate of strain, fast vibrations most, and no "
-           "translation or rotation. A vibration of angular frequency w loses beta w / 2 of critical").nonnegative();
+           "beta: factor of the stiffness of its energies at the start of each step; damps strain rates, fast "
+           "vibrations most, but no rigid motion. Damping ratio of a vibration of angular frequency w: beta w / 2").nonnegative();
   f.number("mass", mass, units::rate,
-           "alpha: times its mass; damps every motion, falling too. A vibration of angular frequency w loses alpha / (2 w) of "
-           "critical").nonnegative();
+           "alpha: factor of its mass; damps every motion, falling too. Damping ratio of a vibration of angular "
+           "frequency w: alpha / (2 w)").nonnegative();
 }
 
 }  // namespace tack

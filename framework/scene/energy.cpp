@@ -5,7 +5,7 @@
 namespace tack {
 
 void Energy::fields(Fields& f) {
-  f.component("select", select_, "it acts on, and gives mass to, the elements all of whose vertices are chosen; unless given, all");
+  f.component("select", select_, "elements it acts on and gives mass to: those with all vertices selected; all unless given");
 }
 
 }  // namespace tack

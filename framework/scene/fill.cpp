@@ -15,14 +15,14 @@
 namespace tack {
 
 void FillConfig::fields(Fields& f) {
-  f.component("region", region, "that copies stay within, by at least the clearance").required();
-  f.optional_integer("count", count, "of copies").at_least(1);
-  f.optional_number("packing", packing, units::none, "volume of the copies by that of the region, instead of a count").positive().below(0.7);
-  f.number("clearance", clearance, units::length, "between copies at least").required().positive();
-  f.flag("rotate", rotate, "copies are turned at random");
-  f.integer("seed", seed, "another one, other places").at_least(0);
+  f.component("region", region, "region that contains the copies, with at least the clearance to its boundary").required();
+  f.optional_integer("count", count, "number of copies").at_least(1);
+  f.optional_number("packing", packing, units::none, "volume of the copies over the volume of the region, instead of a count").positive().below(0.7);
+  f.number("clearance", clearance, units::length, "smallest distance between copies").required().positive();
+  f.flag("rotate", rotate, "rotate copies at random");
+  f.integer("seed", seed, "random seed of the positions").at_least(0);
   f.choice("into", into, {{"objects", Into::objects, "each copy is an object, NAME_1 and so on, in a group NAME"},
-                          {"one", Into::one, "all copies are one object, which is in contact with itself"}}, "what becomes of them");
+                          {"one", Into::one, "all copies are one object, which is in contact with itself"}}, "objects that the copies become");
   f.check("count", [this]() -> std::string { return count.has_value() != packing.has_value() ? "" : "give either count or packing"; });
 }
 

@@ -23,7 +23,8 @@ struct ObjectVertices {
 class Interaction : public Component {
  public:
   static constexpr const char* kind_name = "interaction";
-  static constexpr const char* kind_doc = "What acts between objects, on vertices of them, or on one.";
+  static constexpr const char* kind_doc = "A connection between objects or vertices, or an action on one object: joints, springs, ropes, fluid "
+                                          "cavities.";
 
   // What derives from it lists its own behind these.
   void fields(Fields& f) override;

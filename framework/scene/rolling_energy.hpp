@@ -15,8 +15,7 @@ class RollingEnergy : public Energy {
  protected:
   void rolling_field(Fields& f) {
     f.flag("rolling", rolling_,
-           "friction turns it, at the lever of the object's contact_offset; else it slides without "
-           "turning");
+           "friction exerts a torque with the lever arm contact_offset, so that it can roll; false: it slides without rotating");
   }
 
  private:

@@ -20,8 +20,8 @@ class Affine : public BodyModel {
   void fields(Fields& f) override {
     f.number("density", density_, units::density, "mass per volume").positive();
     f.optional_number("stiffness", stiffness_, units::pressure,
-                      "stress that strains it by one; unless given, what keeps strains below 1e-4 under the weight of all "
-                      "that may meet it in the run, and where it is stopped within a step at the speed of a fall over all that")
+                      "stress per strain; unless given, high enough for strains below 1e-4 under the weight of everything that it "
+                      "may touch in the run, and if it is stopped within a step at the speed of a fall over the extent of all that")
         .positive();
   }
   double density() const override { return density_; }
@@ -33,7 +33,7 @@ class Affine : public BodyModel {
 };
 
 TACK_REGISTER(BodyModel, Affine, "affine",
-              "Moves affinely, all but rigidly: twelve unknowns whatever its mesh, with its exact mass and second moments.",
+              "Affine, nearly rigid body: twelve degrees of freedom for any mesh, with exact mass and second moments.",
               "Lan, Kaufman, Li, Jiang, Yang 2022, Affine Body Dynamics");
 
 }  // namespace

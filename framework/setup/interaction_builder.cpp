@@ -18,11 +18,11 @@ namespace tack {
 
 void ObjectVertices::fields(Fields& f) {
   f.text("object", object, "name of the object").required();
-  f.component("select", select, "its vertices");
+  f.component("select", select, "selected vertices");
 }
 
 void Interaction::fields(Fields& f) {
-  f.text("name", name_, "what probes and messages call it; unless given, its type and its number in the list, from 0").line();
+  f.text("name", name_, "name in probes and messages; unless given, its type and its index in the list, from 0").line();
 }
 
 InteractionBuilder::InteractionBuilder(const SceneConfig& scene, World& world, std::string name, std::string type)

@@ -18,7 +18,7 @@ struct PartConfig {
 class PartsShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
-    f.list("parts", parts_, "what it is made of; vertices that coincide stay apart, groups of the same name are united").required().nonempty();
+    f.list("parts", parts_, "component shapes; coincident vertices are not merged, groups of the same name are united").required().nonempty();
   }
   bool costly() const override {
     return std::any_of(parts_.begin(), parts_.end(), [](const PartConfig& part) { return part.shape->costly(); });

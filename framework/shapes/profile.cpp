@@ -29,10 +29,10 @@ std::string problem_of(const std::string& text) {
 }  // namespace
 
 void ProfileConfig::fields(Fields& f, const std::string& first) {
-  f.vectors("profile", corners, units::length, "its corners (x, y), x the " + first);
+  f.vectors("profile", corners, units::length, "corners (x, y), x the " + first);
   f.text("profile_x", x, "instead of corners: x [m], a formula of s, from 0 to 1").formula(along);
-  f.text("profile_y", y, "y [m], likewise").formula(along);
-  f.flag("closed", closed, "the last point is followed by the first, and what is inside is filled with tets; otherwise it is a sheet");
+  f.text("profile_y", y, "instead of corners: y [m], a formula of s, from 0 to 1").formula(along);
+  f.flag("closed", closed, "the last point joins the first, and the interior is filled with tets; false: a sheet");
   f.integer("cells_profile", cells, "cells along the profile").range(1, most_cells);
   f.check("profile_x", [this] { return problem_of(x); });
   f.check("profile_y", [this] { return problem_of(y); });

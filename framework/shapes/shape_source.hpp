@@ -9,7 +9,7 @@ namespace tack {
 class ShapeSource : public Component {
  public:
   static constexpr const char* kind_name = "shape";
-  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape, a file, or what is made of them.";
+  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
   virtual bool reads_files() const { return false; }  // so that the parameters alone do not make the mesh

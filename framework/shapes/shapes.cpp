@@ -68,10 +68,11 @@ class CylinderShape : public ShapeSource {
 class SectorShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
-    f.number("angle", shape_.angle, units::angle, "what it takes of the whole turn; small, as it is one cell wide").positive();
-    f.vectors("rings", rings_, units::length, "cells along the radius: places, from 0 to the rim, and how long cells are there; linear in between").required();
-    f.vectors("layers", layers_, units::length, "cells along the depth, likewise").required();
-    f.number("crown", shape_.crown, units::length, "radius of the ball that its top is a part of; 0: flat").nonnegative();
+    f.number("angle", shape_.angle, units::angle, "angle of the sector; small, because it is one cell wide").positive();
+    f.vectors("rings", rings_, units::length, "cells along the radius: positions from 0 to the rim, each with the cell length there; linear in "
+                                              "between").required();
+    f.vectors("layers", layers_, units::length, "cells along the depth: positions, each with the cell length there; linear in between").required();
+    f.number("crown", shape_.crown, units::length, "radius of the spherical top; 0: flat").nonnegative();
   }
   Mesh make() const override {
     Sector shape = shape_;
@@ -90,7 +91,7 @@ class VoussoirShape : public ShapeSource {
   void fields(Fields& f) override {
     f.number("inner_radius", stone_.inner_radius, units::length, "radius of the arch below").positive();
     f.number("outer_radius", stone_.outer_radius, units::length, "radius of the arch above").positive();
-    f.number("angle", stone_.angle, units::angle, "of the arch that it takes, its joint included").positive();
+    f.number("angle", stone_.angle, units::angle, "angle of the arch that it spans, joint included").positive();
     f.number("depth", stone_.depth, units::length, "extent along z").positive();
     f.number("joint", stone_.joint, units::length, "gap to the next stone, half of it on each side").nonnegative();
     f.vector("cells", cells_, "cells along the arc, the radius and z").at_least(1);
@@ -110,11 +111,11 @@ class GridShape : public ShapeSource {
     f.choice("diagonals", diagonals_,
              {{"alternating", Diagonals::alternating, "neighbouring cells are cut along different diagonals"},
               {"uniform", Diagonals::uniform, "all cells are cut along the same diagonal"}},
-             "how cells are cut");
+             "diagonals of the cells");
     f.number("jitter", jitter_, units::none,
-             "irregular triangles: vertices inside are moved in the plane by up to that part of a cell, at random; borders stay")
+             "random displacement of interior vertices in the plane, as a fraction of a cell; borders stay")
         .range(0, 0.24);
-    f.integer("seed", seed_, "of the jitter: another one, other triangles").at_least(0);
+    f.integer("seed", seed_, "random seed of the jitter").at_least(0);
   }
   Mesh make() const override { return grid(size_, cells_, diagonals_, jitter_, seed_); }
 
@@ -142,7 +143,7 @@ class SegmentShape : public ShapeSource {
 class RingShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
-    f.number("radius", radius_, units::length, "of its vertices, in the plane y = 0; centred at the origin").required().positive();
+    f.number("radius", radius_, units::length, "radius of its vertices, in the plane y = 0; centred at the origin").required().positive();
     f.integer("edges", edges_, "edges").at_least(3);
   }
   Mesh make() const override { return ring(radius_, edges_); }
@@ -155,7 +156,7 @@ class RingShape : public ShapeSource {
 class HelixShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
-    f.number("radius", radius_, units::length, "of its vertices about the y axis, right-handed; centred at the origin").required().positive();
+    f.number("radius", radius_, units::length, "radius about the y axis; right-handed, centred at the origin").required().positive();
     f.number("pitch", pitch_, units::length, "rise along y in a turn").required().positive();
     f.number("turns", turns_, units::none, "number of turns").positive();
     f.integer("edges", edges_, "edges").at_least(1);
@@ -185,8 +186,8 @@ class NetShape : public ShapeSource {
 class WebShape : public ShapeSource {
  public:
   void fields(Fields& f) override {
-    f.number("radius", radius_, units::length, "of the spokes, in the plane y = 0; groups of vertices: centre, ends, spiral").required().positive();
-    f.number("inner_radius", inner_radius_, units::length, "where the spiral begins").required().positive();
+    f.number("radius", radius_, units::length, "length of the spokes, in the plane y = 0; groups of vertices: centre, ends, spiral").required().positive();
+    f.number("inner_radius", inner_radius_, units::length, "radius at which the spiral begins").required().positive();
     f.number("edge_length", edge_length_, units::length, "straight pieces are divided into edges no longer than this").required().positive();
     f.integer("spokes", spokes_, "spokes").at_least(3);
     f.integer("turns", turns_, "turns of the spiral").at_least(1);
@@ -227,10 +228,11 @@ TACK_REGISTER(ShapeSource, BoxShape, "box", "A box of tets (or its surface).", "
 TACK_REGISTER(ShapeSource, SphereShape, "sphere", "A ball of tets (or its surface).", "");
 TACK_REGISTER(ShapeSource, CylinderShape, "cylinder", "A cylinder of tets along y.", "");
 TACK_REGISTER(ShapeSource, SectorShape, "sector",
-              "A thin sector of a body of revolution about y, one cell wide, with cells of graded lengths: for what is the same all around. Its sides are planes of "
-              "symmetry, held by `along` their normals. Groups: axis, left, right, top, bottom, rim.", "");
+              "A thin sector of a body of revolution about y, one cell wide, with graded cells, for axisymmetric "
+              "problems. Its sides are symmetry planes: fix them with `along` their normals. Groups: axis, left, "
+              "right, top, bottom, rim.", "");
 TACK_REGISTER(ShapeSource, VoussoirShape, "voussoir",
-              "A stone of an arch about the z axis, at the crown; turn it into its place.", "");
+              "A stone of an arch about the z axis, at the crown; rotate it into position.", "");
 TACK_REGISTER(ShapeSource, GridShape, "grid", "A flat sheet of triangles.", "");
 TACK_REGISTER(ShapeSource, SegmentShape, "segment", "A straight line of edges along x.", "");
 TACK_REGISTER(ShapeSource, RingShape, "ring", "A closed polygon of edges.", "");

@@ -26,8 +26,8 @@ class SweptShape : public ShapeSource {
   void profile_fields(Fields& f, const std::string& first) {
     profile_.fields(f, first);
     f.optional_number("edge_length", edge_length_, units::length,
-                      "of triangles in a closed profile, at most: 4/3 of its longest cell unless given; sides are divided where they are longer").positive();
-    f.flag("surface", surface_, "of a closed profile, triangles of the boundary only, no tets");
+                      "largest edge length of triangles in a closed profile; 4/3 of its longest cell unless given; longer sides are divided").positive();
+    f.flag("surface", surface_, "for a closed profile: triangles of the boundary only, no tets");
     f.check("edge_length", [this] { return profile_.closed || !edge_length_ ? "" : "is for what is inside of a profile that is closed: true"; });
     f.check("surface", [this] { return profile_.closed || !surface_ ? "" : "a profile that is not closed makes a sheet, which is a surface anyway"; });
   }
@@ -44,10 +44,10 @@ class SweptShape : public ShapeSource {
 class RevolvedShape : public SweptShape {
  public:
   void fields(Fields& f) override {
-    profile_fields(f, "distance from the axis y, not negative");
-    f.number("angle", angle_, units::angle, "of the turn about y, right-handed, from x on; groups where it is less than a whole one: start, end").positive();
+    profile_fields(f, "distance from the y axis, not negative");
+    f.number("angle", angle_, units::angle, "angle of revolution about y, right-handed, from x; groups if it is less than a full turn: start, end").positive();
     f.check("angle", [this] { return angle_ <= whole * (1 + 1e-9) ? "" : "is more than a whole turn, 360 deg"; });
-    f.integer("cells_around", cells_, "cells along the turn, three or more of a whole one").at_least(1);
+    f.integer("cells_around", cells_, "cells along the revolution, three or more for a full turn").at_least(1);
   }
 
  private:
@@ -62,7 +62,7 @@ class RevolvedShape : public SweptShape {
 class ExtrudedShape : public SweptShape {
  public:
   void fields(Fields& f) override {
-    profile_fields(f, "place along x");
+    profile_fields(f, "position along x");
     f.number("length", length_, units::length, "extent along z, in the middle of which z is 0; groups at its ends: start, end").required().positive();
     f.integer("cells_along", cells_, "cells along the length").at_least(1);
   }
@@ -75,8 +75,8 @@ class ExtrudedShape : public SweptShape {
   int cells_ = 8;
 };
 
-TACK_REGISTER(ShapeSource, RevolvedShape, "revolve", "What a profile passes over when it is turned about the y axis: a sheet, or if it is closed a solid.", "");
-TACK_REGISTER(ShapeSource, ExtrudedShape, "extrude", "What a profile passes over when it is moved along z: a sheet, or if it is closed a solid.", "");
+TACK_REGISTER(ShapeSource, RevolvedShape, "revolve", "A profile revolved about the y axis: a sheet, or a solid if the profile is closed.", "");
+TACK_REGISTER(ShapeSource, ExtrudedShape, "extrude", "A profile extruded along z: a sheet, or a solid if the profile is closed.", "");
 
 }  // namespace
 }  // namespace tack

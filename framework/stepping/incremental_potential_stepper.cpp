@@ -233,7 +233,7 @@ class IncrementalPotentialStepper : public Stepper {
 };
 
 TACK_REGISTER(Stepper, IncrementalPotentialStepper, "incremental_potential",
-              "Minimises the incremental potential of the step; nothing that it keeps intersects or is inverted.",
+              "Minimises the incremental potential of the step; accepted states neither intersect nor invert.",
               "Fang et al., eq. 1; Li et al. 2020, Incremental Potential Contact");
 
 }  // namespace

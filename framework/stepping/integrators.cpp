@@ -186,7 +186,7 @@ class QuasiStatic : public TimeIntegrator {
 TACK_REGISTER(TimeIntegrator, ImplicitEuler, "implicit_euler",
               "First order, stable for any step, damps vibrations.", "Fang et al., section 3.1");
 TACK_REGISTER(TimeIntegrator, Bdf2, "bdf2",
-              "Second order, damps vibrations little; implicit Euler for a step after contact was not smooth.",
+              "Second order, with little numerical damping; falls back to implicit Euler for one step after non-smooth contact.",
               "Li 2020, Robust and Accurate Simulation of Elastodynamics and Contact");
 TACK_REGISTER(TimeIntegrator, Newmark, "newmark",
               "Second order, no numerical damping (beta 1/4, gamma 1/2), contact as an implicit impulse.",

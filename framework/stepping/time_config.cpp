@@ -6,8 +6,8 @@ namespace tack {
 
 void AdaptiveConfig::fields(Fields& f) {
   f.number("error", error, units::length,
-           "by how far the end of a step may be off, estimated by a formula of another order: the root of the mean square over the mass of "
-           "a body, of the body for which that is largest. A step that is off by more is repeated with a smaller one")
+           "largest position error of a step, estimated by a formula of another order: mass-weighted RMS per body, "
+           "the largest over bodies. A step with a larger error is repeated with a smaller size")
       .required().positive();
   f.optional_number("smallest", smallest, units::time, "the smallest step, kept whatever its error; a thousandth of time.step unless given").positive();
   f.optional_number("largest", largest, units::time, "the largest step; ten times time.step unless given").positive();
@@ -17,18 +17,18 @@ double TimeConfig::smallest_step() const { return adaptive->smallest.value_or(st
 double TimeConfig::largest_step() const { return adaptive ? adaptive->largest.value_or(10 * step) : step; }
 
 void TimeConfig::fields(Fields& f) {
-  f.number("step", step, units::time, "time step h; of steps that adapt, the first").positive();
-  f.optional_object("adaptive", adaptive, "steps whose sizes follow an error; all are of one size unless given");
+  f.number("step", step, units::time, "time step h; with adaptive steps, the first one").positive();
+  f.optional_object("adaptive", adaptive, "adaptive time steps by error control; constant steps unless given");
   f.number("duration", duration, units::time, "simulated time").positive();
   f.component("integrator", integrator, "time integration");
-  f.component("stepper", stepper, "how a step is solved");
+  f.component("stepper", stepper, "method that solves a step");
   f.optional_number("wall_limit", wall_limit, units::time,
-                    "wall time of the program, after which it ends with what it has and exit code 3; a run that is resumed has all of "
-                    "it again; none unless given")
+                    "wall time after which the run ends with the results so far and exit code 3; a resumed run has "
+                    "the whole limit again; none unless given")
       .positive();
   f.integer("max_halvings", max_halvings,
-            "how often a failed step may be halved before the run gives up; and one in which a body that goes further than its own size went "
-            "around what is in its way, before that is kept and told")
+            "largest number of cutbacks (halvings into substeps) of a failed step before the run ends with an error; "
+            "also of a step with tunnelling, after which the step is accepted with a warning")
       .range(0, 30);
   f.check("step", [this]() -> std::string {
     constexpr double least = 1e-100;  // s: incremental potentials are divided by its square

@@ -208,7 +208,7 @@ class Ccd : public StepFilter {
   double largest_offset_ = 0;  // m
 };
 
-TACK_REGISTER(StepFilter, Ccd, "ccd", "Nothing that moves passes through anything.",
+TACK_REGISTER(StepFilter, Ccd, "ccd", "No collision along the step (continuous collision detection).",
               "Li et al. 2021, Codimensional Incremental Potential Contact (additive CCD)");
 
 }  // namespace

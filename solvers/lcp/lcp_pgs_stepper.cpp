@@ -33,13 +33,15 @@ void refuse_unless(bool can, const std::string& what, const std::string& remedy)
 class LcpPgsStepper : public Stepper {
  public:
   void fields(Fields& f) override {
-    f.optional_number("margin", margin_, units::length, "the gap that surfaces keep; half of contact.distance unless given. What starts closer is not pushed apart").positive();
-    f.number("recovery", recovery_, units::none, "what of a gap that is too small, or of a depth, a step takes back. All of it in one step throws surfaces apart").positive().at_most(1);
-    f.integer("sweeps", sweeps_, "of projected Gauss-Seidel in a step, at most; what they leave is kept, and told").at_least(1);
+    f.optional_number("margin", margin_, units::length, "gap that surfaces keep; half of contact.distance unless given. Surfaces that start closer "
+                                                        "are not pushed apart").positive();
+    f.number("recovery", recovery_, units::none, "fraction of a gap error or penetration that is corrected per step; 1 throws surfaces apart").positive().at_most(1);
+    f.integer("sweeps", sweeps_, "largest number of projected Gauss-Seidel sweeps per step; the remaining residual is accepted and reported").at_least(1);
     f.optional_number("tolerance", tolerance_, units::velocity,
-                      "sweeps end when none changes a velocity by more; a thousandth of solver.tolerance unless given").positive();
-    f.integer("dense_rows", dense_rows_, "rows up to which the operator between impulses and velocities is one dense matrix; beyond, it is "
-              "dense in blocks of so many, and between them a solve for each block and sweep").at_least(3);
+                      "sweeps end when velocities change by less; a thousandth of solver.tolerance unless given").positive();
+    f.integer("dense_rows", dense_rows_, "rows up to which the operator between impulses and velocities is one dense "
+                                         "matrix; beyond, dense blocks of that size are coupled by one solve per "
+                                         "block and sweep").at_least(3);
     f.component("linear", linear_, "solver of the linearised step");
   }
 

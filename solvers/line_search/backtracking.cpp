@@ -52,7 +52,7 @@ class Backtracking : public LineSearch {
 };
 
 TACK_REGISTER(LineSearch, Backtracking, "backtracking",
-              "Armijo backtracking that trusts the slope where the energy is lost in round-off.",
+              "Armijo backtracking; uses the slope if energy differences are below round-off.",
               "Nocedal and Wright, Numerical Optimization, 3.1; Hager and Zhang 2005");
 
 }  // namespace tack

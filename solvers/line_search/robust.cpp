@@ -36,7 +36,7 @@ class Robust : public LineSearch {
 };
 
 TACK_REGISTER(LineSearch, Robust, "robust",
-              "Parameter-free backtracking: any decrease will do, and below round-off a slope that did not grow.",
+              "Parameter-free backtracking: accepts any decrease of the energy or, below round-off, a slope that does not grow.",
               "after Longva et al. 2023, Pitfalls of Projection");
 
 }  // namespace tack

@@ -105,7 +105,7 @@ class StrongWolfe : public LineSearch {
 };
 
 TACK_REGISTER(LineSearch, StrongWolfe, "strong_wolfe",
-              "Steps that lower the energy and flatten its slope, as quasi-Newton methods want them.",
+              "Strong Wolfe conditions on the decrease and the slope, for quasi-Newton methods.",
               "Nocedal and Wright, Numerical Optimization, 3.5");
 
 }  // namespace tack

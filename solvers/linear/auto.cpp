@@ -15,8 +15,8 @@ namespace tack {
 class AutomaticSolver : public LinearSolver {
  public:
   void fields(Fields& f) override {
-    f.component("direct", direct_, "solver where a factor is cheap, or iterations are many");
-    f.component("iterative", iterative_, "solver where a factor is expensive");
+    f.component("direct", direct_, "solver if a factorisation is cheap or many iterations are needed");
+    f.component("iterative", iterative_, "solver if a factorisation is expensive");
   }
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
@@ -155,7 +155,7 @@ class AutomaticSolver : public LinearSolver {
 };
 
 TACK_REGISTER(LinearSolver, AutomaticSolver, "auto",
-              "A kept factor or conjugate gradients, whichever should be faster.",
+              "A lagged Cholesky factor or conjugate gradients, whichever should be faster.",
               "predicted operations and fill against counted iterations");
 
 }  // namespace tack

@@ -8,7 +8,7 @@ namespace tack {
 class DiagonalCholesky : public Preconditioner {
  public:
   void fields(Fields& f) override {
-    f.integer("domain", domain_, "least number of vertices of a domain, the unit of work of a thread").at_least(1);
+    f.integer("domain", domain_, "smallest number of vertices of a domain, the unit of work of a thread").at_least(1);
   }
   bool update(const BlockMatrix& matrix, const Deadline& deadline) override { return sweeps_.update(matrix, domain_, deadline); }
   void apply(const VecX& r, VecX& z) override {
@@ -27,7 +27,7 @@ class DiagonalCholesky : public Preconditioner {
 };
 
 TACK_REGISTER(Preconditioner, DiagonalCholesky, "diagonal_cholesky",
-              "Incomplete Cholesky factor that changes the diagonal alone: no factor to make or to read.",
+              "Incomplete Cholesky factor that changes only the diagonal: no factor is computed or read.",
               "Pommerell 1992 (D-ILU); Eisenstat 1981");
 
 }  // namespace tack

@@ -17,7 +17,7 @@ namespace tack {
 class IncompleteCholesky : public Preconditioner {
  public:
   void fields(Fields& f) override {
-    f.integer("domain", domain_, "least number of vertices of a domain, the unit of work of a thread").at_least(1);
+    f.integer("domain", domain_, "smallest number of vertices of a domain, the unit of work of a thread").at_least(1);
   }
 
   bool update(const BlockMatrix& matrix, const Deadline& deadline) override {

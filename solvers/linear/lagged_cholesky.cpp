@@ -13,11 +13,11 @@ namespace tack {
 class LaggedCholesky : public LinearSolver {
  public:
   void fields(Fields& f) override {
-    f.component("direct", direct_, "makes the factor");
+    f.component("direct", direct_, "solver that factorises");
     f.number("tolerance", tolerance_, units::none,
              "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
     f.integer("max_iterations", max_iterations_,
-              "conjugate gradient iterations that a factorisation is thought to cost").at_least(1);
+              "estimated cost of a factorisation, in conjugate gradient iterations").at_least(1);
   }
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {

@@ -21,15 +21,15 @@ class Pcg : public LinearSolver {
     f.number("tolerance", tolerance_, units::none,
              "residual of the system, relative, in the norm of the preconditioner").range(1e-14, 0.5);
     f.flag("translations", with_translations_,
-           "let the preconditioner know the translations of whole bodies: what moves a body is then solved as well as the rest");
+           "add the translations of whole bodies to the preconditioner as a coarse space, so that these converge as well as the rest");
     f.flag("rigid_motions", with_rigid_motions_,
-           "in systems of 5000 vertices and more that take more than a few iterations, let it know the rigid motions of pieces of bodies as "
-           "well: then the number of iterations hardly grows with the mesh");
+           "in systems of 5000 or more vertices that need more than a few iterations, also add the rigid motions of "
+           "subdomains of bodies, so that the number of iterations hardly grows with the mesh");
     f.integer("max_iterations", max_iterations_, "iterations after which a system counts as unsolved")
         .at_least(1);
     f.flag("truncate", truncate_,
-           "keep what was reached where the curvature turns negative or the iterations run out, for inexact "
-           "Newton methods; otherwise such a system counts as unsolved");
+           "return the current iterate at negative curvature or after max_iterations, for inexact Newton methods; "
+           "otherwise such a system counts as unsolved");
   }
 
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) override {
@@ -107,7 +107,7 @@ class Pcg : public LinearSolver {
 };
 
 TACK_REGISTER(LinearSolver, Pcg, "pcg",
-              "Conjugate gradients with a preconditioner made anew for every system.",
+              "Conjugate gradients with a preconditioner that is rebuilt for every system.",
               "Nocedal and Wright, Numerical Optimization, 5.1 (preconditioned conjugate gradients)");
 
 }  // namespace tack

@@ -13,7 +13,7 @@ class MatrixSweeps;
 class Preconditioner : public Component {
  public:
   static constexpr const char* kind_name = "preconditioner";
-  static constexpr const char* kind_doc = "Approximate inverse that speeds conjugate gradients up.";
+  static constexpr const char* kind_doc = "Approximate inverse that speeds up conjugate gradients.";
 
   // For this matrix; false where a 3x3 block on its diagonal is not positive definite, so neither is it. May throw
   // OutOfTime.

@@ -62,15 +62,15 @@ class CeresLineSearch : public Minimizer {
     Minimizer::fields(f);
     f.choice("direction", direction_,
              {{"lbfgs", Direction::lbfgs, "limited-memory BFGS"},
-              {"bfgs", Direction::bfgs, "with a dense matrix"},
+              {"bfgs", Direction::bfgs, "BFGS with a dense matrix"},
               {"nonlinear_conjugate_gradients", Direction::nonlinear_conjugate_gradients, "see `conjugate`"}},
-             "how the search direction is found");
+             "method of the search direction");
     f.choice("conjugate", conjugate_,
              {{"fletcher_reeves", Conjugate::fletcher_reeves, "|g'|^2 / |g|^2"},
               {"polak_ribiere", Conjugate::polak_ribiere, "g'.(g' - g) / |g|^2"},
               {"hestenes_stiefel", Conjugate::hestenes_stiefel, "g'.(g' - g) / p.(g' - g)"}},
              "factor of the last direction in conjugate gradients");
-    f.integer("memory", memory_, "pairs that lbfgs remembers").at_least(1);
+    f.integer("memory", memory_, "curvature pairs that lbfgs stores").at_least(1);
   }
 
   void admit(const std::vector<const Term*>&, int unknowns) const override {
@@ -123,7 +123,7 @@ class CeresLineSearch : public Minimizer {
 
 TACK_REGISTER(Minimizer, CeresLineSearch, "ceres_line_search",
               "Line-search methods of Ceres Solver, preconditioned by the Hessian's diagonal: hundreds of cheap "
-              "iterations where contact is stiff, too many where a script pushes; bfgs takes at most 5000 unknowns.",
+              "iterations if contact is stiff, too many under prescribed motion; bfgs takes at most 5000 unknowns.",
               "Agarwal, Mierle and others, Ceres Solver 2.1");
 
 }  // namespace tack

@@ -29,8 +29,8 @@ class CeresTrustRegion : public DescentMinimizer {
              {{"levenberg_marquardt", Strategy::levenberg_marquardt, "damped Gauss-Newton steps"},
               {"dogleg", Strategy::dogleg, "Powell's path from the steepest descent to the Gauss-Newton step"},
               {"subspace_dogleg", Strategy::subspace_dogleg, "the best step of the plane that both span"}},
-             "how a step is fitted into the trust region");
-    f.integer("inner_iterations", inner_iterations_, "steps of Ceres between two looks at contacts and potential")
+             "choice of the step in the trust region");
+    f.integer("inner_iterations", inner_iterations_, "steps of Ceres between two updates of contacts and potential")
         .at_least(1);
   }
 
@@ -129,8 +129,9 @@ class CeresTrustRegion : public DescentMinimizer {
 };
 
 TACK_REGISTER(Minimizer, CeresTrustRegion, "ceres_trust_region",
-              "Trust-region least squares of Ceres Solver. Refuses terms that are no sums of squares (solids with "
-              "a negative Poisson's ratio); what contact subtracts in hollows is linearised in each round.",
+              "Trust-region least squares of Ceres Solver. Refuses terms that are no sums of squares (solids with a "
+              "negative Poisson's ratio); negative weights of contact in concave regions are linearised in each "
+              "round.",
               "Agarwal, Mierle and others, Ceres Solver 2.1");
 
 }  // namespace tack

@@ -45,7 +45,7 @@ class GradientDescent : public DescentMinimizer {
 };
 
 TACK_REGISTER(Minimizer, GradientDescent, "gradient_descent",
-              "Preconditioned gradient descent: a floor for comparisons. Thousands of iterations in stiff scenes.",
+              "Preconditioned gradient descent: a baseline for comparisons. Thousands of iterations in stiff scenes.",
               "Barzilai and Borwein 1988");
 
 }  // namespace tack

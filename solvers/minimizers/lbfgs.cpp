@@ -13,7 +13,7 @@ class Lbfgs : public DescentMinimizer {
  public:
   void fields(Fields& f) override {
     DescentMinimizer::fields(f);
-    f.integer("history", history_, "curvature pairs that are kept").range(1, 1000);
+    f.integer("history", history_, "curvature pairs that are stored").range(1, 1000);
     metric_.fields(f);
   }
 

@@ -18,8 +18,8 @@ class NewtonPcg : public DescentMinimizer {
     DescentMinimizer::fields(f);
     f.number("forcing_max", forcing_max_, units::none, "largest relative residual of a system").range(1e-6, 0.5);
     f.number("forcing_min", forcing_min_, units::none,
-             "smallest relative residual of a system, but for the last: that is solved as well as its verdict needs").range(1e-12, 0.1);
-    f.component("linear", linear_, "solver of the Newton systems, one that iterates");
+             "smallest relative residual of a system, except the last, which is solved as accurately as the convergence test needs").range(1e-12, 0.1);
+    f.component("linear", linear_, "iterative solver of the Newton systems");
     f.check("forcing_min", [this] {
       return forcing_min_ <= forcing_max_ ? "" : "forcing_min is above forcing_max";
     });
@@ -75,7 +75,7 @@ class NewtonPcg : public DescentMinimizer {
 };
 
 TACK_REGISTER(Minimizer, NewtonPcg, "newton_pcg",
-              "Inexact Newton's method: systems solved by conjugate gradients, as well as it is worth.",
+              "Inexact Newton method: conjugate gradients solve the systems with an adaptive tolerance (forcing term).",
               "Eisenstat and Walker 1996, Choosing the Forcing Terms in an Inexact Newton Method");
 
 }  // namespace tack

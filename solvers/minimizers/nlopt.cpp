@@ -56,7 +56,7 @@ class Nlopt : public Minimizer {
               {"ccsaq", NLOPT_LD_CCSAQ, "conservative separable quadratic approximations; first order"},
               {"slsqp", NLOPT_LD_SLSQP, "sequential quadratic programming with dense matrices"}},
              "the method");
-    f.integer("memory", memory_, "pairs that limited-memory methods remember").at_least(1);
+    f.integer("memory", memory_, "curvature pairs that limited-memory methods store").at_least(1);
   }
 
   void admit(const std::vector<const Term*>&, int unknowns) const override {
@@ -93,9 +93,9 @@ class Nlopt : public Minimizer {
 };
 
 TACK_REGISTER(Minimizer, Nlopt, "nlopt",
-              "Gradient methods of NLopt, preconditioned by the Hessian's diagonal: hundreds of cheap iterations "
-              "where contact is stiff, too many where a script pushes. slsqp takes at most 600 unknowns; mma and "
-              "ccsaq, of first order, seldom reach a tight tolerance.",
+              "Gradient methods of NLopt, preconditioned by the Hessian's diagonal: hundreds of cheap iterations if "
+              "contact is stiff, too many under prescribed motion. slsqp takes at most 600 unknowns; mma and ccsaq, "
+              "of first order, seldom reach a tight tolerance.",
               "Johnson, The NLopt nonlinear-optimization package 2.7");
 
 }  // namespace tack

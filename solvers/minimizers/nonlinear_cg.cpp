@@ -18,7 +18,7 @@ class NonlinearCg : public DescentMinimizer {
              {{"polak_ribiere", Beta::polak_ribiere, "Polak and Ribiere, not negative"},
               {"hestenes_stiefel", Beta::hestenes_stiefel, "Hestenes and Stiefel, not negative"},
               {"hybrid", Beta::hybrid, "the smaller of Hestenes and Stiefel's and Dai and Yuan's"}},
-             "share of the last direction in the next");
+             "formula of the conjugate direction");
     metric_.fields(f);
   }
 

@@ -29,8 +29,8 @@ class ProjectedNewton : public DescentMinimizer {
                "clamp the stencils at large residuals, more of them until the system is positive definite "
                "(Fernandez-Fernandez et al. 2026)"},
               {"adaptive", Policy::adaptive,
-               "clamp while steps do what the quadratic model says, absolute otherwise (Chen et al. 2024)"}},
-             "how the Hessian is made positive definite");
+               "clamp while steps agree with the quadratic model, absolute otherwise (Chen et al. 2024)"}},
+             "projection of the Hessian to be positive definite");
     f.component("linear", linear_, "solver of the Newton system");
   }
   std::string linear_solver() const override { return linear_->describe(); }
@@ -157,7 +157,7 @@ class ProjectedNewton : public DescentMinimizer {
 };
 
 TACK_REGISTER(Minimizer, ProjectedNewton, "projected_newton",
-              "Newton's method with Hessians that are made positive definite, stencil by stencil.",
+              "Newton's method with stencil Hessians that are projected to be positive definite.",
               "Li et al. 2020, Incremental Potential Contact; Fang et al., section 5");
 
 }  // namespace tack

@@ -14,8 +14,8 @@ void StartPreconditioner::fields(Fields& f) {
            {{"elastic", Kind::elastic, "inertia and elasticity at the start of the solve, factorised"},
             {"full", Kind::full, "contact and friction too, factorised"},
             {"block_diagonal", Kind::block_diagonal, "the 3x3 diagonal blocks of the full one"}},
-           "what takes the place of the Hessian");
-  f.component("linear", linear_, "makes the factor");
+           "approximation of the Hessian");
+  f.component("linear", linear_, "solver that factorises");
 }
 
 bool StartPreconditioner::begin(const MinimizerProblem& problem, MinimizerResult& result) {

@@ -21,12 +21,12 @@ TEST_CASE("the documented law that remembers fits on a page") {
 TEST_CASE("laws of adhesion are listed with what they are") {
   const std::string list = list_kind("adhesion");
   CHECK(contains(list, "  documented_bond "));
-  CHECK_THAT(list_component("adhesion", "documented_bond"), Catch::Contains("\nIrreversible, remembers, acts along the normal and across\n") &&
+  CHECK_THAT(list_component("adhesion", "documented_bond"), Catch::Contains("\nIrreversible, history-dependent, mixed-mode (normal and tangential)\n") &&
                                                                   Catch::Contains("documented_bond_law.cpp"));
-  CHECK_THAT(list_component("adhesion", "fang"), Catch::Contains("\nReversible, without memory, acts along the normal\n"));
-  CHECK_THAT(list_component("adhesion", "xu_needleman_coupled"), Catch::Contains("\nReversible, without memory, acts along the normal and across\n"));
-  CHECK(contains(list, "    Irreversible, remembers, acts along the normal and across\n"));
-  CHECK(contains(reference_page(prototype<Experiment>(), "Scene"), "Reversible, without memory, acts along the normal.\n"));
+  CHECK_THAT(list_component("adhesion", "fang"), Catch::Contains("\nReversible, history-independent, normal only\n"));
+  CHECK_THAT(list_component("adhesion", "xu_needleman_coupled"), Catch::Contains("\nReversible, history-independent, mixed-mode (normal and tangential)\n"));
+  CHECK(contains(list, "    Irreversible, history-dependent, mixed-mode (normal and tangential)\n"));
+  CHECK(contains(reference_page(prototype<Experiment>(), "Scene"), "Reversible, history-independent, normal only.\n"));
 }
 
 TEST_CASE("a scene that names the documented law has bonds of it") {
