@@ -152,9 +152,9 @@ class Ccd : public StepFilter {
   // Candidates of one kind.
   template <class Primitives, class Displacement, class Accd>
   struct Kind {
-    Kind(const std::vector<std::array<int, 2>>& pairs_, const std::vector<double>& clearances_, const std::vector<double>& distances_,
-         Primitives primitives_, Displacement stray_, Accd accd_)
-        : pairs(pairs_), distance_bounds(clearances_), distances(distances_), primitives(primitives_), displacement(stray_), accd(accd_) {}
+    Kind(const std::vector<std::array<int, 2>>& pairs_, const std::vector<double>& bounds_, const std::vector<double>& distances_,
+         Primitives primitives_, Displacement displacement_, Accd accd_)
+        : pairs(pairs_), distance_bounds(bounds_), reference_distances(distances_), primitives(primitives_), displacement(displacement_), accd(accd_) {}
     const std::vector<std::array<int, 2>>& pairs;
     const std::vector<double>&distance_bounds, &reference_distances;
     Primitives primitives;      // vertices of both primitives of a pair
