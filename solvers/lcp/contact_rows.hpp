@@ -1,7 +1,8 @@
 // Contacts as constraint rows: points with their nearest features of a surface, and pairs of edges,
-// within range at the start of a step. The gap is signed: a point stays on its side of a surface
-// until it goes around a boundary, also after it has crossed the surface. With an unsigned gap a
-// point that has crossed would be pushed further in.
+// if they are near each other at the start of a step.
+// Key idea: the gap is signed. A point keeps its side of a surface until it goes around a boundary,
+// also after it has crossed the surface; otherwise the constraint would push a point that has
+// crossed further in.
 #pragma once
 
 #include <algorithm>
@@ -17,22 +18,20 @@
 namespace tack {
 
 struct ContactRow {
-  // global: the point's, then those of the place that it faces; or of two edges.
+  // global ids: of the point, then of the opposite feature; or of two edges
   std::array<int, 4> vertices;
-  // sum_i c_i x_i leads from the place to the point; 0 where there are fewer.
+  // sum_i c_i x_i is the vector from the feature to the point; 0 for unused entries
   std::array<double, 4> coefficients;
-  // How many of the vertices are the point's: 1, or 2 of an edge.
-  int own;
-  Vec3 normal;                         // unit, towards where the point belongs
-  double distance;                     // along it, signed, less the offsets of both [m]
-  double gap;                          // that is kept [m]
+  int own;  // number of leading vertices that are the point's: 1, or 2 of an edge
+  Vec3 normal;                         // unit, towards the side that the point belongs to
+  double distance;  // signed, along the normal, less the offsets of both objects [m]
+  double gap;                          // gap that the constraint keeps [m]
   double mu;
-  int object, opposite;                // whose point it is, and who it faces
-  Vec3 force;                          // on the point: in the step before, later in this one [N]
-  // Entry of HeldContacts among points (own 1) or edges; -1: none.
-  int held;
+  int object, opposite;                // object of the point, and object of the feature
+  Vec3 force;  // force on the point: of the last step, once solved of this step [N]
+  int held;  // index in HeldContacts::points (own = 1) or ::edges; -1: none
 
-  Vec3 moved(const VecX& way) const {  // way: 3n, displacements
+  Vec3 moved(const VecX& way) const {  // way: displacements (3n) [m]
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < 4; ++i) sum += coefficients[i] * vertex(way, vertices[i]);
     return sum;
@@ -41,22 +40,23 @@ struct ContactRow {
 
 struct ContactRows {
   std::vector<ContactRow> rows;
-  HeldContacts held;  // what the next step is to know; forces are those of the step before
+  HeldContacts held;  // stored for the next step; its forces are those of the last step
 };
 
-// Primitives within so many margins of each other have rows from the start of a step; the rest, if
-// it meets on the way (impact_rows.hpp).
+// Search radius, in margins: pairs within it have rows from the start of a step. Other pairs get
+// rows if they meet during the step (impact_rows.hpp).
 constexpr double near_in_margins = 2;
-// Fraction of the margin that is kept between edges, which only see to it that nothing passes
-// between the points.
+// Gap kept between edges, as a fraction of the margin. Edge rows only prevent crossings between
+// points.
 constexpr double part_for_edges = 0.5;
-// Below this cosine a point is beside a surface rather than on one side of it.
+// Cosine below which a point lies beside a surface, so that it has no side.
 constexpr double beside = 0.2;
 
-// The coefficient of friction between two objects.
+// Returns the coefficient of friction between objects a and b [1].
 double friction_between(const ContactSystem& system, int a, int b);
 
-// At most how far one of these vertices goes against one of those; way: 3n, or empty.
+// Returns an upper bound of the relative displacement of vertices `a` against vertices `b` [m].
+// way: displacements (3n), or empty for none.
 template <size_t A, size_t B>
 double relative_way(const VecX& way, const std::array<int, A>& a, const std::array<int, B>& b) {
   if (way.size() == 0) return 0;
@@ -68,12 +68,12 @@ double relative_way(const VecX& way, const std::array<int, A>& a, const std::arr
 
 class ContactFinder {
  public:
-  // Both must outlive it. margin: the gap that points keep from surfaces; edges keep half of it
-  // from each other [m].
+  // Both arguments must outlive the finder. margin: gap kept between points and surfaces [m]; edges
+  // keep half of it.
   ContactFinder(const ContactSystem& system, double margin);
 
-  // Finds contacts near at x (3n); before: those of the last step. way: how far vertices have gone
-  // since (3n); empty: nowhere.
+  // Returns the contacts near at x (3n) and those stored in `before`. way: displacements of the
+  // vertices since `before` (3n) [m]; empty: none.
   ContactRows find(const VecX& x, const VecX& way, const HeldContacts& before);
 
  private:

@@ -1,6 +1,6 @@
-// The Delassus operator W = J A^-1 J^T [1/kg] of rows that are added in the order of their numbers:
-// dense in blocks of at most so many rows. What rows of different blocks do to each other goes
-// through A itself, with a solve for each block in each sweep, and is not stored.
+// The Delassus operator W = J A^-1 J^T [1/kg] of rows that are appended in ascending order.
+// Diagonal blocks of limited size are stored densely. Coupling between blocks is not stored: it
+// takes one solve with A per block and sweep.
 #pragma once
 
 #include <vector>
@@ -13,21 +13,21 @@ namespace tack {
 class Delassus {
  public:
   struct Block {
-    int first = 0;         // row
-    Eigen::MatrixXd w;     // of its rows
+    int first = 0;         // first row
+    Eigen::MatrixXd w;     // W among the rows of the block
     int rows() const { return static_cast<int>(w.rows()); }
     int end() const { return first + rows(); }
   };
 
-  // most: rows of a block. Both others must outlive it.
+  // most: limit of the rows of a block. The other arguments must outlive the operator.
   Delassus(LinearizedStep& step, const Rows& rows, int most)
       : step_(step), rows_(rows), most_(most) {}
 
-  // Takes the rows that have been made since, which end where a block may end: at one of `ends`
+  // Appends the rows made since the last call. A block may end only at an entry of `ends`
   // (ascending).
   void extend(const std::vector<int>& ends);
   const std::vector<Block>& blocks() const { return blocks_; }
-  // A^-1 J^T impulses, of rows first .. last - 1: velocities in the unknowns [m/s].
+  // Returns A^-1 J^T impulses of rows first .. last - 1: velocities of the unknowns [m/s].
   VecX velocities(const VecX& impulses, int first, int last) const;
   long solves() const { return solves_; }
 

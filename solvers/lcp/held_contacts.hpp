@@ -1,6 +1,6 @@
-// History of contacts between steps: the side of the other surface, the distance at the start, and
-// the pressure. Keyed by (point, object), where a point may be near several features of the object,
-// and by pairs of edges.
+// History of contacts from step to step: the side of the surface, the gap that is kept and the
+// force. Entries are keyed by (point, object), with several entries where a point is near several
+// features of the object, and by pairs of edges.
 #pragma once
 
 #include <vector>
@@ -12,28 +12,27 @@ namespace tack {
 
 struct HeldPoint {
   int point, object;
-  int triangle;        // of the mesh, that it was nearest to
-  // 1: where the triangle's normal points; -1: behind it; 0: it has none (beside a boundary).
-  double side;
-  double gap;          // that is kept [m]: the margin, or less of what started closer
-  double depth;        // that it is behind where it belongs; 0 in front [m]
+  int triangle;        // of the mesh: the nearest one
+  double side;         // 1: in front of the triangle; -1: behind it; 0: none (beside a boundary)
+  double gap;  // gap that is kept [m]: the margin, or less for a contact that started closer
+  double depth;        // depth behind the side it belongs to; 0 in front [m]
   Vec3 force;          // on the point [N]
 };
 
 struct HeldEdges {
   int a, b;            // edges of the mesh, ascending
-  Vec3 normal;         // from b to a, while they were on their sides
+  Vec3 normal;         // from b to a, before any crossing
   double gap, depth;
   Vec3 force;          // on a [N]
 };
 
 struct HeldContacts {
-  std::vector<HeldPoint> points;  // by (point, object), then triangle
-  std::vector<HeldEdges> edges;   // by (a, b)
-  bool begun = false;             // the run has
+  std::vector<HeldPoint> points;  // sorted by (point, object), then triangle
+  std::vector<HeldEdges> edges;   // sorted by (a, b)
+  bool begun = false;             // a step has been stored
 
-  void sort();  // after entries were added
-  // Throws InputError for what was remembered of another scene.
+  void sort();  // required after entries were added
+  // Throws InputError if the history was stored by another scene.
   static HeldContacts read(const History& history, const ContactSurface& surface);
   void write(History& history, const ContactSurface& surface) const;
   static void forget(History& history);

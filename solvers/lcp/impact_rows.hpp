@@ -1,7 +1,7 @@
-// Contacts that are no nearest features at the start of a step but are met on the linear
-// trajectories of the step: found by continuous collision detection, with the normals and positions
-// at the time of impact (Otaduy et al. 2009). Linearised at the start of the step, a body that
-// moves by several of its sizes in a step would be kept off planes that it never reaches.
+// Contacts that are not near at the start of a step but meet on the linear trajectories to its end.
+// Continuous collision detection finds them, and rows take the normals and features at the time of
+// impact (Otaduy et al. 2009). Linearising at the start of the step instead would keep fast bodies,
+// which move by several of their own sizes, off planes that they never reach.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ namespace tack {
 
 class ImpactFinder {
  public:
-  // Both must outlive it. margin: as of ContactFinder [m].
+  // Both arguments must outlive the finder. margin: gap as in ContactFinder [m].
   ImpactFinder(const ContactSystem& system, double margin);
 
-  // A step begins; near: who has rows already.
+  // Begins a step. near: contacts that have rows already.
   void begin(const HeldContacts& near);
-  // Adds the rows of what meets between x and end (3n) and was not found before, in the order of
-  // candidates, and what the next step is to know of it.
+  // Appends the rows and stored entries of contacts that meet between x and end (3n) and were not
+  // found before, in the order of candidates.
   void find(const VecX& x, const VecX& end, ContactRows& out);
 
  private:

@@ -1,5 +1,6 @@
-// Records of contact by constraints: forces are impulses over the step. They replace those of the
-// barrier and of the friction potential, which store nothing here.
+// Results of contact for the constraint-based integrator: contact and friction forces are impulses
+// divided by the step. They replace the forces of the barrier and of the friction potential;
+// constraints store no energy.
 #pragma once
 
 #include <memory>

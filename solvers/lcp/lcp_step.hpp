@@ -1,7 +1,7 @@
-// A step with constraints: linearised (linearized_step.hpp), contact with friction and bonds as
-// rows (contact_rows.hpp), projected Gauss-Seidel (gauss_seidel.hpp). Contacts have rows once they
-// are violated. The end of the step is searched for contacts that were met on linear trajectories
-// (impact_rows.hpp).
+// A time step with contact constraints: linearisation (linearized_step.hpp), rows of contacts with
+// friction and of bonds (contact_rows.hpp), projected Gauss-Seidel (gauss_seidel.hpp). A contact
+// gets rows once it is violated. The end of the step is searched for contacts that were met during
+// the step (impact_rows.hpp).
 #pragma once
 
 #include <optional>
@@ -14,10 +14,10 @@ namespace tack {
 
 struct LcpSettings {
   double margin = 0;      // gap that surfaces keep [m]
-  double tolerance = 0;   // largest change of a velocity in the last sweep [m/s]
-  int sweeps = 0;         // most sweeps of a step
-  int dense_rows = 0;     // rows of a dense block
-  double recovery = 0;    // fraction of a violation that a step corrects
+  double tolerance = 0;   // limit of the change of a velocity in the last sweep [m/s]
+  int sweeps = 0;         // limit per step
+  int dense_rows = 0;     // limit of the rows of a dense block
+  double recovery = 0;    // fraction of a missing gap that is restored per step
 };
 
 class LcpStep {
@@ -25,22 +25,22 @@ class LcpStep {
   LcpStep(World& world, PhaseClock& clock, LinearSolver& solver, const LcpSettings& settings);
 
   void new_unknowns() { linear_.new_unknowns(); }
-  // Leaves where it ends in attempt.x.
+  // Solves the step; the end configuration is attempt.x.
   void solve(const Step& step, Attempt& attempt);
 
-  // The step that was solved last: its contacts with their forces, what the next one is to know,
-  // and how deep anything is at the end behind what it was in front of [m].
+  // Results of the last step: contacts with forces, the history for the next step, and the greatest
+  // depth of a point behind its side at the end [m].
   const std::vector<ContactRow>& contacts() const { return contacts_.rows; }
   const HeldContacts& held() const { return held_; }
   double deepest() const { return deepest_; }
   int rows() const { return rows_.count(); }
   int sweeps() const { return sweeps_ ? sweeps_->sweeps() : 0; }
   double residual() const { return residual_; }  // m/s
-  double slid() const { return slid_; }          // what friction dissipated: force times slip [J]
+  double slid() const { return slid_; }          // dissipation by friction: force times slip [J]
 
  private:
-  // By how much a contact may still close, or, if below zero, what of its gap is to be taken back
-  // in the step [m].
+  // Returns the distance that a contact may still close [m]. Negative: the distance to restore in
+  // this step.
   double room(const ContactRow& contact) const;
   void add_contact(int contact, const VecX& way);
   void add_bonds(const VecX& x, const VecX& end);
@@ -59,8 +59,8 @@ class LcpStep {
   ContactRows contacts_;
   HeldContacts held_;
   std::vector<char> taken_;  // per contact: it has rows
-  bool met_ = false;         // what the end meets on the way to it is among them
-  VecX free_;                // 3n: the way without impulses [m]
+  bool met_ = false;         // contacts met during the step have been added
+  VecX free_;                // displacements without impulses (3n) [m]
   Rows rows_;
   std::optional<GaussSeidel> sweeps_;
   double residual_ = 0, slid_ = 0, deepest_ = 0;

@@ -1,8 +1,7 @@
-// Implicit Euler, linearised at the start of the step: of displacements p of the unknowns
+// Implicit Euler, linearised at the start of the step. For displacements p of the unknowns,
 //     A p = M h v + h^2 f - h^2 K_s p_s + h J^T lambda,    A = M + h^2 K
-// with the forces f and the stiffness K (projected, with damping) of all terms but contact,
-// friction and bonds, dynamic ones too, the prescribed displacements p_s, and impulses lambda along
-// rows J [N s].
+// f, K: forces and stiffness (projected, with damping) of all terms, dynamic ones too, except
+// contact, friction and bonds; p_s: prescribed displacements; lambda: impulses along rows J [N s].
 #pragma once
 
 #include <memory>
@@ -18,20 +17,21 @@ class StepPotential;
 
 class LinearizedStep {
  public:
-  // All must outlive it.
+  // All arguments must outlive the step.
   LinearizedStep(World& world, PhaseClock& clock, LinearSolver& solver);
   ~LinearizedStep();
 
   void new_unknowns();
-  // Factorises A and finds where the step would end without impulses; false if that fails.
+  // Factorises A and finds the end of the step without impulses. Returns false if the factorisation
+  // fails.
   bool begin(const Step& step);
   const DofMap& dofs() const { return world_.dofs; }
   double h() const { return h_; }
-  // Where the step ends with the displacements p beside those without impulses (3n).
+  // Returns the end configuration (3n) for displacements p due to impulses.
   VecX end(const VecX& p) const;
-  // rhs <- A^-1 rhs, of one or several columns in the unknowns.
+  // rhs <- A^-1 rhs; one column per right side.
   void solve(Eigen::MatrixXd& rhs);
-  // Takes out what is held of partly held vertices: rows may not act there.
+  // Removes the constrained directions of partly constrained vertices, in which rows must not act.
   void take_held_out(Eigen::Ref<VecX> column) const;
 
  private:
@@ -42,12 +42,12 @@ class LinearizedStep {
   LinearSolver& solver_;
   std::vector<const Term*> terms_;
   std::unique_ptr<StepPotential> potential_;
-  // With all held vertices free: how what the script moves acts on others. Only made if it moves
-  // something.
+  // Stiffness with all prescribed vertices free, for their effect on others. Made only if a
+  // prescribed vertex moves.
   DofMap all_;
   std::unique_ptr<StepPotential> of_all_;
-  VecX places_;  // 3n: what the script moves at its end, the rest at its start
-  VecX free_;    // of the unknowns: p without impulses
+  VecX places_;  // 3n: prescribed vertices at the end of the step, others at its start
+  VecX free_;    // p without impulses
   double h_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// Rows J of constraints, sparse: a 3-vector per row and block of unknowns that it touches.
+// The sparse constraint rows J: each row has one 3-vector per block of unknowns that it touches.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ class Rows {
     return {entries_.data() + start_[row], entries_.data() + start_[row + 1]};
   }
 
-  // To the row that is being made: what vertex `v` moving along `along` is to it.
+  // Adds the coefficient of vertex v in direction `along` to the row under construction.
   void add(const DofMap& dofs, int v, const Vec3& along) {
     if (dofs.block(v) >= 0) {
       add_block(dofs.block(v), along);
@@ -32,7 +32,7 @@ class Rows {
     start_.push_back(static_cast<int>(entries_.size()));
   }
 
-  // J v of one row, and a J^T of it.
+  // times: J v of one row. add_transposed: column += factor J^T.
   template <class Vector>
   double times(int row, const Vector& v) const {
     double sum = 0;

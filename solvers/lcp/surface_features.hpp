@@ -1,5 +1,5 @@
-// Nearest features of a surface for points and edges of other surfaces: local minima of the
-// distance, each with the unit normal there and the side of the surface.
+// Nearest features of a surface to points and edges of other surfaces: the local minima of the
+// distance, each with its unit normal and the side of the surface that it lies on.
 #pragma once
 
 #include <array>
@@ -11,28 +11,25 @@
 
 namespace tack {
 
-// A point and the place on a triangle, edge or vertex that it is nearest to.
+// A point and its nearest position on a triangle, edge or vertex.
 struct NearPoint {
   int point;
-  int triangle;                  // that the place is in
-  int count;                     // corners that it is a mean of: 3 in a triangle, 2, 1
+  int triangle;                  // that contains the nearest position
+  int count;                     // number of corners: 3 in a triangle, 2 on an edge, 1 at a vertex
   std::array<int, 3> corners;    // global vertices
-  std::array<double, 3> weights; // of the place
+  std::array<double, 3> weights; // barycentric
   double distance;               // m
-  Vec3 normal;                   // unit, from the place to the point
-  // Cosine of the angle between it and the surface's normal there; 0 at a boundary, which has no
-  // sides.
-  double facing;
+  Vec3 normal;                   // unit, from the nearest position to the point
+  double facing;  // cosine of normal and surface normal; 0 at a boundary, which has no sides
 };
 
-// Two edges, nearest to each other inside both.
+// Two edges whose nearest positions are inside both.
 struct NearEdges {
   int a, b;                      // edges of the mesh
-  // The places are (1 - at) of the first vertex of either and at of the second.
-  Vec2 at;
+  Vec2 at;  // per edge, the position is (1 - at) * first vertex + at * second vertex
   double distance;               // m
   Vec3 normal;                   // unit, from b to a
-  // As above: of -normal and the surface of a, of normal and that of b.
+  // cosine of -normal with the surface normal at a, of normal with that at b
   double facing_a, facing_b;
 };
 
@@ -41,18 +38,19 @@ class SurfaceFeatures {
   // The surface must outlive it.
   explicit SurfaceFeatures(const ContactSurface& surface);
 
-  // Finds, among candidates first .. last - 1 of one point and one object, those nearer than reach
-  // [m].
+  // Appends the features nearer than `reach` [m] among candidates first .. last - 1, which have one
+  // point and one object.
   void near_point(const Candidates& candidates, int first, int last, const VecX& x, double reach,
                   std::vector<NearPoint>& out) const;
-  // False if the two edges are not nearest inside both, or nearly parallel.
+  // Returns false if the nearest positions are not inside both edges, or the edges are nearly
+  // parallel.
   bool near_edges(int a, int b, const VecX& x, NearEdges& out) const;
 
   const SurfaceTopology& topology() const { return topology_; }
   bool two_sided(int triangle) const { return surface_.two_sided[triangle] != 0; }
-  // Triangles at an edge of the mesh.
+  // Returns true if a triangle at this edge of the mesh is two-sided.
   bool two_sided_at(int edge) const;
-  Vec3 normal_of(int triangle, const VecX& x) const;  // unit; zero of one without area
+  Vec3 normal_of(int triangle, const VecX& x) const;  // unit; zero for a triangle without area
 
  private:
   std::span<const int> triangles_at_edge(int edge) const {
@@ -65,9 +63,8 @@ class SurfaceFeatures {
 
   const ContactSurface& surface_;
   SurfaceTopology topology_;
-  std::vector<int> edge_start_, edge_triangles_;  // the triangles at each edge of the mesh
-  // Per global vertex: of an edge that is not in two triangles.
-  std::vector<char> boundary_;
+  std::vector<int> edge_start_, edge_triangles_;  // triangles at each edge of the mesh
+  std::vector<char> boundary_;  // per global vertex: it is at an edge that is not in two triangles
 };
 
 }  // namespace tack

@@ -1,7 +1,7 @@
-// Backtracking with the Armijo condition E(q + t p) <= E(q) + c t p.g. Close to a minimum the
-// decrease drowns in the rounding error of E; there the slope decides instead: the approximate Wolfe
-// condition of Hager and Zhang 2005, (2 c - 1) p.g >= p.g(q + t p), to which rounding does little. So
-// the search does not stall on round-off.
+// Backtracking with the Armijo condition E(q + t p) <= E(q) + c t p.g. Where the decrease is below
+// the rounding error of E, close to a minimum, the slope decides instead, by the approximate Wolfe
+// condition of Hager and Zhang 2005, (2 c - 1) p.g >= p.g(q + t p), which rounding affects little.
+// Hence the search does not stall on round-off.
 #include <algorithm>
 #include <cmath>
 

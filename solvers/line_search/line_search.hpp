@@ -1,4 +1,4 @@
-// Step length along a descent direction.
+// Interface of line searches, which choose the step length along a descent direction.
 #pragma once
 
 #include <limits>
@@ -19,19 +19,20 @@ class LineSearch : public Component {
   static constexpr const char* kind_name = "line_search";
   static constexpr const char* kind_doc = "Chooses the step length along a descent direction.";
 
-  // The objective is at q; slope = p . gradient(q) < 0; every step in (0, t_max] is feasible.
-  // On success the objective is left at q + step p.
+  /// Searches from q, where the objective is, along p. slope: p . gradient(q) < 0. Every step in (0,
+  /// t_max] is feasible. On success the objective is left at q + step p.
   virtual LineSearchResult search(Objective& objective, const VecX& q, const VecX& p, double slope,
                                   double t_max) = 0;
 };
 
-// Armijo's condition for a step t, by more than the rounding error of the values; start: at t = 0.
+/// Armijo's condition for a step t, with a decrease above the rounding error of the values. start:
+/// value at t = 0.
 inline bool descends(double start, double value, double noise, double t, double slope,
                      double decrease) {
   return value < start - noise && value <= start + decrease * t * slope;
 }
 
-// Steps that are shorter change no digit of q: nothing to be learned there.
+/// Returns the shortest step that changes a digit of q.
 inline double smallest_step(const VecX& q, const VecX& p) {
   return std::numeric_limits<double>::epsilon() * q.lpNorm<Eigen::Infinity>() /
          p.lpNorm<Eigen::Infinity>();

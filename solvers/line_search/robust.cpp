@@ -1,6 +1,6 @@
-// Backtracking without parameters that does not block near a minimum: a step is taken as soon as the
-// energy falls by more than its rounding error; where the change is lost in it, the slope tells, and a
-// step is taken if it did not run past the minimum by more than it came near: |p.g(q + t p)| <= |p.g|.
+// Parameter-free backtracking that does not stall near a minimum. A step is accepted if
+//     the energy falls by more than its rounding error, or
+//     the change of the energy is within the rounding error and |p.g(q + t p)| <= |p.g|.
 // Armijo's condition asks for a decrease that stiff problems cannot show in floating point.
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,8 @@
-// A step that satisfies the strong Wolfe conditions
+// Line search for the strong Wolfe conditions
 //     E(q + t p) <= E(q) + c1 t p.g,   |p.g(q + t p)| <= c2 |p.g|
-// by bracketing and interpolation (Nocedal and Wright, algorithms 3.5 and 3.6), among the feasible steps:
-// where E still falls steeply at t_max, t_max it is. Where E is lost in round-off, slopes decide alone.
+// by bracketing and interpolation (Nocedal and Wright, algorithms 3.5 and 3.6) among the feasible
+// steps. If E still falls steeply at t_max, the step is t_max. Within the rounding error of E,
+// slopes decide alone.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +33,7 @@ class StrongWolfe : public LineSearch {
       if (!too_high(trial) && flat(trial)) return accept(trial);
       return zoom(low, trial);
     }
-    // It falls on beyond what is feasible.
+    // E still falls at the longest feasible step.
     return accept(trial);
   }
 
@@ -64,7 +65,7 @@ class StrongWolfe : public LineSearch {
   }
   bool flat(const Point& a) const { return std::abs(a.slope) <= -c2_ * start_.slope; }
 
-  // A minimum lies between `low`, the lowest so far that decreases enough, and `other`.
+  // Narrows the interval between `low`, the lowest trial with sufficient decrease, and `other`.
   LineSearchResult zoom(Point low, Point other) {
     while (result_.evaluations < max_trials_) {
       const Point trial = at(between(low, other));
@@ -82,7 +83,8 @@ class StrongWolfe : public LineSearch {
     return accept(low);
   }
 
-  // The minimum of the parabola through low and the other's slope or value, away from both ends.
+  // Returns the minimum of the parabola through low and the slope of `other`, kept away from both
+  // ends.
   static double between(const Point& low, const Point& other) {
     const double width = other.t - low.t;
     double part = 0.5;

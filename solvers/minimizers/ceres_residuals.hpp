@@ -1,5 +1,5 @@
-// The residual model as Ceres sees it: a cost function per stencil and per block of unknowns, which
-// are the parameter blocks.
+// The residual model as a Ceres problem: one cost function per stencil and per block of unknowns.
+// Blocks of unknowns are the parameter blocks.
 #pragma once
 
 #include <ceres/cost_function.h>
@@ -13,7 +13,7 @@
 
 namespace tack {
 
-// The residuals of one stencil, which the model has evaluated already.
+// Residuals of one stencil, already evaluated by the model.
 class StencilCost : public ceres::CostFunction {
  public:
   StencilCost(const ResidualModel& model, const ResidualModel::Stencil& stencil, const bool& finite)
@@ -40,7 +40,7 @@ class StencilCost : public ceres::CostFunction {
   const bool& finite_;
 };
 
-// sqrt(M) (q - target) of one block.
+// sqrt(M) (q - target) of one block of unknowns.
 class InertiaCost : public ceres::CostFunction {
  public:
   InertiaCost(const ResidualModel& model, int block)
@@ -60,7 +60,7 @@ class InertiaCost : public ceres::CostFunction {
   Vec3 target_;  // m
 };
 
-// Evaluates the model once where Ceres asks for every residual; remembers the first trial.
+// Evaluates the model once per evaluation of all residuals, and stores the first trial point.
 class EvaluateModel : public ceres::EvaluationCallback {
  public:
   EvaluateModel(ResidualModel& model, PhaseClock& clock) : model_(model), clock_(clock) {}
@@ -70,7 +70,7 @@ class EvaluateModel : public ceres::EvaluationCallback {
     if (first_trial.size() == 0 && model_.q() != start_) first_trial = model_.q();
   }
   bool finite = true;
-  VecX first_trial;  // 3m; empty before it
+  VecX first_trial;  // 3m; empty before the first trial
 
  private:
   ResidualModel& model_;
@@ -78,7 +78,7 @@ class EvaluateModel : public ceres::EvaluationCallback {
   const VecX start_ = model_.q();
 };
 
-// Ends Ceres after so many steps that it took.
+// Ends Ceres after a number of successful steps.
 class StopAfter : public ceres::IterationCallback {
  public:
   explicit StopAfter(int steps) : left_(steps) {}

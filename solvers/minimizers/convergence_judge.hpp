@@ -1,7 +1,7 @@
-// Judges the convergence of methods whose own direction says nothing about the distance from the
-// minimum (gradient methods, external minimisers), by the norm that Newton's method is judged by.
-// Where that norm is of the Newton direction, one system is solved for it: at the start, and again
-// when the gradient has fallen as far as the last verdict asked for.
+// Convergence test of methods whose own direction does not measure the distance to the minimum
+// (gradient methods, external minimisers), by the criterion of Newton's method. If that criterion
+// needs the Newton direction, one system is solved for it: at the start, and again when the
+// gradient has fallen to the value that the last test asked for.
 #pragma once
 
 #include <memory>
@@ -15,19 +15,19 @@ namespace tack {
 class ConvergenceJudge {
  public:
   ConvergenceJudge();
-  void begin();  // a new minimisation
-  // Whether the objective's present point has converged; result.residual is the last verdict.
+  void begin();  // begins a minimisation
+  // Returns true if the objective's present point has converged. result.residual is the last norm.
   bool converged(const MinimizerProblem& problem, MinimizerResult& result);
  private:
-  // Solves for the Newton direction where that is the norm's; infinity where the clamped Hessian is
-  // singular.
+  // Returns the stopping norm, with a solve for the Newton direction if the norm needs it; infinity
+  // if the clamped Hessian is singular.
   double verdict(const MinimizerProblem& problem, MinimizerResult& result);
 
   std::unique_ptr<LinearSolver> linear_;
   DirectionCheck check_;
-  double next_gradient_ = 0;  // |gradient| below which it is worth another look
+  double next_gradient_ = 0;  // |gradient| below which the next solve is worth its cost
   bool begun_ = false;
-  // Calls of a minimisation, and the one that is to be answered for an observer.
+  // calls in this minimisation; the call that an observer is answered at
   int asked_ = 0, next_asked_ = 0;
 };
 

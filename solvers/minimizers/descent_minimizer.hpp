@@ -1,5 +1,5 @@
-// The loop that all descent methods share: direction, stopping norm, feasible step, line search. A
-// new method is a direction().
+// The loop of all descent methods: direction, stopping norm, feasible step, line search. A new
+// method implements direction().
 #pragma once
 
 #include <memory>
@@ -17,34 +17,35 @@ class DescentMinimizer : public Minimizer {
   MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) final;
 
  protected:
-  // A step that was taken: q <- q + length * p.
+  /// An accepted step: q <- q + length * p.
   struct Step {
     const VecX& p;
-    double length;    // [1]
-    double feasible;  // the largest that the step filters allowed
-    int evaluations;  // of the line search: 1 if it took the first length it tried
-    double slope;     // p . gradient at the start
-    double decrease;  // of the objective
+    double length;    ///< [1]
+    double feasible;  ///< largest length that the step filters allow [1]
+    int evaluations;  ///< evaluations of the line search; 1: the first length was accepted
+    double slope;     ///< p . gradient at the start
+    double decrease;  ///< decrease of the objective
   };
 
-  // A minimisation starts; the objective is at its first point.
+  /// Begins a minimisation; the objective is at its first point.
   virtual void begin(const MinimizerProblem&, MinimizerResult&) {}
-  // p <- a direction of descent at the objective's present point. Anything but `converged` ends the
-  // minimisation. (The gradient is checked to be finite: before the call unless newton_like, and
-  // after.)
+  /// p <- a descent direction at the objective's present point. Any status but `converged` ends the
+  /// minimisation. The loop checks that the gradient is finite: before the call unless
+  /// newton_like(), and after it.
   virtual MinimizerStatus direction(const MinimizerProblem& problem, VecX& p,
                                     MinimizerResult& result) = 0;
-  // The objective is at the new point.
+  /// Notifies the method of a step; the objective is at the new point.
   virtual void stepped(const MinimizerProblem&, const Step&) {}
-  // Whether the length of p tells how far the minimum is, as a Newton direction's does.
+  /// Returns true if the length of p measures the distance to the minimum, as for a Newton
+  /// direction.
   virtual bool newton_like() const { return false; }
-  // The stopping norm of p, a direction that is newton_like, and of what p may miss of the exact
-  // one.
+  /// Returns the stopping norm of p, a newton_like() direction, and of the error of p against the
+  /// exact direction.
   virtual double newton_norm(const MinimizerProblem& problem, VecX& p, MinimizerResult&) {
     return problem.stopping_norm(p, problem.objective.gradient());
   }
-  // Whether p may be replaced by another one where no step along it decreases the objective: false
-  // if there is nothing left to try.
+  /// Returns true if p may be replaced by another direction where no step along it decreases the
+  /// objective; false if none is left.
   virtual bool restart(const MinimizerProblem&) { return false; }
 
  private:
@@ -58,12 +59,14 @@ class DescentMinimizer : public Minimizer {
               VecX& q, MinimizerResult& result);
 
   std::unique_ptr<LineSearch> line_search_ = Registry<LineSearch>::make("backtracking");
-  VecX gradient_before_, q_before_;  // of the last iteration of this minimisation
-  bool too_stiff_ = false;  // Hessians of this minimisation, since some step, and none was cut
-  bool cut_ = false;        // the last step
-  bool unbalanced_ = false;  // after the last step, which was below the tolerance
-  bool accelerated_ = false;  // the present one: conjugate to the last, and prolonged
-  double room_ = 0;           // for it, in units of its direction
+  VecX gradient_before_, q_before_;  // at the last iteration of this minimisation
+  // Hessians of this minimisation are too stiff, since some step, and no step was truncated
+  bool too_stiff_ = false;
+  bool cut_ = false;        // the last step was truncated
+  // force residual too large after the last step, which was below the tolerance
+  bool unbalanced_ = false;
+  bool accelerated_ = false;  // this step is conjugate to the last one, and extrapolated
+  double room_ = 0;           // feasible length of this step, in units of its direction
   ConvergenceJudge judge_;
   Stagnation stagnation_;
 };

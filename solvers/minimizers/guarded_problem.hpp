@@ -1,13 +1,13 @@
-// A minimisation for external gradient methods: a smooth function f(z) of scaled unknowns,
-// evaluated anywhere, and a chain of accepted points. A trial point is usable only if the step
-// filters pass the linear trajectory to it from the last accepted point; so accepted points are
-// joined by feasible trajectories, whatever points a method asks for.
+// A minimisation as external gradient methods see it: a smooth function f(z) of scaled unknowns,
+// which the method may evaluate anywhere, and a chain of accepted points, which this class keeps. A
+// trial point is usable only if the step filters pass the linear path to it from the last accepted
+// point, so that accepted points are always joined by feasible paths.
 //
-// Scaled unknowns, around the point c where a round starts, with D the diagonal of the Hessian
+// Scaled unknowns, around the point c at which a round starts, with D the diagonal of the Hessian
 // there:
 //     q = c + rho D^-1/2 z,    f = (E(q) - E(c)) / rho^2,    rho = |D^-1/2 grad E(c)|_inf,
-// so that f has slopes and curvatures of about one. Where rounding errors exceed a difference of
-// energies, f continues from the last accepted point by the mean of both gradients instead.
+// so that slopes and curvatures of f are about one. Where a difference of energies is below
+// rounding error, f continues from the last accepted point by the mean of both gradients.
 #pragma once
 
 #include <exception>
@@ -22,44 +22,44 @@ namespace tack {
 
 class GuardedProblem {
  public:
-  // Moves q with every accepted point, and fills the result's counts.
+  // Moves q to every accepted point and fills the counts of `result`.
   GuardedProblem(const MinimizerProblem& problem, ConvergenceJudge& judge, int max_iterations,
                  VecX& q, MinimizerResult& result);
 
-  // Scales around the last accepted point. Returns false if the minimisation is over().
+  // Rescales around the last accepted point. Returns false if nothing is left to do; see over().
   bool begin_round();
   int size() const { return static_cast<int>(q_.size()); }
 
   enum class Trial { usable, blocked, not_finite };
-  // Sets f and its gradient at z (both scaled). `blocked`: the trajectory to z is not feasible, or
-  // far too long.
+  // Evaluates f and its gradient at z (both scaled). `blocked`: the path to z is infeasible, or far
+  // too long.
   Trial evaluate(const double* z, double& f, double* gradient);
-  // Sets value and gradient of a convex penalty above the last accepted point, after a trial that
-  // is not usable, for methods that need finite values.
+  // Returns, after an unusable trial, value and gradient of a quadratic penalty above the last
+  // accepted point, for methods that need values everywhere.
   void evaluate_wall(const double* z, double& f, double* gradient);
 
   double accepted_value() const { return accepted_f_; }
-  // Accepts z: one iteration. Returns false, and changes nothing, unless f is lower there and the
-  // trajectory is free.
+  // Makes z the accepted point and counts one iteration. Returns false, with nothing changed,
+  // unless f is lower there and the path is feasible.
   bool accept(const double* z);
 
-  // Returns whether the minimisation is over: converged, out of budget, interrupted, or the
-  // objective has thrown.
+  // Returns true if no further trial is wanted: convergence, budgets, Ctrl-C, or an exception of
+  // the objective.
   bool over() const { return status_.has_value() || failure_; }
   MinimizerStatus status() const { return *status_; }
   void stop(MinimizerStatus status) { status_ = status; }
-  // Stores an exception of the objective: external code does not propagate exceptions.
+  // Stores an exception: external code need not pass exceptions on. rethrow() throws it.
   void fail(std::exception_ptr failure) { failure_ = failure; }
   void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
 
-  // Returns whether too many trials in a row were not usable, so that the method should restart.
+  // Returns true if so many trials in a row failed that the method should restart.
   bool gets_nowhere() const;
-  // Returns whether the last round had no accepted point; reason(): its status.
+  // fruitless: the last round had no accepted point; reason: the status for that.
   bool fruitless() const { return result_.iterations == iterations_before_; }
   MinimizerStatus reason() const;
 
  private:
-  void look();  // convergence and budgets at the accepted point, where the objective is
+  void look();  // tests convergence and budgets at the accepted point, where the objective is
   VecX unscaled(const double* z) const;
   double relative_value(const VecX& q, double value, const VecX& gradient) const;
 
@@ -77,19 +77,19 @@ class GuardedProblem {
   VecX accepted_gradient_;
 
   VecX trial_;        // the last evaluated point
-  double reach_ = 0;  // free fraction of the trajectory to it
+  double reach_ = 0;  // feasible fraction of the path to it
   double trial_f_ = 0;
   bool trial_usable_ = false;
 
   int trials_left_ = 0;
-  // In the round; the last, in a row.
+  // counts within the round; the last one, in a row
   int iterations_before_ = 0, tried_ = 0, blocked_ = 0, idle_ = 0;
   std::optional<MinimizerStatus> status_;
   std::exception_ptr failure_;
 };
 
-// Calls round(guarded), in which an external method runs from z = 0 until it ends or the problem is
-// over, until the minimisation is over or two rounds in a row accept no point.
+// Calls round(guarded) until nothing is left to do, or two rounds in a row accept no point. In a
+// round an external method runs from z = 0 until it ends or is stopped.
 MinimizerResult minimize_in_rounds(const MinimizerProblem& problem, ConvergenceJudge& judge,
                                    int max_iterations, VecX& q,
                                    const std::function<void(GuardedProblem&)>& round);

@@ -1,5 +1,5 @@
-// Metric for gradient methods, their H^-1: made once per minimisation from the clamped Hessian at
-// its start.
+// A metric for gradient methods: an approximation of H^-1 made once per minimisation from the
+// clamped Hessian at its start.
 #pragma once
 
 #include <memory>
@@ -16,9 +16,9 @@ class StartPreconditioner {
   explicit StartPreconditioner(Kind kind = Kind::full) : kind_(kind) {}
 
   void fields(Fields& f);
-  // False if it cannot be made: the Hessian is singular.
+  /// Makes the metric. Returns false if the Hessian is singular.
   bool begin(const MinimizerProblem& problem, MinimizerResult& result);
-  void apply(const VecX& v, VecX& out, PhaseClock& clock);  // out <- B^-1 v
+  void apply(const VecX& v, VecX& out, PhaseClock& clock);  ///< out <- B^-1 v
 
  private:
   Kind kind_;

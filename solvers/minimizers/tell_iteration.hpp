@@ -1,4 +1,4 @@
-// Tells the observer of a problem, if there is one, of iterations.
+// Notifies the observer of a problem, if it has one, of iterations.
 #pragma once
 
 #include <chrono>
@@ -10,7 +10,7 @@ namespace tack {
 class TellIteration {
  public:
   explicit TellIteration(const MinimizerProblem& problem) : problem_(problem) {}
-  // After an iteration, with the objective where it led.
+  // Notifies after an iteration, with the objective at the new point.
   void operator()(const MinimizerResult& result) const {
     if (!problem_.observer) return;
     const std::chrono::duration<double> seconds = Clock::now() - started_;
