@@ -23,7 +23,8 @@ constexpr double motion_factor = 1 / ((1 - gap_fraction_min) * (1 - stop_short_f
 constexpr double free_gap_fraction = gap_fraction_min + 2 * stop_short_fraction;
 constexpr double stage_growth = 4;  // length of a stage of a fast step over the last one
 
-// Returns a bound of the displacement of any vertex of one primitive relative to any of the other, through the mean of all.
+// Returns an upper bound of the largest relative displacement of two vertices, through the mean
+// displacement of all.
 template <size_t A, size_t B>
 double relative_displacement(const std::array<Vec3, A>& da, const std::array<Vec3, B>& db) {
   Vec3 mean = Vec3::Zero();
@@ -36,9 +37,9 @@ double relative_displacement(const std::array<Vec3, A>& da, const std::array<Vec
   return std::sqrt(a) + std::sqrt(b);
 }
 
-// Displacement since the reference, positions, and the displacement of the step.
-struct StepMotion {
-  const VecX& moved;  // from the reference positions of the candidates to x [m]
+// Two configurations and the path from the second one.
+struct Way {
+  const VecX& moved;  // displacements from the configuration of the stored distances to x [m]
   const VecX& x;
   const VecX& p;
 };
@@ -62,8 +63,9 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
     const double before = relative_displacement(ua, ub);
     for (size_t i = 0; i < A; ++i) ua[i] += t * da[i];
     for (size_t i = 0; i < B; ++i) ub[i] += t * db[i];
-    const double gap = distance - std::max(before, relative_displacement(ua, ub)) - offset;  // lower bound of the gap in the whole step
-    if (free_gap_fraction * motion < gap) return t;
+    // lower bound of the gap along the path
+    const double gap = distance - std::max(before, approach(ua, ub)) - offset;
+    if (kept * motion < gap) return t;
   }
   return std::min(t, accd(a, b, da, db, t, offset));
 }
@@ -91,9 +93,9 @@ class Ccd : public StepFilter {
     return contact_ != nullptr;
   }
 
-  // Searches in stages: the boxes swept by a fast step would overlap nearly everything, and near obstacles
-  // cut off most of the step. Each stage searches its part of the step completely, so that the result is
-  // that of one search.
+  // Searches in stages. The swept AABBs of a fast step would overlap nearly everything, while
+  // nearby obstacles truncate most of the path. Each stage searches its interval of the path
+  // completely, so that the result is that of one search.
   double largest_step(const VecX& x, const VecX& p, double t_max) override {
     const double reach = contact_->stride() / std::max(p.lpNorm<Eigen::Infinity>(), 1e-300);
     for (double stage = reach;; stage *= stage_growth) {
@@ -104,7 +106,8 @@ class Ccd : public StepFilter {
   }
 
   std::optional<Blocker> blocker(const VecX& x, const VecX& p) override {
-    const Deadline* const limit = std::exchange(deadline_, nullptr);  // a diagnosis is made after it
+    // the diagnosis runs after the deadline
+    const Deadline* const limit = std::exchange(deadline_, nullptr);
     double t = largest_step(x, p, 1);
     deadline_ = limit;
     if (t == 1) return std::nullopt;
@@ -128,7 +131,8 @@ class Ccd : public StepFilter {
     contact_->cover(x, t_max * p);
     const PhaseScope scope(*clock_, Phase::ccd);
     double t = t_max;
-    const double most = 2 * largest_motion(p) * motion_factor;  // of one vertex to another
+    // bound of the relative displacement of two vertices
+    const double most = 2 * largest_motion(p) * caution;
     const VecX moved = x - contact_->candidates().reference;
     const DisplacementBounds displacements(contact_->surface().mesh, [&](int v) {
       return vertex(moved, v).norm() + motion_factor * t * vertex(p, v).norm();

@@ -38,7 +38,7 @@ void add_bond_rows(const BondTerm& bonds, int i, const VecX& x, const VecX& end,
 }
 
 std::vector<double> bond_pressures(const BondTerm& bonds, const std::vector<ContactRow>& contacts, const ContactSystem& system) {
-  // Per vertex: the normal forces on it, by the object that exerts them.
+  // Normal force on a vertex, by pair of objects.
   struct Pushed {
     int vertex, other;
     Vec3 force;

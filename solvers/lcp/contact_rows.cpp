@@ -11,8 +11,8 @@
 namespace tack {
 namespace {
 
-// What was closer at rest than so many times the present distance is next to each other in one body. On which side of its neighbours a
-// point is, is how a sheet is bent there.
+// Neighbours in one body: pairs whose rest distance is below this multiple of the present distance.
+// The side of a point against its neighbours only shows how the sheet is bent.
 constexpr double of_neighbours = 2;
 
 std::span<const HeldPoint> held_of(const std::vector<HeldPoint>& held, int point, int object) {
@@ -41,7 +41,7 @@ bool ContactFinder::share_vertex(int triangle, int other) const {
   return std::find_first_of(s.begin(), s.end(), t.begin(), t.end()) != s.end();
 }
 
-// How far apart what is remembered may be by now [m].
+// Returns an upper bound of the present distance of stored contacts [m].
 double ContactFinder::strayed(const HeldContacts& before, const VecX& way) const {
   const CollisionMesh& mesh = surface_.mesh;
   double most = 0;
@@ -60,7 +60,8 @@ void ContactFinder::add_points(const Candidates& candidates, int first, int last
   if (near.empty()) return;
   const double offset = system_.pairs().offset(own, object);
   const auto remembered = held_of(before.points, p, object);
-  // The entry of the triangle itself, or else of one beside it; `behind`: who has crossed, whose side is that of triangles beside it too.
+  // Returns the entry of the triangle, or of a triangle beside it. behind: the point has crossed,
+  // and triangles beside share its side.
   const auto entry_of = [&](int triangle, bool behind) -> const HeldPoint* {
     const HeldPoint* found = nullptr;
     for (const HeldPoint& h : remembered) {
@@ -94,7 +95,8 @@ void ContactFinder::add_points(const Candidates& candidates, int first, int last
   const NearPoint* nearest = nullptr;
   for (const NearPoint& n : near)
     if (!nearest || n.distance < nearest->distance) nearest = &n;
-  // Inside a closed body there is one way out: to where it came in, or else the shortest.
+  // Inside a closed body there is one way out: the side where the point came in, or the nearest
+  // one.
   const NearPoint* way_out = nullptr;
   const HeldPoint* came_in = nullptr;
   if (!features_.two_sided(nearest->triangle) && nearest->facing < 0) {
@@ -121,7 +123,8 @@ void ContactFinder::add_points(const Candidates& candidates, int first, int last
   }
 }
 
-// Where edges belong, by where they were, or else by ends that have crossed: -1 if they have.
+// Returns the side of two edges from the stored entry, or from end points that have crossed: -1 if
+// they have.
 double ContactFinder::side_of_edges(const NearEdges& near, const VecX& x, const std::vector<HeldPoint>& sides, const HeldEdges* held) const {
   const CollisionMesh& mesh = surface_.mesh;
   const auto by_ends = [&](const Edge& ends, const Edge& other, const Vec3& towards) {

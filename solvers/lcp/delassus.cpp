@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-constexpr int batch = 96;  // right-hand sides at once
+constexpr int batch = 96;  // right-hand sides per solve
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void Delassus::extend(const std::vector<int>& ends) {
   if (!blocks_.empty()) grow(blocks_.back(), at);
 }
 
-// Columns of the new rows, and by symmetry their rows.
+// Computes the columns of the new rows and, by symmetry, their rows.
 void Delassus::grow(Block& block, int end) {
   const int before = block.rows(), count = end - block.first;
   if (count == before) return;

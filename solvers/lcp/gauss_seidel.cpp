@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// Sweeps over a block before its impulses are passed to the others, which costs a solve.
+// Sweeps of a block per update of other blocks; an update costs a solve.
 constexpr int inner_sweeps = 4;
 
 }  // namespace
@@ -20,7 +20,7 @@ void GaussSeidel::add(RowUnit unit, const Vec3& impulse) {
   units_.push_back(std::move(unit));
 }
 
-// The operator of new rows, and what the impulses that there are change.
+// Extends the operator by the new rows, and adds the effect of their initial impulses.
 void GaussSeidel::extend() {
   delassus_.extend(ends_);
   made_ = delassus_.velocities(impulses_, 0, rows_.count());
@@ -62,7 +62,8 @@ bool GaussSeidel::solve(int sweeps, double tolerance, PhaseClock& clock) {
   return converged;
 }
 
-// Returns the impulses of a unit if nothing else changes; w: the diagonal of W.
+// Returns the impulses of a unit that fulfil its constraints if nothing else changes. w: diagonal
+// of W.
 Vec3 GaussSeidel::wanted(const RowUnit& unit, const Vec3& w) const {
   const double h = step_.h();
   const Vec3 old = at(unit, impulses_), u = velocity(unit);
@@ -89,15 +90,15 @@ Vec3 GaussSeidel::wanted(const RowUnit& unit, const Vec3& w) const {
   return now;
 }
 
-// Unit by unit, of those of a block; the largest change of a velocity [m/s].
+// Sweeps over the units of a block. Returns the largest change of a velocity [m/s].
 double GaussSeidel::sweep(const Delassus::Block& block, int& unit) {
   double largest = 0;
   for (; unit < static_cast<int>(units_.size()) && units_[unit].end() <= block.end(); ++unit) {
     const RowUnit& of = units_[unit];
     Vec3 w = Vec3::Zero();
     for (int i = 0; i < of.rows; ++i) w[i] = block.w(of.first - block.first + i, of.first - block.first + i);
-    if (!(w[0] > 0)) continue;  // nothing that may move
-    // The rows across count with what the one along the normal has become.
+    if (!(w[0] > 0)) continue;  // no dof can move
+    // The tangential rows use the updated normal impulse.
     for (int part = 0; part < (of.rows > 1 ? 2 : 1); ++part) {
       const Vec3 now = wanted(of, w);
       const int from = part == 0 ? 0 : 1, to = part == 0 ? 1 : 3;

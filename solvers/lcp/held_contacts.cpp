@@ -11,8 +11,8 @@ namespace {
 
 const std::string points_name = "lcp/points", edges_name = "lcp/edges";
 
-// triangle, side, gap, depth, force; edges a and b, normal, gap, depth, force. Triangles and edges are numbered in their object, so that other objects of
-// a scene do not matter.
+// Columns: triangle, side, gap, depth, force; edges a and b, normal, gap, depth, force. Triangles
+// and edges are numbered in their object, so that other objects of a scene have no effect.
 constexpr int point_width = 7, edge_width = 10;
 
 void require(bool fits) {

@@ -1,6 +1,8 @@
-// Constraints instead of potentials, to compare with: implicit Euler is linearised, contact is a linear complementarity problem with
-// Coulomb's friction and adhesion as rows, and projected Gauss-Seidel solves it, as far as its sweeps get (Otaduy et al. 2009, with adhesion Gascon
-// et al. 2010). Nothing promises that surfaces do not pass through each other: whether they did is looked at with exact predicates, recorded and told.
+// Integrator with constraints instead of potentials, for comparison. Implicit Euler is linearised;
+// contact is a linear complementarity problem with Coulomb friction and adhesion as rows; projected
+// Gauss-Seidel solves it within its limit of sweeps (Otaduy et al. 2009, with adhesion Gascon et
+// al. 2010). Surfaces may pass through each other: exact predicates count such crossings, which are
+// recorded and reported.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -22,7 +24,7 @@
 namespace tack {
 namespace {
 
-// Fraction of the solver's tolerance: sweeps are cheap, and their residual is an error of forces.
+// Fraction of the minimiser's tolerance: sweeps are cheap, and the forces depend on them.
 constexpr double of_tolerance = 1e-3;
 constexpr int most_crossings = 1000000;
 
@@ -81,7 +83,7 @@ class LcpPgsStepper : public Stepper {
 
   World* world_ = nullptr;
   PhaseClock* clock_ = nullptr;
-  std::shared_ptr<LcpStep> step_;  // what results ask may outlive this
+  std::shared_ptr<LcpStep> step_;  // shared: results may outlive the stepper
   int crossings_ = 0;
   double deepest_ = 0;  // m
 };

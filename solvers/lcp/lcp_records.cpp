@@ -11,7 +11,7 @@ namespace {
 
 enum class Direction { normal, across };
 
-// The force of a contact on its point.
+// Force of a contact on its point.
 Vec3 force_of(const ContactRow& c, Direction direction) {
   const Vec3 normal = c.normal.dot(c.force) * c.normal;
   return direction == Direction::normal ? normal : Vec3(c.force - normal);
@@ -20,7 +20,7 @@ Vec3 force_of(const ContactRow& c, Direction direction) {
 ForceRecord forces(std::shared_ptr<const LcpStep> step, const std::string& name, Direction direction, std::vector<std::string> parts) {
   ForceRecord record{name, direction == Direction::normal ? Acting::normal : Acting::tangential, std::move(parts)};
   record.stored = false;
-  // The second term of both kinds of forces is adhesion, which bonds record.
+  // In both kinds of forces the second term is adhesion, which bonds report.
   const auto none = [](std::string_view part) { return part == "adhesion"; };
   record.add = [=](const VecX&, std::string_view part, VecX& sum) {
     if (none(part)) return;
@@ -49,7 +49,7 @@ void publish_impulses(World& world, std::shared_ptr<const LcpStep> step) {
     for (const ContactRow& c : step->contacts())
       for (int i = 0; i < 4; ++i) pressed(3 * c.vertices[i]) += std::abs(c.coefficients[i]) * c.normal.dot(c.force);
   };
-  // A point stands for a third of the triangles around it, wherever that is pressed.
+  // A point stands for a third of the triangles around it, wherever it carries pressure.
   normal.add_areas = [=, system = world.contact.get()](const VecX&, VecX& areas) {
     for (const ContactRow& c : step->contacts()) {
       if (c.own != 1 || c.force.isZero(0)) continue;

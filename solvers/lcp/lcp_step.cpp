@@ -11,10 +11,10 @@
 namespace tack {
 namespace {
 
-// How often contacts that others have been pushed into are looked for in a step.
+// Limit of the searches per step for contacts that other impulses have closed.
 constexpr int rounds = 8;
 
-// Columns: the normal and what is across.
+// Returns a frame whose columns are the normal and two tangents.
 Mat3 frame_of(const Vec3& normal) {
   Mat3 frame;
   frame << normal, tangents_of(normal);
@@ -62,7 +62,8 @@ void LcpStep::add_bonds(const VecX& x, const VecX& end) {
   for (int i = 0; i < world_.bonds->list().size(); ++i) add_bond_rows(*world_.bonds, i, x, end, linear_, rows_, *sweeps_);
 }
 
-// Contacts that come closer than they may on the way, and first of all those that pressed in the step before. How many.
+// Adds contacts that close further than allowed, first those with a force in the last step. Returns
+// their number.
 int LcpStep::add_violated(const VecX& way, double tolerated, bool first) {
   int added = 0;
   for (size_t i = 0; i < contacts_.rows.size(); ++i) {
@@ -75,7 +76,7 @@ int LcpStep::add_violated(const VecX& way, double tolerated, bool first) {
   return added;
 }
 
-// Adds contacts met on the trajectory to the end of the step. Returns their number.
+// Adds contacts met on the way to the end of the step. Returns their number.
 int LcpStep::add_impacts(const VecX& x, const VecX& end) {
   if (!impacts_) return 0;
   const PhaseScope scope(clock_, Phase::ccd);
@@ -106,7 +107,7 @@ void LcpStep::take_forces() {
     if (c.held >= 0) (c.own == 1 ? contacts_.held.points[c.held].force : contacts_.held.edges[c.held].force) = c.force;
 }
 
-// Where contacts are that were near, or were met.
+// Updates the history of contacts from the end of the step.
 void LcpStep::look_back(const VecX& x, const VecX& end) {
   if (!finder_) return;
   const PhaseScope scope(clock_, Phase::narrow_phase);
@@ -151,7 +152,7 @@ void LcpStep::solve(const Step& step, Attempt& attempt) {
     int added = add_violated(attempt.x - x, settings_.tolerance * step.h, false);
     if (added == 0) added = add_impacts(x, attempt.x);
     if (added == 0) {
-      met_ = true;  // all that there is
+      met_ = true;  // no further contacts
       break;
     }
     converged = false;

@@ -10,7 +10,8 @@
 namespace tack {
 namespace {
 
-// Returns whether rows and impulses represent the term. Any other term, dynamic or not, acts linearised.
+// Returns whether rows and impulses represent the term. Any other term, dynamic or not, acts
+// linearised.
 bool has_rows(const World& world, const Term* term) {
   return term == world.contact_term.get() || term == world.rim.get() || term == world.bonds.get() || term == world.friction.get();
 }
@@ -29,7 +30,7 @@ void LinearizedStep::new_unknowns() {
   of_all_.reset();
 }
 
-// - K_s p_s, in the unknowns, times the potential's scale h^2, inertia included.
+// Returns -K_s p_s in the unknowns, times the potential's scale h^2, inertia included.
 VecX LinearizedStep::imposed(const Step& step) {
   if (!of_all_) {
     all_ = DofMap(std::vector<char>(world_.dofs.vertex_count(), 1), world_.dofs.dependences());

@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Sine of the angle between edges that count as parallel: points see to those.
+// Sine of the angle between edges below which they count as parallel; point rows cover such pairs.
 constexpr double parallel = 1e-3;
 
 bool contains(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v; }
@@ -55,7 +55,7 @@ Vec3 SurfaceFeatures::normal_of(int triangle, const VecX& x) const {
   return (b - a).cross(c - a).normalized();
 }
 
-// How many triangles share what the place is in.
+// Returns the number of triangles that share the nearest feature.
 int SurfaceFeatures::triangles_at(const NearPoint& near) const {
   if (near.count == 3) return 1;
   const auto around = topology_.triangles_at(near.corners[0]);
@@ -63,7 +63,7 @@ int SurfaceFeatures::triangles_at(const NearPoint& near) const {
   return static_cast<int>(std::count_if(around.begin(), around.end(), [&](int t) { return contains(surface_.mesh.triangles[t], near.corners[1]); }));
 }
 
-// By angle-weighted normals, whose sign tells inside from outside (Baerentzen and Aanaes 2005).
+// Uses angle-weighted normals, whose sign tells inside from outside (Baerentzen and Aanaes 2005).
 Vec3 SurfaceFeatures::normal_at(const NearPoint& near, const VecX& x) const {
   if (near.count == 3) return normal_of(near.triangle, x);
   Vec3 sum = Vec3::Zero();
@@ -86,13 +86,13 @@ void SurfaceFeatures::near_point(const Candidates& candidates, int first, int la
     const auto& [p, t] = candidates.point_triangle[i];
     NearPoint near = nearest_in(surface_.mesh, p, t, x);
     if (!(near.distance < reach)) continue;
-    // Corners ascending, so that triangles name what they share alike.
+    // Sorts corners, so that triangles give a shared feature the same key.
     for (int k = 1; k < near.count; ++k)
       for (int j = k; j > 0 && near.corners[j - 1] > near.corners[j]; --j)
         std::swap(near.corners[j - 1], near.corners[j]), std::swap(near.weights[j - 1], near.weights[j]);
     group.push_back(near);
   }
-  // An edge or a vertex is nearest of all around it if all triangles there say so.
+  // An edge or vertex is a local minimum only if all triangles around it agree.
   const auto key = [](const NearPoint& n) { return std::tuple(n.count, n.corners, n.triangle); };
   std::sort(group.begin(), group.end(), [&](const NearPoint& m, const NearPoint& n) { return key(m) < key(n); });
   for (size_t i = 0, end; i < group.size(); i = end) {
@@ -129,7 +129,7 @@ bool SurfaceFeatures::near_edges(int a, int b, const VecX& x, NearEdges& out) co
   out.at = edge_edge_parameters(a0, a1, b0, b1, EdgeEdgeType::EA_EB);
   const Vec3 way = (1 - out.at[0]) * a0 + out.at[0] * a1 - (1 - out.at[1]) * b0 - out.at[1] * b1;
   out.distance = way.norm();
-  // The sign of the way may be lost to rounding, the line across both edges is not.
+  // The sign of the distance vector may be lost to rounding; the line across both edges is not.
   const Vec3 line = across.normalized();
   out.normal = line.dot(way) < 0 ? Vec3(-line) : line;
   out.facing_a = -out.normal.dot(normal_at_edge(a, x));

@@ -9,14 +9,15 @@
 namespace tack {
 namespace {
 
-constexpr int flat_size = 20;       // vertices of a piece of a sheet or a rod,
-constexpr int flat_pieces = 2000;   // in systems of up to 20 times as many: at most so many pieces of that kind
-constexpr int solid_size = 250;     // vertices of a piece of a solid,
-constexpr int solid_pieces = 400;   // and so on: the factor of the pieces' motions grows faster than the system
-constexpr int fragment = 3;         // a piece that has come out so many times too small joins a neighbour
-constexpr double flat = 0.02;       // square of the thickness over that of the width
+constexpr int flat_size = 20;       // vertices of an aggregate of a sheet or rod
+constexpr int flat_pieces = 2000;  // limit of their number; aggregates of larger systems are larger
+constexpr int solid_size = 250;     // vertices of an aggregate of a solid
+// limit of their number: the factor of their motions grows faster than the system
+constexpr int solid_pieces = 400;
+constexpr int fragment = 3;  // an aggregate smaller than its size by this factor joins a neighbour
+constexpr double flat = 0.02;       // square of thickness over width
 
-// The couplings within parts, both ways.
+// Couplings within components, in both directions.
 struct Neighbours {
   explicit Neighbours(const BlockMatrix& matrix) : start(matrix.columns() + 1, 0) {
     const auto for_each_pair = [&](const auto& body) {

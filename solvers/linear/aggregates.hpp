@@ -1,5 +1,6 @@
-// Pieces of bodies: vertices of one part of a system (BlockMatrix::part) that are coupled, side by side. Where they lie in a plane or
-// on a line, as in sheets and rods, a piece is small: what bends there is as soft as a solid over the same number of vertices across.
+// Aggregates: connected groups of neighbouring vertices of one component of a system
+// (BlockMatrix::part). Groups in a plane or on a line (sheets, rods) are small, because bending
+// makes them as soft as a solid over the same number of vertices across.
 #pragma once
 
 #include <vector>
@@ -9,14 +10,15 @@
 namespace tack {
 
 struct Aggregates {
-  // Needs `place` and `part` of the matrix. Depends on these and on its pattern alone.
+  // Builds the groups. Requires `place` and `part` of the matrix, and depends on these and the
+  // pattern only.
   void build(const BlockMatrix& matrix);
 
   int count() const { return static_cast<int>(start.size()) - 1; }
 
-  std::vector<int> of;         // of each column; -1: its part is too small to be cut
-  std::vector<int> start{0};   // of each piece's columns, one more
-  std::vector<int> column;     // ascending within a piece
+  std::vector<int> of;         // group of each column; -1: its component is too small to be divided
+  std::vector<int> start{0};   // first index in `column` of each group, and the end
+  std::vector<int> column;     // ascending within a group
 };
 
 }  // namespace tack

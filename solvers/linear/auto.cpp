@@ -1,7 +1,8 @@
-// Chooses between a factor that is kept and conjugate gradients with an incomplete one, by what they
-// read and compute: the operations and entries of the factor as its symbolic analysis predicts them,
-// against the blocks of the matrix and the iterations that were needed. Counts, not seconds, so that
-// runs repeat bit for bit; the constants are measured, see docs/log/performance_linear_solvers.md.
+// Chooses between a reused Cholesky factor and conjugate gradients with an incomplete factor, by
+// predicted reads and operations: entries and operations of the factor by its symbolic analysis,
+// against blocks of the matrix and iterations needed so far. The decision counts operations, not
+// seconds, so that runs repeat bit for bit. The constants are measured:
+// docs/log/performance_linear_solvers.md.
 #include <fmt/format.h>
 
 #include <limits>
@@ -59,7 +60,7 @@ class AutomaticSolver : public LinearSolver {
   std::string describe() const override { return reason_; }
 
  private:
-  // For a system of another size.
+  // Decides anew for a system of another size.
   void begin(PhaseClock& clock) {
     decided_for_ = matrix_->size();
     needed_ = expected;
@@ -69,7 +70,7 @@ class AutomaticSolver : public LinearSolver {
     iterating_ = next_iterates_;
   }
 
-  // Contacts fill a factor: whenever it was analysed anew, what it costs is known anew.
+  // Predicts the cost of the factor again after each new analysis, because contacts fill it.
   void weigh_anew(PhaseClock& clock) {
     if (direct_->analyses() != analyses_ && direct_->analyses() > 0) weigh(direct_->predict(*matrix_, clock));
   }
@@ -83,14 +84,14 @@ class AutomaticSolver : public LinearSolver {
     next_iterates_ = budget_ > needed_ && matrix_->size() > smallest;
     solves_ = 0;
     average_ = 0;
-    if (!next_iterates_ && !experience_.empty()) return;  // the reason stands
+    if (!next_iterates_ && !experience_.empty()) return;  // the reason of the last decision holds
     reason_ = fmt::format("{} ({} unknowns; a factor has {:.2g} entries and takes {:.2g} operations, as much as "
                           "{:.0f} iterations of {}{})",
                           next_iterates_ ? iterative_->describe() : direct_->describe(), matrix_->size(),
                           cost->entries, cost->operations, budget_, iterative_->describe(), experience_);
   }
 
-  // The cost of finding x.
+  // Records the iterations that finding x took, and whether they were too many.
   void judge(const VecX& b, VecX& x, PhaseClock& clock) {
     const bool unsolved = !x.allFinite();
     if (unsolved && maybe_indefinite_ && iterative_->iterations() <= hopeless * budget_) return;
@@ -100,7 +101,7 @@ class AutomaticSolver : public LinearSolver {
     if ((solves_ >= trial && average_ > patience * budget_) || iterative_->iterations() > hopeless * budget_) tire();
   }
 
-  // The next system is another solver's; this one may still have to be corrected.
+  // Switches the next system to the direct solver; this system may still need a correction.
   void tire() {
     next_iterates_ = false;
     needed_ = std::max(needed_, again * average_);
@@ -114,7 +115,7 @@ class AutomaticSolver : public LinearSolver {
     if (direct_->factorize(*matrix_, clock)) direct_->solve(b, x, clock);
   }
 
-  // For good, or until there is a system of another size.
+  // Stops iterating until the size of the system changes.
   void stop_iterating(const std::string& why) {
     iterating_ = next_iterates_ = false;
     needed_ = std::numeric_limits<double>::infinity();
@@ -122,20 +123,26 @@ class AutomaticSolver : public LinearSolver {
     reason_ = fmt::format("{} (in place of {}: {})", direct_->describe(), iterative_->describe(), why);
   }
 
-  // In units of the time that it takes to read an entry of a factor of single precision there and back.
-  static constexpr double operation = 0.03;   // of a factorisation, which serves several systems
-  static constexpr double passes = 4.3;       // through the factor for each system
-  static constexpr double per_unknown = 150;  // of a pass: nodes are small
-  static constexpr double product = 10;       // a block of the matrix, once a pass
-  static constexpr double per_block = 26;     // an iteration: product and incomplete factor
-  static constexpr double incomplete_factor = 5.5;  // iterations that it costs
-  static constexpr double expected = 9;       // iterations that a system may well take
-  static constexpr int smallest = 1000;       // unknowns: any solver will do for fewer
-  static constexpr double patience = 1.6;     // times the budget: what a kept factor costs is not known well
-  static constexpr double again = 1.5;        // times the iterations that were too many: a budget to try them again
+  // Costs in units of the time to read an entry of a single-precision factor twice (forward and
+  // backward).
+  // per operation of a factorisation, which serves several systems
+  static constexpr double operation = 0.03;
+  static constexpr double passes = 4.3;       // passes through the factor per system
+  static constexpr double per_unknown = 150;  // per unknown and pass: nodes are small
+  static constexpr double product = 10;       // per block of the matrix and pass
+  static constexpr double per_block = 26;  // per block and iteration: product and incomplete factor
+  // iterations that cost as much as the incomplete factor
+  static constexpr double incomplete_factor = 5.5;
+  static constexpr double expected = 9;       // iterations that a system is assumed to take
+  static constexpr int smallest = 1000;       // unknowns, below which any solver will do
+  // factor on the budget: the cost of a reused factor is uncertain
+  static constexpr double patience = 1.6;
+  // factor on iterations that were too many: the budget at which iterating is tried again
+  static constexpr double again = 1.5;
   static constexpr int trial = 4;             // systems before iterations are judged
-  static constexpr double hopeless = 5;       // times the budget: a single system is enough to tell
-  static constexpr int memory = 16;           // systems that their average goes over
+  // factor on the budget above which one system is enough to stop
+  static constexpr double hopeless = 5;
+  static constexpr int memory = 16;           // systems of the running average
 
   std::unique_ptr<LinearSolver> direct_ = Registry<LinearSolver>::make("lagged_cholesky");
   std::unique_ptr<LinearSolver> iterative_ = Registry<LinearSolver>::make("pcg");
@@ -143,13 +150,13 @@ class AutomaticSolver : public LinearSolver {
   const BlockMatrix* matrix_ = nullptr;
   bool iterating_ = false;
   bool next_iterates_ = false;  // from the next system on
-  double needed_ = expected;    // the least budget to iterate
-  int analyses_ = -1;           // of the direct solver, when it was weighed
-  std::string experience_;      // with iterating, if it was not good
-  bool maybe_indefinite_ = false;  // systems from now on
+  double needed_ = expected;    // smallest budget at which iterating is tried
+  int analyses_ = -1;           // analyses of the direct solver at the last prediction
+  std::string experience_;      // reason why iterating was stopped, if it was
+  bool maybe_indefinite_ = false;  // systems from now on may be indefinite
   double decided_for_ = 0;  // unknowns
   double budget_ = 0;       // iterations that cost as much as the factor
-  double average_ = 0;      // iterations of recent systems
+  double average_ = 0;      // average iterations of recent systems
   int solves_ = 0;
   std::string reason_ = "auto";
 };

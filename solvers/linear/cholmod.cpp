@@ -22,7 +22,8 @@ class Cholmod : public DirectSolver {
     const PhaseScope scope(clock, Phase::factorize);
     clock.count_factorization();
     blas::set_threads(blas_threads_);
-    // CHOLMOD's own OpenMP loops ask for four threads and spin: twice as slow as none.
+    // CHOLMOD's own OpenMP loops ask for four threads and spin, which takes twice the time of one
+    // thread.
     omp_set_max_active_levels(0);
     analysis_.update(matrix, supernodal_ ? CholmodAnalysis::Kind::supernodal : CholmodAnalysis::Kind::simplicial);
     ScalarCsc& csc = analysis_.csc();
@@ -45,7 +46,7 @@ class Cholmod : public DirectSolver {
   int analyses() const override { return analysis_.count(); }
 
  private:
-  // Solves that many right-hand sides, stored one after the other.
+  // Solves for `count` right-hand sides, stored one after the other.
   const double* solution(const double* b, Eigen::Index rows, Eigen::Index count) {
     cholmod_dense right{};
     right.nrow = right.d = static_cast<size_t>(rows);

@@ -18,7 +18,8 @@ void CholmodAnalysis::configure() {
   session_->method[0].ordering = CHOLMOD_GIVEN;
   session_->postorder = 1;
   session_->quick_return_if_not_posdef = 1;
-  if (kind_ == Kind::supernodal_blocks) {  // columns below which supernodes merge, in blocks
+  // numbers of columns, in blocks, below which supernodes merge
+  if (kind_ == Kind::supernodal_blocks) {
     session_->nrelax[0] = 2;
     session_->nrelax[1] = 6;
     session_->nrelax[2] = 16;
@@ -40,7 +41,7 @@ bool CholmodAnalysis::update(const BlockMatrix& matrix, Kind kind) {
   return true;
 }
 
-// A multiplication of blocks is 27 of scalars.
+// Returns the predicted cost in scalars; a product of blocks is 27 scalar products.
 FactorCost CholmodAnalysis::last_cost() const {
   const bool blocks = kind_ == Kind::supernodal_blocks;
   return {session_.get()->fl * (blocks ? 27 : 1), session_.get()->lnz * (blocks ? 9 : 1)};
@@ -50,7 +51,7 @@ FactorPtr CholmodAnalysis::analyze_with(const BlockMatrix& matrix, std::vector<i
   const FactorDeleter deleter{session_.get()};
   const int n = matrix.columns();
   if (kind_ == Kind::supernodal_blocks) {
-    // CHOLMOD only reads them.
+    // CHOLMOD only reads these arrays.
     cholmod_sparse graph = lower_view(n, const_cast<std::vector<int>&>(matrix.column_start),
                                       const_cast<std::vector<int>&>(matrix.row), nullptr);
     return {cholmod_analyze_p(&graph, block_order.data(), nullptr, 0, session_.get()), deleter};
@@ -61,7 +62,7 @@ FactorPtr CholmodAnalysis::analyze_with(const BlockMatrix& matrix, std::vector<i
   return {cholmod_analyze_p(&view, order.data(), nullptr, 0, session_.get()), deleter};
 }
 
-// Orders the graph of blocks and keeps the cheapest.
+// Orders the graph of blocks and keeps the cheapest ordering.
 void CholmodAnalysis::order(const BlockMatrix& matrix) {
   const int n = matrix.columns();
   auto start = matrix.column_start;

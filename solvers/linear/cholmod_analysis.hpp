@@ -1,8 +1,8 @@
-// The fill-reducing ordering and symbolic Cholesky analysis of a block matrix by SuiteSparse. The
-// ordering is found on the graph of 3x3 blocks, nine times smaller than the matrix: the best of AMD and
-// METIS by predicted operations. It is kept while the pattern changes little (contacts coming and
-// going); the analysis is redone whenever the pattern does change, for the scalar matrix, which
-// CHOLMOD's own factorisation needs, or for the matrix whose entries are the blocks.
+// Fill-reducing ordering and symbolic Cholesky analysis of a block matrix by SuiteSparse. The
+// ordering is computed on the graph of 3x3 blocks, nine times smaller than the matrix, as the
+// better of AMD and METIS by predicted operations. It is reused while the pattern changes little
+// (contacts that come and go). The analysis is redone for every new pattern, either of the scalar
+// matrix, for CHOLMOD's own factorisation, or of the matrix of blocks.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,15 @@ class CholmodAnalysis {
 
   void fields(Fields& f);
   enum class Kind { simplicial, supernodal, supernodal_blocks };
-  // Makes factor() and, but for blocks, csc() those of the matrix's pattern; true if the pattern is new.
+  // Updates factor() and, for scalar kinds, csc() to the matrix's pattern. Returns true if the
+  // pattern is new.
   bool update(const BlockMatrix& matrix, Kind kind);
 
   cholmod_factor* factor() const { return factor_.get(); }
   cholmod_common* common() { return session_.get(); }
   ScalarCsc& csc() { return csc_; }
   int count() const { return count_; }
-  // Size of the present factor, in scalars.
+  // Cost of the present factor, in scalars.
   FactorCost cost() const { return cost_; }
 
  private:
@@ -43,7 +44,7 @@ class CholmodAnalysis {
   std::vector<int> block_order_;
   FactorPtr factor_;
   FactorCost cost_;
-  double operations_ = 0;  // predicted for the ordering when it was made
+  double operations_ = 0;  // predicted for the ordering when it was computed
   std::uint64_t version_ = 0;
   int count_ = 0;
 };

@@ -1,4 +1,4 @@
-// Owners of CHOLMOD's objects. Included by the CHOLMOD solver only.
+// Owners of CHOLMOD's objects. Only the CHOLMOD solver includes this file.
 #pragma once
 
 #include <cholmod.h>
@@ -28,7 +28,7 @@ struct FactorDeleter {
 };
 using FactorPtr = std::unique_ptr<cholmod_factor, FactorDeleter>;
 
-// Memory that solves reuse.
+// Work memory that solves reuse.
 struct SolveWork {
   explicit SolveWork(cholmod_common* session) : common(session) {}
   ~SolveWork() {
@@ -44,7 +44,7 @@ struct SolveWork {
   cholmod_dense *solution = nullptr, *y = nullptr, *e = nullptr;
 };
 
-// A view of lower compressed columns as a CHOLMOD matrix; the arrays stay the caller's.
+// Returns a CHOLMOD view of lower compressed columns. The caller keeps the arrays.
 inline cholmod_sparse lower_view(int n, std::vector<int>& column_start, std::vector<int>& row,
                                  double* values) {
   cholmod_sparse view{};

@@ -5,7 +5,7 @@
 namespace tack {
 namespace {
 
-constexpr int chunk = 4096;  // numbers: shorter vectors are not worth a second thread
+constexpr int chunk = 4096;  // numbers per chunk; shorter vectors run on one thread
 
 }  // namespace
 

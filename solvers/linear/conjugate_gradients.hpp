@@ -1,6 +1,6 @@
-// Preconditioned conjugate gradients, A x = b from x = 0, the one loop of all solvers that iterate. The
-// residual is measured in the norm of the preconditioner, sqrt(r . M^-1 r), which weighs a stiff contact
-// like everything else. Sums are made in chunk order: the same bits for any number of threads.
+// Preconditioned conjugate gradients, A x = b from x = 0: the loop of all iterative solvers. The
+// residual norm is sqrt(r . M^-1 r), which weights a stiff contact like everything else. Sums run
+// in chunk order, for the same bits with any number of threads.
 #pragma once
 
 #include "framework/core/phase_clock.hpp"
@@ -10,15 +10,17 @@ namespace tack {
 
 class ConjugateGradients {
  public:
-  // indefinite: the matrix is, along some direction; misled: the preconditioner is not positive definite.
+  // indefinite: A is indefinite along some direction; misled: the preconditioner is not positive
+  // definite.
   enum class Outcome { solved, too_slow, indefinite, misled };
   struct Goal {
-    double tolerance;    // of the residual, relative to that of x = 0
+    double tolerance;    // residual, relative to that of x = 0
     int max_iterations;  // products with A
   };
 
-  // precondition(r, z): z <- M^-1 r. Where the outcome is not `solved`, x is what was reached: the best
-  // in the Krylov space until then, a direction of descent of 1/2 x.A x - x.b unless it is zero. Throws OutOfTime.
+  // Solves A x = b. precondition(r, z): z <- M^-1 r. If the outcome is not `solved`, x is the best
+  // point of the Krylov space so far, a descent direction of 1/2 x.A x - x.b unless it is zero.
+  // Throws OutOfTime.
   template <class Precondition>
   Outcome solve(const BlockMatrix& matrix, const VecX& b, VecX& x, Goal goal, PhaseClock& clock,
                 const Precondition& precondition);
@@ -39,8 +41,8 @@ class ConjugateGradients {
 };
 
 template <class Precondition>
-ConjugateGradients::Outcome ConjugateGradients::solve(const BlockMatrix& matrix, const VecX& b, VecX& x,
-                                                      Goal goal, PhaseClock& clock,
+ConjugateGradients::Outcome ConjugateGradients::solve(const BlockMatrix& matrix, const VecX& b,
+                                                      VecX& x, Goal goal, PhaseClock& clock,
                                                       const Precondition& precondition) {
   x.setZero(b.size());
   residual_ = b;
@@ -61,7 +63,7 @@ ConjugateGradients::Outcome ConjugateGradients::solve(const BlockMatrix& matrix,
     turn(next / rz);
     rz = next;
   }
-  // A preconditioner that is not positive definite, or a right side that is not finite.
+  // False for a preconditioner that is not positive definite, or a right side that is not finite.
   return rz >= 0 ? Outcome::solved : Outcome::misled;
 }
 

@@ -1,5 +1,6 @@
-// A solver that factorises the blocks of a matrix. What the matrix has besides, its global modes, is taken by correcting what the factor gives
-// (mode_update.hpp): a solve for each of them, and a product with each in every solve.
+// Base of solvers that factorise the blocks of a matrix. Global modes of the matrix enter by
+// low-rank correction (mode_update.hpp): one solve per mode after a factorisation, and one product
+// per mode in every solve.
 #pragma once
 
 #include "framework/core/linear_solver.hpp"
@@ -12,7 +13,8 @@ class DirectSolver : public LinearSolver {
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) final {
     update_.clear();
     return factorize_blocks(matrix, clock) &&
-           update_.prepare(matrix.modes, [&](const VecX& b, VecX& x) { solve_blocks(b, x, clock); });
+           update_.prepare(matrix.modes,
+                           [&](const VecX& b, VecX& x) { solve_blocks(b, x, clock); });
   }
   void solve(const VecX& b, VecX& x, PhaseClock& clock) final {
     solve_blocks(b, x, clock);
@@ -30,7 +32,7 @@ class DirectSolver : public LinearSolver {
   }
 
  protected:
-  // As those without `blocks` of LinearSolver, of the blocks alone.
+  /// Counterparts of LinearSolver's functions for the blocks alone, without global modes.
   virtual bool factorize_blocks(const BlockMatrix& matrix, PhaseClock& clock) = 0;
   virtual void solve_blocks(const VecX& b, VecX& x, PhaseClock& clock) = 0;
   virtual void solve_block_columns(Eigen::MatrixXd& columns, PhaseClock& clock) {

@@ -11,11 +11,11 @@ namespace {
 
 constexpr int smallest_group = 64;  // separators
 
-constexpr int largest_part = 6;     // of the vertices may be separators: one in so many
+constexpr int largest_part = 6;     // at most one vertex in largest_part may be a separator
 
 int last_row(const BlockMatrix& matrix, int column) { return matrix.row[matrix.column_start[column + 1] - 1]; }
 
-// How many vertices before each place are coupled to those after it.
+// Returns, for each cut, the number of vertices before it that are coupled to vertices after it.
 std::vector<int> crossings(const BlockMatrix& matrix) {
   std::vector<int> count(matrix.columns() + 2, 0);
   for (int c = 0; c < matrix.columns(); ++c) {
@@ -26,7 +26,8 @@ std::vector<int> crossings(const BlockMatrix& matrix) {
   return count;
 }
 
-// The ends of domains of `size` to twice as many vertices, each at the place of its range that is crossed least.
+// Returns the ends of domains of `size` to 2 `size` vertices, each at the least crossed cut in its
+// range.
 std::vector<int> cut(const std::vector<int>& crossing, int n, int size) {
   std::vector<int> ends;
   for (int first = 0; first < n; first = ends.back()) {

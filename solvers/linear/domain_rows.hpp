@@ -1,7 +1,8 @@
-// The lower triangle of a block matrix by rows, in an order in which it can be factorised without fill on
-// several threads: vertices are cut into domains of consecutive numbers where few couplings cross the cut;
-// those coupled to a later domain are separators and come last. What is left of different domains is not
-// coupled, nor are separators of different groups. The order depends on the matrix alone.
+// The lower triangle of a block matrix by rows, ordered for a factorisation without fill on several
+// threads. Vertices are divided into domains of consecutive numbers at cuts that few couplings
+// cross. Vertices coupled to a later domain are separators and come last. Key idea: without the
+// separators, different domains are not coupled, nor are separators of different groups. The order
+// depends on the matrix alone.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,8 @@
 namespace tack {
 
 struct DomainRows {
-  // Domains of at least `domain_size` vertices, of more where too many of them would separate.
+  // Builds the order. Domains have at least `domain_size` vertices, more if too many vertices would
+  // be separators.
   void build(const BlockMatrix& matrix, int domain_size);
 
   int size() const { return static_cast<int>(vertex.size()); }
@@ -21,17 +23,18 @@ struct DomainRows {
 
   struct Source {
     int block;        // of the matrix
-    bool transposed;  // which stands on the other side of its diagonal
+    bool transposed;  // the block is stored on the other side of the diagonal
   };
   std::vector<int> vertex;        // of each row
-  std::vector<int> domain_start;  // rows of each domain, one more
-  std::vector<int> group_start;   // rows of each group of separators, one more: they follow the domains
+  std::vector<int> domain_start;  // first row of each domain, and the end
+  // first row of each group of separators, and the end; groups follow the domains
+  std::vector<int> group_start;
   std::vector<int> row_start;
-  std::vector<int> column;        // of each entry of a row, ascending, so the diagonal last
+  std::vector<int> column;        // of each entry of a row, ascending: the diagonal comes last
   std::vector<Source> source;     // of each entry
-  std::vector<int> below_start;   // what is below the diagonal of each column:
-  std::vector<int> below_row;     // its rows, ascending,
-  std::vector<int> below_entry;   // and which of their entries
+  std::vector<int> below_start;   // entries below the diagonal of each column
+  std::vector<int> below_row;     // their rows, ascending
+  std::vector<int> below_entry;   // their indices in `column`
 
  private:
   void separate(const BlockMatrix& matrix, const std::vector<int>& cuts);

@@ -1,7 +1,8 @@
 // Incomplete Cholesky factorisation without fill, IC(0), on 3x3 blocks (Meijerink and van der Vorst
-// 1977), domains side by side and then what separates them. Where a pivot turns indefinite, it starts
-// again with a larger multiple of the diagonal blocks added (Manteuffel 1980); large systems begin with the multiple that the
-// last one ended with. The factor is stored in single precision: applying it takes as long as reading it.
+// 1977); domains run in parallel, then their separators. If a pivot is indefinite, factorisation
+// restarts with a larger multiple of the diagonal blocks added (Manteuffel 1980); large systems
+// start with the final multiple of the last system. The factor is stored in single precision:
+// applying it takes as long as reading it.
 #include <Eigen/Cholesky>
 
 #include <atomic>
@@ -31,7 +32,7 @@ class IncompleteCholesky : public Preconditioner {
     const bool as_before = rows_.size() >= many && rows_.size() == kept_size_;
     const int systems = as_before ? systems_ + 1 : 0;
     const double kept = as_before ? kept_shift_ : 0, first = systems % systems_per_look > 0 ? kept : kept / larger;
-    kept_size_ = 0;  // unless this one is made: time may run out
+    kept_size_ = 0;  // unless this factorisation succeeds: the deadline may pass
     for (double shift = first < smallest_shift ? 0 : first; shift < largest_shift; shift = std::max(larger * shift, smallest_shift))
       if (factorize(matrix, shift, deadline)) {
         for_each(rows_.size(), [&](int i) { round(i); }, 512);
@@ -63,7 +64,7 @@ class IncompleteCholesky : public Preconditioner {
   }
 
  private:
-  static constexpr int stride = 4;  // numbers of x_ for each row
+  static constexpr int stride = 4;  // numbers of x_ per row
 
   template <class Body>
   static void for_each_part(const std::vector<int>& start, const Body& body) {
@@ -71,7 +72,7 @@ class IncompleteCholesky : public Preconditioner {
   }
   double* exact(int k) { return exact_.data() + 9 * std::ptrdiff_t(k); }
   double* part(int row) { return x_.data() + stride * std::ptrdiff_t(row); }
-  // Row i of the transposed factor: its diagonal block, then the others.
+  // Returns row i of the transposed factor: its diagonal block, then the others.
   float* upper(int i) { return upper_.data() + 9 * (std::ptrdiff_t(rows_.below_start[i]) + i); }
 
   bool factorize(const BlockMatrix& matrix, double shift, const Deadline& deadline) {
@@ -88,7 +89,8 @@ class IncompleteCholesky : public Preconditioner {
     return definite;
   }
 
-  // Row i of L, with the inverse of its diagonal block; false if that is not positive definite.
+  // Computes row i of L, with the inverse of its diagonal block. Returns false if the block is not
+  // positive definite.
   bool eliminate(int i, const BlockMatrix& matrix, double shift) {
     const std::vector<int>& column = rows_.column;
     const int first = rows_.row_start[i], diagonal = rows_.diagonal(i);
@@ -101,7 +103,7 @@ class IncompleteCholesky : public Preconditioner {
       BlockLanes sum(start.data());
       const int row = column[k], end = rows_.diagonal(row);
       int mine = first, other = rows_.row_start[row];
-      while (mine < k && other < end) {  // the columns that both rows have
+      while (mine < k && other < end) {  // columns that both rows have
         const int a = column[mine], b = column[other];
         if (a == b) sum -= BlockLanes::padded(exact(mine)).times_transposed(exact(other));
         mine += a <= b;
@@ -120,7 +122,7 @@ class IncompleteCholesky : public Preconditioner {
     return true;
   }
 
-  // Row i of L and of L^T in single precision.
+  // Rounds row i of L and of L^T to single precision.
   void round(int i) {
     const int first = rows_.row_start[i], diagonal = rows_.diagonal(i);
     std::copy(exact(first), exact(diagonal + 1), lower_.data() + 9 * std::ptrdiff_t(first));
@@ -134,7 +136,7 @@ class IncompleteCholesky : public Preconditioner {
     for (int k = rows_.below_start[i]; k < rows_.below_start[i + 1]; ++k) transpose(rows_.below_entry[k]);
   }
 
-  // Row i of x <- L^-1 x.
+  // Solves row i of x <- L^-1 x.
   void solve_lower(int i) {
     const int diagonal = rows_.diagonal(i);
     const float* block = lower_.data() + 9 * std::ptrdiff_t(rows_.row_start[i]);
@@ -145,7 +147,7 @@ class IncompleteCholesky : public Preconditioner {
     store4(BlockLanes::padded(block).times(part(i)), part(i));
   }
 
-  // Row i of x <- L^-T x.
+  // Solves row i of x <- L^-T x.
   void solve_upper(int i) {
     const float* const inverse = upper(i);
     const float* block = inverse;
@@ -157,17 +159,17 @@ class IncompleteCholesky : public Preconditioner {
   }
 
   static constexpr double smallest_pivot = 1e-10;  // relative to the diagonal of the matrix
-  static constexpr int rows_per_look = 64;  // at the deadline
+  static constexpr int rows_per_look = 64;  // rows between checks of the deadline
   static constexpr double smallest_shift = 1e-3, largest_shift = 1e3, larger = 4;
-  static constexpr int many = 5000;          // vertices of a system that is worth remembering a shift for
-  static constexpr int systems_per_look = 8;  // whether a smaller shift would do
+  static constexpr int many = 5000;  // vertices from which a shift is stored for the next system
+  static constexpr int systems_per_look = 8;  // systems between trials of a smaller shift
 
   int domain_ = 2000;
   DomainRows rows_;
   std::uint64_t version_ = 0;
-  int kept_size_ = 0;      // of the last system; 0: it was not made
-  double kept_shift_ = 0;  // of it
-  int systems_ = 0;        // of that size, one after the other
+  int kept_size_ = 0;      // vertices of the last system; 0: factorisation failed
+  double kept_shift_ = 0;  // shift of the last system
+  int systems_ = 0;        // consecutive systems of that size
   std::vector<double> exact_;         // blocks of L, by rows
   std::vector<float> lower_, upper_;  // blocks of L and of L^T, by rows
   VecX x_;                            // by rows

@@ -1,4 +1,4 @@
-// Inverse of a symmetric positive definite 3x3 block; false, and no result, if it is not definite.
+// Inverse of a symmetric positive definite 3x3 block.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -7,8 +7,9 @@
 
 namespace tack {
 
-// By the Cholesky factor rather than cofactors: a contact makes blocks of condition 1e8, and their
-// inverses must come out definite.
+// Inverts a block by its Cholesky factor. Returns false, with no result, if the block is not
+// positive definite. Cofactors would not do: contact makes blocks of condition 1e8, whose inverses
+// must be definite.
 inline bool invert_definite(const Mat3& block, Mat3& inverse) {
   const Eigen::LLT<Mat3> factor(block);
   if (factor.info() != Eigen::Success) return false;

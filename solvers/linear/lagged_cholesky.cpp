@@ -1,7 +1,7 @@
-// Conjugate gradients preconditioned by a Cholesky factor of an earlier matrix. Between Newton
-// iterations and time steps the matrix changes little but for a few contacts, so a handful of
-// iterations replaces a factorisation. Factorises anew as soon as that no longer holds: the decision
-// counts iterations, not seconds, so that runs repeat bit for bit.
+// Conjugate gradients preconditioned by the Cholesky factor of an earlier matrix. The matrix
+// changes little between Newton iterations and time steps except for a few contacts, so that a few
+// iterations replace a factorisation. Once they no longer do, the matrix is factorised again. The
+// decision counts iterations, not seconds, so that runs repeat bit for bit.
 #include <memory>
 
 #include "framework/config/field.hpp"
@@ -30,7 +30,8 @@ class LaggedCholesky : public LinearSolver {
   void solve(const VecX& b, VecX& x, PhaseClock& clock) override {
     if (iterate(b, x, tolerance_, clock)) stale_ = cg_.iterations() > max_iterations_ / 2;
   }
-  // How many iterations that takes says nothing about the next matrix.
+  // Improves x to the relative residual. Its iterations do not count for the decision on the next
+  // matrix.
   void correct(const VecX& b, VecX& x, double relative, PhaseClock& clock) override {
     iterate(b, x, relative, clock);
   }
@@ -43,7 +44,7 @@ class LaggedCholesky : public LinearSolver {
   }
 
  private:
-  // Whether conjugate gradients did it.
+  // Returns true if conjugate gradients solved the system.
   bool iterate(const VecX& b, VecX& x, double tolerance, PhaseClock& clock) {
     using Outcome = ConjugateGradients::Outcome;
     iterations_ = 0;
@@ -67,7 +68,7 @@ class LaggedCholesky : public LinearSolver {
 
   bool refresh(PhaseClock& clock) {
     direct_->allow_approximation();
-    size_ = 0;  // until there is a new factor: time may run out
+    size_ = 0;  // no factor until the new one is complete: the deadline may pass
     fresh_ = direct_->factorize(*matrix_, clock);
     if (fresh_) size_ = matrix_->size();
     stale_ = false;
@@ -79,10 +80,11 @@ class LaggedCholesky : public LinearSolver {
   int max_iterations_ = 12;
 
   const BlockMatrix* matrix_ = nullptr;
-  int iterations_ = 0;  // of the last solve, with every factor that it tried
-  int size_ = 0;        // of the factor; 0: there is none
+  int iterations_ = 0;  // of the last solve, with all factors that it used
+  int size_ = 0;        // of the factor; 0: none
   bool fresh_ = false;  // the factor is that of matrix_
-  bool stale_ = false;  // the last solve took so long that the next deserves a new factor
+  // the last solve took so many iterations that the next one gets a new factor
+  bool stale_ = false;
   ConjugateGradients cg_;
 };
 

@@ -10,16 +10,18 @@
 namespace tack {
 namespace {
 
-constexpr double weight = 0.5;      // w: with 1 many systems of contact and elasticity break down, with 0.4 to 0.7 none
-constexpr double least_left = 0.6;  // part of A_ii that a pivot keeps: no eigenvalue of M^-1 A is above 1 / (2 - 1 / 0.6) = 3
-constexpr int rows_per_look = 256;  // at the deadline
+// w; many systems of contact and elasticity break down with 1, none with 0.4 to 0.7
+constexpr double weight = 0.5;
+// fraction of A_ii that a pivot keeps: eigenvalues of M^-1 A are at most 1 / (2 - 1 / 0.6) = 3
+constexpr double least_left = 0.6;
+constexpr int rows_per_look = 256;  // rows between checks of the deadline
 
 template <class T>
 T* row4(T* numbers, int i) { return numbers + 4 * static_cast<std::ptrdiff_t>(i); }
 template <class T>
 T* row9(T* numbers, int i) { return numbers + 9 * static_cast<std::ptrdiff_t>(i); }
 
-// L D L^T of a symmetric block.
+// L D L^T factor of a symmetric block.
 struct Ldl {
   template <class Entry>
   explicit Ldl(const Entry& a) {
@@ -33,7 +35,7 @@ struct Ldl {
     d2 = a(2, 2) - l20 * a20 - l21 * a21;
   }
   bool definite() const { return d0 > 0 && d1 > 0 && d2 > 0; }
-  // Nine numbers.
+  // Writes the nine numbers of the inverse.
   void invert(double* to) const {
     const double m20 = l10 * l21 - l20, e0 = 1 / d0, e1 = 1 / d1, e2 = 1 / d2;  // L^-1 has -l10, m20, -l21
     to[8] = e2;
@@ -46,7 +48,8 @@ struct Ldl {
   double d0, d1, d2, l10, l20, l21;
 };
 
-// inverse <- (own - w update)^-1; of own alone, where that would be nearly singular. False where own is not definite.
+// inverse <- (own - w update)^-1, or own^-1 if the difference is nearly singular. Returns false if
+// `own` is not positive definite.
 bool invert_pivot(const double* own, const double* update, double* inverse) {
   const auto less = [&](double part, double of_update) {
     return [=](int i, int j) { return part * own[i + 3 * j] - of_update * update[i + 3 * j]; };
@@ -59,7 +62,7 @@ bool invert_pivot(const double* own, const double* update, double* inverse) {
 
 }  // namespace
 
-// Copies of what loops read, which stores cannot change.
+// The arrays that loops read, as local values: stores in the loops cannot alias them.
 struct MatrixSweeps::View {
   const double* block(int entry) const { return row9(values, source[entry] >> 1); }
   bool turned(int entry) const { return source[entry] & 1; }
@@ -186,7 +189,8 @@ double MatrixSweeps::forward_rows(int first, int last, double step, VecX& x_of_v
     store4(Lanes{}, row4(at.product, i));
     const BlockLanes inverse(row9(at.inverse, i));
     const Lanes lower = load4(row4(at.lower, i));
-    const Lanes half = inverse.times(residual) - inverse.times(lower);  // the second waits for the row before
+    // the second product depends on the row before
+    const Lanes half = inverse.times(residual) - inverse.times(lower);
     store4(Lanes{}, row4(at.lower, i));
     store4(half, row4(at.z, i));
     sum += half * (residual - lower);
@@ -208,7 +212,7 @@ double MatrixSweeps::backward_rows(int first, int last, double ratio, const VecX
     TransposedSum above, above_p;
     Lanes turned_above{}, turned_above_p{};
     const int begin = at.start[i], end = at.start[i + 1];
-    for (int e = end - 1; e >= begin; --e) {  // the row that was solved last comes last
+    for (int e = end - 1; e >= begin; --e) {  // the row solved last comes last
       const BlockLanes l(at.block(e));
       const Lanes z = load4(row4(at.z, at.target[e])), p = load4(row4(at.p, at.target[e]));
       if (at.turned(e)) [[unlikely]] {
@@ -238,7 +242,7 @@ double MatrixSweeps::backward_rows(int first, int last, double ratio, const VecX
   return sum3(sum);
 }
 
-// Slots stand for the rows of separators.
+// Copies the values of separator rows to their slots of a domain.
 void MatrixSweeps::lend(int domain) {
   for (int s = slot_start_[domain]; s < slot_start_[domain + 1]; ++s) {
     store4(load4(row4(z_.data(), slot_row_[s])), row4(z_.data(), rows_.size() + s));

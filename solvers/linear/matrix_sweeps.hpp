@@ -1,10 +1,12 @@
-// A symmetric block matrix A = L + diag(A) + L^T as the preconditioner M = (D + L) D^-1 (D + L^T) of conjugate gradients: an incomplete
-// Cholesky factor that changes the diagonal alone (D-ILU, Pommerell 1992; Barrett et al. 1994, 3.4.2),
-//     D_i = A_ii - w sum_j L_ij D_j^-1 L_ij^T,
-// with w = 1/2, and w = 0, Gauss-Seidel's, in rows where little of A_ii would be left: D >= 0.6 diag(A) bounds the eigenvalues of
-// M^-1 A by 3, as (D + L) + (D + L)^T - A = 2 D - diag(A). No factor is stored: the iteration goes
-// through the matrix itself, forwards to solve and backwards to solve and to multiply by A on the way, so that its product costs no pass of
-// its own (Eisenstat 1981). Domains side by side, then what separates them (domain_rows.hpp): the same bits for any number of threads.
+// Sweeps through a symmetric block matrix A = L + diag(A) + L^T with the preconditioner M = (D + L)
+// D^-1 (D + L^T) of conjugate gradients, an incomplete Cholesky factor that changes the diagonal
+// only (D-ILU, Pommerell 1992; Barrett et al. 1994, 3.4.2),
+//     D_i = A_ii - w sum_j L_ij D_j^-1 L_ij^T,    w = 1/2,
+// and w = 0 (Gauss-Seidel) in rows where the pivot would keep too little of A_ii. D >= 0.6 diag(A)
+// bounds the eigenvalues of M^-1 A by 3, as (D + L) + (D + L)^T - A = 2 D - diag(A).
+// No factor is stored. One iteration sweeps forwards to solve and backwards to solve and to
+// multiply by A, so that the product costs no pass of its own (Eisenstat 1981). Domains run in
+// parallel, then their separators (domain_rows.hpp): the same bits for any number of threads.
 #pragma once
 
 #include <vector>
@@ -16,16 +18,17 @@ namespace tack {
 
 class MatrixSweeps {
  public:
-  // Keeps the matrix. False where a block on its diagonal is not positive definite. Throws OutOfTime.
+  // Computes D; keeps a reference to the matrix. Returns false if a diagonal block is not positive
+  // definite. Throws OutOfTime.
   bool update(const BlockMatrix& matrix, int domain, const Deadline& deadline);
 
-  // An iteration is forward, then backward. Before the first: no product yet, directions of zero.
+  // Resets product and directions to zero. An iteration is forward(), then backward().
   void begin();
-  // x += step p, r -= step A p; then half of z = M^-1 r. Returns r . M^-1 r.
+  // x += step p, r -= step A p; then the first half of z = M^-1 r. Returns r . M^-1 r.
   double forward(double step, VecX& x, VecX& r);
-  // The other half; p <- z + more + ratio p and A p. Returns p . A p. more: in vertices.
+  // Second half; p <- z + more + ratio p, and A p. more: ordered by vertices. Returns p . A p.
   double backward(double ratio, const VecX& more);
-  // The other half alone, into z.
+  // Second half alone, into z.
   void backward(VecX& z);
 
  private:
@@ -47,13 +50,14 @@ class MatrixSweeps {
   DomainRows rows_;
   std::uint64_t version_ = 0;
   const double* values_ = nullptr;
-  // Entries below the diagonal of each column, in the order of rows_: where (a row, or a slot of the column's domain that stands for the
-  // row of a separator), and twice the block of the matrix, one more if it is to be transposed.
+  // Entries below the diagonal of each column, in the order of rows_. target_: a row, or a slot of
+  // the column's domain that stands for the row of a separator. source_: twice the block's index in
+  // the matrix, plus one if it is transposed.
   std::vector<int> start_, target_, source_, diagonal_;
   std::vector<int> slot_start_, slot_row_;      // of each domain
   std::vector<int> later_start_, later_slot_;  // of each separator
   std::vector<double> inverse_;                 // D^-1, nine each
-  // Four numbers for each row and slot, of which three count.
+  // Four numbers per row and slot; the fourth is padding.
   std::vector<double> z_, p_, lower_, product_;
   std::vector<double> partial_;
 };

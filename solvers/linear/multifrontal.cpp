@@ -1,5 +1,5 @@
-// Our own Cholesky solver: SuiteSparse's ordering and analysis, a numeric factorisation that uses all
-// threads. In single precision it costs half, and serves as a preconditioner.
+// Multifrontal Cholesky solver: SuiteSparse's ordering and analysis, and a numeric factorisation on
+// all threads. Single precision halves its cost; the factor then serves as a preconditioner.
 #include <memory>
 #include <optional>
 
@@ -63,7 +63,7 @@ class Multifrontal : public DirectSolver {
   }
 
  private:
-  // The tree stays as it is until the next factor: the one that there is belongs to it.
+  // Updates the analysis. The tree belongs to the present factor and is rebuilt with the next one.
   void analyze(const BlockMatrix& matrix) {
     if (analysis_.update(matrix, CholmodAnalysis::Kind::supernodal_blocks)) outdated_ = true;
   }
@@ -76,10 +76,10 @@ class Multifrontal : public DirectSolver {
   bool preconditioner_ = false;
   CholmodAnalysis analysis_;
   std::optional<SupernodeTree> tree_;
-  bool outdated_ = false;  // the tree is of another pattern than the analysis
+  bool outdated_ = false;  // the pattern of the analysis is newer than the tree's
   MultifrontalFactor<float> single_;
   MultifrontalFactor<double> double_;
-  bool exact_ = true;  // of the last factor
+  bool exact_ = true;  // the last factor is in double precision
 };
 
 TACK_REGISTER(LinearSolver, Multifrontal, "multifrontal",

@@ -11,22 +11,22 @@
 namespace tack {
 namespace {
 
-constexpr int panel_rows = 192;          // of the dense kernels that run in parallel
-constexpr std::ptrdiff_t parallel_entries = 1 << 15;  // smaller panels are not worth a second thread
+constexpr int panel_rows = 192;          // rows per task of the parallel dense kernels
+constexpr std::ptrdiff_t parallel_entries = 1 << 15;  // smaller panels run on one thread
 
 template <class T>
 std::unique_ptr<T[]> uninitialised(size_t n) {
   return std::unique_ptr<T[]>(new T[n]);
 }
 
-// The triangle of a node's own columns, in parts: body(first, last).
+// Calls body(first, last) for each diagonal triangle of a node's own columns.
 template <class T, class Body>
 void for_each_triangle(int columns, const Body& body) {
   for (int first = 0; first < columns; first += triangle_columns<T>)
     body(first, std::min(first + triangle_columns<T>, columns));
 }
 
-// Puts the inverses of the triangles in their places.
+// Replaces the diagonal triangles by their inverses.
 template <class T>
 void invert_triangles(int columns, T* panel, int height) {
   for_each_triangle<T>(columns, [&](int first, int last) {
@@ -139,7 +139,7 @@ void MultifrontalFactor<T>::assemble(int s, const BlockMatrix& matrix) {
   const int height = tree.height(s);
   T* values = values_.get();
   std::fill(values + tree.panel[s], values + tree.panel[s + 1], T(0));
-  // Scales follow from the permuted row and column of each entry.
+  // The scale of an entry follows from its permuted row and column.
   for (int k = tree.place_start[s]; k < tree.place_start[s + 1]; ++k) {
     const SupernodeTree::Place& place = tree.places[k];
     const auto block = matrix.block(place.block);
@@ -183,7 +183,8 @@ void MultifrontalFactor<T>::add_child(int s, int child, bool parallel) {
   updates_[child].reset();
 }
 
-// The factor's nodes on the part of x that `rows` numbers: first the node's own columns, then the rest.
+// Applies node s to the entries of x that `rows` numbers: the node's own columns first, then the
+// rows below.
 template <class T>
 void MultifrontalFactor<T>::forward(int s, const int* rows, T* x, T* scratch, bool parallel) const {
   const int columns = tree_->columns(s), height = tree_->height(s), below = tree_->below(s);
@@ -249,7 +250,7 @@ void MultifrontalFactor<T>::solve(const VecX& b, VecX& x) {
   const SupernodeTree& tree = *tree_;
   const int n = tree.size, subtrees = static_cast<int>(tree.subtrees.size());
   const double largest = b.cwiseProduct(scale_).lpNorm<Eigen::Infinity>();
-  const double unit = largest > 0 ? largest : 1;  // keeps float in its range
+  const double unit = largest > 0 ? largest : 1;  // keeps floats in range
   x_.resize(n);
   for (int k = 0; k < n; ++k) {
     const int old = tree.permutation[k];

@@ -1,7 +1,8 @@
-// Multifrontal Cholesky factorisation and triangular solves in the arithmetic T (float or double) of a
-// symmetrically scaled block matrix, D A D = P^T L L^T P with unit diagonal (Duff and Reid 1983; Liu
-// 1992). Subtrees of the elimination tree run in parallel; in the nodes above them the dense kernels
-// do. Children are added to their parent in a fixed order: the same bits for any number of threads.
+// Multifrontal Cholesky factorisation and triangular solves in arithmetic T (float or double) of a
+// symmetrically scaled block matrix, D A D = P^T L L^T P with unit diagonal (Duff and Reid 1983;
+// Liu 1992). Subtrees of the elimination tree run in parallel; in the nodes above, the dense
+// kernels do. Children are added to parents in a fixed order, for the same bits with any number of
+// threads.
 #pragma once
 
 #include <memory>
@@ -15,8 +16,8 @@ namespace tack {
 template <class T>
 class MultifrontalFactor {
  public:
-  // False if A is not positive definite (in this arithmetic). The tree must outlive the factor. Throws OutOfTime;
-  // there is no factor then.
+  // Factorises the matrix. Returns false if A is not positive definite in arithmetic T. The tree
+  // must outlive the factor. Throws OutOfTime and leaves no factor.
   bool factorize(const SupernodeTree& tree, const BlockMatrix& matrix, const Deadline& deadline);
   void solve(const VecX& b, VecX& x);  // x <- A^-1 b
 
@@ -33,10 +34,10 @@ class MultifrontalFactor {
   void backward_subtree(size_t i);
 
   const SupernodeTree* tree_ = nullptr;
-  VecX scale_;                   // D's diagonal, before the permutation
-  Buffer values_;                // the panels; small triangles on the diagonal are inverted
+  VecX scale_;                   // diagonal of D, before the permutation
+  Buffer values_;                // panels; small triangles on the diagonal are stored inverted
   std::ptrdiff_t capacity_ = 0;
-  std::vector<Buffer> updates_;  // Schur complements that wait for the parent
+  std::vector<Buffer> updates_;  // Schur complements not yet added to the parent
   std::vector<T> x_;             // permuted right side, then solution
   std::vector<std::vector<T>> work_;  // one per subtree, and one for the top
 };

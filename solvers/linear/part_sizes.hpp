@@ -1,4 +1,4 @@
-// The parts of a system (BlockMatrix::part) that are worth a coarse space of a preconditioner.
+// Sizes of the components of a system (BlockMatrix::part), for coarse spaces of preconditioners.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,13 @@
 
 namespace tack {
 
-inline constexpr int smallest_part = 24;  // vertices: incomplete factors solve what is smaller nearly as well as a whole one
+// vertices; incomplete factors solve smaller components nearly as well as a complete factor
+inline constexpr int smallest_part = 24;
 
-// The columns of each.
+// Returns the number of columns of each component.
 inline std::vector<int> part_sizes(const BlockMatrix& matrix) {
-  std::vector<int> sizes(matrix.part.empty() ? 0 : *std::max_element(matrix.part.begin(), matrix.part.end()) + 1, 0);
+  std::vector<int> sizes(
+      matrix.part.empty() ? 0 : *std::max_element(matrix.part.begin(), matrix.part.end()) + 1, 0);
   for (const int part : matrix.part) ++sizes[part];
   return sizes;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int longest_run = 512;  // columns
 
-// The columns first .. last - 1 of vectors, 3 numbers each.
+// Returns a view of columns first .. last - 1 of vectors, 3 numbers each.
 template <class Matrix, class Number>
 Eigen::Map<Matrix> of_run(Number* vectors, int first, int last) {
   return {vectors + 3 * static_cast<size_t>(first), 3, last - first};
@@ -46,7 +46,7 @@ void PartTranslations::index(const BlockMatrix& matrix) {
 
   coarse_.clear();
   coarse_of_.assign(matrix.row.size(), -1);
-  std::map<std::pair<int, int>, int> found;  // by column, row
+  std::map<std::pair<int, int>, int> found;  // keyed by column, row
   for (int c = 0; c < columns_; ++c) {
     for (int k = matrix.column_start[c]; k < matrix.column_start[c + 1]; ++k) {
       const auto [column, row] = std::minmax(part_of_[c], part_of_[matrix.row[k]]);
@@ -63,7 +63,7 @@ void PartTranslations::update(const BlockMatrix& matrix) {
   if (changed) index(matrix);
   if (parts_ == 0) return;
   for (Coarse& block : coarse_) block.sum.setZero();
-  // Neighbours in the list mostly go into the same sum, which stays in registers.
+  // Consecutive blocks mostly belong to one sum, which stays in registers.
   BlockLanes run;
   int at = -1;
   const auto end_run = [&] {
@@ -80,7 +80,7 @@ void PartTranslations::update(const BlockMatrix& matrix) {
         at = coarse_of_[k];
         run = BlockLanes();
       }
-      // Blocks of the matrix stand below its diagonal.
+      // The matrix stores blocks below its diagonal only.
       BlockLanes block(matrix.values.data() + 9 * static_cast<std::ptrdiff_t>(k));
       if (matrix.row[k] == c) block *= 0.5;
       if (part_of_[matrix.row[k]] < part_of_[c]) block = block.transposed();
@@ -88,7 +88,7 @@ void PartTranslations::update(const BlockMatrix& matrix) {
     }
   }
   end_run();
-  for (Coarse& block : coarse_)  // where both ends are of one part, their transposes count too
+  for (Coarse& block : coarse_)  // inside one component the transposed blocks count too
     if (block.row == block.column) block.sum += block.sum.transpose().eval();
   std::vector<Eigen::Triplet<double>> entries;
   for (const Coarse& block : coarse_)

@@ -1,7 +1,8 @@
-// The translations of whole parts of a system (BlockMatrix::part) as a coarse space Z of a preconditioner:
-// Z (Z^T A Z)^-1 Z^T, to be added to one that works locally (Mandel 1993; Dryja and Widlund 1987). Without it, what moves
-// a free body is the slowest mode of an iteration and the one that its residual shows least; with it, the residual in
-// the preconditioner's norm bounds the error of every part's momentum.
+// Translations of the components of a system (BlockMatrix::part) as a coarse space Z: the
+// correction Z (Z^T A Z)^-1 Z^T is added to a local preconditioner (Mandel 1993; Dryja and Widlund
+// 1987). Without it, the motion of a free body is the slowest mode of an iteration, and the
+// residual hardly shows it. With it, the residual in the preconditioner's norm bounds the momentum
+// error of every component.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -15,7 +16,7 @@ namespace tack {
 class PartTranslations {
  public:
   void update(const BlockMatrix& matrix);
-  // z += Z (Z^T A Z)^-1 Z^T r. Returns r times what is added.
+  // z += Z (Z^T A Z)^-1 Z^T r. Returns r . (the correction).
   double add(const VecX& r, VecX& z);
 
  private:
@@ -24,9 +25,9 @@ class PartTranslations {
 
   std::uint64_t version_ = 0;
   int columns_ = -1;
-  std::vector<int> part_of_;    // of each column: a number without gaps; -1: its part is too small to count
+  std::vector<int> part_of_;    // per column: component, renumbered without gaps; -1: too small
   int parts_ = 0;
-  std::vector<int> coarse_of_;  // of each block of the matrix: where its sum is; -1: nowhere
+  std::vector<int> coarse_of_;  // per block of the matrix: index in coarse_; -1: none
   struct Coarse {
     int row, column;
     Mat3 sum;
@@ -35,7 +36,7 @@ class PartTranslations {
   Eigen::SimplicialLLT<Sparse, Eigen::Lower> factor_;
   bool usable_ = false;
   struct Run {
-    int first, last;  // columns of one part, one after the other
+    int first, last;  // consecutive columns of one component
     int part;
     Vec3 sum;
   };

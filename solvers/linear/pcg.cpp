@@ -1,5 +1,6 @@
-// Preconditioned conjugate gradients: memory and work of an iteration grow in proportion to the mesh,
-// the number of iterations with its fineness and, per time step h, with h sqrt(stiffness / mass).
+// Preconditioned conjugate gradients. Memory and time of an iteration are proportional to the mesh
+// size; the number of iterations grows with its fineness and, for a time step h, with h
+// sqrt(stiffness / mass).
 #include <limits>
 #include <memory>
 
@@ -42,7 +43,8 @@ class Pcg : public LinearSolver {
     columns_ = matrix.columns();
     moved_rigidly_ = with_rigid_motions_ && columns_ >= many && easy_ < in_a_row && rigid_motions_.update(matrix);
     if (with_translations_ && !moved_rigidly_) translations_.update(matrix);
-    // The preconditioner has to be positive definite even if the matrix is not: iterations detect the latter.
+    // The preconditioner must be positive definite even if the matrix is not; iterations detect the
+    // latter.
     GlobalModes modes = matrix.modes;
     std::erase_if(modes, [](const GlobalMode& mode) { return mode.coefficient < 0; });
     return update_.prepare(modes, [&](const VecX& b, VecX& x) { precondition(b, x); });
@@ -61,17 +63,17 @@ class Pcg : public LinearSolver {
 
  private:
   double add_motions(const VecX& r, VecX& z) { return moved_rigidly_ ? rigid_motions_.add(r, z) : with_translations_ ? translations_.add(r, z) : 0.0; }
-  // Without global modes.
+  // Applies the preconditioner without global modes.
   void precondition(const VecX& r, VecX& z) {
     preconditioner_->apply(r, z);
     add_motions(r, z);
   }
-  // going_on: b is what the last solve left over.
+  // going_on: b is the residual of the last solve.
   void iterate(const VecX& b, VecX& x, double relative, bool going_on, PhaseClock& clock) {
     const auto add = [&](const VecX& r, VecX& z) { return add_motions(r, z); };
     const ConjugateGradients::Goal goal{relative, max_iterations_};
     ConjugateGradients::Outcome outcome;
-    // Sweeps go through the blocks, and know no global modes.
+    // Sweeps act on the blocks, without global modes.
     if (MatrixSweeps* const sweeps = matrix_->modes.empty() ? preconditioner_->sweeps() : nullptr) {
       outcome = going_on && swept_.left(b) ? swept_.go_on(*sweeps, b, x, goal, clock, add) : swept_.solve(*sweeps, b, x, goal, clock, add);
       iterations_ = swept_.iterations();
@@ -91,19 +93,21 @@ class Pcg : public LinearSolver {
   int max_iterations_ = 1000;
   bool truncate_ = false;
   bool with_translations_ = true, with_rigid_motions_ = true;
-  static constexpr int many = 5000;  // vertices: iterations of fewer are few, or a factor is cheap
+  // vertices, below which iterations are few or a factor is cheap
+  static constexpr int many = 5000;
   PartTranslations translations_;
-  static constexpr int few = 4, in_a_row = 4;  // iterations, of systems: rigid motions cost as much as they save
-  static constexpr int too_many = 10;          // iterations without them
-  int columns_ = 0, easy_ = 0;                 // of the last systems
+  // iterations, and consecutive systems, below which rigid motions cost more than they save
+  static constexpr int few = 4, in_a_row = 4;
+  static constexpr int too_many = 10;  // iterations without rigid motions, from which they are used
+  int columns_ = 0, easy_ = 0;                 // vertices and easy systems so far
   RigidMotions rigid_motions_;
-  bool moved_rigidly_ = false;  // the present system: what is added are rigid motions
+  bool moved_rigidly_ = false;  // the coarse space of the present system: rigid motions
 
   const BlockMatrix* matrix_ = nullptr;
   ConjugateGradients cg_;
   SweptGradients swept_;
   int iterations_ = 0;  // of the last solve
-  ModeUpdate update_;  // of the preconditioner
+  ModeUpdate update_;  // correction of the preconditioner by global modes
 };
 
 TACK_REGISTER(LinearSolver, Pcg, "pcg",

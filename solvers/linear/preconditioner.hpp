@@ -1,5 +1,5 @@
-// An approximate inverse M^-1 of a symmetric positive definite block matrix, itself symmetric positive
-// definite.
+// Interface of preconditioners: a symmetric positive definite approximation M^-1 of the inverse of
+// a symmetric positive definite block matrix.
 #pragma once
 
 #include "framework/config/registry.hpp"
@@ -15,11 +15,12 @@ class Preconditioner : public Component {
   static constexpr const char* kind_name = "preconditioner";
   static constexpr const char* kind_doc = "Approximate inverse that speeds up conjugate gradients.";
 
-  // For this matrix; false where a 3x3 block on its diagonal is not positive definite, so neither is it. May throw
-  // OutOfTime.
+  /// Prepares M for this matrix. Returns false if a 3x3 diagonal block is not positive definite;
+  /// the matrix is not either then. May throw OutOfTime.
   virtual bool update(const BlockMatrix& matrix, const Deadline& deadline) = 0;
-  virtual void apply(const VecX& r, VecX& z) = 0;  // z <- M^-1 r
-  // Applies it and multiplies by the matrix in the same passes, if it is made of matrix sweeps.
+  virtual void apply(const VecX& r, VecX& z) = 0;  ///< z <- M^-1 r
+  /// Returns the sweeps that apply M^-1 and multiply by the matrix in the same passes, or null if
+  /// the preconditioner is not made of sweeps.
   virtual MatrixSweeps* sweeps() { return nullptr; }
 };
 

@@ -11,8 +11,11 @@
 namespace tack {
 namespace {
 
-constexpr double slender = 1e-4;  // of the largest moment of inertia of a piece: rotations about axes of less are left out
-constexpr double shift = 1e-12;   // of the diagonal: keeps the factor of what is free to move from breaking down by rounding
+// fraction of an aggregate's largest moment of inertia, below which its rotation about an axis is
+// left out
+constexpr double slender = 1e-4;
+// fraction of the diagonal, against breakdown of free motions by rounding
+constexpr double shift = 1e-12;
 
 Mat3 matrix3(const BlockLanes& lanes) {
   Mat3 m;
@@ -37,11 +40,11 @@ bool RigidMotions::update(const BlockMatrix& matrix) {
   return factorize();
 }
 
-// Which blocks go into which sums, and the pattern of Z^T A Z.
+// Finds the sum of each block, and the pattern of Z^T A Z.
 void RigidMotions::index(const BlockMatrix& matrix) {
   version_ = matrix.version;
   const int count = pieces_.count();
-  std::vector<std::vector<int>> rows(count);  // pieces that are coupled to each: few
+  std::vector<std::vector<int>> rows(count);  // aggregates coupled to each one: few
   for (int a = 0; a < count; ++a) rows[a].push_back(a);
   const auto for_each_coupling = [&](const auto& body) {
     for (int c = 0; c < matrix.columns(); ++c)
@@ -99,12 +102,13 @@ void RigidMotions::find_frames(const BlockMatrix& matrix) {
   }, 8);
 }
 
-// Blocks on one side of the diagonal alone, half of those on it: coarse_ adds the mirror image.
+// Sums blocks on one side of the diagonal, and half of those on it; coarse_ adds the mirror image.
 void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
   const int begin = sum_start_[piece], end = sum_start_[piece + 1];
   struct Product {
-    BlockLanes force, moment;                           // transposed motions of rows, with blocks of one column
-    BlockLanes moved_force, moved_moment, turned_force, turned_moment;  // with the motions of all columns as well
+    BlockLanes force, moment;  // transposed motions of rows times blocks of one column
+    // with the motions of all columns as well
+    BlockLanes moved_force, moved_moment, turned_force, turned_moment;
   };
   std::vector<Product> products(end - begin);
   std::vector<int> touched;
@@ -156,7 +160,7 @@ bool RigidMotions::factorize() {
         for (int i = s == own ? j : 0; i < 6; ++i) *to++ = value(i, j) + mirrored(j, i);
       }
       double& diagonal = coarse_.valuePtr()[coarse_.outerIndexPtr()[6 * a + j]];
-      diagonal = diagonal == 0 ? 1 : (1 + shift) * diagonal;  // a rotation that was left out
+      diagonal = diagonal == 0 ? 1 : (1 + shift) * diagonal;  // 1: a rotation that was left out
     }
   }, 8);
   factor_.factorize(coarse_);

@@ -1,8 +1,9 @@
-// The rigid motions of pieces of bodies (aggregates.hpp) as a coarse space Z of a preconditioner: Z (Z^T A Z)^-1 Z^T, to be added to one
-// that works locally (Mandel 1993; Dryja and Widlund 1987; rigid modes: Brezina, Tong and Becker 2012). What strains a body over many
-// elements is nearly rigid in each piece: the slowest modes of an iteration, and those that its residual shows least. The motions of whole
-// bodies are sums of them, so that the residual in the preconditioner's norm bounds the error of every part's momentum
-// (part_translations.hpp).
+// Rigid motions of aggregates (aggregates.hpp) as a coarse space Z: the correction Z (Z^T A Z)^-1
+// Z^T is added to a local preconditioner (Mandel 1993; Dryja and Widlund 1987; rigid modes:
+// Brezina, Tong and Becker 2012). Long-wave strains are nearly rigid in each aggregate; they are
+// the slowest modes of an iteration, and the residual hardly shows them. Motions of whole
+// components are sums of aggregate motions, so that the residual in the preconditioner's norm
+// bounds every component's momentum error (part_translations.hpp).
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -16,9 +17,10 @@ namespace tack {
 
 class RigidMotions {
  public:
-  // False, and nothing to add, without places, or where Z^T A Z is not positive definite.
+  // Prepares the coarse space. Returns false, with no correction, if the matrix has no positions or
+  // Z^T A Z is not positive definite.
   bool update(const BlockMatrix& matrix);
-  // z += Z (Z^T A Z)^-1 Z^T r. Returns r times what is added.
+  // z += Z (Z^T A Z)^-1 Z^T r. Returns r . (the correction).
   double add(const VecX& r, VecX& z);
 
  private:
@@ -30,22 +32,25 @@ class RigidMotions {
   bool factorize();
 
   Aggregates pieces_;
-  std::vector<int> part_;         // of the matrix, when it was cut
+  std::vector<int> part_;         // BlockMatrix::part when the aggregates were built
   std::uint64_t version_ = 0;
-  std::vector<Mat3> rotations_;   // of each piece: columns are axes, scaled so that a vertex moves by 1 as by a translation; or zero
-  Eigen::Matrix3Xd arms_;         // of each column: from the centre of its piece
-  // Sums over the blocks of a piece's columns whose rows are another's, Z_r^T A Z_c: from `sum_start_` of the columns' piece on.
+  // per aggregate: columns are axes, scaled so that a vertex moves by 1 as by a translation; or
+  // zero
+  std::vector<Mat3> rotations_;
+  Eigen::Matrix3Xd arms_;         // per column: vector from the centre of its aggregate
+  // Sums Z_r^T A Z_c over the blocks of an aggregate's columns whose rows belong to another
+  // aggregate; those of column aggregate c begin at sum_start_[c].
   struct Sum {
-    int row;      // the piece of the rows
-    int mirror;   // the sum with both pieces exchanged
+    int row;      // aggregate of the rows
+    int mirror;   // index of the sum with both aggregates exchanged
     Mat6 value;
   };
   std::vector<int> sum_start_;
   std::vector<Sum> sums_;
-  std::vector<int> sum_of_;       // of each block of the matrix; -1: nowhere
+  std::vector<int> sum_of_;       // per block of the matrix; -1: none
   Sparse coarse_;                 // lower triangle of Z^T A Z
   Eigen::SimplicialLLT<Sparse, Eigen::Lower> factor_;
-  VecX moments_;                  // six numbers a piece
+  VecX moments_;                  // six numbers per aggregate
 };
 
 }  // namespace tack

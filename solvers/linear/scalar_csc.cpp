@@ -2,7 +2,8 @@
 
 namespace tack {
 
-// Column 3c+i of the scalar matrix: rows 3c+i..3c+2 of the diagonal block, then all of the blocks below.
+// Column 3c+i of the scalar matrix has rows 3c+i .. 3c+2 of the diagonal block, then all blocks
+// below.
 void ScalarCsc::set_structure(const BlockMatrix& blocks) {
   const int n = blocks.columns();
   column_start.assign(1, 0);

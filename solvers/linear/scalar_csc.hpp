@@ -1,4 +1,4 @@
-// The lower triangle of a block matrix as scalar compressed columns, which sparse solvers want.
+// The lower triangle of a block matrix as scalar compressed columns, the format of sparse solvers.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ struct ScalarCsc {
   std::vector<int> column_start, row;
   std::vector<double> values;
 
-  void set_structure(const BlockMatrix& blocks);  // for a new structure
-  void set_values(const BlockMatrix& blocks);     // for the structure set before
+  void set_structure(const BlockMatrix& blocks);  // for a new pattern
+  void set_values(const BlockMatrix& blocks);     // for the pattern set before
 };
 
 }  // namespace tack

@@ -16,7 +16,7 @@ SupernodeTree::SupernodeTree(const cholmod_factor& factor, const BlockMatrix& ma
   for (const Subtree& tree : subtrees) number_locally(tree);
 }
 
-// Every row and column of the factor stands for three.
+// Reads the factor of blocks; each of its rows and columns stands for three scalars.
 void SupernodeTree::read(const cholmod_factor& factor) {
   const auto threefold = [](const void* data, size_t n) {
     const int* p = static_cast<const int*>(data);
@@ -87,7 +87,7 @@ void SupernodeTree::place_blocks(const BlockMatrix& matrix) {
   });
 }
 
-// Splits the heaviest subtree until none has more than a small part of the work.
+// Splits the heaviest subtree until none has more than a small fraction of the work.
 void SupernodeTree::cut() {
   constexpr double largest_part = 1.0 / 12;
   std::vector<double> work(nodes());

@@ -1,7 +1,7 @@
-// The structure of a sparse Cholesky factor: supernodes (runs of columns that share their rows below
-// the diagonal), their elimination tree, and where the blocks of the matrix go. Numbers of columns and
-// rows are those after the fill-reducing permutation. The tree is cut into independent subtrees, which
-// threads may process side by side, and a top that follows.
+// Structure of a sparse Cholesky factor: supernodes (runs of columns that share their rows below
+// the diagonal), their elimination tree, and the targets of the matrix's blocks. Columns and rows
+// are numbered after the fill-reducing permutation. The tree is cut into independent subtrees,
+// which threads process in parallel, and a top processed after them.
 #pragma once
 
 #include <cstddef>
@@ -26,12 +26,13 @@ struct SupernodeTree {
   std::vector<int> permutation;     // new -> old
   std::vector<int> first;           // first column of each node
   std::vector<int> row_start, rows; // rows of each node, ascending, its own columns first
-  std::vector<int> position;        // like rows: the place of a row in the parent's rows
-  std::vector<int> parent;          // -1: a root; parents come after their children
+  std::vector<int> position;        // aligned with rows: index of a row in the parent's rows
+  std::vector<int> parent;          // -1: a root; parents follow their children
   std::vector<int> child_start, children;
-  std::vector<std::ptrdiff_t> panel;  // where each node's columns (height x columns) start; last: the end
+  // first entry of each node's columns (height x columns), and the end
+  std::vector<std::ptrdiff_t> panel;
 
-  // Where a block of the matrix goes, sorted by node: entry (i, j) to at + i + j * height(node).
+  // Targets of the matrix's blocks, sorted by node: entry (i, j) goes to at + i + j * height(node).
   struct Place {
     int block;
     bool transposed;
@@ -40,14 +41,14 @@ struct SupernodeTree {
   std::vector<int> place_start;
   std::vector<Place> places;
 
-  // Nodes first..root are a subtree. `local` numbers the rows of its nodes within it: its columns,
-  // then the rows below its root. Aligned with rows; for the nodes of `top`, the rows themselves.
+  // Nodes first..root form a subtree. `local` (aligned with rows) numbers the rows of its nodes
+  // within it: its columns, then the rows below its root. For nodes of `top` it holds the rows.
   struct Subtree {
     int first, root;
   };
   std::vector<Subtree> subtrees;
   std::vector<int> top;
-  std::vector<std::vector<int>> top_levels;  // the top again: nodes of a level are independent
+  std::vector<std::vector<int>> top_levels;  // the top by levels; nodes of a level are independent
   std::vector<int> local;
 
  private:

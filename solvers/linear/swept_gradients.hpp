@@ -1,5 +1,7 @@
-// Preconditioned conjugate gradients by the sweeps of a matrix (matrix_sweeps.hpp), to which something of low rank may be added. What
-// conjugate_gradients.hpp says holds, but products, preconditioner, updates and sums share two passes through the matrix.
+// Preconditioned conjugate gradients by sweeps of a matrix (matrix_sweeps.hpp), with an optional
+// low-rank addition to the preconditioner. Norm, outcomes and order of sums are those of
+// conjugate_gradients.hpp; products, preconditioner, updates and sums share two passes through the
+// matrix.
 #pragma once
 
 #include "solvers/linear/conjugate_gradients.hpp"
@@ -12,30 +14,35 @@ class SweptGradients {
   using Outcome = ConjugateGradients::Outcome;
   using Goal = ConjugateGradients::Goal;
 
-  // A x = b from x = 0. add(r, z): z += what is added to M^-1 r; returns r times that.
+  // Solves A x = b from x = 0. add(r, z): adds the low-rank part of M^-1 r to z and returns its
+  // product with r.
   template <class Add>
-  Outcome solve(MatrixSweeps& sweeps, const VecX& b, VecX& x, Goal goal, PhaseClock& clock, const Add& add) {
+  Outcome solve(MatrixSweeps& sweeps, const VecX& b, VecX& x, Goal goal, PhaseClock& clock,
+                const Add& add) {
     residual_ = b;
     sweeps.begin();
     last_ = 0;
     return iterate(sweeps, x, goal, clock, add);
   }
-  // The same for what the last solve, with this matrix, left over: its directions go on, conjugate to those before.
+  // Continues for the residual b that the last solve with this matrix left; directions stay
+  // conjugate to the earlier ones.
   template <class Add>
-  Outcome go_on(MatrixSweeps& sweeps, const VecX& b, VecX& x, Goal goal, PhaseClock& clock, const Add& add) {
+  Outcome go_on(MatrixSweeps& sweeps, const VecX& b, VecX& x, Goal goal, PhaseClock& clock,
+                const Add& add) {
     residual_ = b;
     return iterate(sweeps, x, goal, clock, add);
   }
   void forget() { last_ = 0; }  // the matrix has changed
-  // Whether b is what the last solve left over, but for rounding.
+  // Returns true if b is the residual of the last solve, up to rounding.
   bool left(const VecX& b) const {
-    return last_ > 0 && b.size() == residual_.size() && (b - residual_).squaredNorm() <= same * residual_.squaredNorm();
+    return last_ > 0 && b.size() == residual_.size() &&
+           (b - residual_).squaredNorm() <= same * residual_.squaredNorm();
   }
 
   int iterations() const { return iterations_; }  // of the last solve
 
  private:
-  static constexpr double same = 1e-4;  // square of a part
+  static constexpr double same = 1e-4;  // relative difference, squared
 
   template <class Add>
   Outcome iterate(MatrixSweeps& sweeps, VecX& x, Goal goal, PhaseClock& clock, const Add& add) {
@@ -62,7 +69,7 @@ class SweptGradients {
   }
 
   VecX residual_, more_;
-  double last_ = 0;  // r . M^-1 r of the last direction; 0: there is none
+  double last_ = 0;  // r . M^-1 r of the last direction; 0: none
   int iterations_ = 0;
 };
 

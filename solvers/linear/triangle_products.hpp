@@ -1,5 +1,6 @@
-// x <- L x and x <- L^T x for small lower triangular matrices, stored by columns with zeros above the diagonal. The
-// calls of a BLAS cost more than these sums; in triangular solves, with L^-1 for L, columns do not wait for each other.
+// Products x <- L x and x <- L^T x for small lower triangular matrices, stored by columns with
+// zeros above the diagonal. BLAS calls cost more than these sums. In triangular solves with L^-1 in
+// place of L, columns do not depend on each other.
 #pragma once
 
 #include <cstddef>
@@ -62,7 +63,8 @@ void lower_transposed_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
 
 }  // namespace detail
 
-// Columns of a triangle, at most, and numbers that may be read after its last (they count as zeros, but have to be finite).
+// triangle_columns: largest triangle. triangle_overrun: numbers read after its last entry, which
+// must be finite and count as zeros.
 template <class T>
 inline constexpr int triangle_columns = 4 * detail::Lane<T>::count;
 template <class T>
@@ -70,7 +72,7 @@ inline constexpr int triangle_overrun = detail::Lane<T>::count - 1;
 
 namespace detail {
 
-// body(vectors), a constant: as many as n numbers need.
+// Calls body(vectors) with the constant number of vectors that n numbers need.
 template <class T, class Body>
 void with_vectors(int n, const Body& body) {
   switch ((n - 1) / Lane<T>::count) {
@@ -90,7 +92,8 @@ void lower_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
 
 template <class T>
 void lower_transposed_times(int n, const T* l, std::ptrdiff_t ldl, T* x) {
-  detail::with_vectors<T>(n, [&](auto vectors) { detail::lower_transposed_times<vectors>(n, l, ldl, x); });
+  detail::with_vectors<T>(
+      n, [&](auto vectors) { detail::lower_transposed_times<vectors>(n, l, ldl, x); });
 }
 
 }  // namespace tack

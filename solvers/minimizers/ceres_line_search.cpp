@@ -1,7 +1,7 @@
-// Ceres' line-search methods, on the guarded problem of guarded_problem.hpp: a trial whose way from the
-// last accepted point is blocked is invalid to Ceres, which then shortens its step. Each of Ceres'
-// iterations is one accepted point. Where Ceres gives up, it starts again with other scales and no
-// memory; when that brings nothing, so do we.
+// Ceres' line-search methods on the guarded problem (guarded_problem.hpp). A trial whose path from
+// the last accepted point is blocked is invalid to Ceres, which then shortens its step. Each Ceres
+// iteration is one accepted point. Where Ceres gives up, it is restarted with new scales and no
+// history; if the restart accepts no point, the minimisation ends.
 #include <ceres/first_order_function.h>
 #include <ceres/gradient_problem.h>
 #include <ceres/gradient_problem_solver.h>
@@ -89,7 +89,7 @@ class CeresLineSearch : public Minimizer {
 
   void round(GuardedProblem& guarded) const {
     VecX z = VecX::Zero(guarded.size());
-    const ceres::GradientProblem problem(new GuardedFunction(guarded));  // which owns it
+    const ceres::GradientProblem problem(new GuardedFunction(guarded));  // owns the function
     AcceptIterate accept(guarded, z);
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options(accept), problem, z.data(), &summary);
@@ -107,7 +107,7 @@ class CeresLineSearch : public Minimizer {
     o.max_lbfgs_rank = memory_;
     o.use_approximate_eigenvalue_bfgs_scaling = true;
     o.max_num_iterations = max_iterations_;
-    // Convergence is not for Ceres to say.
+    // The judge decides on convergence, not Ceres.
     o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;
     o.update_state_every_iteration = true;
     o.callbacks.push_back(&accept);

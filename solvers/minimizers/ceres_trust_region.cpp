@@ -1,9 +1,10 @@
-// Ceres' trust-region methods on the least-squares view of the potential. Ceres only proposes: in each
-// round it runs a few iterations on the model of residual_model.hpp, and the way to where it arrives is
-// the search direction p of our own loop, bounded by the step filters and searched on the true
-// potential. Along it the potential falls, at least if Ceres took but one iteration: after a direction
-// that fails, rounds get shorter. Where Ceres finds no decrease, its first trial is the direction: near
-// the minimum the decrease drowns in the rounding error of a sum of squares sooner than in ours.
+// Ceres' trust-region methods on the least-squares view of the potential. In each round Ceres runs
+// a few iterations on the model of residual_model.hpp; the displacement to its result is the search
+// direction p of the descent loop, bounded by the step filters and searched on the true potential.
+// The potential falls along p, at least after a single Ceres iteration; after a direction that
+// fails, rounds get shorter. If Ceres finds no decrease, p leads to its first trial: near the
+// minimum the decrease falls below the rounding error of a sum of squares sooner than below that of
+// the potential.
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
@@ -64,21 +65,22 @@ class CeresTrustRegion : public DescentMinimizer {
   }
 
  private:
-  static constexpr double first_radius = 1e4;                            // Ceres' own
-  static constexpr double smallest_radius = 1e-6, largest_radius = 1e12;  // a new round starts within these
+  static constexpr double first_radius = 1e4;                            // Ceres' default
+  // bounds of the radius of a new round
+  static constexpr double smallest_radius = 1e-6, largest_radius = 1e12;
   static constexpr int failures = 5;  // steps that do not improve the model, per round
   static constexpr double cost_noise = 1e-11;  // relative rounding error of a sum of squares
 
-  // Moves the model's unknowns.
+  // Moves the model's unknowns by one round of Ceres.
   void propose(ResidualModel& model, PhaseClock& clock, MinimizerResult& result) {
     const PhaseScope scope(clock, Phase::solve);
-    blas::set_threads(1);  // for the same bits with any number of threads, like num_threads below
+    blas::set_threads(1);  // the same bits with any number of threads, as num_threads below
     EvaluateModel evaluate(model, clock);
     ceres::Problem::Options options;
     options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     options.disable_all_safety_checks = true;
     options.evaluation_callback = &evaluate;
-    std::deque<StencilCost> stencils;  // which neither copies nor moves
+    std::deque<StencilCost> stencils;  // a deque neither copies nor moves its entries
     std::deque<InertiaCost> inertia;
     ceres::Problem problem(options);
     const auto unknowns = [&](int b) { return model.q().data() + 3 * static_cast<size_t>(b); };
@@ -114,7 +116,7 @@ class CeresTrustRegion : public DescentMinimizer {
     o.max_trust_region_radius = 1e16;
     o.max_num_iterations = inner_ + failures;
     o.max_num_consecutive_invalid_steps = failures;
-    // Convergence is not for Ceres to say.
+    // The judge decides on convergence, not Ceres.
     o.function_tolerance = o.gradient_tolerance = o.parameter_tolerance = 0;
     o.num_threads = 1;
     o.callbacks.push_back(&stop);

@@ -9,7 +9,8 @@
 namespace tack {
 namespace {
 
-constexpr double sooner = 1.5;  // looks again before the gradient has fallen as far as the verdict says
+// factor on the gradient at which the next norm is computed, to be early rather than late
+constexpr double sooner = 1.5;
 
 }  // namespace
 

@@ -13,17 +13,20 @@
 namespace tack {
 namespace {
 
-constexpr double steep = 0.25;  // part of the first slope that is left where going on is worth it
-constexpr double longest = 4;   // further step, in units of the way so far
+constexpr double steep = 0.25;  // fraction of the first slope above which a step is extrapolated
+constexpr double longest = 4;   // limit of one extrapolation, in units of the length so far
 constexpr int most_further = 10;
 constexpr double least_further = 0.1;
-// A Hessian is too stiff where a step that is at least so long decreases the objective so many times as much as predicted.
+// A Hessian is too stiff if a step of at least `longish` decreases the objective by `too_much`
+// times the predicted decrease.
 constexpr double longish = 0.3, too_much = 1.25;
-// Bent steps: of what a straight one gains, the part that it may lose to strains; the shortest; of a feasible length, what
-// is tried next; Armijo's condition.
+// Retracted steps. little_loss: fraction of the straight step's gain that strains may take;
+// shortest_bent: shortest length; shorter: factor on a feasible length; sufficient: Armijo's
+// constant.
 constexpr double little_loss = 1e-6, shortest_bent = 1e-4, shorter = 0.9, sufficient = 1e-4;
-constexpr double almost_whole = 0.9;  // a step that is shorter was cut
-constexpr double descent = 0.1;  // part of a Newton direction's slope that one conjugate to the last step must keep
+constexpr double almost_whole = 0.9;  // step lengths below it were truncated
+// fraction of the Newton slope that a conjugate direction must keep
+constexpr double descent = 0.1;
 
 }  // namespace
 
@@ -68,15 +71,17 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
     ++result.iterations;
     if (newton_like()) result.residual = newton_norm(problem, p, result);
     const bool last = newton_like() && result.residual <= 1;
-    // Directions that would end it are left as they are. Where forces did not balance after one, they are accelerated like all
-    // others, but within the tolerance: what is near its end may not be carried past what holds it.
+    // Directions that would end the minimisation stay as they are. If forces were out of balance
+    // after such a direction, the next ones are accelerated like all others, but within the
+    // tolerance, so that a body near its equilibrium is not carried past it.
     accelerated_ = newton_like() && (!last || unbalanced_);
     if (accelerated_) conjugate(problem, q, p, last);
     room_ = last ? 1 / problem.stopping_norm(p, objective.gradient()) : std::numeric_limits<double>::infinity();
     const VecX before = last ? q : VecX();
     const MinimizerStatus moved = advance(problem, p, q, result);
     tell(result);
-    // Below the tolerance the point is accepted as it is, whether or not the last step helped, if forces balance.
+    // Below the tolerance the point is accepted if forces balance, whether or not the last step
+    // decreased the objective.
     if (last && balanced(problem, result)) return end(MinimizerStatus::converged);
     unbalanced_ = last;
     if (!last) {
@@ -91,12 +96,13 @@ MinimizerResult DescentMinimizer::descend(const MinimizerProblem& problem, VecX&
   return end(MinimizerStatus::iteration_limit);
 }
 
-// p <- p + beta s, s the last step, so that p . (change of the gradient along s) = 0: the exact Hessian's curvature
-// along s, which a projection may have missed. Where the model holds, beta vanishes. Not below 0, as after a restart.
-// Within the tolerance, if that is asked for.
+// p <- p + beta s, with the last step s, so that p . (change of the gradient along s) = 0. This
+// adds the exact Hessian's curvature along s, which a projection may have removed; beta vanishes
+// where the model is exact. beta >= 0, as in a restart. within: keeps p within the tolerance.
 void DescentMinimizer::conjugate(const MinimizerProblem& problem, const VecX& q, VecX& p, bool within) {
   const VecX& gradient = problem.objective.gradient();
-  if (cut_) {  // what a part of a step did says little of the metric, and directions that grew would be cut again
+  // a truncated step says little of the metric, and longer directions would be truncated again
+  if (cut_) {
     gradient_before_.resize(0);
     too_stiff_ = false;
   }
@@ -140,8 +146,8 @@ MinimizerStatus DescentMinimizer::advance(const MinimizerProblem& problem, const
   return MinimizerStatus::converged;
 }
 
-// Moves q straight to the end of t p as it is bent, where that is feasible and descends; t shrinks until it does. False, and
-// nothing moved, where p need not be bent, or nothing is found.
+// Moves q to the end of the retracted step t p, with the largest t that is feasible and descends.
+// Returns false, with q unchanged, if p needs no retraction or no t is found.
 bool DescentMinimizer::advance_bent(const MinimizerProblem& problem, const VecX& p, VecX& q, MinimizerResult& result) {
   Objective& objective = problem.objective;
   const double slope = objective.gradient().dot(p), before = objective.value(), noise = objective.value_noise();
@@ -171,10 +177,10 @@ bool DescentMinimizer::advance_bent(const MinimizerProblem& problem, const VecX&
   return false;
 }
 
-// Negative curvatures that a projection has taken out of stencils make Newton steps short where others would
-// outweigh them: at the end of p the objective still falls. Then further steps along it, as long as its slope and
-// the last decrease say, are worth more than a new direction. As long as they decrease the objective, and none
-// is blocked.
+// Extrapolates the step. Negative curvatures that projection removed from stencils make Newton
+// steps too short: at the end of p the objective still falls. Further steps along p, sized by its
+// slope and the last decrease, are cheaper than a new direction. Stops when a step does not
+// decrease the objective or is blocked.
 void DescentMinimizer::extend(const MinimizerProblem& problem, const VecX& p, double first_slope, double before,
                               VecX& q, MinimizerResult& result) {
   Objective& objective = problem.objective;

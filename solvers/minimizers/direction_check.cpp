@@ -7,8 +7,8 @@ namespace tack {
 namespace {
 
 constexpr int most_corrections = 20;
-constexpr double slowest = 0.5;                   // part of the error that a correction may leave
-constexpr double margin = 0.5;                    // of the error that would be small enough: what is aimed at
+constexpr double slowest = 0.5;  // fraction of the error that a correction may leave
+constexpr double margin = 0.5;                    // target, as a fraction of the tolerated error
 constexpr double tightest = 1e-3, loosest = 0.3;  // relative residuals of corrections
 
 }  // namespace

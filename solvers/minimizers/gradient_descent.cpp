@@ -1,5 +1,5 @@
-// Gradient descent in the metric of the diagonal blocks of the first Hessian, with the step lengths of
-// Barzilai and Borwein: the floor that other methods are compared with. Slow by nature.
+// Gradient descent in the metric of the diagonal blocks of the first Hessian, with the step lengths
+// of Barzilai and Borwein. A baseline for other methods; slow by nature.
 #include <algorithm>
 
 #include "framework/config/field.hpp"

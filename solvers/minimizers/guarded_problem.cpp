@@ -9,8 +9,8 @@
 namespace tack {
 namespace {
 
-constexpr int patience = 50;              // trials in a row that are blocked, or where the last accepted point is
-constexpr int trials_per_iteration = 20;  // on average, before the budget of iterations counts as used up
+constexpr int patience = 50;  // consecutive trials that are blocked, or at the last accepted point
+constexpr int trials_per_iteration = 20;  // on average, before the iteration budget is used up
 
 VecX diagonal_of(const BlockMatrix& matrix) {
   VecX diagonal(matrix.size());
@@ -20,7 +20,7 @@ VecX diagonal_of(const BlockMatrix& matrix) {
   return diagonal;
 }
 
-// The longest side of the box around all points.
+// Returns the longest side of the bounding box of all points.
 double extent(const VecX& q) {
   double side = 0;
   for (int c = 0; c < 3; ++c) {
@@ -58,7 +58,8 @@ bool GuardedProblem::begin_round() {
   scale_ = std::sqrt(rho_squared_) * root;
   centre_ = q_;
   accepted_f_ = 0;
-  // Much further than anything extends, a trial is a method's mistake, and a search along it slow.
+  // Trials much further than the extent of all bodies are errors of the method, and searching them
+  // is slow.
   longest_ = std::max(extent(q_), 1e3 * scale_.lpNorm<Eigen::Infinity>());
   iterations_before_ = result_.iterations;
   blocked_ = tried_ = idle_ = 0;
@@ -118,8 +119,8 @@ void GuardedProblem::evaluate_wall(const double* z, double& f, double* gradient)
     if (gradient) Eigen::Map<VecX>(gradient, q_.size()).setZero();
     return;
   }
-  // The tangent at the last accepted point and a parabola: lowest half way to where the way is blocked,
-  // so that methods that interpolate look there next.
+  // The tangent at the last accepted point plus a parabola whose minimum is half way to the blocked
+  // position, so that interpolating methods try there next.
   const VecX tangent = scale_.cwiseProduct(accepted_gradient_) / rho_squared_;
   const double pull = std::max(0.0, -tangent.dot(way));
   const double steepness = 1 + pull / std::clamp(reach_, 1e-6, 0.5) / std::max(length_squared, 1e-300);

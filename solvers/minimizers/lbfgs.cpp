@@ -1,6 +1,6 @@
-// L-BFGS (Nocedal and Wright, algorithm 7.4) that starts from a Hessian which is factorised once per
-// solve. Pairs along which the curvature is not positive are left out: steps that contact cuts short need
-// not satisfy the curvature condition.
+// L-BFGS (Nocedal and Wright, algorithm 7.4) that starts from a Hessian factorised once per solve.
+// Pairs without positive curvature are skipped: steps truncated by contact need not satisfy the
+// curvature condition.
 #include <deque>
 
 #include "framework/config/field.hpp"
@@ -44,7 +44,7 @@ class Lbfgs : public DescentMinimizer {
     pairs_.push_back(std::move(pair));
   }
 
-  // The pairs may be out of date; the metric alone may suffice.
+  // The stored pairs may be out of date; the metric alone may still give a decrease.
   bool restart(const MinimizerProblem&) override {
     const bool something_to_forget = !pairs_.empty();
     pairs_.clear();

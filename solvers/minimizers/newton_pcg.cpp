@@ -1,7 +1,7 @@
-// Inexact Newton: each system is solved by iterations, and only as well as the last step was worth.
-// The residual that is left is eta |g|, with the second choice of Eisenstat and Walker (1996),
+// Inexact Newton: iterations solve each system as accurately as the progress of the last step
+// deserves. The residual left is eta |g|, with the second choice of Eisenstat and Walker (1996),
 //   eta_k = gamma (|g_k| / |g_k-1|)^2, not below gamma eta_k-1^2 while that is above 0.1,
-// so that convergence stays superlinear and the first, far away steps cost little.
+// so that convergence stays superlinear and the first steps, far from the minimum, cost little.
 #include <memory>
 
 #include "framework/config/field.hpp"
@@ -71,7 +71,7 @@ class NewtonPcg : public DescentMinimizer {
   const BlockMatrix* hessian_ = nullptr;  // of the last system
   double forcing_ = 0;        // of the last system
   double shift_ = 0;          // of its matrix
-  double last_gradient_ = 0;  // its |g|; 0: there was none
+  double last_gradient_ = 0;  // |g| of the last system; 0: none
 };
 
 TACK_REGISTER(Minimizer, NewtonPcg, "newton_pcg",

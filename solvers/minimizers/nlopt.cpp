@@ -1,9 +1,9 @@
-// The gradient methods of NLopt, on the guarded problem of guarded_problem.hpp. NLopt cannot be told that
-// a point is forbidden, and stops or never returns on infinities: where the way from the last accepted
-// point is blocked it gets a finite bowl instead, which lies above that point. (A box around each round's
-// start in which nothing can collide was the other choice; its sides shrink with the gaps, to micrometres
-// in contact, and a step then takes thousands of rounds.) NLopt does not tell which points it accepts, so
-// every evaluated point that is lower than all before becomes the accepted one: one iteration.
+// The gradient methods of NLopt on the guarded problem (guarded_problem.hpp). NLopt has no notion
+// of an invalid point and stops or hangs on infinities: a trial with a blocked path gets the finite
+// quadratic penalty of evaluate_wall() instead. (A box around each round's start in which nothing
+// can collide would shrink with the gaps, to micrometres in contact, and a step would take
+// thousands of rounds.) NLopt does not report accepted points, so every trial lower than all before
+// becomes the accepted point: one iteration.
 #include <fmt/format.h>
 #include <nlopt.h>
 
@@ -21,7 +21,7 @@ struct Callback {
   nlopt_opt opt;
 };
 
-// Called by C code: nothing may be thrown.
+// Called by C code; must not throw.
 double guarded_value(unsigned, const double* z, double* gradient, void* data) noexcept {
   auto& [guarded, opt] = *static_cast<Callback*>(data);
   double f = guarded.accepted_value();
@@ -72,7 +72,7 @@ class Nlopt : public Minimizer {
 
  private:
   static constexpr int most_dense = 600;      // unknowns: half a second per iteration
-  static constexpr int longest_round = 1000;  // evaluations, after which scales are taken anew
+  static constexpr int longest_round = 1000;  // evaluations per round, before rescaling
 
   void round(GuardedProblem& guarded) const {
     const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> opt(nlopt_create(algorithm_, guarded.size()),
@@ -84,7 +84,8 @@ class Nlopt : public Minimizer {
     nlopt_set_vector_storage(opt.get(), memory_);
     VecX z = VecX::Zero(guarded.size());
     double f = 0;
-    nlopt_optimize(opt.get(), z.data(), &f);  // what it returns is not judged: the accepted points are
+    // its status is ignored: the accepted points are the result
+    nlopt_optimize(opt.get(), z.data(), &f);
   }
 
   nlopt_algorithm algorithm_ = NLOPT_LD_LBFGS;

@@ -1,5 +1,5 @@
-// Preconditioned nonlinear conjugate gradients (Nocedal and Wright, 5.2). The length of the first trial
-// step comes from the last one, for which a conjugate direction has no natural length.
+// Preconditioned nonlinear conjugate gradients (Nocedal and Wright, 5.2). A conjugate direction has
+// no natural length: the first trial length comes from the last step.
 #include <algorithm>
 
 #include "framework/config/field.hpp"
@@ -46,7 +46,7 @@ class NonlinearCg : public DescentMinimizer {
     return MinimizerStatus::converged;
   }
 
-  // The next trial: where the slope along this step would have vanished, in units of the direction.
+  // Sets the next trial to the zero of the slope along this step, in units of the direction.
   void stepped(const MinimizerProblem& problem, const Step& step) override {
     const double slope_after = problem.objective.gradient().dot(step.p);
     const double curvature = (slope_after - step.slope) / step.length;

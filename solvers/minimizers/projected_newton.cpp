@@ -1,5 +1,6 @@
-// Projected Newton (the paper, section 5): stencil Hessians are made positive semi-definite, the
-// system is solved, the step is cut to the feasible part and then line-searched.
+// Projected Newton (the paper, section 5): stencil Hessians are projected to positive
+// semi-definite, the system is solved, the step is truncated to its feasible length and then
+// line-searched.
 #include <cmath>
 #include <memory>
 
@@ -77,14 +78,15 @@ class ProjectedNewton : public DescentMinimizer {
     }
   }
 
-  // p <- -H^-1 g. False if H shows a negative curvature, or p does not descend.
+  // p <- -H^-1 g. Returns false if H has a negative curvature or p does not descend.
   bool solve(const BlockMatrix& hessian, const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     const VecX& gradient = problem.objective.gradient();
     hessian_ = &hessian;
     return newton_solve(*linear_, hessian, gradient, p, problem.clock, result) && p.dot(gradient) < 0;
   }
 
-  // On demand: after a few failures in one minimisation, all further systems are projected at once.
+  // Tries the unprojected Hessian. After a few failures in one minimisation, all further systems
+  // are projected at once.
   bool try_unprojected(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     constexpr int patience = 2;
     if (policy_ != Policy::on_demand || indefinite_ >= patience) return false;
@@ -93,7 +95,8 @@ class ProjectedNewton : public DescentMinimizer {
     return false;
   }
 
-  // Elements are clamped, after a failure, in the next `wait_` systems as well: twice as many each time.
+  // Tries exact elements. After a failure elements are clamped in the next `wait_` systems as well,
+  // twice as many each time.
   bool solve_with_exact_elements(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     if (waited_++ < wait_) return false;
     linear_->expect_indefinite(true);
@@ -108,7 +111,7 @@ class ProjectedNewton : public DescentMinimizer {
   }
 
   // Clamps stencils where the gradient of a block of unknowns is above `clamped_from_` times the
-  // largest: none of them to begin with, fewer again after a success.
+  // largest one: initially none, and fewer again after a success.
   bool solve_progressively(const MinimizerProblem& problem, VecX& p, MinimizerResult& result) {
     constexpr double tighten = 0.1, relax = 2, all = 1e-4;
     for (; clamped_from_ > all; clamped_from_ = std::min(clamped_from_, 1.0) * tighten) {
@@ -139,10 +142,12 @@ class ProjectedNewton : public DescentMinimizer {
     return large;
   }
 
-  static constexpr int calm = 3;  // iterations of steps that are easy: not worth a trial
-  // Fraction of the predicted decrease of the quadratic model that may be missing where the model fits.
+  // iterations with easy steps, below which no trial is worth its cost
+  static constexpr int calm = 3;
+  // Relative error of the predicted decrease up to which the quadratic model fits.
   static constexpr double fit = 0.01;
-  static constexpr double little = 0.25;  // of it, where the step went too far
+  // fraction of the predicted decrease below which the step went too far
+  static constexpr double little = 0.25;
 
   Policy policy_ = Policy::contacts;
   std::unique_ptr<LinearSolver> linear_ = Registry<LinearSolver>::make("auto");
@@ -153,7 +158,7 @@ class ProjectedNewton : public DescentMinimizer {
   double shift_ = 0;           // of the last direction
   bool careful_ = false;       // the last step went too far
   bool model_fits_ = true;
-  double clamped_from_ = 2;    // of the largest residual; above 1: no stencil
+  double clamped_from_ = 2;    // fraction of the largest residual; above 1: no stencil
 };
 
 TACK_REGISTER(Minimizer, ProjectedNewton, "projected_newton",

@@ -6,8 +6,8 @@
 namespace tack {
 namespace {
 
-// Without inertia: the pull, as a part of the model's diagonal. Weak enough to leave Gauss-Newton steps
-// as they are, strong enough that the target stays within a million of them.
+// Pull without inertia, as a fraction of the model's diagonal: weak enough to leave Gauss-Newton
+// steps unchanged, strong enough that the target stays within a million step lengths.
 constexpr double weak_pull = 1e-6;
 
 }  // namespace
@@ -56,7 +56,7 @@ void ResidualModel::add(const ResidualBatch& batch, const int* vertices) {
   jacobian_.resize(jacobian_.size() + static_cast<size_t>(batch.residuals) * 3 * blocks);
 }
 
-// Jacobian times W, held directions taken out.
+// Computes the Jacobian by the unknowns, Jacobian times W, without constrained directions.
 void ResidualModel::reduce(const Stencil& s) {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const Rows> own(of_vertices_.data() + s.first_of_vertices, s.residuals, 3 * s.arity);
@@ -93,7 +93,7 @@ bool ResidualModel::evaluate(bool with_jacobian) {
   return finite;
 }
 
-// M (q0 - target) = gradient - J^T r.
+// Sets the target by M (q0 - target) = gradient - J^T r.
 void ResidualModel::fold(const VecX& gradient) {
   evaluate(true);
   const DofMap& dofs = squares_.dofs;
