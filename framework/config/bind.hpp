@@ -1,6 +1,7 @@
-// Binds a parsed value to an object with fields(): strict, and all errors of one pass in one
-// InputError, each as `file.yaml:12:5: unknown key 'yong' in energy 'neo_hookean'; did you mean
-// 'young'? (keys: ...)`. Keys that are absent leave the member as it is. Its `parameters`, if it has any, may stand in place of numbers (parameters.hpp).
+// Binds a parsed value to an object with fields(). Unknown keys are errors. All errors of one pass
+// form one InputError, one per line: `file.yaml:12:5: unknown key 'yong' in energy 'neo_hookean';
+// did you mean 'young'? (keys: ...)`. Absent keys leave members as they are. Parameters of the
+// value may replace numbers (parameters.hpp).
 #pragma once
 
 #include <memory>
@@ -19,7 +20,7 @@ void bind(const Value& value, T& object, std::string_view context) {
   reader.finish();
 }
 
-// A component given by its name or by a map with `type`.
+// Makes a component from its name or from a map with `type`.
 template <class Base>
 std::unique_ptr<Base> bind_component(const Value& value) {
   Reader reader;
@@ -29,8 +30,8 @@ std::unique_ptr<Base> bind_component(const Value& value) {
   return Registry<Base>::downcast(std::move(made));
 }
 
-// A component with the parameters of one that is specified, and nothing else of it: what it works out and
-// keeps is its own.
+// Makes a component with the parameters of `specified`. State that `specified` has computed is not
+// copied.
 template <class Base>
 std::unique_ptr<Base> instance_of(const Base& specified) {
   return bind_component<Base>(to_value(&specified));

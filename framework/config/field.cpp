@@ -1,4 +1,4 @@
-// Field modifiers and what Fields keeps; the declarations of plain kinds are in field_kinds.cpp.
+// Field modifiers and storage of Fields; declarations of plain kinds are in field_kinds.cpp.
 #include "framework/config/field.hpp"
 
 #include <fmt/format.h>
@@ -111,7 +111,7 @@ Field& Fields::add(std::string key, std::string doc, Shape shape, decltype(Field
 
 namespace {
 
-// The unit of a value written in SI; a schedule also has times.
+// Returns the unit of a value written in SI; a schedule has times as well.
 std::string unit_comment(const Shape& shape) {
   if (shape.form == Shape::Form::schedule) return fmt::format("[s, {}]", shape.unit.si);
   return shape.unit.plain() ? "" : std::string(shape.unit.si);

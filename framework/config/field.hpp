@@ -8,10 +8,9 @@
 //     }
 //   };
 //
-// Binding a scene file (bind.hpp), documentation, the JSON schema and the echo of the resolved
-// scene (describe.hpp) are all written from that list. Fields refer to the members of the object
-// they were made from and must not outlive it. Keys are snake_case; `type` is reserved for
-// components.
+// Scene binding (bind.hpp), documentation, the JSON schema and the echo of the resolved scene
+// (describe.hpp) are generated from that list. Fields refer to members of the object they were
+// made from and must not outlive it. Keys are snake_case; `type` is reserved for components.
 #pragma once
 
 #include <array>
@@ -40,29 +39,30 @@ struct Field {
   Shape shape;
   Bounds bounds;
   bool mandatory = false;
-  bool filled = false;  // a list that may not be empty
-  bool one_line = false;  // texts without line breaks and other control characters
-  std::optional<std::vector<std::string>> variables;  // of a text that is a formula
+  bool filled = false;  ///< a list must not be empty
+  bool one_line = false;  ///< a text must not have line breaks or other control characters
+  std::optional<std::vector<std::string>> variables;  ///< of a text that is a formula
 
-  // Takes the value over into the member, or reports to the reader why it cannot.
+  /// Stores the value in the member, or reports to the reader why it cannot.
   std::function<void(const Value&, const Field&, Reader&)> read;
-  // The member as it is now; null if it is unset.
+  /// Returns the member's present value; null if it is unset.
   std::function<Value()> write;
 
-  // Modifiers, chained behind the declaration. Bounds hold for every number of a list, in SI.
+  /// Modifiers, chained to the declaration. Bounds hold for every number of a list, in SI.
   Field& required();
   Field& nonempty();
-  Field& formula(std::vector<std::string> variables);  // a text that is one (formula.hpp), of these and of the scene's parameters
-  Field& line();  // a name, say, that tables and messages have within a line
+  /// declares a formula (formula.hpp) of these variables and the scene's parameters
+  Field& formula(std::vector<std::string> variables);
+  Field& line();  ///< a text within one line, such as a name in tables and messages
   Field& positive();
   Field& nonnegative();
-  Field& range(double low, double high);  // both included
+  Field& range(double low, double high);  ///< both ends included
   Field& at_least(double low);
   Field& at_most(double high);
   Field& above(double low);
   Field& below(double high);
 
-  std::string constraint() const;  // "positive", "not empty", ""
+  std::string constraint() const;  ///< "positive", "not empty", ""
 };
 
 template <class E>
@@ -81,9 +81,9 @@ class Fields {
   Field& number(std::string key, double& target, Unit unit, std::string doc);
   Field& optional_number(std::string key, std::optional<double>& target, Unit unit,
                          std::string doc);
-  // In SI whatever its unit, which is kept to be checked once the dimension is known (Quantity::check).
+  /// Number in SI with its unit as written, checked once the dimension is known (Quantity::check).
   Field& optional_quantity(std::string key, std::optional<Quantity>& target, std::string doc);
-  // A map of names to such numbers.
+  /// Map of names to optional_quantity() numbers.
   Field& quantities(std::string key, std::map<std::string, Quantity>& target, std::string doc);
   Field& integer(std::string key, int& target, std::string doc);
   Field& optional_integer(std::string key, std::optional<int>& target, std::string doc);
@@ -99,18 +99,18 @@ class Fields {
   Field& optional_vector(std::string key, std::optional<Vec3>& target, Unit unit, std::string doc);
   Field& schedule(std::string key, Schedule& target, Unit unit, std::string doc);
 
-  // Made absolute, relative to the folder of the file it stands in; need not exist. Default: empty.
+  /// Path, made absolute relative to the folder of its file; need not exist. Default: empty.
   Field& path(std::string key, std::string& target, std::string doc);
   Field& paths(std::string key, std::vector<std::string>& target, std::string doc);
 
-  // Kept as written, for later; a path inside it stays unresolved.
+  /// Value kept as written; paths inside it stay unresolved.
   Field& raw(std::string key, Value& target, std::string doc);
 
   template <class E>
   Field& choice(std::string key, E& target, std::type_identity_t<std::vector<Choice<E>>> options,
                 std::string doc);
 
-  // A struct with fields(); a list of them; a map of names to them.
+  /// object: a struct with fields(). list: a list of structs. map: a map of names to structs.
   template <class T>
   Field& object(std::string key, T& target, std::string doc);
   template <class T>
@@ -120,19 +120,21 @@ class Fields {
   template <class T>
   Field& map(std::string key, std::map<std::string, T>& target, std::string doc);
 
-  // Pointer: unique_ptr or shared_ptr to a kind's base class, which may be const; null means none. A map without
-  // `type` sets fields of the default component, if there is one.
+  /// Component of a kind. Pointer: unique_ptr or shared_ptr to the kind's base class, which may be
+  /// const; null means none. A map without `type` sets fields of the default component, if there is
+  /// one.
   template <class Pointer>
   Field& component(std::string key, Pointer& target, std::string doc);
   template <class Pointer>
   Field& component_list(std::string key, std::vector<Pointer>& target, std::string doc);
 
-  // A text where a map of these fields is expected is short for a map with this key alone.
+  /// Sets the key that a text stands for where a map of these fields is expected.
   void bare(std::string key) { bare_ = std::move(key); }
   const std::string& bare_key() const { return bare_; }
 
-  // A condition between several fields: returns "" or what is wrong and how to mend it. Runs after
-  // all fields of this object were bound without error; reported at `key` if the file has it.
+  /// Adds a condition between several fields: it returns "" or the error and its remedy. Runs after
+  /// all fields of this object were bound without error. Errors are reported at `key` if the file
+  /// has it.
   void check(std::string key, std::function<std::string()> condition);
 
   struct Check {
@@ -140,13 +142,13 @@ class Fields {
     std::function<std::string()> condition;
   };
   const std::vector<Field>& all() const& { return fields_; }
-  const std::vector<Field>& all() && = delete;  // would dangle: for (... : prototype<T>().all())
+  const std::vector<Field>& all() && = delete;  ///< would dangle: for (... : prototype<T>().all())
   const std::vector<Check>& checks() const { return checks_; }
   std::vector<std::string> keys() const;
   const Field* find(std::string_view key) const&;
   const Field* find(std::string_view key) && = delete;
 
-  // Lets the object that these fields refer to live as long as they do.
+  /// Keeps the object that these fields refer to alive as long as the fields.
   void keep(std::shared_ptr<void> owner) { owner_ = std::move(owner); }
 
  private:
@@ -161,22 +163,23 @@ class Fields {
   std::shared_ptr<void> owner_;
   std::vector<Field> fields_;
   std::vector<Check> checks_;
-  std::string bare_;  // empty: no text will do
+  std::string bare_;  // empty: a text is an error
 };
 
+/// Returns the fields of `object`, which must outlive them.
 template <class T>
 Fields fields_of(T& object) {
   Fields fields;
   object.fields(fields);
   return fields;
 }
-// To be written out, not read into.
+/// Returns the fields of a const object, for writing out only.
 template <class T>
 const Fields fields_of(const T& object) {
   return fields_of(const_cast<T&>(object));
 }
 
-// The fields of a fresh T, which they keep alive.
+/// Returns the fields of a new T, which they keep alive.
 template <class T>
 Fields prototype() {
   const auto object = std::make_shared<T>();
@@ -185,7 +188,7 @@ Fields prototype() {
   return fields;
 }
 
-// All values as a tree, in SI, each with its unit as comment.
+/// Returns all values as a tree, in SI, each with its unit as comment.
 Value to_value(const Fields& fields);
 Value to_value(const Component* component);  // with its `type`; null for nullptr
 

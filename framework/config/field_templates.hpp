@@ -1,4 +1,4 @@
-// The parts of Fields that depend on the member's type; included by field.hpp only.
+// Member templates of Fields, which depend on the member's type. Only field.hpp includes this file.
 #pragma once
 
 #include <stdexcept>

@@ -16,14 +16,14 @@ namespace tack {
 
 namespace {
 
-// Squares of what lies beyond are no numbers any more.
+// Larger numbers have no finite square.
 constexpr double largest_number = 1e150;
 
 [[noreturn]] void refuse(const std::string& text, const std::vector<std::string>& variables, const std::string& why) {
   throw InputError(fmt::format("formula '{}': {}; variables: {}", text, why, fmt::join(variables, ", ")));
 }
 
-// muParser's numbers: digits with a point and an exponent; those within names ("log10") are none.
+// Checks muParser's numbers: digits with a point and an exponent, except within names ("log10").
 void check_numbers(const std::string& text, const std::vector<std::string>& variables) {
   const auto in_name = [](unsigned char c) { return std::isalpha(c) || c == '_'; };
   const auto digit = [](unsigned char c) { return std::isdigit(c) != 0; };
@@ -40,7 +40,8 @@ void check_numbers(const std::string& text, const std::vector<std::string>& vari
   }
 }
 
-// muParser assigns by `=`: "x = 1" would give x another value and choose everything. Comparisons are ==, !=, <= and >=.
+// Checks for `=`, with which muParser assigns: "x = 1" would change x and always hold. Comparisons
+// are ==, !=, <= and >=.
 void check_assignments(const std::string& text, const std::vector<std::string>& variables) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '=') continue;
@@ -53,7 +54,7 @@ void check_assignments(const std::string& text, const std::vector<std::string>& 
 
 struct Formula::Parser {
   mu::Parser parser;
-  std::vector<double> values;  // muParser reads variables from where they stand
+  std::vector<double> values;  // muParser reads variables at their addresses
 };
 
 Formula::Formula(const std::string& text, const std::vector<std::string>& variables)
@@ -70,7 +71,8 @@ Formula::Formula(const std::string& text, const std::vector<std::string>& variab
   } catch (const mu::Parser::exception_type& e) {
     refuse(text, variables, fmt::format("{} (position {})", e.GetMsg(), e.GetPos()));
   }
-  if (const int results = parser_->parser.GetNumResults(); results > 1)  // the last would be taken
+  // muParser would use the last result
+  if (const int results = parser_->parser.GetNumResults(); results > 1)
     refuse(text, variables, fmt::format("a comma makes {} formulas of it; write numbers with a point, as 0.02", results));
 }
 bool Formula::knows(const std::string& name) {

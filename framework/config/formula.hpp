@@ -1,5 +1,5 @@
-// A formula of named variables, as text: "0.1 * sin(2 * pi * t)". Operators and functions are those
-// of muParser (https://beltoforion.de/en/muparser/features.php), and the constant pi.
+// A formula of named variables: "0.1 * sin(2 * pi * t)". Operators, functions and the constant pi
+// are those of muParser (https://beltoforion.de/en/muparser/features.php).
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@ namespace tack {
 
 class Formula {
  public:
-  // Throws InputError with the position in the text and the error there, but without a source
-  // location. Errors are a syntax error, an assignment (`=` in place of `==`), a comma outside of a
-  // function's arguments, a number above 1e150.
+  // Throws InputError with the position in the text, without a source location, for a syntax error,
+  // an assignment (`=` in place of `==`), a comma outside of a function's arguments, and a number
+  // above 1e150.
   Formula(const std::string& text, const std::vector<std::string>& variables);
-  // Whether a name is that of a function or a constant of all formulas.
+  // Returns true for the name of a function or constant of all formulas.
   static bool knows(const std::string& name);
   ~Formula();
   Formula(Formula&&) noexcept;
   Formula& operator=(Formula&&) noexcept;
 
-  // One value per variable, in their order. Not for several threads at once.
+  // Evaluates the formula. values: one per variable, in their order. Not thread-safe.
   double operator()(std::span<const double> values) const;
 
  private:

@@ -1,5 +1,6 @@
-// The JSON schema (draft 7): strict objects, components as definitions chosen by `type`. A file that includes another may give a part of
-// anything, so what has to be there is asked for beside all that (schema_required.hpp).
+// The JSON schema (draft 7): strict objects, with components as definitions chosen by `type`. A
+// file with includes may give any subset of keys, so required keys are a schema of their own
+// (schema_required.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +36,7 @@ json typed_value(const Value& v, const Shape& shape) {
 
 class Schema {
  public:
-  // Of a file whose `parameters` may stand in the place of numbers, if it has any.
+  // Accepts expressions in place of numbers if `root` has `parameters`.
   explicit Schema(const Fields& root) : expressions_(root.find("parameters") != nullptr) {}
   json object(const Fields& fields) {
     json properties = json::object();
@@ -114,7 +115,7 @@ class Schema {
     return schema;
   }
 
-  // The bounds only bind numbers, the definition's patterns only texts.
+  // Bounds apply to numbers only, the definition's patterns to texts only.
   json number(const Unit& unit, const Bounds& b) {
     const json kind = schema_reference(define_number(unit));
     return b.low || b.high ? bounded({{"allOf", json::array({kind})}}, b) : kind;
@@ -163,7 +164,8 @@ class Schema {
 
   void define(const Kind& kind) {
     if (definitions_.contains(kind.name())) return;
-    definitions_[kind.name()] = nullptr;  // components may contain components of their own kind
+    // guards against recursion: components may contain components of their own kind
+    definitions_[kind.name()] = nullptr;
     json bare_names = json::array();
     json variants = json::array();
     for (const auto& [name, entry] : kind.entries()) {

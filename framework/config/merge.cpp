@@ -18,14 +18,14 @@ bool different_types(const Value& a, const Value& b) {
   return type_a && type_b && type_a->text != type_b->text;
 }
 
-// An end of a pair: "cube", or "cube {type: tag, name: top}" of a part.
+// Returns one side of a pair: "cube", or "cube {type: tag, name: top}" for a region.
 std::string end_of(const Value& end) {
   const Value* object = end.find("object");
   const Value* select = end.find("select");
   return (object ? object->text : end.text) + (select ? " " + inline_text(*select) : "");
 }
 
-// What an entry is found by: "cube", or "cube - wall" of a pair; nothing if it has no such key.
+// Returns the key of an entry: "cube", or "cube - wall" for a pair; nothing without one.
 std::optional<std::string> name_of(const Value& entry) {
   const Value* name = entry.find("name");
   if (name && name->is_scalar()) return name->text;
@@ -47,7 +47,7 @@ Value* entry_named(Value& list, const std::string& name) {
   return nullptr;
 }
 
-// Takes the key out of the entry; whether it was `true`.
+// Removes the key from the entry. Returns true if its value was `true`.
 bool take_flag(Value& entry, const char* key) {
   const auto at = std::find_if(entry.entries.begin(), entry.entries.end(),
                                [&](const Value::Entry& e) { return e.key == key; });

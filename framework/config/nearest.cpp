@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// A key by its name in other programs and papers (`other`) and by its name `here`.
+// A key by its name in other programs and papers (`other`) and in scenes (`here`).
 struct OtherName {
   std::string_view other, here;
 };
@@ -22,7 +22,7 @@ constexpr OtherName other_names[] = {
     {"materials", "energies"}, {"mesh", "shape"}, {"geometry", "shape"}, {"boundary_conditions", "motion"}, {"dirichlet", "motion"},
 };
 
-// The name here of what is called otherwise elsewhere, if it is among the names; "" if there is none.
+// Returns our name for a name of other programs, if it is among `names`; "" otherwise.
 std::string name_here(std::string_view word, const std::vector<std::string>& names) {
   std::string lower(word);
   for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -51,7 +51,7 @@ int edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& names) {
-  int best = std::max(2, static_cast<int>(word.size()) / 2);  // further away is a different word
+  int best = std::max(2, static_cast<int>(word.size()) / 2);  // further away it is a different word
   std::string found;
   for (const std::string& name : names) {
     const int distance = edit_distance(word, name);

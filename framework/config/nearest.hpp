@@ -1,4 +1,4 @@
-// The known name closest to a misspelt one, for "did you mean" messages.
+// Nearest known name to a misspelt one, for "did you mean" messages.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace tack {
 
-// Number of insertions, deletions, replacements and swaps of neighbours that turn a into b (optimal
-// string alignment distance).
+// Returns the number of insertions, deletions, replacements and swaps of neighbours that turn a
+// into b (optimal string alignment distance).
 int edit_distance(std::string_view a, std::string_view b);
 
-// The name nearest to `word`, the first of equally near ones; if none is close, the first that
-// contains the word; else "".
+// Returns the name nearest to `word`, the first of equally near ones. If none is close, returns the
+// first that contains the word, or "".
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
-// Returns "; did you mean 'young'? (keys: density, young)". Knows the names of other programs, "E".
-// `label` says what the names are.
+// Returns "; did you mean 'young'? (keys: density, young)". Translates names of other programs,
+// such as "E". label: noun for the names.
 std::string suggestion(std::string_view word, const std::vector<std::string>& names,
                        std::string_view label);
 

@@ -1,5 +1,4 @@
-// Decimal numbers at the beginning of a text, as in formulas and scenes: digits with a point and an
-// exponent, in any locale.
+// Decimal number at the beginning of a text, in any locale: digits with a point and an exponent.
 #pragma once
 
 #include <charconv>
@@ -10,8 +9,8 @@
 namespace tack {
 
 struct NumberText {
-  double value = 0;        // infinite if it is too large for a double, 0 if it is too small
-  std::size_t length = 0;  // characters; 0: there is no number
+  double value = 0;        // infinite on overflow, 0 on underflow
+  std::size_t length = 0;  // characters; 0: no number
 };
 
 inline NumberText number_text(std::string_view text) {

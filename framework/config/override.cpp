@@ -1,4 +1,5 @@
-// `--set a.b=c`, and values for keys from elsewhere: walks the dotted path, creating what is missing, and replaces the value there.
+// Values at dotted paths, such as `--set a.b=c`: follows the path, creates missing keys and
+// replaces the value at its end.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ const std::string* own_name(const Value& item) {
   return name && name->is_scalar() ? &name->text : nullptr;
 }
 
-// By its number, or by its name; nullptr if there is none.
+// Returns an entry by its index or name; nullptr if there is none.
 const Value* entry_of(const Value& list, const std::string& segment) {
   if (const auto index = as_index(segment)) return *index < list.items.size() ? &list.items[*index] : nullptr;
   for (const Value& item : list.items)
@@ -79,7 +80,7 @@ Value& in_map(Value& map, const std::string& key, const SourceMark& origin) {
   return map.set(key, std::move(created));
 }
 
-// A parameter may go by its name alone, where that is no key.
+// Returns the full path of a parameter given by its name alone, unless the name is a key.
 std::string whole_path(const Value& root, const std::string& path) {
   const Value* parameters = path.find('.') == path.npos && !root.find(path) ? root.find("parameters") : nullptr;
   return parameters && parameters->find(path) ? "parameters." + path : path;

@@ -26,7 +26,7 @@ size_t end_of_name(const std::string& text, size_t at) {
   return at;
 }
 
-// Behind the number that begins there.
+// Returns the position after the number at `at`.
 size_t end_of_number(const std::string& text, size_t at) {
   return at + number_text(std::string_view(text).substr(at)).length;
 }
@@ -36,14 +36,15 @@ bool begins_number(const std::string& text, size_t at) {
   return digit(at) || (text[at] == '.' && digit(at + 1));
 }
 
-// What an expression is made of: names, numbers with their units, and the rest, character by character.
+// A token of an expression: a name, a number with its unit, or another character.
 struct Piece {
   enum Kind { name, number, other } kind;
-  std::string text;  // of a number without its unit
+  std::string text;  // a number without its unit
   std::string unit = "";
 };
 
-// The unit behind a number, up to where it ends: "mm", "m/s^2", "kg m^-1 s^-2", "%". A known name behind a slash ends it, as it is divided by: "4 mm / width".
+// Returns the end of the unit after a number: "mm", "m/s^2", "kg m^-1 s^-2", "%". A known name
+// after a slash ends the unit, because it is a divisor: "4 mm / width".
 template <class Known>
 size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
   size_t start = at;
@@ -65,8 +66,8 @@ size_t end_of_unit(const std::string& text, size_t at, const Known& known) {
     if (to > from) end = to;
   };
   exponent();
-  // A word behind a point or a space is of the unit, as no expression has a name there. A word
-  // behind a slash is of the unit unless it is a parameter.
+  // A word after a point or space belongs to the unit, because no expression has a name there. A
+  // word after a slash belongs to the unit unless it is a parameter.
   for (;;) {
     size_t from = end;
     while (from < text.size() && text[from] == ' ') ++from;
@@ -102,7 +103,8 @@ std::vector<Piece> pieces_of(const std::string& text, const Known& known) {
   return pieces;
 }
 
-// The exponents that a base unit has in numbers of a formula, by what becomes of the formula when that unit is so many times as large.
+// Returns the exponent of a base unit in a formula, from the ratio of its values when that unit is
+// scaled.
 std::optional<int> exponent_of(const Formula& formula, const std::vector<double>& values, const std::vector<int>& exponents) {
   const double before = formula(values);
   std::optional<int> found;
@@ -131,7 +133,7 @@ bool Parameters::named_in(const std::string& text) const {
   if (numbers_.empty()) return false;
   const auto known = [this](const std::string& name) { return numbers_.contains(name); };
   const std::vector<Piece> pieces = pieces_of(text, known);
-  try {  // what is a number with a unit stays one
+  try {  // numbers with units stay numbers
     to_si(text, units::any);
     return false;
   } catch (const InputError&) {
@@ -140,7 +142,7 @@ bool Parameters::named_in(const std::string& text) const {
 }
 
 Parameters::Number Parameters::number_of(const std::string& expression) const {
-  // A number with its unit is one whatever parameters are called.
+  // A number with its unit stays one, whatever the names of parameters.
   if (const std::optional<WrittenNumber> written = written_number(expression)) return {written->si, base_dimension(written->unit)};
   const auto known = [this](const std::string& name) { return numbers_.contains(name); };
   std::string text;
@@ -166,7 +168,7 @@ Parameters::Number Parameters::number_of(const std::string& expression) const {
   Number number{formula(values), {}};
   if (!std::isfinite(number.si)) throw InputError(fmt::format("'{}' is {}", expression, number.si));
 
-  // Its dimension does not depend on the numbers; others tell it where these give zero.
+  // The dimension does not depend on the numbers; other numbers show it where these give zero.
   if (number.si == 0)
     for (size_t i = 0; i < values.size(); ++i) values[i] = (values[i] == 0 ? 1 : values[i]) * (1.3 + 0.17 * static_cast<double>(i));
   for (const auto& dimension : dimensions)
@@ -233,7 +235,7 @@ Parameters Parameters::of(const Value& root) {
   return p;
 }
 
-// After those that it needs; open: who needs it.
+// Evaluates a parameter after those that it depends on. open: the chain of dependent parameters.
 void Parameters::settle(const Written& written, const std::string& name, std::vector<std::string>& open) {
   if (numbers_.contains(name)) return;
   const Value& value = *written.at(name);

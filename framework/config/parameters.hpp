@@ -1,5 +1,6 @@
-// Numbers of a scene with names of its own: `parameters: {width: 20 mm, speed: 4 mm/s}`. Wherever the scene has a number, it may have an expression of
-// them ("2 * width", "width / speed + 0.1 s"), and formulas know them as variables.
+// Scene parameters: `parameters: {width: 20 mm, speed: 4 mm/s}`. An expression of parameters may
+// replace any number of the scene ("2 * width", "width / speed + 0.1 s"), and formulas have them as
+// variables.
 #pragma once
 
 #include <map>
@@ -12,23 +13,28 @@ namespace tack {
 
 class Parameters {
  public:
-  // None.
+  // No parameters.
   Parameters() = default;
-  // Those of the map under `parameters` of a file; each may be an expression of others. Throws InputError with the place: no map, a name that formulas
-  // could not have, an expression that cannot be evaluated, some that need each other.
+  // Returns the parameters of a file, from its map `parameters`. Each may be an expression of
+  // others. Throws InputError with the source location if `parameters` is no map, a name is not
+  // usable in formulas, an expression cannot be evaluated, or parameters depend on each other in a
+  // cycle.
   static Parameters of(const Value& root);
 
   bool empty() const { return numbers_.empty(); }
-  // Whether one of their names stands in it.
+  // Returns true if `text` contains the name of a parameter.
   bool named_in(const std::string& text) const;
-  // What an expression is, as a number in SI with its unit: "0.04 m". Throws InputError, without a place, for what has no dimension (a length and a time
-  // added), or is no finite number.
+  // Evaluates an expression to a number in SI with its unit: "0.04 m". Throws InputError, without a
+  // source location, for inconsistent dimensions (a length plus a time) or a result that is not
+  // finite.
   std::string evaluated(const std::string& expression) const;
-  // Another number of the same dimension as a parameter, in SI, as a file would have it: "0.03 m".
+  // Returns the number `si` with the unit of parameter `name`, as in a file: "0.03 m".
   std::string like(const std::string& name, double si) const;
-  // A formula with numbers, in SI, in the place of their names, but not of those that the formula has of its own. Throws InputError, without a place, for one
-  // that is a variable of the formula as well.
-  std::string inserted(const std::string& formula, const std::vector<std::string>& variables, const Value* own) const;
+  // Returns the formula with parameter names replaced by numbers in SI. Names in `own`, the
+  // formula's own parameters, stay. Throws InputError, without a source location, for a parameter
+  // that is also one of `variables`.
+  std::string inserted(const std::string& formula, const std::vector<std::string>& variables,
+                       const Value* own) const;
 
  private:
   struct Number {

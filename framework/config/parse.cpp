@@ -16,16 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Includes of includes can grow exponentially; no scene comes near so many values.
+// Limit of values: includes of includes can grow exponentially, and no scene comes near this
+// number.
 constexpr std::size_t most_values = 1'000'000;
 
-// State of reading a file and its includes.
+// State of reading a file with its includes.
 struct Reading {
   struct File {
     fs::path written, canonical;
   };
   std::vector<File> chain;           // files being read, outermost first
-  std::map<fs::path, Value> ready;   // what was included, with all that it includes: each file is read and merged once
+  std::map<fs::path, Value> ready;   // included files with their includes merged, each read once
 };
 
 std::string read_included(const Value& file, const fs::path& path) {

@@ -1,4 +1,4 @@
-// A number whose dimension is not known where it is read: that of a probe, which an expectation names.
+// A number whose dimension is unknown when it is read, such as the value expected of a probe.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace tack {
 
 struct Quantity {
   double si = 0;
-  std::string written;  // "5 mN"; empty if it was not read
+  std::string written;  // "5 mN"; empty if it was not read from a file
 
   operator double() const { return si; }
-  // Throws InputError, without a place, if it was written in a unit of another dimension.
+  // Throws InputError, without a source location, if its unit has another dimension.
   void check(const Unit& unit) const {
     if (!written.empty()) to_si(written, unit);
   }

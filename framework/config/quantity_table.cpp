@@ -42,7 +42,7 @@ struct Line {
   std::vector<std::string> cells;
 };
 
-// "gap [um]", "gap (um)", "gap": name and unit.
+// Name and unit in a heading: "gap [um]", "gap (um)", "gap".
 struct Heading {
   std::string name, unit;
 
@@ -62,7 +62,7 @@ class Lines {
     if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
   }
 
-  // The next line that holds something; false at the end.
+  // Reads the next line that is not empty. Returns false at the end.
   bool next(Line& line) {
     while (!rest_.empty()) {
       const size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -130,12 +130,12 @@ double read_number(const std::string& cell, double factor, const QuantityColumn&
   throw InputError(fmt::format("{}{} '{}' {}; mend or remove this line", place, wanted.name, cell, why));
 }
 
-// As many cells as the first line; beyond them empty ones may follow.
+// Returns true for a line with at least as many cells as the first line and no text beyond them.
 bool fits(const Line& line, size_t width) {
   return line.cells.size() >= width && std::all_of(line.cells.begin() + width, line.cells.end(), [](const std::string& cell) { return cell.empty(); });
 }
 
-// Text, and no number, where numbers would stand.
+// Returns true if a line has texts, not numbers, in the wanted columns.
 bool holds_units(const Line& line, const std::vector<size_t>& at) {
   const auto number = [&](size_t i) { return number_in(line.cells[i]).has_value(); };
   return std::none_of(at.begin(), at.end(), number) && std::any_of(at.begin(), at.end(), [&](size_t i) { return !line.cells[i].empty(); });

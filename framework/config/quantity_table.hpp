@@ -1,6 +1,9 @@
-// Columns of numbers with units, from a file that a measurement or a spreadsheet left: names in its first line, each with its unit
-// ("gap [um], traction [kPa]"; without one, SI), or the units in a line of their own below. Commas, semicolons or tabs part cells; line ends of any
-// system, a byte order mark, quotes, empty lines and lines that begin with # may be there, and columns that nobody asks for.
+// Columns of numbers with units from a text file, such as measured data or a spreadsheet export.
+//   first line    names, each with its unit ("gap [um], traction [kPa]"; without one: SI)
+//   second line   optionally the units instead
+//   cells         separated by commas, semicolons or tabs
+// Allowed: any line ends, a byte order mark, quotes, empty lines, lines that begin with #, and
+// columns that are not read.
 #pragma once
 
 #include <string>
@@ -11,22 +14,23 @@
 namespace tack {
 
 struct QuantityColumn {
-  std::string name;  // in the file; upper and lower case are the same
+  std::string name;  // in the file, case-insensitive
   Unit unit;
-  std::string key;   // of the scene file, by which another name is chosen: for messages
+  std::string key;   // scene key that chooses another name, for messages
 };
 
 struct QuantityTable {
   std::string path;
-  std::vector<std::vector<double>> columns;  // as they were asked for, in SI
-  std::vector<int> lines;                    // of the file, of each row
+  std::vector<std::vector<double>> columns;  // in the order requested, in SI
+  std::vector<int> lines;                    // line in the file, per row
 
   size_t rows() const { return lines.size(); }
   std::string place(size_t row) const;  // "data.csv:7: "
 };
 
-// Throws InputError with file and line for a column that is not there, a unit of another dimension, a line that lacks cells, what is no
-// finite number, and a file that cannot be read.
+// Reads the wanted columns. Throws InputError with file and line for a missing column, a unit of
+// another dimension, a line with missing cells, a cell that is no finite number, and a file that
+// cannot be read.
 QuantityTable read_quantities(const std::string& path, const std::vector<QuantityColumn>& wanted);
 
 }  // namespace tack

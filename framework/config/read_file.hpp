@@ -1,5 +1,5 @@
-// A whole file in memory. Devices, pipes and folders are refused, and files of a size that nothing sensible
-// has: reading them would not end.
+// Reads a whole file into memory. Devices, pipes, folders and files above a size limit are errors,
+// because reading them might not end.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace tack {
 
-inline constexpr std::uintmax_t largest_text = 64u << 20;  // bytes, of a scene file
+inline constexpr std::uintmax_t largest_text = 64u << 20;  // limit of a scene file [bytes]
 
-// Throws InputError, "PATH: cannot read this file...", with the reason and the remedy.
+// Throws InputError, "PATH: cannot read this file...", with reason and remedy.
 std::string read_file(const std::filesystem::path& path, std::uintmax_t largest);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// Maps and components, and the collected errors; leaves are in reader_leaves.cpp.
+// Reading of maps and components, and the collected errors; leaves are in reader_leaves.cpp.
 #include "framework/config/reader.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,8 @@ namespace {
 
 bool begins_number(const std::string& text) { return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])); }
 
-// "; write {mu: 0.5}" for a number in the place of a map, or a hint for a key without a blank behind its colon; "" if neither may be meant.
+// Returns a hint for a scalar in place of a map: "; write {mu: 0.5}" for a number, or a missing
+// blank after a key's colon; "" if neither applies.
 std::string as_map(const Value& value, const Fields& fields) {
   if (!value.is_scalar()) return "";
   const size_t colon = value.text.find(':');
@@ -96,7 +97,8 @@ void Reader::bind_map(const Value& map, Fields& fields, std::string_view context
   if (errors_.size() == errors_before) run_checks(map, fields);
 }
 
-// With numbers in the place of expressions that name parameters, wherever numbers are expected.
+// Returns the value with expressions of parameters replaced by numbers, wherever numbers are
+// expected.
 Value Reader::with_numbers(const Value& value, const Shape& shape, std::string_view key) {
   Value out = value;
   const auto each = [&](const Shape& inner) {
@@ -126,7 +128,7 @@ Value Reader::with_numbers(const Value& value, const Shape& shape, std::string_v
   return out;
 }
 
-// What the formula's own map calls `parameters` are not the scene's.
+// Replaces scene parameters in a formula, except names in the formula's own `parameters`.
 Value Reader::with_numbers_in_formula(const Value& value, const Value& map, const Field& field) {
   Value out = value;
   if (!value.is_scalar()) return out;

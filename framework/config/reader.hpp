@@ -1,5 +1,4 @@
-// Reads values into fields and collects what is wrong with them, so that one run reports all
-// errors.
+// Reads values into fields and collects their errors, so that one run reports all errors.
 #pragma once
 
 #include <memory>
@@ -23,18 +22,20 @@ struct Shape;
 class Reader {
  public:
   Reader() = default;
-  // parameters: what expressions in the place of numbers may name.
+  // parameters: names for expressions in place of numbers.
   explicit Reader(Parameters parameters) : parameters_(std::move(parameters)) {}
 
-  // Binds the keys of a map; null counts as an empty map. `context` follows "in": "energy 'arap'".
+  // Binds the keys of a map; null counts as an empty map. context: text after "in" in messages,
+  // "energy 'arap'".
   void bind(const Value& value, Fields& fields, std::string_view context);
 
-  // The component that `value` names, bound; nullptr after an error. A map without `type` is bound
-  // to `present` instead, if that is given, and the result is nullptr.
+  // Returns the component that `value` names, bound; nullptr after an error. A map without `type`
+  // is bound to `present`, if given, and the result is nullptr.
   std::unique_ptr<Component> component(const Value& value, const Kind& kind, Component* present,
                                        std::string_view key);
 
-  // Leaves: true and `out` set, or an error reported and false. `key` opens the message.
+  // Leaves: set `out` and return true, or report an error and return false. `key` opens the
+  // message.
   bool number(const Value& value, const Unit& unit, const Bounds& bounds, std::string_view key,
               double& out);
   bool number(const Value& value, const Field& field, double& out);
@@ -42,11 +43,11 @@ class Reader {
   bool flag(const Value& value, const Field& field, bool& out);
   bool text(const Value& value, const Field& field, std::string& out);
 
-  // Index of the option that is named; the number of options after an error.
+  // Returns the index of the named option; the number of options after an error.
   std::size_t option(const Value& value, const Field& field);
-  // Whether the value is a list of the field's length; reports an error otherwise.
+  // Returns true for a list of the field's length; reports an error otherwise.
   bool list(const Value& value, const Field& field);
-  // Reports that the value is nothing the field accepts.
+  // Reports a value of a form that the field does not accept.
   void unexpected(const Value& value, const Field& field);
 
   void error(const SourceMark& mark, std::string_view message);
@@ -70,7 +71,7 @@ class Reader {
   std::vector<Error> errors_;
 };
 
-// How an entry of a list is called in messages: "objects 'desk'", or "objects[2]" without a name.
+// Returns the name of a list entry for messages: "objects 'desk'", or "objects[2]" without a name.
 std::string entry_context(std::string_view key, std::size_t index, const Value& entry);
 
 }  // namespace tack

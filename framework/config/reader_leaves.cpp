@@ -1,4 +1,4 @@
-// Numbers, texts, choices and lists: from their text to the member's type.
+// Reading of numbers, texts, choices and lists into the member's type.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace tack {
 namespace {
 
-// "-3 kg/m^3" whether or not the unit was written.
+// Returns "-3 kg/m^3", whether or not the unit was written.
 std::string with_unit(const std::string& text, const Unit& unit) {
   double number = 0;
   const char* end = text.data() + text.size();

@@ -19,7 +19,7 @@ struct NamedKind {
   std::type_index base;
 };
 
-// Function-local, so that they exist before the first registration, whichever that is.
+// Function-local, so that the map exists before the first registration.
 std::map<std::string, NamedKind>& kinds_by_name() {
   static std::map<std::string, NamedKind> kinds;
   return kinds;
@@ -45,7 +45,8 @@ const std::vector<std::string>& names_elsewhere(const std::string& kind) {
 
 bool among(const std::vector<std::string>& names, std::string_view name) { return std::find(names.begin(), names.end(), name) != names.end(); }
 
-// Compilers are called with absolute paths; this file knows where the source tree begins.
+// Returns a path relative to the source tree. Compilers get absolute paths; the path of this file
+// shows where the tree begins.
 std::string relative_to_tree(std::string file) {
   const std::string_view here = __FILE__;
   const std::string_view inside = "framework/config/registry.cpp";

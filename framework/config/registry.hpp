@@ -5,9 +5,9 @@
 //   static constexpr const char* kind_doc = "Potential of the gap between two surfaces.";
 // A component is a class of that kind which registers itself in its own .cpp, at namespace scope:
 //   TACK_REGISTER(NormalLaw, FangAdhesion, "fang", "One sentence.", "Fang et al., eq. 10-12");
-// Registration runs before main, so the object file has to be linked whole (OBJECT libraries); that of
-// a plugin when it is loaded (framework/plugin). A name or a class registered twice is an error that ends
-// the program at its start. Entries are sorted by name, whatever the link order.
+// Registration runs before main, or when a plugin is loaded (framework/plugin). Object files must
+// be linked whole (OBJECT libraries). Registering a name or a class twice ends the program at its
+// start. Entries are sorted by name, whatever the link order.
 #pragma once
 
 #include <concepts>
@@ -26,30 +26,32 @@ class Fields;
 struct Component {
   virtual ~Component() = default;
 
-  // Lists the parameters; see field.hpp.
+  /// Lists the parameters; see field.hpp.
   virtual void fields(Fields&) {}
 
-  // What listings say of it besides its sentence, "" for nothing: "irreversible; acts along the normal".
+  /// Returns an addition to the doc sentence in listings, "" for none: "irreversible; acts along
+  /// the normal".
   virtual std::string traits_text() const { return {}; }
 
-  // The registered name of this object's class, "" if it has none. A look-up: not for hot loops.
+  /// Returns the registered name of this object's class, "" if it has none. A look-up: not for hot
+  /// loops.
   std::string_view type() const;
 };
 
-// One kind, with the classes of its components erased.
+/// A kind of component and its registered classes, type-erased.
 class Kind {
  public:
   struct Entry {
     std::string name;
     std::string doc;
-    std::string source;  // citation
-    std::string file;    // relative to the source tree
+    std::string source;  ///< citation
+    std::string file;    ///< relative to the source tree
     std::function<std::unique_ptr<Component>()> factory;
-    std::string plugin = {};  // the library that it came with; "" for the program's own
+    std::string plugin = {};  ///< library that registered it; "" for the program
   };
 
-  // The kind of that name, made when it is first asked for. There is one in the program, whichever library asks. Throws
-  // std::logic_error if it has components of another base class.
+  /// Returns the kind of that name, created on first use. A kind exists once per program, whichever
+  /// library asks. Throws std::logic_error if it has another base class.
   static Kind& named(const char* name, const char* doc, std::type_index base);
 
   Kind(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {}
@@ -58,21 +60,23 @@ class Kind {
 
   const std::string& name() const { return name_; }
   const std::string& doc() const { return doc_; }
-  std::vector<std::string> names() const;  // sorted, with those that are elsewhere
+  std::vector<std::string> names() const;  ///< sorted, including components not yet loaded
   const std::map<std::string, Entry, std::less<>>& entries() const { return entries_; }
 
-  // Of one that is elsewhere, after what has it is loaded. Throws InputError, without a place: "unknown energy 'neo_hokean'; did you
-  // mean 'neo_hookean'? (...)", or what loading threw.
+  /// Returns an entry, after loading its library if necessary. Throws InputError, without a source
+  /// location: "unknown energy 'neo_hokean'; did you mean 'neo_hookean'? (...)", or the error of
+  /// loading.
   const Entry& entry(std::string_view name) const;
 
-  // Afterwards none of its components is elsewhere. Throws what loading threw.
+  /// Loads all of the kind's components. Throws the error of loading.
   void complete() const;
 
-  // The fields of a fresh instance, which the result keeps alive: its defaults.
+  /// Returns the fields of a new instance (defaults), which the result keeps alive.
   Fields prototype(std::string_view name) const;
 
-  // Throws std::logic_error if the name or the class is registered already; while a plugin is loaded, keeps that for
-  // its PluginRegistrations, for which the names of what is elsewhere are taken too.
+  /// Registers a class. Throws std::logic_error if its name or class is registered already. While a
+  /// plugin is loading, the error is stored in its PluginRegistrations instead; names of components
+  /// not yet loaded count as registered then.
   void add(Entry entry, std::type_index type);
 
  private:
@@ -82,18 +86,19 @@ class Kind {
   std::map<std::string, Entry, std::less<>> entries_;
 };
 
-// Components that register themselves when a library is loaded, which is done once one of them is named.
+/// Components that register themselves when their library is loaded, on first use of one of them.
 struct ComponentsElsewhere {
-  std::map<std::string, std::vector<std::string>, std::less<>> names;  // of each kind
-  std::function<void()> load;                                         // registers them; throws InputError, without a place
+  std::map<std::string, std::vector<std::string>, std::less<>> names;  ///< names per kind
+  std::function<void()> load;  ///< registers them; throws InputError, without a source location
 };
 void note_components_elsewhere(ComponentsElsewhere components);
 
-// All kinds that are used or have components, sorted by name.
+/// Returns all kinds that are used or have components, sorted by name.
 std::vector<const Kind*> registered_kinds();
 
-// What registers itself while this lives is a plugin's, and is taken back unless it is kept: initialisers of a library must
-// not throw. One at a time.
+/// Scope that collects the registrations of a loading plugin and removes them at its end unless
+/// keep() was called. Errors are stored, because initialisers of a library must not throw. One
+/// scope at a time.
 class PluginRegistrations {
  public:
   explicit PluginRegistrations(std::string plugin);
@@ -131,7 +136,7 @@ class Registry {
     return downcast(kind().entry(name).factory());
   }
 
-  // For a component that came out of this registry's kind.
+  /// Downcasts a component made by this registry's kind.
   static std::unique_ptr<Base> downcast(std::unique_ptr<Component> component) {
     return std::unique_ptr<Base>(static_cast<Base*>(component.release()));
   }

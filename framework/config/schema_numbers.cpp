@@ -18,11 +18,12 @@ namespace {
 
 using Exponents = std::array<int, 3>;  // of kg, m and s
 
-// Letters beyond ASCII stand by themselves and not in brackets, where a library that reads bytes takes them apart.
+// Non-ASCII letters stand alone, not in brackets, because libraries that match bytes would split
+// them.
 struct Known {
   const char* spellings;
   Exponents exponents;
-  int largest_power;  // in which it is common
+  int largest_power;  // largest common power
 };
 constexpr std::array common_units{
     Known{"(([pnucdmk]|µ)?m|in|ft)", {0, 1, 0}, 3},
@@ -53,7 +54,7 @@ struct Spelling {
   Exponents exponents;
 };
 
-// All that is known, with its dimension.
+// Returns all known spellings with their dimensions.
 std::vector<Spelling> forms() {
   std::vector<Spelling> all{{dimensionless, {0, 0, 0}}};
   for (const Known& a : common_units) {
@@ -75,7 +76,7 @@ std::vector<Spelling> forms() {
   return all;
 }
 
-// Whether the program takes it for a number of that unit.
+// Returns true if the program accepts a number of these exponents for `unit`.
 bool accepted(const Exponents& exponents, const Unit& unit) {
   std::string text = "1";
   constexpr std::array names{"kg", "m", "s"};

@@ -1,8 +1,7 @@
-// The texts that the JSON schema accepts for a number of a unit: "5", "5 MPa", "1e-3 N/mm^2".
-//
-// A pattern can neither parse units nor work out dimensions. So it knows the common units with their prefixes, alone, to a power, and two
-// of them multiplied or divided: those have to be of the right kind. What is written in any other way ("kg m-1 s-2", "furlong") is left to
-// the program.
+// Patterns of the JSON schema for numbers of a unit: "5", "5 MPa", "1e-3 N/mm^2".
+// Limit: a pattern cannot parse units or compute dimensions. The patterns check common units with
+// prefixes: alone, to a power, and products or quotients of two. Other spellings ("kg m-1 s-2",
+// "furlong") pass, and the program checks them.
 #pragma once
 
 #include <string>
@@ -12,12 +11,14 @@
 
 namespace tack {
 
-// Any number, with or without a unit.
+// Matches any number, with or without a unit.
 extern const char* const number_pattern;
-// What may be an expression of parameters (parameters.hpp): it begins with a name, or has an operator.
+// Matches possible expressions of parameters (parameters.hpp): texts that begin with a name or have
+// an operator.
 extern const char* const expression_pattern;
 
-// Numbers in units that are known here, of any kind; and those of them that `unit` accepts.
+// known_unit_pattern: matches numbers in the common units, of any dimension. unit_pattern: matches
+// those of them that `unit` accepts.
 std::string known_unit_pattern();
 std::string unit_pattern(const Unit& unit);
 

@@ -13,7 +13,7 @@ class Required {
  public:
   explicit Required(json& definitions) : definitions_(definitions) {}
 
-  // Empty if everything fits it.
+  // Returns an empty schema if everything matches.
   json object(const Fields& fields) {
     json required = json::array(), properties = json::object(), schema = json::object();
     for (const Field& f : fields.all()) {
@@ -53,7 +53,8 @@ class Required {
   std::string define(const Kind& kind) {
     const std::string name = "required." + kind.name();
     if (definitions_.contains(name)) return name;
-    definitions_[name] = nullptr;  // components may contain components of their own kind
+    // guards against recursion: components may contain components of their own kind
+    definitions_[name] = nullptr;
     json variants = json::array();
     for (const auto& [component, entry] : kind.entries()) {
       json own = object(kind.prototype(component));

@@ -1,5 +1,5 @@
-// What a parameter accepts, as data: error messages, documentation and the JSON schema are written
-// from it without knowing the parameter's C++ type.
+// Form of a parameter, as data, so that error messages, documentation and the JSON schema need not
+// know its C++ type.
 #pragma once
 
 #include <functional>
@@ -37,22 +37,22 @@ struct Shape {
 
   Form form = Form::any;
   Unit unit = units::none;             // number, schedule, and lists of numbers
-  bool nullable = false;               // may be left unset (null)
+  bool nullable = false;               // null means unset
   int count = -1;                      // list: its fixed length, -1 for any
-  std::shared_ptr<const Shape> entry;  // list, map: what each entry is
+  std::shared_ptr<const Shape> entry;  // list, map: shape of each entry
   std::vector<Option> options;         // choice
   std::function<Fields()> prototype;   // object: the fields of a default instance
   const Kind* kind = nullptr;          // component
 
   std::string noun() const;         // "pressure (Pa)", "list of 3 lengths (m)", "map"
-  std::string expectation() const;  // the same with its article, or "true or false"
+  std::string expectation() const;  // the noun with its article, or "true or false"
 };
 
-// A shape of fixed form and no more.
+// simple_shape: a shape without further attributes. list_shape: count -1 for any length.
 Shape simple_shape(Shape::Form form, Unit unit = units::none);
 Shape list_shape(Shape entry, int count = -1);
 
-// The values a number may take. Text: "positive", "in [0, 1]", "at least 1", "above -1 and below
+// Permitted values of a number. Text: "positive", "in [0, 1]", "at least 1", "above -1 and below
 // 0.5".
 struct Bounds {
   std::optional<double> low;

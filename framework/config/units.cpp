@@ -31,7 +31,7 @@ using UnitPtr = std::unique_ptr<ut_unit, FreeUnit>;
 using ConverterPtr = std::unique_ptr<cv_converter, FreeConverter>;
 using SystemPtr = std::unique_ptr<ut_system, FreeSystem>;
 
-// What a wrongly used unit is called; of equal dimensions the first.
+// Nouns for wrongly used units; the first of equal dimensions counts.
 constexpr std::array named_dimensions{units::length,
                                       units::area,
                                       units::volume,
@@ -54,7 +54,8 @@ constexpr std::array named_dimensions{units::length,
                                       units::stiffness,
                                       units::traction_stiffness};
 
-// The library's parser keeps global state, and its numbers go by the locale: every call below holds one of these.
+// Lock of the units library, whose parser has global state and reads numbers by the locale. Every
+// call below holds one.
 class UnitsLock {
  public:
   UnitsLock() : lock_(mutex()) {}
@@ -88,7 +89,8 @@ UnitPtr parse_unit(std::string_view text) {
   return UnitPtr(ut_parse(unit_system(), std::string(text).c_str(), UT_UTF8));
 }
 
-// The library would also convert reciprocals (s to Hz): only a dimensionless quotient is the same.
+// Returns true if the quotient is dimensionless. The library's own test would also accept
+// reciprocals (s and Hz).
 bool same_dimension(ut_unit* a, ut_unit* b) {
   const UnitPtr quotient(ut_divide(a, b));
   return quotient && ut_is_dimensionless(quotient.get());
@@ -109,8 +111,8 @@ std::string dimension_name(ut_unit* unit) {
   return "quantity of another dimension";
 }
 
-// The library also reads factors ("3 m"), offsets and dates; a digit here may only be an exponent
-// ("m^2", "m2", "s-1", "s^-1") or the numerator of "1/s".
+// Returns true if digits occur only in exponents ("m^2", "m2", "s-1", "s^-1") or in the numerator
+// of "1/s". The library would also read factors ("3 m"), offsets and dates.
 bool only_exponents(std::string_view unit) {
   if (unit.substr(0, 2) == "1/") unit.remove_prefix(2);
   char before = ' ';  // the last character that is neither a digit nor a minus
@@ -138,7 +140,7 @@ std::string_view trimmed(std::string_view s) {
   return s;
 }
 
-// The SI unit of the same dimension: the definition in base units without its factor.
+// Returns the SI unit of the same dimension: the definition in base units without its factor.
 UnitPtr coherent(ut_unit* unit) {
   std::array<char, 256> definition{};
   if (ut_format(unit, definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION) < 0) return nullptr;
@@ -149,11 +151,13 @@ UnitPtr coherent(ut_unit* unit) {
   return parse_unit(base.empty() ? "1" : base);
 }
 
-// Units that are written with other capitals by mistake. Where two differ in these alone, the larger is meant.
+// Units often written with wrong capitals. Of two that differ only in capitals, the larger is
+// meant.
 constexpr std::array usual_units = {"Pa", "kPa", "MPa", "GPa", "mm", "um", "nm", "cm", "km", "m", "s", "ms", "us", "min", "h", "N", "mN", "kN", "MN",
                                     "kg", "g", "mg", "J", "mJ", "kJ", "W", "Hz", "kHz", "deg", "rad", "K"};
 
-// "; did you mean 'MPa'?" for 'MPA', "; write numbers with a point" for ',1 MPa'; "" otherwise.
+// Returns "; did you mean 'MPa'?" for 'MPA', "; write numbers with a point" for ',1 MPa', ""
+// otherwise.
 std::string meant_by(std::string_view unit) {
   if (unit.size() > 1 && unit[0] == ',' && std::isdigit(static_cast<unsigned char>(unit[1]))) return "; write numbers with a point, as 0.1";
   const auto letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };

@@ -1,5 +1,5 @@
-// Numbers with units. A parameter has one SI unit; in a scene file it may be written with any unit
-// of the same dimension ("5 MPa", "1.2 g/cm^3", "30 deg", "10 %"), and without one it is SI.
+// Numbers with units. A parameter has one SI unit. A scene file may use any unit of the same
+// dimension ("5 MPa", "1.2 g/cm^3", "30 deg", "10 %"); a number without unit is SI.
 #pragma once
 
 #include <map>
@@ -44,23 +44,26 @@ inline constexpr Unit viscosity{"Pa s", "viscosity"};
 inline constexpr Unit surface_viscosity{"J s/m^2", "viscosity of a surface"};
 inline constexpr Unit fluidity{"1/(Pa s)", "rate per pressure"};
 inline constexpr Unit power{"W", "power"};
-// Of a number whose dimension is only known later, and then checked: any unit, to the SI unit of its dimension.
+// Accepts any unit and converts to the SI unit of its dimension, for numbers whose dimension is
+// checked later.
 inline constexpr Unit any{"", "number with its unit"};
 
 }  // namespace units
 
-// The SI value of "5 MPa". Throws InputError, without a place, if the text is no finite number, the
-// unit is unknown or its dimension is wrong: "expects a pressure (Pa), got '5 mm', which is a
-// length". Safe to call from several threads.
+// Returns the SI value of "5 MPa". Throws InputError, without a source location, for a text that is
+// no finite number, an unknown unit or a wrong dimension: "expects a pressure (Pa), got '5 mm',
+// which is a length". Thread-safe.
 double to_si(std::string_view text, const Unit& unit);
 
-// Of a product, as its SI unit: "N m", of a number with another unit that one.
+// Returns the SI unit of a product: "N m"; with a plain number, the other unit.
 std::string product_unit(const Unit& a, const Unit& b);
 
-// The SI unit of the same dimension, as parameters of that kind have it: "N" of "mN", "Pa" of "N/mm^2". Throws as to_si does.
+// Returns the SI unit of the same dimension as parameters have it: "N" for "mN", "Pa" for "N/mm^2".
+// Throws as to_si does.
 std::string si_unit(const std::string& unit);
 
-// The exponents of the base units that the SI unit of its dimension has: {m: 1, s: -2} of "mm/s^2"; radians are none. Throws as to_si does.
+// Returns the exponents of the base units: {m: 1, s: -2} for "mm/s^2"; radians have none. Throws as
+// to_si does.
 std::map<std::string, int> base_dimension(const std::string& unit);
 
 std::string unit_noun(const Unit& unit);         // "pressure (Pa)"

@@ -1,5 +1,5 @@
-// One node of a parsed scene file, with the place it came from. This is the program's own tree: no
-// other header needs to know the YAML library. Maps keep the order of the file.
+// A node of a parsed scene file, with its source location. Hides the YAML library from other
+// headers. Maps keep the order of the file.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace tack {
 
-// Where a value was written. Line and column count from 1; line 0 means the value does not stand in
-// a file (`--set a.b=c`), and `file` then names the origin.
+// Source location of a value. Line and column count from 1. Line 0: the value is in no file (`--set
+// a.b=c`), and `file` names its origin.
 struct SourceMark {
   std::shared_ptr<const std::string> file;
   int line = 0;
@@ -24,11 +24,11 @@ struct Value {
   struct Entry;
 
   Kind kind = Kind::null;
-  std::string text;            // scalar, as written without its quotes
+  std::string text;            // scalar, as written, without quotes
   std::vector<Value> items;    // sequence
   std::vector<Entry> entries;  // map
   SourceMark mark;
-  std::string comment;  // written behind the value by yaml_text, such as its unit
+  std::string comment;  // written after the value by yaml_text, such as its unit
 
   static Value scalar(std::string text);
   static Value number(double value);  // shortest text that reads back as the same bits
@@ -41,14 +41,14 @@ struct Value {
   bool is_sequence() const { return kind == Kind::sequence; }
   bool is_map() const { return kind == Kind::map; }
 
-  // The value under `key`; nullptr if this is no map or has no such key.
+  // Returns the value under `key`; nullptr if this is no map or has no such key.
   const Value* find(std::string_view key) const;
   Value* find(std::string_view key);
 
-  // Replaces the value under `key`, or appends it; returns the value in place.
+  // Replaces the value under `key`, or appends it. Returns the stored value.
   Value& set(std::string key, Value value);
 
-  // "'5 mm'", "a list of 2", "a map", "nothing": for messages.
+  // Returns "'5 mm'", "a list of 2", "a map" or "nothing", for messages.
   std::string description() const;
 };
 

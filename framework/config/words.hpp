@@ -1,4 +1,4 @@
-// English for messages, documentation and what is told while something runs.
+// English phrases for messages, documentation and progress reports.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// A number with the unit behind it, as in a scene's text: "100000 kg m^-1 s^-2" of a parameter,
-// "2e5" of a key whose unit is known.
+// A number with its unit, as a scene file has it: "100000 kg m^-1 s^-2" of a parameter, "2e5" of a
+// key whose unit is known.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@ namespace tack {
 
 struct WrittenNumber {
   double si = 0;
-  std::string unit;  // SI, of the same dimension; "" of a plain number
+  std::string unit;  // SI, of the same dimension; "" for a plain number
 
-  // Another number of the same unit, as a file would have it.
+  // Returns the text of another number with the same unit.
   std::string text_of(double other) const;
 };
 
-// Nothing for a text that is no number with a known unit.
+// Returns nothing for a text that is no number with a known unit.
 std::optional<WrittenNumber> written_number(const std::string& text);
 
 }  // namespace tack

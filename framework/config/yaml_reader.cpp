@@ -13,10 +13,10 @@
 namespace tack {
 namespace {
 
-// Aliases of aliases grow exponentially; no scene comes near this many nodes.
+// Limit of nodes: aliases of aliases grow exponentially, and no scene comes near this number.
 constexpr std::size_t max_nodes = 1'000'000;
 
-// Builds the tree from the parser's events; `open_` holds the collections not yet ended.
+// Builds the tree from the parser's events. open_: collections not yet ended.
 class TreeBuilder : public YAML::EventHandler {
  public:
   explicit TreeBuilder(std::shared_ptr<const std::string> file) : file_(std::move(file)) {}
@@ -127,7 +127,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   static void place_entry(Open& map, Value v) {
-    // An empty value is noticed by the parser only at the next token, often a line further.
+    // The parser notices an empty value only at the next token, often on the next line.
     if (v.is_null()) v.mark = map.key_mark;
     map.value.entries.push_back({std::move(map.key), std::move(map.key_mark), std::move(v)});
     map.has_key = false;
@@ -140,7 +140,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t nodes_ = 0;
 };
 
-// The four hexadecimal digits of "\uXXXX" at a position; -1 if there is no such escape.
+// Returns the code of a "\uXXXX" escape at a position; -1 if there is none.
 int escaped_unit(const std::string& text, size_t at) {
   int unit = 0;
   if (at + 6 > text.size() || text[at] != '\\' || text[at + 1] != 'u') return -1;
@@ -148,7 +148,8 @@ int escaped_unit(const std::string& text, size_t at) {
   return status == std::errc() && stop == text.data() + at + 6 ? unit : -1;
 }
 
-// JSON writes a character beyond U+FFFF as two escapes, "\ud83d\ude00", and YAML as one, "\U0001f600".
+// Joins surrogate pairs: JSON writes a character beyond U+FFFF as two escapes, "\ud83d\ude00", YAML
+// as one, "\U0001f600".
 std::string with_joined_surrogates(const std::string& text) {
   std::string joined;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -164,7 +165,7 @@ std::string with_joined_surrogates(const std::string& text) {
   return joined;
 }
 
-// The line of that number, from 1, without its line break; empty if there is none.
+// Returns line `number` (from 1) without its line break; empty if there is none.
 std::string_view line_of(std::string_view text, int number) {
   for (int i = 1; i < number; ++i) {
     const size_t end = text.find('\n');
@@ -174,7 +175,7 @@ std::string_view line_of(std::string_view text, int number) {
   return text.substr(0, text.find('\n'));
 }
 
-// The key of a line "  - key:value" whose colon no blank follows; empty if it has none.
+// Returns the key of a line "  - key:value" without a blank after the colon; empty if it has none.
 std::string_view key_without_blank(std::string_view line) {
   const size_t begin = line.find_first_not_of(" -"), colon = line.find(':');
   if (begin == line.npos || colon == line.npos || colon < begin || colon + 1 == line.size()) return {};
@@ -183,7 +184,7 @@ std::string_view key_without_blank(std::string_view line) {
   return plain && line[colon + 1] != ' ' && line[colon + 1] != '\r' && !line.substr(colon + 1).starts_with("//") ? key : std::string_view{};
 }
 
-// The parser notices some mistakes a line later than they are made.
+// Returns the message of a syntax error. The parser notices some mistakes a line late.
 std::string syntax_error(const std::string& text, const SourceMark& mark, const std::string& message) {
   for (int number = mark.line; number > 0 && number > mark.line - 3; --number) {
     const std::string_view line = line_of(text, number), key = key_without_blank(line);

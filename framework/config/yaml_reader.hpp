@@ -1,4 +1,4 @@
-// YAML text to a Value tree. Errors (syntax, duplicate keys, tags, several documents) are
+// Reads YAML text into a Value tree. Errors (syntax, duplicate keys, tags, several documents) are
 // InputErrors that open with file:line:column. Anchors and aliases are expanded by copying.
 #pragma once
 
@@ -9,10 +9,10 @@
 
 namespace tack {
 
-// `name` stands for the file in marks and messages.
+// name: stands for the file in marks and messages.
 Value read_yaml(const std::string& text, const std::string& name);
 
-// The nodes of a tree, itself included.
+// Returns the number of nodes of a tree, itself included.
 std::size_t count_values(const Value& v);
 
 }  // namespace tack

@@ -15,7 +15,7 @@ bool is_number(const std::string& text) {
   return status == std::errc() && stop == text.data() + text.size();
 }
 
-// Texts that mean themselves without quotes anywhere in YAML, in block and in flow style.
+// Returns true for texts that need no quotes in YAML, in block or flow style.
 bool is_plain(const std::string& text) {
   if (text.empty()) return false;
   if (is_number(text)) return true;
@@ -46,7 +46,8 @@ std::string quoted(const std::string& text) {
 
 std::string scalar_text(const std::string& text) { return is_plain(text) ? text : quoted(text); }
 
-// Lists of scalars, and lists of such lists (schedules), are kept in one line.
+// Returns true for lists of scalars and lists of such lists (schedules), which are written in one
+// line.
 bool fits_one_line(const Value& v, int depth = 0) {
   if (v.is_map()) return v.entries.empty();
   if (depth > 2) return false;
@@ -56,7 +57,7 @@ bool fits_one_line(const Value& v, int depth = 0) {
 
 void write_block(const Value& v, int indent, std::string& out);
 
-// Behind "key:" or "-": on the same line if it fits, else as an indented block.
+// Writes a value after "key:" or "-": on the same line if it fits, else as an indented block.
 void write_after(const Value& v, int indent, std::string& out) {
   if (!fits_one_line(v)) {
     out += '\n';

@@ -1,4 +1,4 @@
-// A Value tree as YAML text that reads back as the same tree (apart from marks and comments).
+// Writes a Value tree as YAML text that reads back as the same tree, without marks and comments.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace tack {
 
-// Block style, lists of plain values in one line, comments behind values. Ends with a newline.
+// Returns block style with lists of plain values in one line and comments after values. Ends with a
+// newline.
 std::string yaml_text(const Value& value);
 
-// One line: "[0, 0, 1]", "{type: cholmod}".
+// Returns one line: "[0, 0, 1]", "{type: cholmod}".
 std::string inline_text(const Value& value);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// The few BLAS and LAPACK kernels that sparse factorisations are made of, for float and double.
-// Column-major; "lower" throughout.
+// BLAS and LAPACK kernels of sparse factorisations, for float and double. Matrices are
+// column-major, triangles lower.
 #pragma once
 
 #include <cstddef>
