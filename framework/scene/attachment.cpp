@@ -23,7 +23,7 @@ void AttachConfig::fields(Fields& f) {
 
 namespace {
 
-constexpr double of_size = 1e-3;   // the usual `within`
+constexpr double of_size = 1e-3;   // default of `within`, as a fraction of the other object's size
 
 int target_index(const AttachConfig& attach, int own, const World& world, const std::string& name) {
   const int index = world.index_of(attach.to, name + ": ");

@@ -1,4 +1,5 @@
-// `attach:` of an object: vertices that follow another one, as if they were points of its mesh.
+// `attach:` of an object: vertices that depend on another object, as if they were points of its
+// mesh.
 #pragma once
 
 #include <memory>
@@ -21,10 +22,11 @@ struct AttachConfig {
   void fields(Fields& f);
 };
 
-// Adds what object `index` attaches to the world's bindings. A vertex follows the tet of the other object that it is
-// in, or that has the closest face; the triangle that it lies on, of one without tets; or the frame of an affine body.
-// Throws InputError if one is too far away, held by a script, or attached to what follows it in turn.
-// Where surfaces touch, the two objects are in no contact (World::attached).
+// Adds the attachments of object `index` to the world's bindings. A vertex depends on the
+// tetrahedron of the other object that contains it or has the nearest face; without tetrahedra, on
+// the triangle that it lies on; or on the frame of an affine body. Throws InputError if a vertex is
+// too far away, prescribed by a motion, or attached to an object that depends on it. Where surfaces
+// touch, the two objects have no contact (World::attached).
 void add_attachments(const SceneConfig& scene, int index, World& world);
 
 }  // namespace tack

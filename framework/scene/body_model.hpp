@@ -1,5 +1,5 @@
-// What an object is made of beside its energies: `body: affine` makes it move affinely, with twelve unknowns whatever
-// its mesh. Without one, its vertices are free.
+// How an object moves as a whole: `body: affine` gives it twelve unknowns, whatever its mesh.
+// Without a body model its vertices are free.
 #pragma once
 
 #include <optional>

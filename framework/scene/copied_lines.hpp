@@ -1,4 +1,4 @@
-// Sentences about objects, of which all copies of one (fill.hpp) share a single one of a kind.
+// Report lines about objects, of which the copies of one object (fill.hpp) share one line per kind.
 #pragma once
 
 #include <fmt/format.h>
@@ -29,12 +29,15 @@ class CopiedLines {
   std::vector<std::string> texts() const {
     std::vector<std::string> texts;
     for (const Line& line : lines_)
-      texts.push_back(line.more == 0 ? line.text : fmt::format("{} (and so it is for {} more copies of '{}')", line.text, line.more, line.group));
+      texts.push_back(line.more == 0 ? line.text
+                                     : fmt::format("{} (and so it is for {} more copies of '{}')",
+                                                   line.text, line.more, line.group));
     return texts;
   }
 
  private:
-  // The entry that it is a copy of: the last of its groups, of which it has the name and a number; else "".
+  // Returns the entry that an object is a copy of: the last of its groups, if its name is that
+  // group and a number; else "".
   static std::string copies_of(const ObjectConfig& object) {
     if (object.groups.empty() || !object.name.starts_with(object.groups.back() + "_")) return "";
     return object.groups.back();
@@ -42,7 +45,7 @@ class CopiedLines {
 
   struct Line {
     std::string text, group;
-    int more = 0;  // copies of the same that it also holds for
+    int more = 0;  // further copies that the line holds for
   };
 
   std::map<std::pair<std::string, std::string>, size_t> line_of_;  // by group and kind

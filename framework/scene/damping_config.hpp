@@ -1,4 +1,4 @@
-// Damping of an object, as the scene gives it.
+// Damping of an object, as in the scene file.
 #pragma once
 
 #include "framework/config/field.hpp"

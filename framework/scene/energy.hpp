@@ -14,25 +14,26 @@ class Energy : public Component {
   static constexpr const char* kind_name = "energy";
   static constexpr const char* kind_doc = "A potential energy of an object, with its material.";
 
-  // What derives from it lists its own behind these.
+  // Derived classes append their fields to these.
   void fields(Fields& f) override;
-  // It acts on the elements all of whose vertices this chooses (selected_elements.hpp); null: on all.
+  // Selection of the elements that the energy acts on, by their vertices (selected_elements.hpp);
+  // null: all.
   const Selection* selection() const { return select_.get(); }
 
-  // rest: the rest configuration of all vertices (3n). Throws InputError if the body lacks the
-  // elements that the energy needs. Null: inertia alone.
+  // Makes the term. rest: rest configuration of all vertices (3n) [m]. Throws InputError if the
+  // body lacks the elements that the energy needs. Null: the energy only adds mass.
   virtual std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const = 0;
-  // Whether what it makes of tets depends on what elements they are (Body::elements).
+  // Returns true if the term on tetrahedra depends on their kind (Body::elements).
   virtual bool takes_elements() const { return false; }
-  // Whether it asks for the twist of edges (Body::rod).
+  // Returns true if the energy needs twists of edges (Body::rod).
   virtual bool twists() const { return false; }
   // Adds the body's lumped mass [kg] per vertex.
   virtual void add_mass(const Body& /*body*/, const VecX& /*rest*/, VecX& /*mass*/) const {}
-  // The stiffness that adhesion and barrier are scaled by [Pa].
+  // Young's modulus that scales adhesion and barrier [Pa].
   virtual std::optional<double> young() const { return std::nullopt; }
-  // Poisson's ratio of what fills volumes.
+  // Poisson's ratio of a solid [1].
   virtual std::optional<double> poisson() const { return std::nullopt; }
-  // The bending stiffness of a sheet or a rod, per width [N m]; 0 if it does not resist bending.
+  // Bending stiffness of a sheet or rod per width [N m]; 0 if it does not resist bending.
   virtual double bending_stiffness(const Body& /*body*/) const { return 0; }
 
  private:

@@ -1,4 +1,4 @@
-// An energy that asks for unknowns beyond the vertices of its object.
+// An energy with unknowns beyond the vertices of its object.
 #pragma once
 
 #include <stdexcept>
@@ -10,9 +10,12 @@ namespace tack {
 
 class EnergyWithUnknowns : public Energy {
  public:
-  // As Energy::make_term; `rest` has what was asked for as well, once it was.
-  virtual std::unique_ptr<Term> make_with_unknowns(const Body& body, const VecX& rest, Unknowns unknowns) const = 0;
-  std::unique_ptr<Term> make_term(const Body&, const VecX&) const final { throw std::logic_error("an energy that asks for unknowns is made with a builder"); }
+  // Makes the term as Energy::make_term does. `rest` includes the unknowns requested so far.
+  virtual std::unique_ptr<Term> make_with_unknowns(const Body& body, const VecX& rest,
+                                                   Unknowns unknowns) const = 0;
+  std::unique_ptr<Term> make_term(const Body&, const VecX&) const final {
+    throw std::logic_error("an energy that asks for unknowns is made with a builder");
+  }
 };
 
 }  // namespace tack

@@ -34,7 +34,7 @@ class Random {
  public:
   explicit Random(int seed) : bits_(static_cast<std::uint64_t>(seed)) {}
   double number() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }  // in [0, 1)
-  // All directions alike (Shoemake 1992).
+  // Returns a uniformly distributed rotation (Shoemake 1992).
   Eigen::Quaterniond rotation() {
     const double u = number(), a = 2 * M_PI * number(), b = 2 * M_PI * number();
     const double p = std::sqrt(1 - u), q = std::sqrt(u);
@@ -45,12 +45,12 @@ class Random {
   std::mt19937_64 bits_;
 };
 
-// What has been placed, by the cells of a grid.
+// Copies placed so far, in the cells of a grid.
 class Placed {
  public:
   Placed(const SphereTree& tree, double clearance) : tree_(tree), clearance_(clearance), cell_(2 * tree.radius() + clearance) {}
 
-  // Whether another one there keeps its distance from all.
+  // Returns true if a copy at `pose` keeps its distance from all others.
   bool fits(const Pose& pose) const {
     const auto c = cell(pose);
     for (int i = -1; i <= 1; ++i)
@@ -87,12 +87,12 @@ class Placed {
   std::unordered_map<std::uint64_t, std::vector<size_t>> cells_;
 };
 
-// Of one fill: places of copies of a mesh, which is moved by them from where it is.
+// Places the copies of one fill. Poses are relative to the mesh's own placement.
 class Filler {
  public:
   Filler(const FillConfig& fill, const Mesh& mesh) : fill_(fill), mesh_(mesh), tree_(mesh), placed_(tree_, fill.clearance), random_(fill.seed) {
     if (mesh.vertices.empty()) throw InputError("fill: the shape has no vertices");
-    // Its grids, if it needs any, are as fine as what it holds.
+    // Grids of the region get cells a quarter of the copy's radius, or half of the clearance.
     fill.region->prepare(std::max(tree_.radius() / 4, fill.clearance / 2));
     box_ = fill.region->bounds();
     if (box_.isEmpty() || !finite(box_)) throw InputError("fill.region: must be bounded and not empty");
@@ -100,7 +100,7 @@ class Filler {
 
   std::vector<Pose> poses() {
     const int wanted = count();
-    constexpr int patience = 20000;  // misses in a row
+    constexpr int patience = 20000;  // consecutive failures
     for (int misses = 0; static_cast<int>(placed_.poses().size()) < wanted;) {
       const Pose pose = anywhere();
       if (within(pose) && placed_.fits(pose)) placed_.add(pose), misses = 0;
@@ -119,7 +119,7 @@ class Filler {
     return std::max(1, static_cast<int>(std::lround(*fill_.packing * mass_properties(surface).volume / mass_properties(mesh_).volume)));
   }
 
-  // The middle of the copy somewhere in the box.
+  // Returns a pose with its centre at a random position in the box.
   Pose anywhere() {
     Vec3 at;
     for (int k = 0; k < 3; ++k) at[k] = box_.min()[k] + box_.sizes()[k] * random_.number();
@@ -153,7 +153,7 @@ class Filler {
 
 Value vector_value(const Vec3& v) { return Value::sequence({Value::number(v.x()), Value::number(v.y()), Value::number(v.z())}); }
 
-// The place of a copy: that of the object, and then the pose.
+// Returns the placement of a copy: that of the object, followed by the pose.
 Value place_value(const PlaceConfig& place, const Pose& pose) {
   const Mat3 before = place.angle == 0 ? Mat3(Mat3::Identity()) : Mat3(Eigen::AngleAxisd(place.angle, place.axis.normalized()));
   const Eigen::AngleAxisd turned(Mat3(pose.linear() * before));

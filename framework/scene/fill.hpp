@@ -1,8 +1,8 @@
-// Many copies of an object in a region, at random and apart from each other.
-//
-// An object with `fill` stands for its copies: before anything is built, the entry of the scene's tree is replaced by one for
-// each copy, with a place of its own, named after it with a number and in a group of its name. So whatever reads the
-// scene sees objects alone, and messages name the line of the entry that they came from.
+// Random copies of an object in a region, at a distance from each other.
+// Before anything is built, an entry with `fill` in the scene's tree is replaced by one entry per
+// copy, each with its own placement, the name of the entry with a number, and a group of the
+// entry's name. Thus other code only sees objects, and messages give the line of the original
+// entry.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,8 @@ struct FillConfig {
 
 struct SceneConfig;
 
-// root: what `scene` was bound from. Throws InputError, with the place of the entry, if copies do not fit.
+// Returns the tree with copies. root: the tree that `scene` was bound from. Throws InputError, with
+// the entry's source location, if the copies do not fit.
 Value filled(Value root, const SceneConfig& scene);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// The parts of a scene's contact section that act along surfaces.
+// Tangential settings of a scene's contact section.
 #pragma once
 
 #include <optional>

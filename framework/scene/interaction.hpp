@@ -1,5 +1,6 @@
-// What acts between objects, on vertices that are chosen of them, or on one: an entry of `interactions:`. It is turned into terms of the
-// potential (core/term.hpp), with unknowns of its own and vertices that follow others, by a builder (interaction_builder.hpp).
+// An interaction between objects, on selected vertices, or on one object: an entry of
+// `interactions:`. A builder (interaction_builder.hpp) turns it into terms of the potential
+// (core/term.hpp), with unknowns of its own and dependent vertices.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@ namespace tack {
 
 class InteractionBuilder;
 
-// Vertices of an object, as a value of a scene: {object: NAME, select: {...}}.
+// Vertices of an object, as a scene value: {object: NAME, select: {...}}.
 struct ObjectVertices {
   std::string object;
   std::unique_ptr<Selection> select = Registry<Selection>::make("all");
@@ -23,18 +24,20 @@ struct ObjectVertices {
 class Interaction : public Component {
  public:
   static constexpr const char* kind_name = "interaction";
-  static constexpr const char* kind_doc = "A connection between objects or vertices, or an action on one object: joints, springs, ropes, fluid "
-                                          "cavities.";
+  static constexpr const char* kind_doc =
+      "What acts between objects, on vertices of them, or on one.";
 
-  // What derives from it lists its own behind these.
+  // Derived classes append their fields to these.
   void fields(Fields& f) override;
-  const std::string& given_name() const { return name_; }  // "": none is given
+  const std::string& given_name() const { return name_; }  // "": none was given
 
-  // On which it acts, by name, or by that of a group; "*": all.
+  // Names of the objects or groups that it acts on; "*": all.
   virtual std::vector<std::string> objects() const = 0;
-  // Whether these stay where the scene puts them: contact.push_out moves none of them then.
+  // Returns true if these objects keep their placement, so that contact.push_out does not move
+  // them.
   virtual bool places() const { return true; }
-  // Asks the builder for all that it consists of. Throws InputError, to which its place in the file is added.
+  // Requests all parts of the interaction from the builder. Throws InputError; the caller adds the
+  // source location.
   virtual void build(InteractionBuilder& builder) const = 0;
 
  private:

@@ -12,7 +12,7 @@ namespace tack {
 namespace {
 
 constexpr const char* all_objects = "*";
-// Of a side; the rank of an entry orders as pair_configs.hpp says.
+// Rank of a side; sums of two sides order entries as in pair_configs.hpp.
 enum Rank { all = 0, group = 1, object = 3 };
 
 bool in_group(const ObjectConfig& o, const std::string& name) {

@@ -1,11 +1,13 @@
-// Which entry of contact.pairs holds for two objects. An entry names two sides: an object, a group of objects or "*", which
-// is every object. Where several entries fit, the one that says more of who is meant holds: two objects before an object
-// and a group, then an object and all, two groups, a group and all, all and all.
-// A side may be a part of an object that it names. Such entries hold where both places are within what they name, before the entry of the whole
-// objects if they say as much of who is meant: two parts before one. Two that say as much of the same places are told apart by nothing, and refused
-// (SurfaceParts).
-// Errors: InputError with the place of the entry for a name that is none, a part of what is no single object, an integration side that is none, and two entries
-// that say as much of the same two objects.
+// The entry of contact.pairs that holds for two objects. Each side of an entry names an object, a
+// group of objects or "*" (every object). Of several matching entries the most specific one holds,
+// in this order:
+//     object and object; object and group; object and *; group and group; group and *; * and *
+// A side may name a region of an object. Such an entry holds where both positions are within the
+// named regions, before an entry of whole objects of the same rank; two regions precede one. Two
+// entries that are equally specific for the same positions are an error (SurfaceParts).
+// Errors: InputError with the entry's source location, for an unknown name, a region of a side that
+// is not a single object, an invalid integration side, and two entries equally specific for the
+// same two objects.
 #pragma once
 
 #include <array>
@@ -19,42 +21,50 @@
 
 namespace tack {
 
-// How an object is meant by a name in a pair.
+// How a name in a pair matches an object.
 enum class NamedAs { not_at_all, everything, group, object };
 NamedAs named_as(const ObjectConfig& object, const std::string& name);
 
 class PairConfigs {
  public:
-  // classes: objects of one are named by the same entries (ObjectClasses).
+  // classes: objects of one class match the same entries (ObjectClasses).
   PairConfigs(const SceneConfig& scene, const Value& root, const ObjectClasses& classes);
 
-  // The number of the entry of the whole objects; -1: none fits.
+  // Returns the index of the entry for the whole objects; -1: none matches.
   int of(int a, int b) const { return entry_[classes_.index(a, b)]; }
-  // Those of parts that hold before it, the ones that say more first, then as in the file.
+  // Returns the entries of regions that precede it, most specific first, then in file order.
   std::vector<int> of_parts(int a, int b) const;
-  // Whether the entry's first side is on a, if it is of a and b (both may be).
-  bool turned(int entry, int a, int b) const { return !(has(entries_[entry].first, a) && has(entries_[entry].second, b)); }
-  // Whether two entries say as much.
-  bool equal(int i, int j) const { return entries_[i].rank == entries_[j].rank && entries_[i].parts == entries_[j].parts; }
-  // Whether the entry names the two objects themselves.
+  // Returns true if the entry's first side matches b, not a (false if both orders match).
+  bool turned(int entry, int a, int b) const {
+    return !(has(entries_[entry].first, a) && has(entries_[entry].second, b));
+  }
+  // Returns true if two entries are equally specific.
+  bool equal(int i, int j) const {
+    return entries_[i].rank == entries_[j].rank && entries_[i].parts == entries_[j].parts;
+  }
+  // Returns true if the entry names both objects themselves.
   bool names_objects(int entry) const { return entries_[entry].rank == most_said; }
-  // Whether the integration side that the entry names is, or holds, an object.
+  // Returns true if the entry's integration side is, or contains, the object.
   bool integrates(int entry, int object) const { return has(entries_[entry].integrates, object); }
-  std::string place(int entry) const;  // in the file, for messages
-  InputError error(int entry, const std::string& message) const { return InputError(place(entry) + message); }
+  std::string place(int entry) const;  // source location, for messages
+  InputError error(int entry, const std::string& message) const {
+    return InputError(place(entry) + message);
+  }
 
  private:
   static constexpr int most_said = 6;
   struct Entry {
     std::vector<char> first, second, integrates;  // per object
-    int rank = 0;                                 // how much is said of who is meant
-    int parts = 0;                                // how many sides are a part
+    int rank = 0;                                 // specificity of the sides
+    int parts = 0;                                // number of sides that are a region
   };
   struct Side {
     std::vector<char> objects;
     int rank;
   };
-  static bool has(const std::vector<char>& objects, int object) { return !objects.empty() && objects[object]; }
+  static bool has(const std::vector<char>& objects, int object) {
+    return !objects.empty() && objects[object];
+  }
   bool meant(int entry, int a, int b) const { return !turned(entry, a, b) || !turned(entry, b, a); }
   Side side(int entry, const PairSide& named) const;
   void read(int entry);

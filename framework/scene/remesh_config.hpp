@@ -1,4 +1,4 @@
-// When the tets of an object are exchanged for better ones between steps, as the scene gives it.
+// Quality criteria for remeshing an object between steps, as in the scene file.
 #pragma once
 
 #include "framework/config/field.hpp"
@@ -6,8 +6,8 @@
 namespace tack {
 
 struct RemeshConfig {
-  double quality = 0.1;  // mean ratio of the worst tet, below which it is done
-  double goal = 0.3;     // that is good enough
+  double quality = 0.1;  // mean ratio of the worst tetrahedron, below which the object is remeshed
+  double goal = 0.3;     // mean ratio at which remeshing stops
   void fields(Fields& f);
 };
 

@@ -1,4 +1,5 @@
-// An energy of rods or particles, which turn by friction if the scene says so (contact_spins.hpp).
+// An energy of rods or particles, whose elements roll by friction if the scene says so
+// (contact_spins.hpp).
 #pragma once
 
 #include <algorithm>
@@ -22,7 +23,7 @@ class RollingEnergy : public Energy {
   bool rolling_ = false;
 };
 
-// Returns whether one of the object's energies is a rolling energy.
+// Returns true if one of the object's energies is a rolling energy.
 inline bool rolls(const ObjectConfig& object) {
   return std::any_of(object.energies.begin(), object.energies.end(), [](const auto& energy) {
     const auto* rolling = dynamic_cast<const RollingEnergy*>(energy.get());

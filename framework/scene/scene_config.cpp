@@ -6,7 +6,7 @@
 
 namespace tack {
 
-// Listed though the program may have none of its own.
+// Registers the kind even if the program has no interaction of its own.
 [[maybe_unused]] static const Kind& interactions = Registry<Interaction>::kind();
 
 void NamedSelection::fields(Fields& f) {

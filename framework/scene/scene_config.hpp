@@ -1,5 +1,5 @@
-// What is simulated, typed: objects, what acts on them, and between them. A part of the experiment's file
-// (framework/experiment/experiment.hpp). Nothing is built here (build_world.hpp).
+// The typed scene: objects, and what acts on and between them. Part of a file that can be run
+// (framework/experiment/experiment.hpp). build_world.hpp makes a world of it.
 #pragma once
 
 #include <memory>
@@ -26,20 +26,20 @@
 
 namespace tack {
 
-// What `{type: tag, name: ...}` refers to, as to a group of a mesh file.
+// A selection that `{type: tag, name: ...}` refers to like a group of a mesh file.
 struct NamedSelection {
   std::string name;
   std::unique_ptr<Selection> select;
   void fields(Fields& f);
 };
 
-// The surface that contact sees, finer than that of the mesh.
+// A contact surface finer than that of the mesh.
 struct SurfaceConfig {
   double edge_length = 0;  // m
   void fields(Fields& f);
 };
 
-// What energies of triangles ask for.
+// Data of shells, used by energies of triangles.
 struct ShellConfig {
   double thickness = 0;  // m
   void fields(Fields& f);
@@ -47,21 +47,21 @@ struct ShellConfig {
 
 struct ObjectConfig {
   std::string name;
-  std::vector<std::string> groups;  // that it belongs to
+  std::vector<std::string> groups;  // groups that it belongs to
   std::unique_ptr<ShapeSource> shape;
   PlaceConfig place;
   Elements elements = Elements::linear;
-  std::optional<FillConfig> fill;  // of what was loaded, none: copies stand in its place
+  std::optional<FillConfig> fill;  // none once the scene is loaded: copies have replaced the entry
   std::vector<NamedSelection> selections;
   std::optional<SurfaceConfig> surface;
   std::optional<ShellConfig> shell;
   std::optional<RodConfig> rod;
   std::optional<ParticleConfig> particle;
   double contact_offset = 0;  // m
-  std::unique_ptr<BodyModel> body;  // null: its vertices are free
+  std::unique_ptr<BodyModel> body;  // null: vertices are free
   std::vector<std::unique_ptr<Energy>> energies;
   std::optional<DampingConfig> damping;
-  std::optional<RemeshConfig> remesh;  // none: its elements stay
+  std::optional<RemeshConfig> remesh;  // none: elements are kept
   std::vector<std::unique_ptr<Motion>> motion;
   std::vector<AttachConfig> attach;
   std::vector<std::unique_ptr<Load>> loads;
@@ -70,10 +70,10 @@ struct ObjectConfig {
   void fields(Fields& f);
 };
 
-// One of two sides that meet.
+// One side of a pair.
 struct PairSide {
-  std::string object;                 // or a group, or "*"
-  std::unique_ptr<Selection> select;  // null: all of it
+  std::string object;                 // name of an object or group, or "*"
+  std::unique_ptr<Selection> select;  // null: the whole object
   void fields(Fields& f);
   std::string text() const;  // for messages
 };
@@ -91,7 +91,7 @@ struct PairConfig {
   std::optional<double> bond_distance;  // m
   Unstressed unstressed = Unstressed::as_bonded;
   std::string integrate = "automatic";
-  bool bonds() const;  // whether its adhesion is one by bonds
+  bool bonds() const;  // true if its adhesion is by bonds
   void fields(Fields& f);
 };
 

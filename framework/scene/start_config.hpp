@@ -1,4 +1,4 @@
-// Where objects of a scene start that an earlier run has moved already: at one of its checkpoints.
+// Initial state of objects from an earlier run, at one of its checkpoints.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 namespace tack {
 
 struct StartConfig {
-  std::string from;                  // a checkpoint, or the folder of a run: its newest
-  std::vector<std::string> objects;  // or groups; empty: all that both scenes have
+  std::string from;                  // a checkpoint, or the folder of a run, for its newest one
+  std::vector<std::string> objects;  // names of objects or groups; empty: all that both scenes have
   bool velocities = true;
   void fields(Fields& f);
 };

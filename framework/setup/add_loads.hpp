@@ -1,4 +1,4 @@
-// The loads of a scene, in its world.
+// Adds the loads of a scene to its world.
 #pragma once
 
 #include "framework/scene/scene_config.hpp"
@@ -6,10 +6,12 @@
 
 namespace tack {
 
-// All that objects have. Every load finds what it acts on, or this is told before anything is written (InputError). root: the parsed file.
+// Adds the loads of all objects. Throws InputError, before any result is written, for a load that
+// finds nothing to act on. root: the parsed file.
 void add_loads(const SceneConfig& scene, const Value& root, World& world);
 
-// Of a term of the world that is such a load: all are asked for their work. Throws InputError for a name that another one has.
+// Records a term of the world that is a load, so that its work is reported. Throws InputError for a
+// name that is in use.
 void note_following_load(FollowingLoad& load, World& world);
 
 }  // namespace tack

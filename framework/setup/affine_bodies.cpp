@@ -61,7 +61,7 @@ double default_stiffness(const ObjectConfig& object, const Body& body, const Loa
   Vec3 size = extent_of(body, rest).sizes();
   std::sort(size.begin(), size.end());
   const double stress = loading.weight / (size(0) * size(1)) + object.body->density() * size(2) * loading.speed / step;
-  constexpr double least = 1e6;  // Pa: of what nothing ever pushes
+  constexpr double least = 1e6;  // [Pa], for bodies that nothing pushes
   return std::max(least, stress / tolerated_affine_strain);
 }
 
@@ -73,7 +73,7 @@ void add_affine_masses(const ObjectConfig& object, int index, World& world) {
 void add_affine_terms(const SceneConfig& scene, const Value& root, const RunTimes& times, World& world) {
   auto term = std::make_unique<OrthogonalityTerm>();
   const std::vector<Loading> loading = loadings(scene, world, times.duration);
-  // Copies of one entry (fill) are as stiff as the stiffest of them, however they are turned.
+  // Copies of one entry (fill) get the stiffness of the stiffest, whatever their orientation.
   std::map<std::string, double> of_entry;
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];

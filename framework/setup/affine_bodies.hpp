@@ -1,4 +1,4 @@
-// Objects with `body: affine`: their frames, masses and stiffness (framework/affine).
+// Frames, masses and stiffness of objects with `body: affine` (framework/affine).
 #pragma once
 
 #include "framework/scene/scene_config.hpp"
@@ -7,14 +7,15 @@
 
 namespace tack {
 
-// Appends the frame of body `index` to the vertices of the world, whose mesh vertices are all
-// there. Throws InputError if it encloses no volume.
+// Appends the frame of body `index` to the world's vertices; all mesh vertices must be there.
+// Throws InputError if the body encloses no volume.
 void add_frame(const ObjectConfig& object, int index, World& world);
 
-// Masses and the orthogonality term, once masses of all bodies have a place. The default stiffness
-// is what the largest stress that bodies in reach may cause (loading.hpp) strains by 1e-4: their
-// weight on the smallest face of the body, and what stops it within a step at the speed that it may
-// reach.
+// add_affine_masses: adds the masses of a frame. add_affine_terms: adds the orthogonality term,
+// once all masses are there.
+// The default stiffness allows a strain of 1e-4 under the largest stress that bodies in reach may
+// cause (loading.hpp): their weight on the smallest face of the body, plus the stress that stops
+// the body within a step at the speed it may reach.
 void add_affine_masses(const ObjectConfig& object, int index, World& world);
 void add_affine_terms(const SceneConfig& scene, const Value& root, const RunTimes& times,
                       World& world);

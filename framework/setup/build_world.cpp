@@ -44,7 +44,8 @@ Mesh placed(Mesh mesh, const ObjectConfig& object) {
   return mesh;
 }
 
-// The mesh as the object's elements need it. Notes in the digest, which is that of the mesh before it was placed, that it has others.
+// Returns the mesh with the object's kind of elements, and notes the kind in the digest of the mesh
+// before placement.
 Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
   if (object.elements == Elements::linear) return mesh;
   const char* remedy = "take `elements` away";
@@ -65,7 +66,7 @@ Mesh with_elements(Mesh mesh, const ObjectConfig& object, MeshDigest& digest) {
   return mesh;
 }
 
-// The mesh of an object that was meshed anew; groups that the scene names are chosen again.
+// Returns the mesh of a remeshed object, with the scene's groups selected again.
 Mesh mesh_of(const FlowedMesh& anew, const ObjectConfig& object, const SceneConfig& scene) {
   Mesh mesh = anew.mesh;
   for (const auto* names : {&object.selections, &scene.selections})
@@ -222,14 +223,14 @@ void start_state(const SceneConfig& scene, World& world) {
   world.dofs.follow(s.v);
 }
 
-// One object at a time, so that a message can name its place in the file.
+// Calls action for each object and adds its source location to messages.
 template <class Action>
 void for_each_object(const SceneConfig& scene, const Value& root, const Action& action) {
   for (size_t i = 0; i < scene.objects.size(); ++i)
     at_place(entry_of(root.find("objects"), i), [&] { action(i); });
 }
 
-// Returns the record of a scene that names friction and has none (`mu: 0`): its forces are zero.
+// Returns the record of a scene with friction of mu = 0: its forces are zero.
 ForceRecord no_friction() {
   ForceRecord force{"friction", Acting::tangential, {"friction", "adhesion"}};
   force.add = [](const VecX&, std::string_view, VecX&) {};
@@ -244,7 +245,7 @@ bool names_friction(const SceneConfig& scene) {
   return scene.contact->friction || std::any_of(pairs.begin(), pairs.end(), [](const auto& pair) { return pair.friction.has_value(); });
 }
 
-// Friction before damping, as what works against both is summed in this order.
+// Publishes friction before damping, the order in which dissipation is summed.
 void publish(World& world, bool friction_named) {
   for (const auto& term : world.elastic_terms) world.records.publish(*term);
   if (!world.gravity.isZero())

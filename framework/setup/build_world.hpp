@@ -1,4 +1,4 @@
-// From the typed scene file to a world.
+// Builds a world from the typed scene.
 #pragma once
 
 #include <memory>
@@ -15,26 +15,26 @@ namespace tack {
 
 struct InitialStateFromRun;
 
-// Builds the world as it is before the first step of a run; it points into the scene. `root` is the
-// parsed file, for places in messages. Throws InputError for anything that does not fit together,
-// also for a start that intersects. `earlier`: the state that the scene's `start` speaks of; null
-// without. `flowed`: the meshes of objects that were meshed anew in a run that is gone on with,
-// whose start is behind it.
+// Builds the world as it is before the first step of a run. The world refers to the scene.
+//   root      the parsed file, for source locations in messages
+//   earlier   the state that the scene's `start` names; null without
+//   flowed    meshes of objects remeshed in a resumed run, whose start is past
+// Throws InputError for any inconsistency, also for an initial configuration that intersects.
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root,
                                    const RunTimes& times, PhaseClock& clock,
                                    const InitialStateFromRun* earlier = nullptr, const FlowedMeshes& flowed = {});
 
-// The pairs of objects and their laws (build_world_contact.cpp).
+// Builds the pairs of objects and their laws (contact_setup.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times,
                    PhaseClock& clock, World& world);
 
-// Entry i of a list as it stands in the file; null if the list is not there.
+// Returns entry i of a list as in the file; null if there is no list.
 const Value* entry_of(const Value* list, size_t i);
 
-// "scene.yaml:12:3: " of entry i of a list at the top of the scene, for messages.
+// Returns "scene.yaml:12:3: " for entry i of a list at the top level of the scene.
 std::string place_of(const Value& root, const std::string& list, size_t i);
 
-// Runs an action whose messages lack a place with that of a value, if it is known.
+// Runs `action` and adds the source location of `value`, if known, to its InputErrors.
 template <class Action>
 void at_place(const Value* value, const Action& action) {
   try {

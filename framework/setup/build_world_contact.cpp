@@ -1,4 +1,4 @@
-// Which objects touch and adhere, with which laws: from the scene's contact section to a PairTable.
+// Builds the PairTable from the scene's contact section: contacting objects and their laws.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct SurfaceSize {
   double per_vertex() const { return vertices > 0 ? area / vertices : 0; }
 };
 
-// Rods beside triangles: their length times their width.
+// Returns edge areas; rods beside triangles count length times width.
 std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, double rod_width) {
   std::vector<double> areas = edge_areas(mesh, surface);
   for (const int e : surface.codim_edges) {
@@ -39,7 +39,7 @@ std::vector<double> areas_of_edges(const Mesh& mesh, const Surface& surface, dou
 SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hull, ContactSurface& all) {
   const Mesh mesh = body.surface_triangles.empty() ? local_mesh(body, rest) : surface_mesh(body, rest);
   Surface surface = extract_surface(mesh);
-  // In the order in which the run began, by whose numbers what is remembered knows them.
+  // Keeps the triangle order of the start of the run, which the history's indices refer to.
   for (size_t t = 0; !body.references.empty() && t < body.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) surface.triangles[t][i] = body.triangles[t][i] - body.first_vertex;
   const auto areas = vertex_areas(mesh, surface);
@@ -58,15 +58,15 @@ SurfaceSize add_surface(const Body& body, int object, const VecX& rest, bool hul
   for (const Edge& e : surface.edges) all.mesh.edges.push_back({global(e[0]), global(e[1])});
   for (const Triangle& t : surface.triangles) all.mesh.triangles.push_back({global(t[0]), global(t[1]), global(t[2])});
   all.edge_area.insert(all.edge_area.end(), edges.begin(), edges.end());
-  // A refined surface is one of tets, or a sheet; a hull and an affine body that is a mesh of triangles enclose a volume.
+  // Closed surfaces: refined surfaces of tetrahedra, hulls, and affine bodies made of triangles.
   const bool closed = hull || !body.frame.empty() || (!body.surface_triangles.empty() && !body.tets.empty());
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
     all.two_sided.push_back(!closed && t >= surface.first_sheet);
   return size;
 }
 
-// With a range beyond the scene's own size, everything is in contact with everything: a mistake in a unit, and
-// pairs without end.
+// Throws InputError if the contact range exceeds the scene's size: all primitives would be in
+// contact, most probably through a wrong unit.
 void check_range(const PairTable& table, const Value& root, const VecX& rest) {
   double range = 0;
   for (const auto& law : table.laws()) range = std::max(range, law.range());
@@ -78,7 +78,8 @@ void check_range(const PairTable& table, const Value& root, const VecX& rest) {
                                "the range of the adhesion", contact ? contact->mark.text() + ": " : "", range, size));
 }
 
-// What a script holds rigidly, and affine bodies; empty without either.
+// Returns the rigid group of each vertex: prescribed rigid motions and affine bodies; empty without
+// either.
 std::vector<int> rigid_groups(const World& world) {
   if (world.script.holds().empty() && world.bindings.frames().empty()) return {};
   std::vector<int> groups;

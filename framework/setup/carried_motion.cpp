@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Its own motion, and then those of its carriers, up to the one that none carries.
+// The motion relative to its carrier, then the motions of all carriers in turn.
 class CarriedMotion : public Motion {
  public:
   CarriedMotion(const Motion& own, std::vector<const Motion*> carriers)
@@ -20,7 +20,7 @@ class CarriedMotion : public Motion {
   }
   void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t, VecX& x) const override {
     own_.place(vertices, rest, anchor, t, x);
-    // What is seized later goes along from there.
+    // A vertex that is prescribed later moves with the carrier from its position then.
     const RigidMap map = carried(t) * seized_;
     for (const int v : vertices) vertex(x, v) = map(vertex(x, v));
   }

@@ -1,4 +1,4 @@
-// Motions that go along with what another object does: kinematic chains.
+// Motions relative to the motion of another object: kinematic chains.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,10 @@
 
 namespace tack {
 
-// The motion of `object` as it is in space; null if nothing carries it. `name` is for messages.
-// Throws InputError if the object is not there, is carried by itself in the end, or has no one motion that holds all of it rigidly while
-// the carried one lasts.
-std::unique_ptr<Motion> carried_motion(const Motion& motion, const std::string& name, const std::string& object, const SceneConfig& scene);
+// Returns the motion of `object` in space; null if no object carries it. name: for messages. Throws
+// InputError if the carrier does not exist, if carriers form a cycle, or if the carrier has no
+// single rigid motion of all its vertices for as long as the carried motion lasts.
+std::unique_ptr<Motion> carried_motion(const Motion& motion, const std::string& name,
+                                       const std::string& object, const SceneConfig& scene);
 
 }  // namespace tack

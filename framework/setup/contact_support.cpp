@@ -34,7 +34,7 @@ std::vector<int> particles(const Mesh& mesh, const Surface& surface) {
   return found;
 }
 
-// "triangles 4, 5, 6 and 9 more"
+// Returns "triangles 4, 5, 6 and 9 more".
 std::string listed(const char* kind, const std::vector<int>& numbers) {
   constexpr size_t most = 5;
   const std::vector<int> first(numbers.begin(), numbers.begin() + std::min(most, numbers.size()));

@@ -1,5 +1,5 @@
-// What cannot act in contact: rods without a width and particles without a cross-section, which would feel neither
-// barrier nor adhesion.
+// Checks for elements that cannot act in contact: rods without width and particles without
+// cross-section, which neither barrier nor adhesion would act on.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace tack {
 
-// Throws InputError, with the object and the numbers of such elements, if a mesh has any that need the section, or the
-// radius, that the object does not give.
-void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool has_section, bool has_radius);
+// Throws InputError with the object and the indices of the elements, if the mesh has elements that
+// need a section or radius that the object does not give.
+void refuse_unmeasured_contact(const Mesh& mesh, const std::string& object, bool has_section,
+                               bool has_radius);
 
 }  // namespace tack

@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-constexpr int load_samples = 16;  // of the loads, over the duration
+constexpr int load_samples = 16;  // sampling times of the loads over the duration
 
 double area_of_shadow(const Body& body, const VecX& rest) {
   double area = 0;

@@ -17,7 +17,7 @@ namespace {
 const StateObject& checked(const std::string& name, const InitialStateFromRun& earlier, const StateObject& here) {
   const StateObject& there = earlier.objects.at(name);
   MeshDigest was = there.mesh;
-  was.vertices = here.mesh.vertices, was.groups = here.mesh.groups;  // it may be of another size, and have other groups
+  was.vertices = here.mesh.vertices, was.groups = here.mesh.groups;  // size and groups may differ
   if (const std::string other = difference(was, here.mesh); !other.empty())
     throw InputError(fmt::format("object '{}' had another mesh in {} ({}); give it the same shape, or leave it out of start.objects", name,
                                  earlier.file, other));
@@ -66,7 +66,7 @@ void take_history(const ObjectConfig& object, const InitialStateFromRun& earlier
   const std::string prefix = object.name + "/";
   bool any = false;
   for (auto it = earlier.history.lower_bound(prefix); it != earlier.history.end() && it->first.starts_with(prefix); ++it) {
-    if (!it->second.keys.empty()) continue;  // of this object and others
+    if (!it->second.keys.empty()) continue;  // shared with other objects
     state.history.insert(*it);
     any = true;
   }
@@ -75,7 +75,7 @@ void take_history(const ObjectConfig& object, const InitialStateFromRun& earlier
                                  "give it the same, or leave it out of start.objects", object.name, earlier.file));
 }
 
-// Where the vertices and objects of the earlier state are now; -1: not among those that are taken.
+// New indices of the earlier state's vertices and objects; -1: not chosen.
 struct Places {
   std::vector<int> vertices, objects;
 };
@@ -85,7 +85,7 @@ void take_keyed(const InitialStateFromRun& earlier, const Places& places, State&
   for (const auto& [name, there] : earlier.history) {
     const bool keyed = !there.keys.empty() && static_cast<int>(there.keys.size()) == there.entries();
     if (!keyed) continue;
-    std::vector<std::pair<std::array<int, 2>, int>> kept;  // key here, entry there
+    std::vector<std::pair<std::array<int, 2>, int>> kept;  // new key, entry in the earlier state
     for (int i = 0; i < there.entries(); ++i) {
       const auto& [vertex, object] = there.keys[i];
       if (vertex < 0 || object < 0 || vertex >= static_cast<int>(places.vertices.size()) || object >= static_cast<int>(places.objects.size()))
@@ -103,7 +103,7 @@ void take_keyed(const InitialStateFromRun& earlier, const Places& places, State&
   }
 }
 
-// Unknowns and memories of interactions of which all objects are taken.
+// Copies unknowns and history of interactions whose objects are all chosen.
 void take_interactions(const std::map<std::string, StateObject>& here, const std::vector<const ObjectConfig*>& objects, const StartConfig& start,
                        const InitialStateFromRun& earlier, World& world) {
   const auto taken = [&](int body) {
@@ -155,7 +155,8 @@ std::map<std::string, StateObject> state_objects(const World& world) {
 
 std::string energies_text(const ObjectConfig& object) {
   std::string text;
-  if (object.elements != Elements::linear) text += fmt::format("elements {}\n", static_cast<int>(object.elements));  // whose memory is in another order
+  // their history is in another order
+  if (object.elements != Elements::linear) text += fmt::format("elements {}\n", static_cast<int>(object.elements));
   for (const auto& energy : object.energies) text += fmt::format("{}\n{}", energy->type(), to_yaml(fields_of(*energy)));
   return text;
 }

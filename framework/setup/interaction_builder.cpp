@@ -92,7 +92,7 @@ int idle_relations(const std::vector<Joint>& joints, const World& world) {
   return solve_joints(joints, world.bindings.frames(), free, world.bindings.unjoined_at(free, std::vector<char>(world.bindings.ties().size(), 0))).idle;
 }
 
-// A joint of the same bodies that says all that this one does.
+// Throws if a joint of the same bodies already has all relations of this one.
 void refuse_duplicate(const Joint& joint, const World& world) {
   for (const Joint& other : world.bindings.joints()) {
     if (!std::is_permutation(joint.bodies.begin(), joint.bodies.end(), other.bodies.begin(), other.bodies.end())) continue;

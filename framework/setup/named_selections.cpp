@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// "scene.yaml:12:3: " of entry i of `selections` in a map.
+// Returns "scene.yaml:12:3: " for entry i of `selections` in a map.
 std::string place_in(const Value* map, size_t i) {
   return map ? place_of(*map, "selections", i) : "";
 }
@@ -31,8 +31,8 @@ void add_of_object(const ObjectConfig& object, const Value* value, const VecX& r
   }
 }
 
-// Of which object it chooses vertices is for the scene to find out: a group or number that one object lacks
-// is another's.
+// Returns the selected vertices of one body. A scene's selection may name a group that only another
+// object has.
 std::vector<int> chosen(const NamedSelection& named, const Body& body, const VecX& rest, std::string& why) {
   try {
     return named.select->choose({body, rest});

@@ -12,11 +12,12 @@
 namespace tack {
 namespace {
 
-// An affine body is far stiffer than its contacts need: they carry the stress that strains it by 1e-4 at half their
-// distance with a tenth of this part of its stiffness.
+// An affine body is much stiffer than its contacts need: with a tenth of this fraction of its
+// stiffness, they carry, at half their distance, the stress that strains it by 1e-4.
 constexpr double affine_modulus = 0.01;
-// What stops a soft body that moves faster than waves run in it presses with about density times speed^2, and the barrier has to
-// carry that: it takes the body for as stiff, up to so many times its modulus.
+// A soft body faster than its elastic waves presses with about density times speed^2, which the
+// barrier must carry. The barrier takes the body as stiff as that, up to this multiple of its
+// modulus.
 constexpr double most_times = 10;
 // Such a body is crushed on edges and tips, and guards are what stops it there: they act over the whole range then.
 constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  // contact distances
@@ -24,8 +25,8 @@ constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  
 // mat ten thousand times too hard. Not where the two adhere: there it has to resist to what is pulled against a rim by all around it.
 constexpr double most_uneven = 16;
 
-// Objects are alike if every entry of pairs means them in the same way, they are as stiff, as fast, as thick and held alike, and
-// attached to the same ones.
+// Objects are of one class if all entries of pairs match them alike and they have equal stiffness,
+// speed, thickness, prescribed motion and attachments.
 ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std::vector<double>& pressures, const std::vector<double>& sheets, const std::vector<double>& resting) {
   std::set<std::string> names;
   for (const PairConfig& pair : scene.contact->pairs)
@@ -46,11 +47,12 @@ ObjectClasses classes_of(const SceneConfig& scene, const World& world, const std
   return ObjectClasses(std::move(classes));
 }
 
-// The traction that the default barrier answers with a twentieth as its stiffness: the peak of the adhesion. Where weight and loads press with
-// more than ten times that, such a barrier is left with next to no gap, and what adhesion adds is not felt: then it has the stiffness of
-// the pressure, less ten peaks so that nothing jumps, and a gap of about half the distance.
-// Weaker adhesion changes the pressure by less than a tenth, and a gap of half the distance by less
-// than 0.02 distances (the slope of the clamped logarithm there).
+// Returns the traction from which the default barrier takes its stiffness (a twentieth): the peak
+// of the adhesion. Where weight and loads exceed ten times the peak, such a barrier would leave
+// almost no gap and adhesion would have no effect. The stiffness is then that of the pressure less
+// ten peaks, so that it is continuous, with a gap of about half the distance. Weaker adhesion
+// changes the pressure by less than a tenth, and a gap of half the distance by less than 0.02
+// distances (the slope of the clamped logarithm there).
 double answered_traction(double adhesion_peak, double resting) {
   constexpr double felt = 10;          // peaks of the adhesion
   constexpr double of_adhesion = 0.05;  // as in energies/barrier/clamped_log.cpp
@@ -95,14 +97,14 @@ void PairBuilder::build() {
       colliding_.set(a, b, false);
       continue;
     }
-    // Without a law, but the exact check sees one being driven through the other.
+    // No law, but the exact check detects a prescribed object driven through another.
     if (held) continue;
     table_.set_offset(a, b, offset_of(a, b));
     set_roles(a, b, index, parts);
   }
 }
 
-// apart: the two are in no contact.
+// apart: the two objects have no contact.
 void PairBuilder::refuse_parts(int a, int b, const std::vector<int>& parts, bool apart) const {
   for (const int entry : parts) {
     if (table_.plain_sums) throw configs_.error(entry, "parts of objects have areas, and contact.weights: pair counts close pairs instead; take it away, or name whole objects");
@@ -120,7 +122,7 @@ std::string PairBuilder::contact_place() const {
   return contact ? contact->mark.text() + ": " : "";
 }
 
-// What acts along the surfaces of a pair whose adhesion has the given peak traction.
+// Returns the tangential law of a pair whose adhesion has the given peak traction.
 TangentialLaw PairBuilder::tangential_of(const PairConfig* pair, double peak_traction) const {
   TangentialLaw law;
   if (const auto& friction = pair && pair->friction ? pair->friction : contact_.friction) {
@@ -137,7 +139,7 @@ TangentialLaw PairBuilder::tangential_of(const PairConfig* pair, double peak_tra
 
 double PairBuilder::offset_of(int a, int b) const { return scene_.objects[a].contact_offset + scene_.objects[b].contact_offset; }
 
-// Both 0 if no side has a modulus.
+// Both moduli are 0 if no side has one.
 PairMaterials PairBuilder::materials_of(int a, int b) const {
   PairMaterials m{contact_.contact_distance};
   const auto lower = [](double& softer, double modulus) {
@@ -235,7 +237,8 @@ void PairBuilder::refuse_bond(int a, int b, int config) const {
     throw configs_.error(config, "bonds stand for areas, and contact.weights: pair counts close pairs instead; take it away, or choose an adhesion of the gap");
 }
 
-// Bonds are there without the barrier, and hold from the gap that they are made at, or from touching.
+// Reports bonds, which exist without the barrier and hold from the gap at which they form, or from
+// touching.
 void PairBuilder::report(int a, int b, int part, const BondLaw& bond) {
   world_.adhesion.push_back({{world_.bodies[a].name, world_.bodies[b].name}, classes_.pairs_like(a, b), {{a, b}}, part,
                              bond.work_of_adhesion(), bond.work_of_adhesion(), 0, bond.peak_traction()});
@@ -258,12 +261,12 @@ PairBuilder::Side PairBuilder::side_of(int a, int b, int config) const {
   const std::string& side = contact_.pairs[config].integrate;
   if (side == "automatic") return Side::automatic;
   if (side == "finer") return Side::finer;
-  // Both may be of the group that is named.
+  // Both objects may be in the named group.
   if (side == "both" || (configs_.integrates(config, a) && configs_.integrates(config, b))) return Side::both;
   return configs_.integrates(config, a) ? Side::first : Side::second;
 }
 
-// One for the two objects: that of the entry that says.
+// Returns one side for the two objects: that of the entry that names one.
 PairBuilder::Side PairBuilder::side_of(int a, int b, int config, const std::vector<int>& parts) const {
   Side found = side_of(a, b, config);
   for (const int entry : parts) {
@@ -281,7 +284,8 @@ PairBuilder::Roles PairBuilder::roles_of(int a, int b, const LawIds& ids, const 
   PairRole guard{ids.guard, 1, range_of_guard, false};
   guard.range_of_parts = integral.range_of_parts;
   Roles roles;
-  // An edge pair's area is half the mean of its two edges' (they count the surface twice).
+  // The area of an edge pair is half the mean of its two edges' areas, which count the surface
+  // twice.
   roles.edge = {ids.guard, 0.25, range_of_guard, false};
   if (!integral.adheres && !table_.plain_sums) roles.edge.most_uneven = most_uneven;
   roles.thin = {ids.pressure, 1, range};
@@ -310,7 +314,7 @@ void PairBuilder::set_roles(int a, int b, int config, const std::vector<int>& pa
   std::vector<LawIds> of_parts;
   for (const int entry : parts) of_parts.push_back(laws_of(a, b, entry, static_cast<int>(of_parts.size()) * (a == b ? 2 : 1)));
   Integral integral{side_of(a, b, config, parts)};
-  // Seams are rims: parts are told apart by what is covered of them.
+  // Region interfaces are overlap boundaries: regions are separated by their overlap areas.
   integral.adheres = adheres(config) || std::any_of(parts.begin(), parts.end(), adheres);
   integral.covered = a != b && (adheres(config) || !parts.empty());
   integral.bonds = whole.bond >= 0;

@@ -1,5 +1,5 @@
-// From the entries of contact.pairs to tables: which objects may touch, with which laws, where, and who integrates.
-// Errors: InputError with the place of the entry.
+// Builds tables from the entries of contact.pairs: contacting objects, their laws, the regions and
+// the integration sides. Errors: InputError with the entry's source location.
 #pragma once
 
 #include <map>
@@ -19,8 +19,7 @@ namespace tack {
 
 class PairBuilder {
  public:
-  // cells: per object, the area of its surface that a vertex has in the mean [m^2]; times: of the
-  // run.
+  // cells: mean tributary area of a surface vertex, per object [m^2]. times: of the run.
   PairBuilder(const SceneConfig& scene, const Value& root, const std::vector<double>& cells,
               const RunTimes& times, World& world);
 
@@ -36,16 +35,16 @@ class PairBuilder {
     int summary = -1;  // of world.adhesion; -1: without adhesion
     int bond = -1;     // of the bond table; -1: without bonds
   };
-  // Who integrates.
+  // Integration side of a pair.
   enum class Side { automatic, finer, both, first, second };
-  // What holds for two objects whatever the part.
+  // Settings of two objects that do not depend on the region.
   struct Integral {
     Side side = Side::automatic;
     bool adheres = false, covered = false, bonds = false, pulls_too = false;
     double range_of_parts = 0;
   };
   struct Roles {
-    PairRole first, second, edge, thin;  // the former two of points of the first and of the second object
+    PairRole first, second, edge, thin;  // first, second: roles of the points of either object
   };
 
   std::string contact_place() const;
@@ -60,7 +59,8 @@ class PairBuilder {
   bool has_surface(int object) const;
   void refuse_bond(int a, int b, int config) const;
   void refuse_parts(int a, int b, const std::vector<int>& parts, bool apart) const;
-  BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law, const PairLaw& barrier, int config);
+  BondRule rule_of(const PairConfig& pair, std::shared_ptr<const BondLaw> law,
+                   const PairLaw& barrier, int config);
   Side side_of(int a, int b, int config) const;
   Side side_of(int a, int b, int config, const std::vector<int>& parts) const;
   Roles roles_of(int a, int b, const LawIds& ids, const Integral& integral) const;
@@ -73,7 +73,7 @@ class PairBuilder {
   const std::vector<Loading> loadings_;  // of objects
   const std::vector<double> pressures_;  // dynamic ones, of objects [Pa]
   const std::vector<double> sheets_;     // stiffnesses of sheets, of objects [Pa]; 0: no sheet
-  // Pressure of weight and loads, per object [Pa]; 0 where nothing adheres.
+  // Pressure of weight and loads per object [Pa]; 0 if the object does not adhere.
   const std::vector<double> resting_;
   ObjectClasses classes_;
   PairConfigs configs_;

@@ -19,7 +19,7 @@ namespace {
 constexpr int sweeps = 60;
 constexpr size_t most_lines = 10;
 
-// By the names that pairs have for them.
+// Returns classes of objects by the names that pairs use for them.
 ObjectClasses named_classes(const SceneConfig& scene) {
   std::map<std::vector<NamedAs>, int> known;
   std::vector<int> classes;
@@ -64,7 +64,7 @@ class Pusher {
 
   const std::vector<Vec3>& moved() const { return moved_; }
 
-  // What the last sweep was not enough for.
+  // Throws for overlaps that the last sweep left.
   void refuse_rest() const {
     for (const auto& [a, b] : near())
       if (const auto found = overlap(a, b)) refuse(a, b, *found);
@@ -97,7 +97,7 @@ class Pusher {
     return (free_[a] || free_[b]) && (entry < 0 || contact_.pairs[entry].contact);
   }
 
-  // Pairs whose boxes come that near, ascending.
+  // Returns the pairs whose AABBs come that near, ascending.
   std::vector<std::array<int, 2>> near() const {
     std::vector<Aabb> boxes;
     for (size_t i = 0; i < surfaces_.size(); ++i) {
@@ -113,7 +113,7 @@ class Pusher {
     return pairs;
   }
 
-  // If they overlap, or are closer than their offsets.
+  // Returns the overlap of two objects that overlap or are closer than their offsets.
   std::optional<OverlapDepth> overlap(int a, int b) const {
     const double least = offset(a, b) + 1e-6 * contact_.contact_distance;
     const double deepest = 2 * limit_ + gap(a, b);
@@ -121,14 +121,14 @@ class Pusher {
     return found && found->distance < least ? found : std::nullopt;
   }
 
-  // As far as each may go yet.
+  // Translates an object, limited to its remaining length.
   void go(int i, const Vec3& by) {
     Vec3 to = moved_[i] + by;
     if (to.norm() > limit_) to *= limit_ / to.norm();
     moved_[i] = to;
   }
 
-  // Whether any pair overlapped. Those that do are found side by side; then they part one by one.
+  // Returns true if any pair overlapped. Overlaps are found in parallel and resolved one by one.
   bool sweep() {
     const auto pairs = near();
     std::vector<std::optional<OverlapDepth>> overlaps(pairs.size());
@@ -170,7 +170,7 @@ class Pusher {
   std::vector<SurfaceDistance> surfaces_;
   std::vector<char> free_;
   std::vector<Vec3> moved_;  // m
-  std::vector<int> last_;    // of each that has gone: away from whom; -1
+  std::vector<int> last_;    // per moved object: the one it moved away from; -1
 };
 
 }  // namespace

@@ -1,9 +1,11 @@
-// Objects that overlap at the start are moved out of each other, if the scene allows for it (contact.push_out).
-//
-// Whoever is free to go is translated along the signed distance of what it overlaps until a gap of half the contact distance
-// (and the offsets) is there: where both may go, each by the share of the other's volume; pair by pair, in sweeps, so that a
-// heap finds room; no object farther than the given length. Held by motions, attached, with something attached to it, or joined by
-// an interaction: an object stays. All that follows (rest shapes, selections by place) sees objects where they then are.
+// Overclosure adjustment: moves objects that overlap at the start out of each other, if
+// contact.push_out is set.
+// Method: sweep over overlapping pairs. A free object is translated along the signed distance of
+// the other one until the gap is half the contact distance (plus offsets); if both are free, each
+// moves by the other's share of their volume. Sweeping gives room in heaps. No object moves further
+// than the given length.
+// Fixed objects: prescribed by motions, attached, with attachments to them, or joined by an
+// interaction. Rest shapes and selections by position use the adjusted placement.
 #pragma once
 
 #include <string>
@@ -14,8 +16,10 @@
 
 namespace tack {
 
-// Moves the meshes, one per object; one line for each that has gone, of more than ten the farthest and how many. Nothing without
-// contact.push_out. Throws InputError, with the place of the later object, naming two that still overlap and why.
-std::vector<std::string> push_out(const SceneConfig& scene, const Value& root, std::vector<Mesh>& meshes);
+// Moves the meshes, one per object. Returns one line per moved object; for more than ten, the
+// largest displacement and the number. Does nothing without contact.push_out. Throws InputError, at
+// the location of the later object, with two objects that still overlap and the reason.
+std::vector<std::string> push_out(const SceneConfig& scene, const Value& root,
+                                  std::vector<Mesh>& meshes);
 
 }  // namespace tack

@@ -14,7 +14,7 @@ bool named(const std::string& name, const ObjectConfig& object) {
   return name == "*" || name == object.name || std::find(object.groups.begin(), object.groups.end(), name) != object.groups.end();
 }
 
-// The interaction that acts on it; "": none does.
+// Returns the interaction that acts on the object; "": none.
 std::string interaction_on(const ObjectConfig& object, const SceneConfig& scene) {
   for (const auto& interaction : scene.interactions)
     for (const std::string& name : interaction->objects())
@@ -28,7 +28,7 @@ bool is_carrier(const ObjectConfig& object, const SceneConfig& scene) {
   });
 }
 
-// Why it cannot be, and what helps; "": it can.
+// Returns why the object cannot be remeshed, with the remedy; "": it can.
 std::string obstacle(const ObjectConfig& object, const Body& body, const SceneConfig& scene, const World& world) {
   if (object.body) return "it is an affine body, which does not flow; take `remesh` away";
   if (body.tets.empty()) return "it has no tets; take `remesh` away, or use a tet mesh or shape";

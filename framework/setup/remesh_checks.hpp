@@ -1,4 +1,4 @@
-// What objects that are meshed anew as they flow (`remesh`) may be.
+// Checks of objects that are remeshed as they flow (`remesh`).
 #pragma once
 
 #include "framework/scene/scene_config.hpp"
@@ -6,14 +6,16 @@
 
 namespace tack {
 
-// Throws InputError with the place in the file for what could not go on with other vertices and tets inside. After all terms have published.
+// Throws InputError, with source location, for anything that cannot continue with other interior
+// vertices and tetrahedra. Call it after all terms have published their records.
 void check_remeshing(const SceneConfig& scene, const Value& root, const World& world);
 
-// Which of the vertices that a motion holds it may hold throughout: those on the surface, as others inside come and go. Throws InputError with the
-// motion's name if it holds any inside when a run begins.
+// Reduces the vertices that a motion prescribes to those on the surface, because remeshing replaces
+// interior vertices. Throws InputError with the motion's name if it prescribes interior vertices at
+// the start of a run.
 void keep_on_surface(const std::string& motion, const Body& body, std::vector<int>& vertices);
 
-// Whether any object may be meshed anew.
+// Returns true if any object may be remeshed.
 bool remeshes(const SceneConfig& scene);
 
 }  // namespace tack

@@ -17,11 +17,12 @@ namespace {
 
 Vec3 span(const Edge& e, const VecX& x) { return vertex(x, e[1]) - vertex(x, e[0]); }
 
-// What the smallest rotation that takes one direction to another makes of a vector. (Eigen's FromTwoVectors has a singular value
-// decomposition for opposite ones, which takes the compiler ten seconds.)
+// Rotates a vector by the smallest rotation that takes `from` to `to`. (Eigen's FromTwoVectors
+// contains a singular value decomposition for opposite vectors, which costs ten seconds of compile
+// time.)
 Vec3 carried_along(const Vec3& from, const Vec3& to, const Vec3& vector) {
   const Vec3 a = from.normalized(), b = to.normalized(), axis = a.cross(b);
-  const double squared = 2 * (1 + a.dot(b));  // of twice the cosine of half the angle
+  const double squared = 2 * (1 + a.dot(b));  // (2 cos(angle / 2))^2
   if (squared < 1e-12) {
     const Vec3 across = a.unitOrthogonal();  // half a turn, about any axis
     return 2 * across.dot(vector) * across - vector;
@@ -30,8 +31,8 @@ Vec3 carried_along(const Vec3& from, const Vec3& to, const Vec3& vector) {
   return Quaternion(s / 2, axis.x() / s, axis.y() / s, axis.z() / s) * vector;
 }
 
-// Of a circular section: one that is carried along from edge to edge by the smallest rotations, so that the frames of an
-// open rod do not twist.
+// Returns the directors of a circular section, transported from edge to edge by smallest rotations,
+// so that the frames of an open rod do not twist.
 std::vector<Vec3> carried_directors(const std::vector<Edge>& edges, const VecX& rest) {
   std::map<int, std::vector<int>> around;
   for (size_t e = 0; e < edges.size(); ++e)
@@ -46,7 +47,7 @@ std::vector<Vec3> carried_directors(const std::vector<Edge>& edges, const VecX& 
       for (const int v : edges[e])
         for (const int next : around[v]) {
           if (!directors[next].isZero()) continue;
-          // Along the path through v, whatever way its edges are stored.
+          // Follows the path through v, whatever the orientation of its edges.
           const double same = edges[e][1] == v ? 1 : -1, onwards = edges[next][0] == v ? 1 : -1;
           directors[next] = carried_along(same * span(edges[e], rest), onwards * span(edges[next], rest), directors[e]);
           open.push_back(next);
@@ -66,7 +67,7 @@ std::vector<Vec3> directors_of(const Body& body, const std::vector<Edge>& edges,
   return std::vector<Vec3>(edges.size(), body.section->normal);
 }
 
-// Those that some energy twists, in the order of the body's.
+// Returns the edges that some energy twists, in the body's order.
 std::vector<Edge> twisted_edges(const ObjectConfig& object, const Body& body, const VecX& rest) {
   std::set<Edge> twisted;
   for (const auto& energy : object.energies) {
@@ -79,8 +80,9 @@ std::vector<Edge> twisted_edges(const ObjectConfig& object, const Body& body, co
   return edges;
 }
 
-// The twist of edges that another motion moves: it turns the frame that an edge has at the start of a step as it turns space around
-// the edge. Of motions that deform, what their linear part there makes of the first director counts.
+// Prescribed twist of edges that another motion moves: the edge's frame at the start of a step
+// rotates with the motion around the edge. For deforming motions, the linear part at the edge
+// transforms the first director.
 class DrivenTwist : public Motion {
  public:
   DrivenTwist(const Motion& driver, const RodFrames& rod) : Motion(driver.from(), driver.until()), driver_(driver), rod_(rod) {}
@@ -88,7 +90,7 @@ class DrivenTwist : public Motion {
     for (const int v : vertices) x(3 * v) = driver_.moves() ? arc(v - rod_.twists()[0], rest, anchor, t, x) : anchor(3 * v);
   }
   bool moves() const override { return driver_.moves(); }
-  bool rigid() const override { return false; }  // it is no place
+  bool rigid() const override { return false; }  // a twist is not a position
 
  private:
   double arc(int e, const VecX& rest, const VecX& anchor, double t, const VecX& x) const {
@@ -97,7 +99,7 @@ class DrivenTwist : public Motion {
     if (t == t0) return rod_.radius() * theta;
     const Mat3 back = linear_part(e, rest, anchor, t0).inverse();
     const Vec3 tangent = rod_.tangent(e, start), director = rod_.director(e, start);
-    // Whole turns, by parts of the step: how far the director gets ahead of one that is only carried along.
+    // Counts whole turns in substeps: the angle between the moved director and the transported one.
     constexpr int parts = 32;
     double turned = 0;
     Eigen::Vector3d t_before = tangent, d_before = director;
@@ -114,7 +116,8 @@ class DrivenTwist : public Motion {
     return rod_.radius() * (angle + turn * std::round((theta + turned - angle) / turn));
   }
 
-  // Of the motion at the edge, from the anchor to time t: where three points beside its first vertex go.
+  // Returns the linear part of the motion at the edge from the anchor to time t, by three points
+  // beside its first vertex.
   Mat3 linear_part(int e, const VecX& rest, const VecX& anchor, double t) const {
     const Edge& edge = rod_.edge(e);
     const double length = span(edge, rest).norm();

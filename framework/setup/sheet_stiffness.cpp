@@ -7,11 +7,13 @@
 namespace tack {
 namespace {
 
-constexpr double of_pressing = 1000;               // the barrier is a tenth of the modulus: a gap of 0.94 ranges under what is expected
+// the barrier is a tenth of the modulus: a gap of 0.94 ranges under the expected pressure
+constexpr double of_pressing = 1000;
 constexpr double of_tension = 10;
-constexpr double strain = 1e-3, radius = 0.1;      // of tension; in sizes of the sheet
+constexpr double strain = 1e-3, radius = 0.1;      // of the tension; radius in sizes of the sheet
 
-// What a script stretches, or a load or a spring pulls, presses with what its material can.
+// Returns false for sheets stretched by motions, attachments, loads or interactions, which press
+// with the strength of their material.
 bool is_left_alone(const ObjectConfig& object, const SceneConfig& scene) {
   return object.motion.empty() && object.attach.empty() && object.loads.empty() && scene.interactions.empty();
 }

@@ -1,5 +1,5 @@
-// How hard sheets are pressed: Young's modulus is that of their stretch, and sheets of
-// polyethylene, paper or steel that lie on one another press with the same few pascals.
+// Effective stiffness of sheets in contact. Young's modulus describes their stretch; stacked sheets
+// of polyethylene, paper or steel all press with a few pascals.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace tack {
 
-// Per body the modulus that is taken for it where a barrier is chosen, to two digits [Pa]; 0: no
-// sheet that is ever free, or one that a script, a load, an attachment or an interaction may
-// stretch as far as its material lets them. A tenth of it, the default barrier, is a hundred times
-// the weight of all that may meet it on the area of the sheet and what stops the sheet within a
-// step at the speed that something may reach; and what a strain of 1e-3 presses with around a tenth
-// of the sheet's size.
+// Returns, per body, the modulus from which its barrier is chosen, to two digits [Pa]. It is 0 for
+// bodies that are no sheet, for sheets that are never free, and for sheets that a motion, load,
+// attachment or interaction may stretch to the limits of their material.
+// A tenth of the modulus, the default barrier, is the sum of
+//   100 times the pressure on the sheet's area of the weight of all that may meet it and of the
+//       force that stops the sheet within a step at the speed that something may reach, and
+//   the pressure of a strain of 1e-3 around a radius of a tenth of the sheet's size.
 std::vector<double> sheet_stiffnesses(const SceneConfig& scene, const World& world,
                                       const std::vector<Loading>& loadings, double step);
 

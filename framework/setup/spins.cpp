@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* arcs_name = "spin";
 
-// The arcs of the particles of a body, three for each; empty if they do not roll.
+// Returns the arcs of a body's particles, three each; empty if they do not roll.
 std::vector<int> arcs_of(int index, const World& world) {
   for (const UnknownGroup& group : world.unknowns)
     if (group.body == index && group.name == world.bodies[index].name + "/" + arcs_name) return group.vertices;
@@ -23,7 +23,7 @@ std::vector<int> arcs_of(int index, const World& world) {
 
 double gyration_of(const Body& body) { return std::sqrt(0.4) * body.radius; }
 
-// The motion of the arcs of fixed particles: they do not turn.
+// Motion of the arcs of fixed particles: no rotation.
 class Unturned : public Motion {
  public:
   explicit Unturned(const Motion& motion) : Motion(motion.from(), motion.until()) {}
@@ -31,7 +31,7 @@ class Unturned : public Motion {
     for (const int v : vertices) vertex(x, v) = vertex(anchor, v);
   }
   bool moves() const override { return false; }
-  bool rigid() const override { return false; }  // it is no place
+  bool rigid() const override { return false; }  // an arc is not a position
 };
 
 void check_rolling(const ObjectConfig& object, const Body& body) {

@@ -14,7 +14,7 @@
 namespace tack {
 namespace {
 
-// Returns whether contact.push_out could help. It moves objects, as `start` does, and is refused beside `start`.
+// Returns true if contact.push_out could help. It is unset, and `start`, which excludes it, too.
 bool may_push_out(const SceneConfig& scene) { return !scene.contact->push_out && !scene.start; }
 
 // Returns the remedy for objects that intersect each other.
@@ -23,7 +23,7 @@ std::string apart(const SceneConfig& scene) {
   return fmt::format("move the objects apart (place.translate){} or turn their contact off (contact.pairs, contact: false)", pushed);
 }
 
-// The remedy for an object that intersects itself.
+// Remedy for an object that intersects itself.
 constexpr const char* mend_mesh =
     "have its mesh mended (`tack mesh repair MESH -o NEW`, or `repair` among the steps of a shape `processed`), or turn the object's contact with itself off "
     "(contact.pairs, contact: false)";
@@ -50,8 +50,9 @@ void check_intersections(const SceneConfig& scene, const Value& root, const Worl
                                several ? apart(scene) : mend_mesh, list));
 }
 
-// What no intersection of edges and triangles tells: edges, points and parts of one plane that touch, such as those of a sheet that is folded
-// flat or a rod that turns back on itself; and contact surfaces, which lie in front of what is meshed if objects have an offset.
+// Checks for contacts that no edge-triangle intersection shows: coplanar edges, points and
+// triangles that touch, such as those of a folded sheet or a rod that turns back on itself, and
+// contact offsets, which extend the mesh.
 void check_gaps(const SceneConfig& scene, const Value& root, World& world) {
   if (!world.contact) return;
   world.contact->cover(world.start.x, VecX());

@@ -1,4 +1,4 @@
-// Whether a world may start as it is.
+// Checks of the initial configuration.
 #pragma once
 
 #include "framework/scene/scene_config.hpp"
@@ -6,7 +6,8 @@
 
 namespace tack {
 
-// Throws InputError, with the remedy, where objects intersect, touch, are closer than their offsets, or one is inside of another. root: the parsed file.
+// Throws InputError, with the remedy, if objects intersect, touch, are closer than their offsets,
+// or one is inside of another. root: the parsed file.
 void check_start(const SceneConfig& scene, const Value& root, World& world);
 
 }  // namespace tack

@@ -1,7 +1,8 @@
-// The parts of surfaces that entries of contact.pairs name, as sets of bits of vertices (PairTable). Vertices of a finer surface are of what all
-// corners that they follow are of.
-// Errors: InputError with the place of the entry, for a part without a whole triangle (edge, point), for more parts than there are bits, and for two entries
-// that say as much of the same places.
+// Regions of surfaces named by entries of contact.pairs, as bit sets of vertices (PairTable). A
+// vertex of a finer surface belongs to the regions that contain all corners it depends on.
+// Errors: InputError with the entry's source location, for a region without a whole triangle (edge,
+// point), for more regions than bits, and for two entries that are equally specific for the same
+// positions.
 #pragma once
 
 #include <array>
