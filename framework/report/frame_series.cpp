@@ -15,11 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int usual_frames = 200;
-constexpr double most_numbers = 16e6;  // of a page: some 15 MB
+constexpr double most_numbers = 16e6;  // limit per page: some 15 MB
 
 using Face = std::array<int, 3>;
 
-// The cell that a face is of: the first of the tets, else the triangle itself; -1: there is none.
+// Returns the cell of a face: the first of its tetrahedra, else the triangle itself; -1: none.
 class FaceOwners {
  public:
   explicit FaceOwners(const Mesh& mesh) {
@@ -48,7 +48,7 @@ class FaceOwners {
   std::vector<std::pair<Face, int>> owners_;
 };
 
-// The vertices of each object that it shows to the outside, ascending. Objects that were meshed anew have the same ones in the same order.
+// Returns the outer vertices of each object, ascending. Remeshing keeps them and their order.
 std::vector<std::vector<int>> outer_vertices(const FrameFile& frame, const Surface& surface) {
   const auto array = std::find_if(frame.of_cells.begin(), frame.of_cells.end(), [](const FrameArray& a) { return a.name == "object"; });
   std::vector<int> object(frame.mesh.vertices.size(), 0);
@@ -115,7 +115,7 @@ FrameFollower::FrameFollower(const FrameFile& first) {
     if (a.name != "object") series_.fields.push_back({a.name, a.unit, a.components > 1, false, {}});
 }
 
-// Where the kept vertices and cells are in a frame whose mesh is another one inside.
+// Updates the indices of kept vertices and cells for a frame with another mesh inside.
 void FrameFollower::follow(const FrameFile& now) {
   const auto differs = [] { throw InputError("its mesh is another one than that of the first frame"); };
   const Surface surface = extract_surface(now.mesh);
@@ -179,7 +179,7 @@ std::vector<int> evenly(int count, int wanted) {
 
 namespace {
 
-// As many as a page should carry.
+// Returns the number of frames that keeps a page within its limit.
 int affordable(FrameSeries& series, size_t vertices) {
   double numbers = 3.0 * static_cast<double>(series.vertices());
   for (const auto& field : series.fields) numbers += static_cast<double>(field.of_vertices ? series.vertices() : series.elements());

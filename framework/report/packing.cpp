@@ -26,7 +26,7 @@ std::string planes_of(std::span<const Number> numbers) {
   return bytes;
 }
 
-// Differences modulo 2^16 are as good as any: the page adds modulo 2^16.
+// Differences are modulo 2^16; the page adds modulo 2^16.
 std::uint16_t zigzag(std::uint16_t from, std::uint16_t to) {
   const auto difference = static_cast<std::int16_t>(static_cast<std::uint16_t>(to - from));
   return static_cast<std::uint16_t>((static_cast<std::uint16_t>(difference) << 1) ^ (difference < 0 ? 0xffff : 0));

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view place = "<!--data of the report-->";
 constexpr std::string_view no_requests = "connect-src 'none'", own_requests = "connect-src 'self'";
 
-// In JSON, < stands in strings only.
+// Escapes <, which JSON has in strings only.
 std::string within_script(const std::string& json) {
   std::string out;
   out.reserve(json.size());
@@ -50,7 +50,7 @@ std::string page_with(const fs::path& path, const PageData& data, Requests reque
   if (!in || at == page.npos || (requests == Requests::own && rule == page.npos))
     throw InputError(fmt::format("{}: the page of reports is not built; run `./tack report`, which builds it, or `cmake --build --preset "
                                  "release --target tack_report` (needs npm: apt-get install nodejs npm)", path.string()));
-  // A name or a path need not be UTF-8.
+  // Names and paths need not be UTF-8.
   constexpr auto lenient = nlohmann::ordered_json::error_handler_t::replace;
   std::string out = page.substr(0, at) + "<script type=\"application/json\" id=\"data\">" +
                     within_script(data.document.dump(-1, ' ', false, lenient)) + "</script>\n";

@@ -1,4 +1,4 @@
-// A report as one file: the page of report/ with data laid into it.
+// A report as one HTML file: the page of report/ with data inserted.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +8,23 @@
 
 namespace tack {
 
-// What the page shows: a JSON document, and numbers that it refers to by their place in the list (packing.hpp).
+// Data of a page: a JSON document and blocks of numbers, which it refers to by index (packing.hpp).
 class PageData {
  public:
-  // Where blocks go: beside the document, which has their numbers, or into it.
+  // beside: blocks are stored outside the document, which has their indices; inside: in it.
   enum class Blocks { beside, inside };
   explicit PageData(Blocks where = Blocks::beside) : where_(where) {}
 
-  // Keys: kind (run, runs, comparison, batch, calibration, preview), title, made, runs [run_data.hpp], comparison, batch, calibration [table_data.hpp],
-  // preview (view/preview.hpp), live (view/run_view.hpp).
+  // The document's keys:
+  //   kind          run, runs, comparison, batch, calibration or preview
+  //   title, made
+  //   runs          run_data.hpp
+  //   comparison, batch, calibration   table_data.hpp
+  //   preview       view/preview.hpp
+  //   live          view/run_view.hpp
   nlohmann::ordered_json document;
 
-  // Of a block of bytes, deflated, what stands for it in the document.
+  // Deflates and adds a block of bytes. Returns its reference in the document.
   nlohmann::ordered_json add(const std::string& bytes);
   const std::vector<std::string>& blocks() const { return blocks_; }
 
@@ -28,14 +33,16 @@ class PageData {
   std::vector<std::string> blocks_;  // in base64
 };
 
-// Where it is beside the program: share/report.html of its build folder, share/tack/report.html where tack is installed.
+// Returns the path of the page: share/report.html of the program's build folder, or
+// share/tack/report.html of an installation.
 std::filesystem::path page_path();
 
-// What the page may ask for over the network: nothing, or what is served beside it.
+// Network requests that the page may make: none, or to its own server.
 enum class Requests { none, own };
 
-// The page with data; nothing in a text of theirs ends or begins a tag. Throws InputError with the remedy if the page is not
-// there or none of ours.
-std::string page_with(const std::filesystem::path& page, const PageData& data, Requests requests = Requests::none);
+// Returns the page with data, escaped so that no text can begin or end a tag. Throws InputError
+// with the remedy if the page is missing or not ours.
+std::string page_with(const std::filesystem::path& page, const PageData& data,
+                      Requests requests = Requests::none);
 
 }  // namespace tack

@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_frames = 5000;              // of a run that are kept for it
+constexpr int most_frames = 5000;              // limit of the frames read of a run
 constexpr int lights_of_pictures = 48, lights_of_films = 8;
 
-// A folder that goes with whoever has it.
+// A temporary folder, deleted with its owner.
 class Scratch {
  public:
   Scratch() {
@@ -39,7 +39,7 @@ class Scratch {
   fs::path path_;
 };
 
-// Those of the build tree, or of an installation.
+// Returns the node modules of the build tree or the installation.
 fs::path modules() {
   std::error_code none;
   const fs::path installed = own_root() / "share" / "tack";

@@ -1,4 +1,4 @@
-// tack render: pictures and films of runs, drawn in a browser without a window by report/render.mjs.
+// tack render: pictures and films of runs, rendered in a headless browser by report/render.mjs.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,8 @@ struct RenderSettings {
   std::string version, commit;  // of the program
 };
 
-// Throws InputError: no run, another ending, a view that does not fit the runs, no node, browser or ffmpeg.
+// Throws InputError for a missing run, an unknown ending, a view that does not fit the runs, and
+// missing node, browser or ffmpeg.
 void render(const RenderSettings& settings, const RenderView& view);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// What a picture or a film of runs shows, and from where: a file of `tack render --view`.
+// Contents and camera of a picture or film of runs: a file of `tack render --view`.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@
 
 namespace tack {
 
-// How an object looks.
+// Appearance of an object.
 struct RenderLook {
-  std::string colour;  // of CSS; empty: its own
+  std::string colour;  // CSS; empty: the object's own
   double roughness = 0.7, metalness = 0, opacity = 1;
-  double smooth = 0.6981317007977318;  // rad: edges that are sharper stay sharp
+  double smooth = 0.6981317007977318;  // rad: sharper edges are not smoothed
   bool lines = false, hide = false;
   void fields(Fields& f);
 };
 
 struct RenderField {
   std::string name;
-  std::vector<double> limits;  // none, or two
+  std::vector<double> limits;  // none or two
   bool log = false;
   std::string map = "automatic";
   void fields(Fields& f);
@@ -45,13 +45,13 @@ struct RenderView {
   std::string background = "#ffffff";
   bool time = true, scale_bar = true;
   std::vector<std::string> labels;
-  std::map<std::string, RenderLook> objects;  // by name; "chip*" for all that begin so
+  std::map<std::string, RenderLook> objects;  // by name; "chip*" matches names with that beginning
   std::optional<RenderField> field;
   RenderCamera camera;
   void fields(Fields& f);
 };
 
-// As report/render.mjs reads it; lights: unless the view says how many.
+// Returns the view for report/render.mjs. lights: used unless the view gives a number.
 nlohmann::ordered_json json_of(const RenderView& view, int lights);
 
 }  // namespace tack

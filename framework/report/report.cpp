@@ -20,7 +20,7 @@ fs::path whole(const fs::path& folder) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-// The last parts of the folders' names, as many as tell them apart.
+// Returns the shortest endings of the folders' paths that differ.
 std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
   std::vector<std::string> labels(folders.size());
   std::vector<fs::path> rest;

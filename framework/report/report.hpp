@@ -1,4 +1,5 @@
-// tack report: one HTML file for a run, several runs over each other, a comparison, a batch or a calibration.
+// tack report: one HTML file for a run, several runs overlaid, a comparison, a batch or a
+// calibration.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +11,32 @@
 namespace tack {
 
 enum class FolderKind { run, comparison, batch, calibration };
-// By the files that it holds. Throws InputError for a folder that is not there, or none of these.
+// Returns the kind of a folder by its files. Throws InputError for a missing folder or an unknown
+// kind.
 FolderKind kind_of(const std::filesystem::path& folder);
 
 struct ReportSettings {
   std::vector<std::filesystem::path> folders;  // runs; or one comparison, batch or calibration
-  std::filesystem::path output;                // empty: report.html in the folder; of several, in the working directory
-  int frames = 0;                              // at most so many; 0: 200, or as many as a page should carry
-  std::vector<std::string> cases;              // of a batch: whose runs are shown as well
-  std::filesystem::path page;                  // empty: that beside the program
+  // empty: report.html in the folder; for several folders, in the working directory
+  std::filesystem::path output;
+  int frames = 0;  // limit; 0: 200, or fewer if a page would get too large
+  std::vector<std::string> cases;              // cases of a batch whose runs are included
+  std::filesystem::path page;                  // empty: the page next to the program
   std::string version, commit;                 // of the program
 };
 
 struct WrittenReport {
   std::filesystem::path path;
-  std::vector<std::string> notes;  // what could not be read
+  std::vector<std::string> notes;  // reports of unreadable files
 };
 
-// What the page of them holds. Throws InputError for folders that do not go together.
+// Returns the data of the page. Throws InputError for folders that do not go together.
 PageData report_data(const ReportSettings& settings);
-// Texts of it about what could not be read.
+// Returns the page's notes about unreadable files.
 std::vector<std::string> notes_of(const PageData& page);
 
-// Throws InputError for folders that do not go together and a file that cannot be written.
+// Writes the report. Throws InputError for folders that do not go together and a file that cannot
+// be written.
 WrittenReport write_report(const ReportSettings& settings);
 
 }  // namespace tack

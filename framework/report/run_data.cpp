@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int place_levels = 65535, field_levels = 1023;
 
-// Of what is finite; {0, 0} of nothing.
+// Returns the range of the finite values; {0, 0} if there are none.
 Quantizer range_of(const std::vector<std::vector<float>>& frames, int levels) {
   Quantizer q{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(), levels};
   for (const auto& frame : frames)
@@ -54,7 +54,7 @@ std::string number_bytes(const std::vector<int>& numbers) {
 }
 
 Json frame_data(const FrameSeries& series, PageData& page, bool elements) {
-  // One range for all directions, so that a step is as long in each.
+  // One range for all directions, so that steps have one length.
   const Quantizer q = range_of(series.positions, place_levels);
   Json fields = Json::array();
   for (const auto& field : series.fields) fields.push_back(field_data(field, page));
@@ -77,7 +77,7 @@ Json frame_data(const FrameSeries& series, PageData& page, bool elements) {
 
 Json run_data(const fs::path& folder, const std::string& label, int frames, PageData& page) {
   Json notes = Json::array();
-  // Null if the file is not there; with a note if it cannot be read.
+  // Returns null if the file is missing, or unreadable, with a note then.
   const auto part = [&](const char* file, const auto& read) -> Json {
     const fs::path path = folder / file;
     if (!fs::exists(path)) return Json();

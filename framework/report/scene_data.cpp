@@ -21,14 +21,14 @@ Json json_of(const Value* value) {
   return list;
 }
 
-// How thick edges and points are drawn [m]; null: nobody says.
+// Returns the drawn thickness of edges and points [m]; null: none given.
 Json radius_of(const ObjectConfig& object) {
   if (object.rod) return object.rod->section().contact_width() / 2;
   if (object.particle) return object.particle->radius;
   return Json();
 }
 
-// Against gravity; without it, y.
+// Returns the direction against gravity; without gravity, y.
 Json up_of(const Experiment& e) {
   const Vec3 up = e.gravity.norm() > 0 ? Vec3(-e.gravity.normalized()) : Vec3::UnitY();
   return {up.x(), up.y(), up.z()};
@@ -47,7 +47,8 @@ Json probes_of(const Experiment& e, const Value& root) {
   return list;
 }
 
-// Half of the distance at which it begins, so that it does where those of two bodies meet [m].
+// Returns half of the contact range [m], so that contact begins where the ranges of two bodies
+// meet.
 Json reach_of(const ObjectConfig& object, const Experiment& e) {
   if (!e.contact) return Json();
   return object.contact_offset + e.contact->contact_distance / 2;
@@ -65,7 +66,8 @@ Json expectations_of(const Experiment& e) {
     }
   Json list = Json::array();
   for (const Expectation& one : e.expect) {
-    if (!units.contains(one.query.probe) || !units.contains(one.query.along)) continue;  // of a scene that cannot be run
+    // the scene cannot be run
+    if (!units.contains(one.query.probe) || !units.contains(one.query.along)) continue;
     const ExpectationResult wanted = evaluate(one, none);
     list.push_back({{"name", wanted.name}, {"unit", unit_of(one.query.statistic, units[one.query.probe], units[one.query.along])},
                     {"probe", one.query.probe}, {"along", one.query.along},

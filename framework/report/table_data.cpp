@@ -31,7 +31,7 @@ Json cell(const std::string& text) {
   return Json(text);
 }
 
-// "# title" of compare.md.
+// Returns the title of compare.md, from its line "# title".
 std::string title_of(const std::string& markdown) {
   if (!markdown.starts_with("# ")) return "";
   return markdown.substr(2, markdown.find('\n') - 2);

@@ -1,4 +1,4 @@
-// Tables for a page.
+// Page data of tables.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,22 @@
 
 namespace tack {
 
-// {columns, rows: their number, block, wide: columns of doubles}. Times and numbers of steps are doubles, all others floats. With more than
-// `most` rows, every so manieth is kept, and the last.
+// Returns {columns, rows: number of rows, block, wide: columns of doubles}. Times and step numbers
+// are doubles, other columns floats. Of more than `most` rows, every k-th and the last are kept.
 nlohmann::ordered_json number_table(const CsvTable& table, PageData& page, size_t most = 20000);
 
-// {columns, rows: [[text or number or null]]}
+// Returns {columns, rows: [[text or number or null]]}.
 nlohmann::ordered_json text_table(const CsvTexts& table);
 
-// {name, about, table, text (compare.md)} of a folder of `tack compare`.
+// Returns {name, about, table, text (compare.md)} of a folder of `tack compare`.
 nlohmann::ordered_json comparison_data(const std::filesystem::path& folder);
 
-// {batch.json as it is, table (results.csv), curves: [number_table or null] of the probes of each case, units {column: unit}}.
+// Returns {batch.json, table (results.csv), curves: per case number_table of its probes or null,
+// units {column: unit}}.
 nlohmann::ordered_json batch_data(const std::filesystem::path& folder, PageData& page);
 
-// {calibration.json as it is, table (evaluations.csv), fits: of each experiment {fit, run}: number_table or null, notes}.
+// Returns {calibration.json, table (evaluations.csv), fits: per experiment {fit, run}: number_table
+// or null, notes}.
 nlohmann::ordered_json calibration_data(const std::filesystem::path& folder, PageData& page);
 
 }  // namespace tack

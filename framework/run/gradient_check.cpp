@@ -24,7 +24,7 @@ double user_seconds() {
 
 struct Curve {
   std::vector<double> times, values, gradients;
-  double seconds = 0;  // of steps alone: what is read and built is not what gradients cost
+  double seconds = 0;  // steps only, without reading and building
 };
 
 size_t column_of(const ProbeSet& probes, const std::string& column) {
@@ -63,7 +63,7 @@ Curve curve_of(LoadedExperiment loaded, const std::string& column, std::vector<W
   return curve;
 }
 
-// Where a curve has a sample at the time; its size if nowhere. Times ascend.
+// Returns the index of the sample at a time; the size if there is none. Times ascend.
 size_t place(const Curve& curve, double time, double tolerance) {
   const auto found = std::lower_bound(curve.times.begin(), curve.times.end(), time - tolerance);
   if (found == curve.times.end() || *found > time + tolerance) return curve.times.size();

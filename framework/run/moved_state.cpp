@@ -12,7 +12,8 @@
 namespace tack {
 namespace {
 
-// Sets the vertices of each affine body's frame so that those of its mesh are nearest to where they are in the field (3n).
+// Sets the frames of affine bodies such that their mesh vertices are nearest to their positions in
+// the field (3n).
 void fit_frames(const World& world, VecX& field) {
   const int meshes = world.mesh_vertex_count();
   for (const AffineFrame& frame : world.bindings.frames()) {
@@ -30,7 +31,7 @@ void fit_frames(const World& world, VecX& field) {
 }
 
 void check_followed(const World& world, const VecX& asked, const VecX& x) {
-  constexpr double tolerated = 1e-6;  // of the size of the object
+  constexpr double tolerated = 1e-6;  // fraction of the object's size
   for (size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     const double size = extent_of(body, world.rest).diagonal().norm();

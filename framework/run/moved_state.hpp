@@ -1,4 +1,4 @@
-// The state of a simulation whose bodies are put elsewhere between two steps.
+// State of a simulation whose bodies are moved between two steps.
 #pragma once
 
 #include "framework/core/state.hpp"
@@ -7,16 +7,16 @@ namespace tack {
 
 struct World;
 
-// Returns the state with other positions x and velocities v of the meshes' vertices (3 per vertex)
-// [m, m/s]. Frames of affine bodies and all vertices that follow others are found from these. The
-// state begins anew, as that of a run's start:
-// - nothing is left of the step before: positions, velocities, its size, the error of adaptive
-//   steps, accelerations. `a` is empty: the time loop then finds accelerations from the forces, and
-//   forgets lagged friction, contact's sides and shares, and what the stepper has kept;
-// - the balance of energy opens again; what was dissipated so far stays counted.
-// Time, number of steps, prescribed motions and what bodies, bonds and interactions remember
-// (plastic strain, damage, twists of rods) stay.
-// Throws InputError for positions of vertices that have to follow others and would not.
+// Returns the state with other positions x [m] and velocities v [m/s] of the meshes' vertices (3
+// per vertex). Frames of affine bodies and all dependent vertices are computed from these. The
+// state begins anew, as at the start of a run:
+//- History of the last step is dropped: positions, velocities, step size, error of adaptive steps,
+//  accelerations. `a` is empty: the time loop computes accelerations from the forces and resets
+//  lagged friction, contact sides and weights, and the stepper's history.
+//- The energy balance restarts; dissipation so far stays counted.
+//- Kept: time, number of steps, prescribed motions, and the history of bodies, bonds and
+//  interactions (plastic strain, damage, twists of rods).
+// Throws InputError for positions that dependent vertices cannot have.
 State moved_state(const World& world, const State& before, const VecX& x, const VecX& v);
 
 }  // namespace tack

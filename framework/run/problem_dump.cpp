@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-// The number behind `key=`; 0 if the request is another one or no positive number.
+// Returns the number after `key=`; 0 for another request or a number that is not positive.
 int number_of(const std::string& request, const std::string& key) {
   if (!request.starts_with(key + "=")) return 0;
   int number = 0;

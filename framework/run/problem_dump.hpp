@@ -1,6 +1,6 @@
-// tack run --dump-problem: stores single steps of a run as problems (framework/output/state_file.hpp).
-// A step that is stored starts afresh, without what the steps before left in factors and candidates, so
-// that its problem gives the bits of the run when it is minimised again.
+// tack run --dump-problem: stores single steps of a run as problems
+// (framework/output/state_file.hpp). A stored step starts with fresh factors and candidates, so
+// that minimising its problem again gives the bits of the run.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,20 @@ namespace tack {
 
 class ProblemDump {
  public:
-  // `requests`: "step=K" (counted from 1, as in steps.csv) or "hardest=N" (the N steps with most Newton
-  // iterations). Throws InputError for anything else.
+  // requests: "step=K" (counted from 1, as in steps.csv) or "hardest=N" (the N steps with most
+  // Newton iterations). Throws InputError for anything else.
   explicit ProblemDump(const std::vector<std::string>& requests);
 
-  // Whether step `step` may have to be stored.
+  // Returns true if step `step` may be stored.
   bool wants(int step) const { return hardest_ > 0 || steps_.count(step) > 0; }
-  // The step from `state` with size h comes next; stored at once if it was asked for by number, so that
-  // a step that fails is kept too. `store` writes a problem.
+  // Announces the step from `state` with size h. A step requested by number is stored at once, so
+  // that a failing step is kept too. store: writes a problem.
   using Store = std::function<void(const State& state, double h, int iterations)>;
   void before(const State& state, double h, const Store& store);
   void after(int iterations);
-  // The hardest steps, which are known at the end.
+  // Stores the hardest steps, which are known at the end.
   void finish(const Store& store);
-  // Steps asked for by number that the run did not reach.
+  // Steps requested by number that the run did not reach.
   const std::set<int>& missed() const { return steps_; }
 
  private:

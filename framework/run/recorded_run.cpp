@@ -22,16 +22,16 @@
 namespace tack {
 namespace {
 
-// Whether elements are fine enough is judged in the end, by what is much the same from one step to the next.
+// Sampling of mesh resolution, which changes little from step to step and is judged at the end.
 constexpr int looks_at_first = 16, look_interval = 4;  // steps
 
-// Of different objects, if any came near each other.
+// Returns the smallest gap between different objects, if any came near each other.
 std::string smallest_gap_of(const RunSummary& s) {
   if (!std::isfinite(s.min_gap) && std::isfinite(s.min_distance)) return fmt::format("smallest gap of an object to itself {:.4g} m", s.min_distance);
   return fmt::format("smallest gap {:.4g} m", s.min_gap);
 }
 
-// Before anything is written.
+// Makes the gradients, with their errors, before anything is written.
 std::optional<Gradients> gradients_of(BuiltExperiment& built) {
   if (built.experiment().output.gradients.empty()) return std::nullopt;
   return std::optional<Gradients>(std::in_place, built);
@@ -113,7 +113,7 @@ void RecordedRun::tell_beginning() {
   for (const std::string& line : scene_warnings(experiment_, world())) warn(line);
 }
 
-// Whatever is warned of also stands in the summary.
+// Adds the warning to the summary as well.
 void RecordedRun::warn(const Warning& warning) {
   summary_.add(warning);
   progress_.warning(warning.text);
@@ -173,7 +173,7 @@ void RecordedRun::simulate(std::optional<Recorder>& recorder) {
   }
 }
 
-// Where tets that have flowed are poor. What has looked at the world starts anew, as when a run is resumed.
+// Remeshes worn tetrahedra. Observers of the world start anew, as in a resumed run.
 void RecordedRun::remesh(std::optional<Recorder>& recorder) {
   if (simulation_.finished()) return;
   std::vector<NewElements> elements = simulation_.due_elements();
@@ -193,7 +193,7 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
   try {
     lost = simulation_.exchange(std::move(elements));
     watch_.emplace(simulation_.built());
-  } catch (const InputError& error) {  // a selection that has nothing left
+  } catch (const InputError& error) {  // a selection that is empty now
     throw SimulationError(fmt::format("after objects were meshed anew (t = {:.6g} s): {}", time, error.what()));
   }
   recorder.emplace(experiment_.output, experiment_.time, watch_->probes, world(), folder_, clock_, time);
@@ -206,7 +206,7 @@ void RecordedRun::remesh(std::optional<Recorder>& recorder) {
   summary_.dofs = world().dofs.size();
 }
 
-// What others let it wait is no time of the run.
+// Waits while the run is paused; the time does not count as run time.
 void RecordedRun::hold() {
   if (!settings_.control) return;
   const ClockPause pause(clock_);
@@ -219,7 +219,7 @@ void RecordedRun::begin_gradients(const Recorder& recorder) {
   add_gradients(recorder);
 }
 
-// As if the run had been resumed here.
+// Restarts gradients as in a run resumed here.
 void RecordedRun::restart_gradients() {
   State state = simulation_.state();
   gradients_->store(state.history);
@@ -231,7 +231,7 @@ void RecordedRun::add_gradients(const Recorder& recorder) {
   gradients_csv_->add(sample.front(), gradients_->values({sample.begin() + 1, sample.end()}));
 }
 
-// Each once.
+// Reports each lost probe once.
 void RecordedRun::tell_lost_probes() {
   for (const std::string& what : watch_->probes.take_lost())
     warn(fmt::format("probe {} at t = {:.6g} s, and no number that charts, statistics or an expectation could use", what,
@@ -243,7 +243,7 @@ void RecordedRun::look_at_quality() {
   if (const auto lowest = watch_->quality.lowest()) summary_.lowest_quality = std::min(summary_.lowest_quality, *lowest);
 }
 
-// What elements turned out to be too coarse for.
+// Reports effects that elements were too coarse for.
 void RecordedRun::tell_resolution() {
   if (!watch_) return;
   if (simulation_.started()) look_at_quality();
@@ -259,7 +259,7 @@ void RecordedRun::tell_coarse() {
     for (const std::string& line : watch_->approach->soft()) warn(line);
 }
 
-// Once it has seen a system, and again when it has changed its mind.
+// Reports the linear solver after the first system and after each change.
 void RecordedRun::tell_linear_solver() {
   const std::string solver = simulation_.solver().linear_solver();
   if (solver.empty() || solver == summary_.linear_solver) return;
@@ -322,8 +322,9 @@ void RecordedRun::write_checkpoint() {
   simulation_.start_from(state);
 }
 
-// Without an interval there would be none to go on from. With one, resuming repeats the steps since the last one, and has the bits of a run
-// that was not interrupted: its solver starts afresh where that one's did.
+// Writes a checkpoint if the run has no checkpoint interval. With an interval, resuming repeats the
+// steps since the last checkpoint and has the bits of an uninterrupted run, because its solver
+// starts afresh there, too.
 void RecordedRun::keep_interrupted() {
   if (experiment_.output.checkpoint_interval || summary_.steps == 0) return;
   const int step = simulation_.state().step;
@@ -340,7 +341,7 @@ void RecordedRun::store_checkpoint(const std::filesystem::path& path) {
   file.warnings = summary_.warnings;
   file.linear_solver = summary_.linear_solver;
   file.remeshings = summary_.remeshings;
-  std::error_code failed;  // which writing tells
+  std::error_code failed;  // writing reports the error
   std::filesystem::create_directory(path.parent_path(), failed);
   write_state_file(path, file);
 }

@@ -1,5 +1,5 @@
-// A simulation whose results are kept: a folder with the experiment as it is resolved, steps, probes, frames,
-// checkpoints, stored problems, a profile and a summary; and what is told of it on the way.
+// A simulation with recorded results: a folder with the resolved experiment, steps, probes, frames,
+// checkpoints, stored problems, a profile and a summary, and messages on the way.
 #pragma once
 
 #include <fstream>
@@ -26,22 +26,22 @@ namespace tack {
 class RunControl;
 
 struct RunSettings {
-  std::string output;                      // the folder; empty: results/<name>
-  int steps = 0;                           // 0: to the end
+  std::string output;                      // folder; empty: results/<name>
+  int steps = 0;                           // limit of steps; 0: none
   bool resume = false;                     // from the newest checkpoint of the folder
   std::vector<std::string> dump_problems;  // "step=K", "hardest=N"
-  bool profile = false;                    // tell what the run cost
-  RunControl* control = nullptr;           // who looks on and may hold it; null: nobody
+  bool profile = false;                    // print the cost of the run
+  RunControl* control = nullptr;           // observer that may pause or stop the run; null: none
 };
 
 class RecordedRun {
  public:
-  // Throws InputError before anything is written. `out` gets what is told.
-  RecordedRun(LoadedExperiment loaded, const RunSettings& settings, const Provenance& provenance, std::ostream& out,
-              const ProgressOptions& progress);
+  // Throws InputError before anything is written. out: stream for messages.
+  RecordedRun(LoadedExperiment loaded, const RunSettings& settings, const Provenance& provenance,
+              std::ostream& out, const ProgressOptions& progress);
 
-  // To the end, or as far as it gets: a step that fails is told of in the summary. Throws InputError for results
-  // that cannot be written.
+  // Runs to the end or to a step that fails, which the summary reports. Throws InputError for
+  // results that cannot be written.
   const RunSummary& execute();
   const std::filesystem::path& folder() const { return folder_.root(); }
 
@@ -70,7 +70,7 @@ class RecordedRun {
   void store_checkpoint(const std::filesystem::path& path);
   void add_up_phases();
   std::string profile_of_run();
-  void finish(const ProbeSeries* series);  // of probes; null: they were lost
+  void finish(const ProbeSeries* series);  // null: probes were lost
 
   RunSettings settings_;
   ProblemDump dump_;
@@ -79,26 +79,26 @@ class RecordedRun {
   World& world() { return simulation_.world(); }
   const World& world() const { return simulation_.world(); }
   PhaseClock& clock_ = simulation_.clock();
-  // All that looks at the world, which is another one once objects were meshed anew.
+  // Observers of the world, which is replaced when objects are remeshed.
   struct Watch {
     explicit Watch(const BuiltExperiment& built);
     ProbeSet probes;
     BentSolids bent;
     FlowQuality quality;
-    std::optional<AdhesionResolution> adhesion;  // if anything adheres
-    std::optional<ContactApproach> approach;     // with contact, if forces are in balance
+    std::optional<AdhesionResolution> adhesion;  // only with adhesion
+    std::optional<ContactApproach> approach;     // only with contact and a check of force balance
   };
   std::optional<Watch> watch_;
-  std::optional<Gradients> gradients_;  // if the experiment asks for any
+  std::optional<Gradients> gradients_;  // only if the experiment has gradients
   std::optional<ProbesCsv> gradients_csv_;
-  // Digests of the files that the scene reads, taken when it read them, by path.
+  // Digests by path of the files that the scene has read, computed at that time.
   std::map<std::string, std::string> files_;
   RunFolder folder_;
-  std::optional<StateFile> checkpoint_;  // that the run goes on from
+  std::optional<StateFile> checkpoint_;  // the checkpoint that is resumed
   std::ofstream log_;
   Progress progress_;
   RunSummary summary_;
-  PhaseClock::Seconds phases_before_{};  // of the run that is resumed
+  PhaseClock::Seconds phases_before_{};  // of the resumed run
   std::optional<Profiler> profiler_;
   double next_checkpoint_ = 0;  // s
 };

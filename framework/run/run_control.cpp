@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// Signals only set a flag, which has to be looked at.
+// Signals only set a flag, which must be polled.
 constexpr std::chrono::milliseconds signal_interval{50};
 
 }  // namespace

@@ -1,4 +1,5 @@
-// How far a run is, and a hand on it, for another thread: pause and stop. Who runs it calls begin, step, iteration, hold and end; all others may be called from anywhere.
+// Progress of a run, with pause and stop, for other threads. The running thread calls begin, step,
+// iteration, hold and end; any thread may call the others.
 #pragma once
 
 #include <condition_variable>
@@ -14,28 +15,28 @@ class RunControl {
  public:
   struct Progress {
     double start = 0, end = 0;  // of the run [s, simulated]
-    int step = 0;               // the last one that was accepted
-    double time = 0;            // at its end [s]
-    int iterations = 0;         // that it took
+    int step = 0;               // last accepted step
+    double time = 0;            // time at its end [s]
+    int iterations = 0;         // its iterations
     int contacts = 0;
     double min_gap = std::numeric_limits<double>::infinity();  // m
-    int iteration = 0;          // of the step under way; 0: of none
-    double residual = 0;        // after it, in tolerances
-    bool paused = false;        // asked to hold
-    bool holding = false;       // and holds
-    bool stopped = false;       // asked to end
-    bool over = false;          // nothing is written any more
+    int iteration = 0;          // of the present step; 0: none yet
+    double residual = 0;        // after that iteration, in units of the tolerance
+    bool paused = false;        // a pause was requested
+    bool holding = false;       // the run waits
+    bool stopped = false;       // a stop was requested
+    bool over = false;          // the run has ended; nothing is written any more
   };
 
   void begin(double start, double end, int step);
   void step(const StepReport& report);
   void iteration(int iteration, double residual);
-  // Between two steps: returns once the run may go on, or has to end.
+  // Called between two steps; returns once the run may continue or must end.
   void hold();
   void end();
 
   void pause(bool paused);
-  // As Ctrl-C does; of a run that is over, nothing.
+  // Ends the run as Ctrl-C does; no effect on a run that has ended.
   void stop();
   Progress progress() const;
 

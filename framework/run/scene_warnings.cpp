@@ -26,7 +26,7 @@ std::vector<std::string> weak_wells(const World& world) {
   return lines;
 }
 
-// What making the meshes had to warn of, of copies (fill.hpp) once.
+// Returns warnings of meshing, once for copies (fill.hpp).
 std::vector<std::string> doubtful_meshes(const World& world) {
   constexpr std::string_view prefix = "warning: ";  // geometry/meshing/notes.hpp
   std::vector<std::string> lines, told;

@@ -1,4 +1,5 @@
-// What is doubtful of a scene before it is run, a line each: of laws, meshes, elements, their sizes and tolerances.
+// Warnings about a scene before it runs, one line each: laws, meshes, elements, their sizes and
+// tolerances.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace tack {
 
-// The contact system is left at the start.
+// Returns the warnings. Leaves the contact system at the start configuration.
 std::vector<std::string> scene_warnings(const Experiment& experiment, World& world);
 
 }  // namespace tack

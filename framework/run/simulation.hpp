@@ -1,5 +1,5 @@
-// An experiment under way: its world, a solver of its own, the clock, and the state that is stepped on. Nothing is
-// written; see recorded_run.hpp.
+// A running experiment: its world, its own solver, the clock and the present state. It writes no
+// files; see recorded_run.hpp.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,11 @@
 
 namespace tack {
 
+/// A running experiment: start(), then step() until finished().
 class Simulation {
  public:
-  // Builds the world; throws InputError as BuiltExperiment does. `warn` is told of failed solves and whatever else is doubtful.
+  /// Builds the world. warn: gets failed solves and other warnings. Throws InputError as
+  /// BuiltExperiment does.
   explicit Simulation(LoadedExperiment loaded, WarningFunction warn = [](const Warning&) {});
 
   const BuiltExperiment& built() const { return built_; }
@@ -25,37 +27,42 @@ class Simulation {
   const World& world() const { return built_.world(); }
   PhaseClock& clock() { return built_.clock(); }
 
-  // Before anything below: at the experiment's start, or from a state as a program would go on that was started
-  // there: with a solver and candidates of its own.
+  /// start: begins at the experiment's start. start_from: begins at a state, with new solver and
+  /// candidates. Call one of them before the functions below.
   void start() { start_from(world().start); }
   void start_from(State state);
   bool started() const { return stepper_.has_value(); }
-  // Sets positions and velocities of the meshes' vertices (3 per vertex) [m, m/s] between steps, as
-  // moved_state() says. Those that the state already has change nothing. Throws InputError, and
-  // leaves everything as it was, for positions that intersect, touch, invert elements, or that
-  // dependent vertices cannot have.
+  /// Sets positions x [m] and velocities v [m/s] of the meshes' vertices (3 per vertex) between
+  /// steps (moved_state.hpp). Values equal to the state's have no effect. Throws InputError, with
+  /// nothing changed, for positions that intersect, touch, invert elements, or that dependent
+  /// vertices cannot have.
   void move(const VecX& x, const VecX& v);
 
-  // One accepted step. Throws SimulationError when no step small enough succeeds. Of scenes in which objects may be meshed anew, due_elements() has to
-  // be called between two steps: else std::logic_error.
+  /// Makes one accepted step. Throws SimulationError if no permitted step size succeeds, and
+  /// std::logic_error if objects may be remeshed and due_elements() was not called since the last
+  /// step.
   StepReport step();
   bool finished() const { return stepper_->finished(); }
   bool interrupted() const { return stepper_->interrupted(); }
   const State& state() const { return stepper_->state(); }
   const Minimizer& solver() const { return *solver_; }
-  // Who minimises from the next start on; empty: what the experiment says.
-  void solve_with(std::function<std::unique_ptr<Minimizer>()> make) { make_solver_ = std::move(make); }
-  TimeStepper& stepper() { return *stepper_; }  // for those who study single steps; another one after start_from()
+  /// Sets the minimiser from the next start on; empty: that of the experiment.
+  void solve_with(std::function<std::unique_ptr<Minimizer>()> make) {
+    make_solver_ = std::move(make);
+  }
+  /// For studies of single steps. start_from() makes another stepper.
+  TimeStepper& stepper() { return *stepper_; }
 
-  // After a step, better elements of the objects whose tets are worn (`remesh`), for exchange(). Nothing has changed but that it is noted what was tried.
+  /// Returns, after a step, new elements for objects with worn tetrahedra (`remesh`), for
+  /// exchange(). Changes nothing but the record of attempts.
   std::vector<NewElements> due_elements();
-  // Goes on with them: there is another world, and whatever pointed into the one before has to be made anew. The state is as that of a program
-  // which is started with it. Returns the energy that was lost [J].
+  /// Continues with new elements. Replaces the world: pointers into the previous one become
+  /// invalid. The state is as after a start from it. Returns the energy lost [J].
   double exchange(std::vector<NewElements> elements);
-  // Before start_from(): objects with the meshes that the state is of.
+  /// Gives objects the meshes that the state belongs to. Call it before start_from().
   void rebuild(FlowedMeshes flowed) { built_.rebuild(std::move(flowed)); }
 
-  // Who is told of what, from the next start on.
+  /// Sets the observers of steps, from the next start on.
   void observe(StepObservers observers) { observers_ = std::move(observers); }
   void observe_solved(TimeStepper::SolvedObserver solved) { solved_ = std::move(solved); }
 
@@ -65,7 +72,7 @@ class Simulation {
   StepObservers observers_;
   TimeStepper::SolvedObserver solved_;
   Remesher remesher_;
-  bool looked_ = true;  // for worn tets, since the last step
+  bool looked_ = true;  // due_elements() was called since the last step
   std::function<std::unique_ptr<Minimizer>()> make_solver_;
   std::unique_ptr<Minimizer> solver_;
   std::optional<TimeStepper> stepper_;

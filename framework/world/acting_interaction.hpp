@@ -1,4 +1,4 @@
-// What an interaction of the scene has become in its world.
+// An interaction of the scene as built in its world.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace tack {
 class Term;
 
 struct ActingInteraction {
-  // A history array, as InteractionBuilder::remembers has stated it.
+  // A history array declared by InteractionBuilder::remembers.
   struct Memory {
     std::string name;
     int width, entries;

@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// What moves a vertex, and by how much.
+// Calls action with each block that moves a vertex, and its weight.
 template <class Action>
 void for_each_part(const DofMap& dofs, int v, const Action& action) {
   if (dofs.mixed(v)) {

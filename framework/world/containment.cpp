@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// The relation of overlap_pairs: vertices are the queries.
+// Query of overlap_pairs, with vertices as queries.
 struct VertexInTet {
   const std::vector<int>& vertices;
   const std::vector<Tet>& tets;
@@ -23,7 +23,7 @@ Aabb box_of(const Body& body, const VecX& x) {
   return box;
 }
 
-// Surface vertices of the other objects that may be in this one.
+// Returns surface vertices of other objects that may be inside of this one.
 std::vector<int> candidates(const World& world, int around) {
   const CollisionMesh& mesh = world.contact->surface().mesh;
   const Aabb box = box_of(world.bodies[around], world.start.x);

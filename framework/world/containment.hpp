@@ -1,5 +1,5 @@
-// Is something inside a solid at the start? Their surfaces need not meet for that, so that looking for
-// intersections does not find it.
+// Test for objects inside solids at the start. Their surfaces need not meet, so that intersection
+// tests do not find them.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,13 @@
 namespace tack {
 
 struct Containment {
-  int body, vertex;     // what is inside, and a vertex of its surface that shows it (global)
-  int around, tet;      // the solid, and which of its tets the vertex is in (from 0)
+  int body, vertex;     // the object inside, and a vertex of its surface inside (global)
+  int around, tet;      // the solid, and its tetrahedron that contains the vertex (from 0)
 };
 
-// The first surface vertex that lies in a tet of another object, of those that may touch (ContactSystem::colliding)
-// and can move against each other. Exact. Surfaces without tets are hollow: nothing is inside them.
+// Returns the first surface vertex in a tetrahedron of another object, for objects that may collide
+// (ContactSystem::colliding) and can move relative to each other. The test is exact. Surfaces
+// without tetrahedra count as hollow.
 std::optional<Containment> find_containment(const World& world);
 
 }  // namespace tack

@@ -7,7 +7,7 @@
 
 namespace tack {
 
-// "edge (3, 4) of 'plate'", of its global vertices: one to four of one object.
+// Returns "edge (3, 4) of 'plate'" for one to four global vertices of one object.
 std::string describe_primitive(const World& world, const std::vector<int>& vertices);
 
 }  // namespace tack

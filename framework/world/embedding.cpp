@@ -22,7 +22,7 @@ double least(const std::vector<std::pair<int, double>>& weights) {
   return least;
 }
 
-// A vertex of the other mesh that a point coincides with is all that it follows.
+// Removes weights below round-off, so that a point at a vertex depends on that vertex only.
 void snap(std::vector<std::pair<int, double>>& weights) {
   constexpr double round_off = 1e-10;
   for (const auto& [v, w] : weights)

@@ -14,7 +14,7 @@ double kinetic_energy(const World& world, const State& state) {
   return sum;
 }
 
-// Those of objects come by name, then gravity, then the others as they are.
+// Sorts energies: those of objects by name, then gravity, then the others in their order.
 void sort(std::vector<NamedEnergy>& energies) {
   const auto rank = [](const NamedEnergy& e) { return e.kind == EnergyKind::of_objects ? 0 : e.kind == EnergyKind::weight ? 1 : 2; };
   std::stable_sort(energies.begin(), energies.end(), [&](const NamedEnergy& a, const NamedEnergy& b) {

@@ -11,7 +11,7 @@ bool may_be_hull(const Body& body) {
          body.thickness == 0;
 }
 
-// No surface crosses another, so that all of a connected part is where one of its vertices is.
+// Surfaces do not cross, so that a connected component lies where one of its vertices does.
 bool encloses(const SurfaceDistance& hull, const World& world, const Body& other) {
   const double reach = (hull.box().hi - hull.box().lo).norm();
   for (int v = other.first_vertex; v < other.first_vertex + other.vertex_count; ++v) {

@@ -1,6 +1,6 @@
-// Held objects that are meshes of triangles and enclose a volume: walls, floors, obstacles from files. What lies outside of one
-// sees its outer side alone, as of an object of tets. A shell stays a sheet with two sides, and so does a room: a hull around
-// other objects.
+// Hulls: prescribed objects that are triangle meshes and enclose a volume, such as walls, floors
+// and obstacles from files. Objects outside of a hull interact with its outer side only, as with
+// that of a solid. Shells stay two-sided sheets, as do rooms: hulls around other objects.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace tack {
 
-// Of each body.
+// Returns, per body, whether it is a hull.
 std::vector<char> find_hulls(const World& world);
 
 }  // namespace tack

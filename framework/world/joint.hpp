@@ -1,4 +1,4 @@
-// What joins bodies exactly: sums of places that are zero throughout (joint_relations.hpp).
+// A joint: sums of positions that are zero throughout (joint_relations.hpp).
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,17 @@
 namespace tack {
 
 struct Joint {
-  // Vertices and weights that add up to zero; zero at rest.
+  // Vertices and weights that add up to zero. The weighted sum is zero at rest.
   using Relation = std::vector<std::pair<int, double>>;
 
   std::string name;
   std::vector<Relation> relations;
-  std::vector<int> bodies;   // that it joins, its object first
-  std::vector<int> places;   // vertices of its own, without mass, that may follow from others
-  std::vector<int> anchors;  // vertices of its object at which it pulls; about the first one its torque is told
-  std::function<double(const VecX& x)> play = {};  // how far off is what a stiff potential alone holds [m]
+  std::vector<int> bodies;   // joined bodies, its object first
+  std::vector<int> places;   // its own massless vertices, which may become dependent
+  // vertices of its object at which it acts; its torque is reported about the first
+  std::vector<int> anchors;
+  // error of relations that only a stiff potential keeps [m]
+  std::function<double(const VecX& x)> play = {};
 };
 
 inline Vec3 off(const Joint::Relation& relation, const VecX& x) {
@@ -29,10 +31,11 @@ inline Vec3 off(const Joint::Relation& relation, const VecX& x) {
   return sum;
 }
 
-// By how much the worst of its relations is not zero, or what else holds gives way [m].
+// Returns the largest error of its relations, or of its stiff potentials [m].
 inline double joint_error(const Joint& joint, const VecX& x) {
   double most = joint.play ? joint.play(x) : 0;
-  for (const Joint::Relation& relation : joint.relations) most = std::max(most, off(relation, x).norm());
+  for (const Joint::Relation& relation : joint.relations)
+    most = std::max(most, off(relation, x).norm());
   return most;
 }
 

@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-constexpr double says_something = 1e-6;  // weight from which on a relation says something about a vertex
+constexpr double says_something = 1e-6;  // smallest weight at which a relation determines a vertex
 constexpr double nothing_left = 1e-12;
 
 using Weights = std::map<int, double>;
@@ -29,7 +29,7 @@ Entry largest(const std::vector<Weights>& rows, const std::set<int>& among) {
   return best;
 }
 
-// Solves rows for vertices among those, and puts what they are into the others.
+// Solves rows for vertices in `among` and substitutes them in the other rows.
 void eliminate(std::vector<Weights>& rows, const std::set<int>& among, Dependences& found) {
   for (Entry pivot = largest(rows, among); std::abs(pivot.weight) >= says_something; pivot = largest(rows, among)) {
     const Weights by = rows[pivot.row];

@@ -1,5 +1,8 @@
-// The relations of joints, solved for vertices: joints of affine bodies are linear in the frames of these, so trees and loops of them cost no
-// unknowns and leave no error. Blocks of three unknowns have scalar weights throughout, and so the equations are those of one coordinate.
+// Joint relations solved for vertices. Joints of affine bodies are linear in the bodies' frames, so
+// that trees and loops of joints cost no unknowns and have no error. Weights of blocks of three
+// unknowns are scalars, so that the equations are those of one coordinate.
+// unknowns and leave no error. Blocks of three unknowns have scalar weights throughout, and so the
+// equations are those of one coordinate.
 #pragma once
 
 #include <span>
@@ -11,12 +14,13 @@ namespace tack {
 
 struct SolvedJoints {
   Dependences dependences;
-  int idle = 0;  // relations that the others and what is held say already
+  int idle = 0;  // redundant relations
 };
 
-// By elimination with complete pivoting: of the relations, down to what nothing determines (known: who follows whom without them), first for
-// vertices of frames, then for the joints' own places. So the points of joints are what bodies between them follow, and chains are no
-// chains of dependences. free[v] == 0: held.
-SolvedJoints solve_joints(std::span<const Joint> joints, const std::vector<AffineFrame>& frames, const std::vector<char>& free, const Dependences& known);
+// Solves the relations by elimination with complete pivoting, first for vertices of frames, then
+// for the joints' own vertices. Points of joints thus depend directly on bodies, and chains of
+// joints give no chains of dependences. known: dependences without joints. free[v] == 0: fixed.
+SolvedJoints solve_joints(std::span<const Joint> joints, const std::vector<AffineFrame>& frames,
+                          const std::vector<char>& free, const Dependences& known);
 
 }  // namespace tack

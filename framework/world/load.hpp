@@ -1,4 +1,5 @@
-// An external load on an object: forces on vertices that depend on time and not on the configuration, or a term for what follows it.
+// An external load on an object: nodal forces that depend on time only, or a term for loads that
+// depend on the configuration.
 #pragma once
 
 #include <vector>
@@ -16,10 +17,13 @@ class Load : public Component {
   static constexpr const char* kind_doc = "An external force on an object.";
 
   // Adds the forces [N] at time t (3n). rest: 3n [m]; mass: per vertex [kg].
-  virtual void add_forces(const Body& /*body*/, const VecX& /*rest*/, const VecX& /*mass*/, double /*t*/, VecX& /*force*/) const {}
-  // Or makes the term that acts in their place; the load, and what it is given, must outlive it. Null: there are forces.
-  virtual std::unique_ptr<FollowingLoad> make_term(const Body& /*body*/, const VecX& /*rest*/, const VecX& /*mass*/) const;
-  // The times at which it changes abruptly [s]: steps that adapt end there.
+  virtual void add_forces(const Body& /*body*/, const VecX& /*rest*/, const VecX& /*mass*/,
+                          double /*t*/, VecX& /*force*/) const {}
+  // Makes a term that replaces the forces, or returns null. The load and the arguments must outlive
+  // the term.
+  virtual std::unique_ptr<FollowingLoad> make_term(const Body& /*body*/, const VecX& /*rest*/,
+                                                   const VecX& /*mass*/) const;
+  // Returns the times of abrupt changes [s], at which adaptive steps end.
   virtual std::vector<double> corners() const { return {}; }
 };
 

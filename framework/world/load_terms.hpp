@@ -1,4 +1,4 @@
-// The linear potentials of a world: weight, and the loads on its objects.
+// Linear potentials of a world: weight and the loads on its objects.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ class GravityTerm : public LinearTerm {
   void begin_step(const StepStart& start) override { set_reference(start.x); }
 };
 
-// Loads with the forces of the end of the step.
+// Loads, with the forces at the end of the step.
 class LoadTerm : public LinearTerm {
  public:
   LoadTerm() : LinearTerm("loads") {}
@@ -29,7 +29,7 @@ class LoadTerm : public LinearTerm {
   }
   std::vector<double> abrupt_times() const override;
   bool empty() const { return loads_.empty(); }
-  VecX forces_at(double t, Eigen::Index size) const;  // of that size [N]
+  VecX forces_at(double t, Eigen::Index size) const;  // forces as a vector of that size [N]
   void begin_step(const StepStart& start) override;
 
  private:

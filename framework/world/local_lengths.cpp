@@ -20,7 +20,7 @@ class Lengths {
     for (const UnknownGroup& group : world.unknowns)
       if (group.length > 0) lower(group.vertices, group.length);
     if (world.contact) add_gaps(world.contact->surface().mesh, world.contact->candidates());
-    // What others follow may move as far as those may.
+    // Vertices that others depend on are limited by these others, too.
     const std::vector<int>& dependents = world.dofs.dependents();
     for (size_t k = 0; k < dependents.size(); ++k)
       for (const DofMap::Part& part : world.dofs.parts(static_cast<int>(k)))
@@ -85,7 +85,7 @@ class Lengths {
 
 VecX local_lengths(const World& world, const VecX& x) {
   VecX lengths = Lengths(world, x).all();
-  // Particles that nothing is near: as much as the others, or a millimetre.
+  // Particles with nothing near get the smallest length of the others, or a millimetre.
   const double usual = lengths.minCoeff();
   for (double& l : lengths)
     if (!std::isfinite(l)) l = std::isfinite(usual) ? usual : 1e-3;

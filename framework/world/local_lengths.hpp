@@ -1,12 +1,14 @@
-// How far vertices may move without a change of what is inside or outside: the length scale of each.
+// Length scale of each vertex, below which its displacement cannot change what is inside or
+// outside.
 #pragma once
 
 #include "framework/world/world.hpp"
 
 namespace tack {
 
-// Per vertex [m]: the smallest altitude of its elements at rest (of particles their radius, of the twist of a rod the radius of
-// gyration of its section) and distance to what it may touch at x, whichever is less. What moves a small part of it neither inverts an element nor closes a gap.
+// Returns, per vertex [m], the lesser of two lengths: the smallest altitude of its elements at rest
+// (particles: radius; twists of rods: radius of gyration of the section), and the distance at x to
+// objects that it may touch. A small fraction of it neither inverts an element nor closes a gap.
 VecX local_lengths(const World& world, const VecX& x);
 
 }  // namespace tack

@@ -10,9 +10,10 @@
 namespace tack {
 namespace {
 
-constexpr double independent = 1e-6;  // a weight on the rest of a frame, from which on a held vertex counts as another place
+// weight on the rest of a frame above which a fixed vertex is an independent position
+constexpr double independent = 1e-6;
 
-// A held vertex in terms of those vertices of a frame that nothing determines yet, and of the held ones that
+// A fixed vertex as a sum of frame vertices that are still undetermined, and of fixed vertices that
 // determine others.
 struct Row {
   int vertex;
@@ -30,7 +31,7 @@ Dependence solved_for(const Row& row, int pivot, const std::array<int, 4>& frame
   return d;
 }
 
-// Puts what the pivot row says about a vertex of the frame into another row.
+// Substitutes the pivot row's frame vertex in another row.
 void substitute(const Row& by, int pivot, Row& row) {
   const double factor = row.on_frame[pivot] / by.on_frame[pivot];
   for (int k = 0; k < 4; ++k) row.on_frame[k] -= factor * by.on_frame[k];
@@ -39,7 +40,8 @@ void substitute(const Row& by, int pivot, Row& row) {
   for (const auto& [held, weight] : by.on_held) row.on_held[held] -= factor * weight;
 }
 
-// What the vertices of a frame follow where others place some that it carries; `leads` are those of them that they do.
+// Returns the dependences of frame vertices on vertices of the body that are fixed or tied. leads:
+// those of the latter that determine a frame vertex.
 Dependences frame_follows(const AffineFrame& body, const std::set<int>& led, std::vector<int>& leads) {
   Dependences found;
   std::vector<Row> rows;
@@ -100,7 +102,7 @@ Dependences MultiPointConstraints::unjoined_at(const std::vector<char>& free, co
         if (c.weights[k] != 0) d.on.emplace_back(body.frame[k], c.weights[k]);
     }
   }
-  // Of what is tied of an affine body, the leads alone: the others follow its frame.
+  // Tied vertices of an affine body: only the leads stay tied; the others depend on the frame.
   std::set<int> following;
   for (const Dependence& d : all) following.insert(d.vertex);
   for (size_t i = 0; i < ties_.size(); ++i)

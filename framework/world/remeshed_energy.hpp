@@ -1,4 +1,4 @@
-// What meshing objects anew between two steps changed stored energy by, on the account of the step that follows.
+// Energy lost by remeshing between two steps, in the account of the following step.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace tack {
 
 class RemeshedEnergy : public StepParticipant {
  public:
-  static constexpr const char* name = "remeshing/lost";  // in the history: what was lost since the last step [J]
+  // history array: energy lost since the last step [J]
+  static constexpr const char* name = "remeshing/lost";
 
   void remember(const History& history) override {
     const auto* lost = remembered(history, name, 1, 1);
@@ -20,7 +21,9 @@ class RemeshedEnergy : public StepParticipant {
   void commit(const VecX&, History& history) const override { history.erase(name); }
 
   void publish(Records& records) const {
-    records.add(FlowRecord{"remeshing", {{"dissipated_remeshing"}}, [this](const VecX&, double* amounts) { amounts[0] = lost_; }});
+    records.add(FlowRecord{"remeshing",
+                           {{"dissipated_remeshing"}},
+                           [this](const VecX&, double* amounts) { amounts[0] = lost_; }});
   }
 
  private:

@@ -19,7 +19,7 @@ class StandingStill : public Motion {
   bool moves() const override { return false; }
 };
 
-// Numbers whose value at any time is given.
+// Motion of scalar dofs with prescribed values.
 class Prescribed : public Motion {
  public:
   Prescribed(Schedule values, double length) : values_(std::move(values)), length_(length) {}
@@ -27,7 +27,7 @@ class Prescribed : public Motion {
     for (const int v : vertices) vertex(x, v) = Vec3(length_ * values_.at(t), 0, 0);
   }
   bool moves() const override { return !values_.constant(); }
-  bool rigid() const override { return false; }  // it is no place
+  bool rigid() const override { return false; }  // a scalar dof is not a position
 
  private:
   Schedule values_;

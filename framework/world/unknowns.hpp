@@ -1,7 +1,11 @@
-// Unknowns beyond the vertices of meshes, by one builder: energies, interactions and the world itself ask it for them while a world is
-// built. Each is a vertex of x that is in no mesh. It is a place, or a number: then its first coordinate is the number times a length, so
-// that norms, tolerances and integrators take it for a way like any other (of a rod: the arc of a twist at its radius of gyration), and the
-// other two are held. A mass gives it inertia; without one it is where the potential is least. States, checkpoints and resumed runs have all.
+// Unknowns beyond mesh vertices. Energies, interactions and the world request them while a world is
+// built. Each is a vertex of x that belongs to no mesh:
+//   vector dof   a position
+//   scalar dof   first coordinate: the number times a length, so that norms, tolerances and
+//                integrators treat it like a displacement (twist of a rod: the arc at its radius of
+//                gyration); the other two coordinates are fixed
+// With a mass it has inertia; without, it minimises the potential. States, checkpoints and resumed
+// runs contain all unknowns.
 #pragma once
 
 #include <span>
@@ -16,12 +20,12 @@ namespace tack {
 
 struct World;
 
-// What was asked for at once.
+// The unknowns of one request.
 struct UnknownGroup {
   std::string name;           // "box/0/temperature"
-  int body = -1;              // whose; -1: an interaction's
+  int body = -1;              // owner; -1: an interaction
   std::vector<int> vertices;  // consecutive
-  double length = 0;          // of numbers: the way that one is [m]; 0: places
+  double length = 0;          // scalar dofs: the displacement of one unit [m]; 0: vector dofs
 };
 
 struct Numbers {
@@ -32,25 +36,28 @@ struct Numbers {
 
 class Unknowns {
  public:
-  // owner: what their names begin with.
-  Unknowns(World& world, std::string owner, int body = -1) : world_(world), owner_(std::move(owner)), body_(body) {}
+  // owner: beginning of their names.
+  Unknowns(World& world, std::string owner, int body = -1)
+      : world_(world), owner_(std::move(owner)), body_(body) {}
 
-  // So many vertices, at rest there [m]; mass: of each [kg].
+  // Adds vector dofs with these rest positions [m]. mass: of each [kg].
   std::vector<int> places(const std::string& name, std::span<const Vec3> at, double mass = 0);
-  // So many numbers. length: the way that counts as much as one of their unit: tolerances resolve a hundredth of it [m]. start: their value.
-  // mass: what resists changes of that way [kg].
-  Numbers numbers(const std::string& name, int count, double length, double start = 0, double mass = 0);
-  // The vertex is a sum of others, with weights that add up to one, throughout.
+  // Adds scalar dofs. length: displacement that counts as one unit [m]; tolerances resolve a
+  // hundredth of it. start: initial value. mass: inertia against that displacement [kg].
+  Numbers numbers(const std::string& name, int count, double length, double start = 0,
+                  double mass = 0);
+  // Makes a vertex a weighted sum of others throughout; weights add up to one.
   void follow(Dependence dependence);
-  // Directions of a place that nothing frees; `held` projects onto them.
+  // Fixes directions of a vector dof throughout. held: projection onto these directions.
   void hold(int vertex, const Mat3& held);
-  // Places that stay where they are.
+  // Fixes vector dofs.
   void fix(std::vector<int> places);
-  // Those of the numbers whose indices are given have the values of a schedule, throughout: they are held.
+  // Prescribes the scalar dofs with these indices by a schedule throughout.
   void prescribe(const Numbers& numbers, std::span<const int> which, const Schedule& values);
 
  private:
-  std::vector<int> append(const std::string& name, std::span<const Vec3> at, double mass, double length);
+  std::vector<int> append(const std::string& name, std::span<const Vec3> at, double mass,
+                          double length);
 
   World& world_;
   std::string owner_;

@@ -1,4 +1,4 @@
-// A scene ready to simulate: every object's vertices in one configuration, its terms, its unknowns.
+// A scene ready to simulate: all vertices in one configuration, terms and unknowns.
 #pragma once
 
 #include <memory>
@@ -52,15 +52,16 @@ struct World {
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
-  std::vector<ActingInteraction> interactions;  // in the order of the scene
-  const OrthogonalityTerm* affine = nullptr;  // of them, that of affine bodies; null without any
+  std::vector<ActingInteraction> interactions;  ///< in the order of the scene
+  const OrthogonalityTerm* affine = nullptr;  ///< among elastic_terms; null without affine bodies
   std::vector<std::unique_ptr<DampingTerm>> damping_terms;
   GravityTerm gravity_term;
   LoadTerm load_term;
   std::vector<std::unique_ptr<FollowingLoad>> load_terms;
-  std::vector<FollowingLoad*> following_loads;  // of all terms
-  std::vector<const VolumeTerm*> chambers;  // of them, those by an enclosed volume or a surface
-  std::unique_ptr<ContactSystem> contact;  // null without contact
+  std::vector<FollowingLoad*> following_loads;  ///< of all terms
+  /// among following_loads: loads by an enclosed volume or a surface
+  std::vector<const VolumeTerm*> chambers;
+  std::unique_ptr<ContactSystem> contact;  ///< null without contact
   std::unique_ptr<ContactTerm> contact_term;
   std::unique_ptr<OverlapBoundaryTerm> rim;            // null if no pair adheres by a law of the gap over covered areas
   std::unique_ptr<BondTerm> bonds;         // null if no pair adheres by bonds
@@ -70,23 +71,27 @@ struct World {
   StepParticipants participants;  // contact and the terms
   Records records;                // what the terms publish, and a stepper instead of them
   std::vector<AdhesionSummary> adhesion;
-  std::vector<StepFigure> step_figures;  // what the stepper tells of the last step
+  std::vector<StepFigure> step_figures;  ///< step metrics that the stepper reports of the last step
   State start;
   std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (initial_state.hpp)
 
-  int body_index(const std::string& name) const;  // -1 if there is none
-  // The same; throws InputError with the nearest name, after `who` ("probe 'gap': "), if there is none.
+  int body_index(const std::string& name) const;  ///< -1 if there is none
+  /// Returns the index of a body. Throws InputError with the nearest name, after `who` ("probe
+  /// 'gap': "), if there is none.
   int index_of(const std::string& name, const std::string& who = "") const;
-  int body_of(int vertex) const;                  // whose vertex (global) that is; -1: an interaction's
-  // Of the configuration x (3n); of a body without mass, the mean of its vertices.
+  int body_of(int vertex) const;                  ///< body of a global vertex; -1: an interaction
+  /// Returns the centre of mass at x (3n) [m]; without mass, the mean of the vertices.
   Vec3 centre_of_mass(int body, const VecX& x) const;
-  std::vector<int> vertices_of(int body) const;  // of its mesh, and those of its that are in none
-  // The place of a vertex (global) in vertices_of its body: its number in the mesh, or beyond those.
+  std::vector<int> vertices_of(int body) const;  ///< of its mesh, then those without mesh
+  /// Returns the index of a global vertex in vertices_of its body.
   int number_in_body(int vertex) const;
-  bool is_number(int vertex) const;  // and no place (unknowns.hpp)
-  // Moves what acts on vertices of finer contact surfaces (3n) to those of the meshes that they follow.
+  bool is_number(int vertex) const;  ///< scalar dof, not a position (unknowns.hpp)
+  /// Moves forces (3n) on vertices of refined contact surfaces to the mesh vertices that these
+  /// depend on.
   void collect_on_meshes(VecX& forces) const;
-  int mesh_vertex_count() const { return static_cast<int>(rest.size()) / 3 - static_cast<int>(extra_object.size()); }
+  int mesh_vertex_count() const {
+    return static_cast<int>(rest.size()) / 3 - static_cast<int>(extra_object.size());
+  }
   SelectionContext selection_context(int body) const { return {bodies[body], rest}; }
 };
 
