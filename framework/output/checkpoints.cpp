@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "line 12: 'a: 1' there, 'a: 2' here"; for texts that differ.
+// Returns the first difference of two texts: "line 12: 'a: 1' there, 'a: 2' here".
 std::string first_difference(const std::string& there, const std::string& here) {
   std::istringstream a(there), b(here);
   std::string line_a, line_b;

@@ -1,6 +1,6 @@
-// The checkpoints of a run: checkpoints/step_00000120.checkpoint and so on, of which the last is gone
-// on from. After each, the run starts afresh (World::forget), as a resumed one does: so both have the
-// same bits.
+// Checkpoints of a run: checkpoints/step_00000120.checkpoint and so on; a run resumes from the last
+// one. The run starts afresh after each checkpoint (World::forget), as a resumed run does, so that
+// both have the same bits.
 #pragma once
 
 #include "framework/output/run_folder.hpp"
@@ -10,22 +10,24 @@
 namespace tack {
 
 std::filesystem::path checkpoint_path(const RunFolder& folder, int step);
-// The same of a run that was interrupted and would have none: what goes on from there is not bit by bit what would have come.
+// Returns the path of the state of an interrupted run without checkpoints. Resuming from it does
+// not give the bits of an uninterrupted run.
 std::filesystem::path interrupted_path(const RunFolder& folder, int step);
 
-// The digests of the mesh files that a world was built from, by object.
+// Returns the digests of the mesh files that a world was built from, by object.
 std::map<std::string, MeshDigest> file_meshes_of(const World& world);
 
-// Of the files of all plugins that are loaded, by path.
+// Returns the checksums of the files of all loaded plugins, by path.
 std::map<std::string, std::uint32_t> plugin_checksums();
 
-// Of a folder checkpoints/; empty: there is none. `due`: without those of interrupted runs.
-std::filesystem::path newest_checkpoint_in(const std::filesystem::path& checkpoints, bool due = false);
+// Returns the newest checkpoint of a folder checkpoints/; empty: none. due: without states of
+// interrupted runs.
+std::filesystem::path newest_checkpoint_in(const std::filesystem::path& checkpoints,
+                                           bool due = false);
 
-// Throws InputError, with the remedy, if there is none, or it is of another scene than `scene` (resolved,
-// as YAML), of other meshes or plugins than those that are loaded, or of other `files` (path:
-// digest) than the scene reads now: tables of laws, measured curves. The message names what
-// differs.
+// Reads the newest checkpoint. scene: resolved, as YAML; files (path: digest): tables of laws and
+// measured curves that the scene reads now. Throws InputError, with the differences and the remedy,
+// if there is none, or its scene, meshes, plugins or files differ.
 StateFile newest_checkpoint(const RunFolder& folder, const std::string& scene, const World& world,
                             const std::map<std::string, std::string>& files);
 

@@ -33,7 +33,8 @@ void refuse_duplicates(const fs::path& path, std::vector<std::string> columns) {
       fmt::format("{}: two columns are called '{}'; rename one of them", path.string(), *twice));
 }
 
-// Whether a program for spreadsheets would take it for a formula, with apostrophes before it or not.
+// Returns true for a text that spreadsheets would read as a formula, with or without apostrophes in
+// front.
 bool formula(std::string_view text) {
   const std::size_t begin = text.find_first_not_of('\'');
   return begin != text.npos && std::string_view("=+-@\t").find(text[begin]) != std::string_view::npos;
@@ -50,7 +51,8 @@ void for_each_line(const fs::path& path, const Act& act) {
   std::size_t columns = 0;
   for (int number = 1; std::getline(in, line) && !in.eof(); ++number) {
     const std::string where = fmt::format("{}:{}", path.string(), number);
-    for (std::string more; std::count(line.begin(), line.end(), '"') % 2 == 1; ++number) {  // a cell of several lines
+    // a cell of several lines
+    for (std::string more; std::count(line.begin(), line.end(), '"') % 2 == 1; ++number) {
       if (!std::getline(in, more) || in.eof()) return;
       line += "\n" + more;
     }

@@ -1,7 +1,9 @@
-// Tables of numbers with a header line, as .csv files (RFC 4180: a name with a comma or a quote is
-// quoted). Numbers are written with the fewest digits that read back as the same bits; infinities
-// and not-a-numbers as inf, -inf, nan. A text that spreadsheets would take for a formula ("=...", "+...", "-...", "@...") has an apostrophe
-// before it in the file, and none once it is read.
+// Tables of numbers with a header line as .csv files (RFC 4180: names with commas or quotes are
+// quoted).
+//   numbers                       fewest digits that read back as the same bits
+//   infinity, not a number        inf, -inf, nan
+//   texts like formulas           ("=...", "+...", "-...", "@...") with an apostrophe in front, for
+//                                 spreadsheets; readers remove it
 #pragma once
 
 #include <filesystem>
@@ -16,43 +18,44 @@ namespace tack {
 
 struct CsvTable {
   std::vector<std::string> columns;
-  std::vector<std::vector<double>> rows;  // as many numbers each as there are columns
+  std::vector<std::vector<double>> rows;  // one number per column
 
   std::optional<std::size_t> column(std::string_view name) const;
 };
 
-// The same with cells as they are written, without their quotes.
+// A table with its cells as texts, without their quotes.
 struct CsvTexts {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
 };
 
-// Text as a cell: quoted where it has to be.
+// Returns a text as a cell, quoted if necessary.
 std::string csv_cell(const std::string& text);
 
-// Ignores a last line without its line end: what an interrupted run leaves. Throws InputError
-// naming file and line for anything that is no such table.
+// Reads a table. Skips a last line without line end, which an interrupted run leaves. Throws
+// InputError with file and line for a malformed table.
 CsvTable read_csv(const std::filesystem::path& path);
 CsvTexts read_csv_texts(const std::filesystem::path& path);
 
-// The cells of a line, without its end.
+// Returns the cells of a line, without its line end.
 std::vector<std::string> csv_cells(std::string_view line);
 
-// The number that is all of a text, in the form of the files; nothing for anything else.
+// Returns the number that a whole text is, in the format of the files; nothing otherwise.
 std::optional<double> csv_number(std::string_view text);
 
-// The rows whose column "time" is not above `last_time` [s]. Throws InputError without that
-// column; `name` is what messages call the table.
+// Returns the rows whose column "time" is not above `last_time` [s]. name: of the table, for
+// messages. Throws InputError without that column.
 CsvTable rows_until(CsvTable table, double last_time, const std::string& name);
 
-// A table that grows by one row at a time and is complete on disk after each. Throws InputError
-// naming the path when it cannot be written or two columns have one name.
+// A table that grows row by row and is complete on disk after each row. Throws InputError with the
+// path if it cannot be written or two columns have one name.
 class CsvFile {
  public:
-  // Starts the file anew with the header and the rows of `start`.
+  // Replaces the file by the header and the rows of `start`.
   CsvFile(std::filesystem::path path, const CsvTable& start);
 
-  // Whole numbers up to 2^53 are written as such. Throws std::logic_error for a wrong count.
+  // Appends a row; whole numbers up to 2^53 are written as such. Throws std::logic_error for a
+  // wrong count.
   void add(std::span<const double> row);
 
  private:

@@ -1,4 +1,4 @@
-// A probe of other probes: a function of the columns of those before it in the list.
+// A probe computed from other probes: a function of the columns of probes that precede it.
 #pragma once
 
 #include <span>
@@ -9,13 +9,15 @@ namespace tack {
 
 class DerivedProbe : public Probe {
  public:
-  // `columns` of the probes before, behind "time". Throws InputError, without a place.
+  // Finds its arguments. columns: of the probes before, after "time". Throws InputError, without a
+  // source location.
   virtual void find(const std::vector<std::string>& columns) = 0;
-  // Their values, the time first.
+  // Returns its value. values: of these columns, time first.
   virtual double of(std::span<const double> values) const = 0;
 
   void prepare(const World&) final {}
-  std::vector<double> sample(const World&, const State&) final { return {}; }  // the set of probes asks of() instead
+  // unused: ProbeSet calls of()
+  std::vector<double> sample(const World&, const State&) final { return {}; }
 };
 
 }  // namespace tack

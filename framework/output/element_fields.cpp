@@ -21,7 +21,7 @@ double von_mises(const Mat3& stress) {
   return std::sqrt(1.5) * deviator.norm();
 }
 
-// The cells of frames by their vertices: tets and triangles.
+// Index of the frames' cells (tetrahedra and triangles) by their vertices.
 class Cells {
  public:
   explicit Cells(const FrameGeometry& geometry) {
@@ -31,7 +31,7 @@ class Cells {
     std::sort(cells_.begin(), cells_.end());
   }
 
-  // Of a stencil; -1 if it is none, as those of springs.
+  // Returns the cell of a stencil; -1 for stencils that are no cells, such as springs.
   int find(const int* vertices, int arity) const {
     const Key wanted = key(vertices, arity);
     const auto at = std::lower_bound(cells_.begin(), cells_.end(), std::pair(wanted, 0));
@@ -49,7 +49,7 @@ class Cells {
   std::vector<std::pair<Key, int>> cells_;
 };
 
-// What the numbers of a record are of.
+// Returns the elements that a record's numbers belong to.
 template <class Record>
 StencilBatch elements_of(const Record& record) {
   if (record.tets) return {4, static_cast<int>(record.tets->size()), record.tets->empty() ? nullptr : record.tets->front().data()};
@@ -57,7 +57,7 @@ StencilBatch elements_of(const Record& record) {
   return batches.size() == 1 ? batches[0] : StencilBatch();
 }
 
-// Calls act(cell, element) for each of the elements that is a cell.
+// Calls act(cell, element) for each element that is a cell.
 template <class Act>
 void for_each_cell(const StencilBatch& elements, const Cells& cells, const Act& act) {
   if (elements.arity != 3 && elements.arity != 4) return;
@@ -65,7 +65,7 @@ void for_each_cell(const StencilBatch& elements, const Cells& cells, const Act& 
     if (const int cell = cells.find(elements.vertices + static_cast<size_t>(elements.arity) * s, elements.arity); cell >= 0) act(cell, s);
 }
 
-// Of all energies of an element together, by cell.
+// Returns the sum over all energies of an element, by cell.
 std::map<int, Mat3> cauchy_stresses(const World& world, const VecX& x, const Cells& cells) {
   std::map<int, Mat3> sums;
   for (const StressRecord& record : world.records.stresses()) {
@@ -88,7 +88,8 @@ VecX cauchy_stress(const std::map<int, Mat3>& stresses, VecX values) {
   return values;
 }
 
-// Singular values of the map from the rest shape of K edge vectors to the present one, largest first.
+// Returns the singular values, largest first, of the map from K edge vectors at rest to the present
+// ones.
 template <int K>
 std::array<double, K> stretches_of(const std::array<Vec3, K>& rest, const std::array<Vec3, K>& now) {
   // Gram-Schmidt: with the rest shape = Q R, now R^-1 is the deformation gradient in Q's axes.
@@ -133,7 +134,7 @@ VecX stretches(const World& world, const VecX& x, const FrameGeometry& geometry,
   return values;
 }
 
-// What terms publish.
+// Returns fields that terms publish.
 VecX published(const FrameFieldInfo& field, const World& world, const VecX& x, const Cells& cells, VecX all) {
   const int n = field.components;
   for (const FieldRecord& record : world.records.fields()) {

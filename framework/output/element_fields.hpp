@@ -1,4 +1,4 @@
-// Numbers of elements in frames: per cell, not a number where an object has none.
+// Fields of elements in frames, per cell; not a number where an object has none.
 #pragma once
 
 #include "framework/output/vtu.hpp"
@@ -7,8 +7,8 @@ namespace tack {
 
 struct World;
 
-// Those of `names` that are fields of elements (frame_fields.hpp), at x.
-std::vector<CellField> element_fields(const std::vector<std::string>& names, const World& world, const VecX& x,
-                                      const FrameGeometry& geometry);
+// Returns those of `names` that are fields of elements (frame_fields.hpp), at x.
+std::vector<CellField> element_fields(const std::vector<std::string>& names, const World& world,
+                                      const VecX& x, const FrameGeometry& geometry);
 
 }  // namespace tack

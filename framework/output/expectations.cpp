@@ -14,7 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// "" if the expectation says in exactly one way what is accepted.
+// Returns "" if the expectation has exactly one criterion; else the error.
 std::string check_criterion(const Expectation& e) {
   const bool bounded = e.at_least || e.at_most;
   if (!e.target && !bounded) return "needs target with within, or at_least or at_most";
@@ -49,8 +49,8 @@ std::string criterion_text(const ExpectationResult& r) {
   return fmt::format("from {:.6g} to {:.6g}", r.at_least, r.at_most);
 }
 
-// Around a target the difference is compared, so that `within: 0` and a difference of exactly the
-// tolerance do not depend on how target + tolerance rounds.
+// Around a target the difference is compared, so that `within: 0` and a difference equal to the
+// tolerance do not depend on the rounding of target + tolerance.
 bool accepted(const ExpectationResult& r) {
   if (!std::isfinite(r.value)) return false;
   if (!std::isnan(r.target)) return std::abs(r.value - r.target) <= r.tolerance;
@@ -95,7 +95,7 @@ void check_columns(const Expectation& expectation, const std::vector<std::string
 
 namespace {
 
-// The unit of a column; a plain number if there is no such column.
+// Returns the unit of a column; a plain number for an unknown column.
 Unit unit_of(const std::string& column, const std::vector<std::string>& columns, const std::vector<Unit>& units) {
   const auto at = std::find(columns.begin(), columns.end(), column);
   return at == columns.end() ? units::none : units[static_cast<std::size_t>(at - columns.begin())];

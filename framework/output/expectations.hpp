@@ -1,12 +1,14 @@
-// What a scene says its run must show. In a scene file:
+// Expectations of a scene on its run. In a scene file:
 //   expect:
 //     - {probe: peel_force, statistic: mean, over: [0.5, 1.2], target: 12.3, within: 5%}
 //     - {probe: gap, statistic: min, at_least: 0}
 //     - {probe: force, statistic: integral, along: gap, target: 0.02, within: 0.001}
 //     - {probe: force, statistic: at, along: gap, where: 0.001, at_least: 1, at_most: 2}
-//     - {probe: force, statistic: deviation, along: opening, follows: {file: load.csv, from: 5 mm}, at_most: 10%}
-// Numbers may carry a unit of the probe's kind (`target: 12 mN`), of the product of both for an integral; plain
-// ones are SI. Either a target with its tolerance, or bounds; both bounds and tolerance include their ends.
+//     - {probe: force, statistic: deviation, along: opening, at_most: 10%,
+//        follows: {file: load.csv, from: 5 mm}}
+// Numbers may have a unit of the probe's dimension (`target: 12 mN`), or for an integral of the
+// product's; without unit they are SI. An expectation has either a target with tolerance, or
+// bounds. Bounds and tolerance include their ends.
 #pragma once
 
 #include <optional>
@@ -19,7 +21,7 @@
 namespace tack {
 
 struct Expectation : SpecifiedStatistic {
-  std::string name;  // empty: made from the rest
+  std::string name;  // empty: generated from the other keys
   std::optional<Quantity> target;
   Value within;  // as written: "5%" or a number
   std::optional<Quantity> at_least;
@@ -30,10 +32,10 @@ struct Expectation : SpecifiedStatistic {
 
 struct ExpectationResult {
   std::string name;
-  double value = 0;      // NaN if there is none
+  double value = 0;      // NaN if undefined
   double target = 0;     // NaN for bounds
   double tolerance = 0;  // absolute; NaN for bounds
-  double at_least = 0;   // the accepted interval; -infinity and infinity where it is open
+  double at_least = 0;   // bounds of the accepted interval; -infinity and infinity where it is open
   double at_most = 0;
   bool pass = false;
   std::string text;  // "is 12.1, expected 12.3 within 0.615"
@@ -41,19 +43,20 @@ struct ExpectationResult {
 
 std::string name_of(const Expectation& expectation);
 
-// The absolute tolerance of `within` around a target. Throws InputError, without a place, if it is
-// negative, no number, or a percentage of a target of zero.
+// Returns the absolute tolerance of `within` around a target. Throws InputError, without a source
+// location, if it is negative, no number, or a percentage of a target of zero.
 double tolerance_of(const Value& within, double target);
 
-// Throws InputError, naming the expectation and the nearest column, for a column that is not there.
+// Throws InputError, with the expectation and the nearest column, for an unknown column.
 void check_columns(const Expectation& expectation, const std::vector<std::string>& columns);
 
-// Throws InputError, naming the expectation and the key, for a number whose unit is not of the kind of its
-// column, or of the product of both for an integral; also for measured data that cannot be read. `units`: of each of `columns`.
+// Checks units. units: one per column. Throws InputError, with the expectation and the key, for a
+// number whose unit does not fit its column (or, for an integral, the product), and for measured
+// data that cannot be read.
 void check_units(const Expectation& expectation, const std::vector<std::string>& columns,
                  const std::vector<Unit>& units);
 
-// Never passes without a finite number to compare. Throws as check_columns does.
+// Evaluates an expectation; a value that is not finite never passes. Throws as check_columns does.
 ExpectationResult evaluate(const Expectation& expectation, const ProbeSeries& series);
 
 }  // namespace tack

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* marker = ".tack_run";
 
-// The process that the marker names; "" if it names none.
+// Returns the process that the marker names; "" if it names none.
 std::string owner(int file) {
   char text[256] = {};
   const auto length = ::pread(file, text, sizeof text - 1, 0);
@@ -29,12 +29,12 @@ std::string owner(int file) {
   return at == words.npos ? "" : " (" + words.substr(at, words.find_first_of(".\n", at) - at) + ")";
 }
 
-// How often a lock is tried again that may be only that of one who looks.
+// Attempts to lock; a failed one may only be due to another process that checks the lock.
 constexpr int looks = 3;
 
 bool lock(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK; }
 
-// Between opening and locking it, another process may have moved the folder aside.
+// Checks that no other process moved the folder between opening and locking.
 bool still_there(int file, const fs::path& path) {
   struct stat open = {}, named = {};
   return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&

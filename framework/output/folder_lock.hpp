@@ -1,5 +1,5 @@
-// One writer a results folder. The lock is the kernel's (flock) on the file .tack_run inside, so it ends with
-// the process that holds it, however that dies. The file says which process it is.
+// Lock of a results folder, for one writer at a time. It is a kernel lock (flock) on the file
+// .tack_run inside, which ends with its process, however that dies. The file names the process.
 #pragma once
 
 #include <filesystem>
@@ -8,16 +8,17 @@ namespace tack {
 
 class FolderLock {
  public:
-  // Locks an existing folder, and marks it as a run's by the way. Throws InputError if another process (or
-  // this one) writes into it, or if it cannot be written. A file system that knows no locks does without.
+  // Locks an existing folder and marks it as a run's. Throws InputError if it is locked already,
+  // also by this process, or cannot be written. On file systems without locks it only marks.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&& other) noexcept;
 
-  // Whether a folder has been one of a run.
+  // Returns true if a folder is or was a run's.
   static bool marked(const std::filesystem::path& folder);
-  // Whether somebody writes into it at present. Who locks it at the same moment waits for microseconds.
+  // Returns true if a process has the lock now. A process that locks at the same moment waits for
+  // microseconds.
   static bool held(const std::filesystem::path& folder);
 
  private:

@@ -64,7 +64,8 @@ VecX values_of(const OfForces& field, const World& world, const VecX& x) {
   return (field.part.empty() ? 1 : -1) * normal_pressures(world, x, forces, field.part);
 }
 
-// What is published under that name, of all who do; empty if nobody does.
+// Returns the field published under that name, combined over all its publishers; empty if there is
+// none.
 VecX published(const std::string& name, const World& world, const VecX& x) {
   VecX all;
   for (const FieldRecord& field : world.records.fields()) {
@@ -78,7 +79,7 @@ VecX published(const std::string& name, const World& world, const VecX& x) {
   return all;
 }
 
-// One by its name; empty if the scene has nothing of the kind.
+// Returns a field by its name; empty if the scene has none.
 VecX values_of(const std::string& name, const World& world, const State& state) {
   for (const OfForces& field : of_forces)
     if (field.name == name) return values_of(field, world, state.x);
@@ -101,7 +102,7 @@ std::vector<PointField> vertex_fields(const std::vector<std::string>& names, con
       VecX values = values_of(name, world, state);
       if (values.size() == 0) continue;
       const int components = values.size() == world.rest.size() ? 3 : 1;
-      values.conservativeResize(components * geometry.vertices);  // vertices that are in no mesh are not shown
+      values.conservativeResize(components * geometry.vertices);  // drops vertices without mesh
       fields.push_back({name, components, std::move(values), info.unit});
     }
   return fields;

@@ -1,5 +1,5 @@
-// What frames can hold besides positions, times and the number of each cell's object: `output.fields` names it, and only what is
-// named is computed.
+// Fields that frames can contain besides positions, times and the object index of cells. Only
+// fields named in `output.fields` are computed.
 #pragma once
 
 #include <string>
@@ -14,15 +14,17 @@ struct World;
 
 struct FrameFieldInfo {
   std::string name, unit, doc;
-  bool of_elements;  // else of vertices
-  int components = 1;  // of elements
+  bool of_elements;  // per element; false: per vertex
+  int components = 1;  // components of fields of elements
 };
 
-// All there are, those that terms publish (core/published_field.hpp) behind the others; a scene may be without what publishes them.
+// Returns all fields; those that terms publish (core/published_field.hpp) come last, also if the
+// scene has no such term.
 std::vector<FrameFieldInfo> frame_fields();
 
-// The fields of vertices among `names`, at an accepted state, for the vertices of `geometry`. Those of elements: element_fields.hpp.
-std::vector<PointField> vertex_fields(const std::vector<std::string>& names, const World& world, const State& state,
-                                      const FrameGeometry& geometry);
+// Returns those of `names` that are fields of vertices, at an accepted state, for the vertices of
+// `geometry`. element_fields.hpp returns those of elements.
+std::vector<PointField> vertex_fields(const std::vector<std::string>& names, const World& world,
+                                      const State& state, const FrameGeometry& geometry);
 
 }  // namespace tack

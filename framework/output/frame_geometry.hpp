@@ -1,4 +1,4 @@
-// The cells of a world's frames.
+// Cells of a world's frames.
 #pragma once
 
 #include "framework/output/vtu.hpp"

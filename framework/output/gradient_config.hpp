@@ -1,4 +1,4 @@
-// A number of the scene that probes are differentiated by, next to probes.csv (framework/sensitivity).
+// A scene parameter by which probes are differentiated (framework/sensitivity).
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 namespace tack {
 
 struct GradientConfig {
-  std::string key;                // its path, as of --set
-  std::string as;                 // what it is called; empty: its path
-  std::optional<double> step;     // by how much it is changed; unset: a millionth of it
+  std::string key;                // dotted path, as of --set
+  std::string as;                 // name in results; empty: the path
+  std::optional<double> step;     // step of the parameter; unset: a millionth of it
   const std::string& name() const { return as.empty() ? key : as; }
   void fields(Fields& f);
 };

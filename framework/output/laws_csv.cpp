@@ -12,8 +12,8 @@
 namespace tack {
 namespace {
 
-constexpr int law_samples = 400;        // of a law, from zero to beyond its range
-constexpr double steepest = 3;       // repulsion beyond this many peak tractions is left out
+constexpr int law_samples = 400;        // samples of a law, from zero to beyond its range
+constexpr double steepest = 3;       // in peak tractions: stronger repulsion is omitted
 
 std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
   std::string rows;
@@ -29,7 +29,7 @@ std::string rows_of(const std::string& pair, const PairLaw& law, double peak) {
   return rows;
 }
 
-// Of bonds, parted slowly: by how far they have opened.
+// Writes the law of bonds under slow opening.
 std::string rows_of(const std::string& pair, const BondLaw& law) {
   std::string rows;
   for (const BondPoint& p : part_slowly(law, 0, law_samples)) rows += fmt::format("{},{},{},{},{}\n", csv_cell(pair), p.opening, p.traction, 0, p.traction);

@@ -1,6 +1,7 @@
-// laws.csv: the closed form of each adhesive pair's law, as the run computes it (framework/contact/pair_law.hpp). Columns: pair
-// (text), gap [m], traction [Pa], positive where the sides attract, and what barrier and adhesion have in it; of bonds, parted slowly, the opening in
-// place of the gap, and no barrier.
+// laws.csv: the law of each adhesive pair in closed form, as the run computes it
+// (framework/contact/pair_law.hpp). Columns: pair (text), gap [m], traction [Pa] (positive:
+// attraction), and the terms barrier and adhesion of the traction. For bonds under slow opening:
+// opening in place of the gap, no barrier.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,7 @@ namespace tack {
 
 struct World;
 
-// Nothing is written without adhesion. Throws InputError when the file cannot be written.
+// Writes the file, if the world has adhesion. Throws InputError if it cannot be written.
 void write_laws(const std::filesystem::path& path, const World& world);
 
 }  // namespace tack

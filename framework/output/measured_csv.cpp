@@ -18,14 +18,14 @@ std::string rows_of(const StatisticQuery& query, const ProbeSeries& series) try 
     rows += fmt::format("{},{},{},{},{}\n", csv_cell(query.probe), csv_cell(query.along), f.curve.x[i], f.curve.y[i], f.run[i]);
   return rows;
 } catch (const InputError&) {
-  return "";  // the expectation says why
+  return "";  // the expectation reports the reason
 }
 
 }  // namespace
 
 void write_measured(const std::filesystem::path& path, const std::vector<Expectation>& expectations, const ProbeSeries& series) {
   std::string text;
-  std::set<std::string> written;  // several statistics may be of the same data
+  std::set<std::string> written;  // several statistics may have the same data
   for (const Expectation& e : expectations)
     if (const StatisticQuery query = e.resolved(); query.follows)
       if (std::string rows = rows_of(query, series); written.insert(rows).second) text += rows;

@@ -1,5 +1,6 @@
-// measured.csv: the measured curves that a run's expectations hold it against, point by point. Columns: probe and along (text, of the run), x, measured and
-// computed [SI; computed is nan where the run never gets there].
+// measured.csv: measured curves that expectations compare the run with, point by point. Columns:
+// probe and along (text, of the run), x, measured and computed [SI; computed is nan where the run
+// never gets].
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,9 @@
 
 namespace tack {
 
-// Nothing is written without such an expectation; data that cannot be read any more are left out. Throws InputError when the file cannot be written.
-void write_measured(const std::filesystem::path& path, const std::vector<Expectation>& expectations, const ProbeSeries& series);
+// Writes the file, if there is such an expectation. Skips data that can no longer be read. Throws
+// InputError if the file cannot be written.
+void write_measured(const std::filesystem::path& path, const std::vector<Expectation>& expectations,
+                    const ProbeSeries& series);
 
 }  // namespace tack

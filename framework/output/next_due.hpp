@@ -1,14 +1,14 @@
-// When what is written every `interval` [s] of simulated time is due again.
+// Next time of output with a fixed interval of simulated time [s].
 #pragma once
 
 #include <cmath>
 
 namespace tack {
 
-// The first multiple of the interval after `time` [s]. `time` itself, so that every step is due, if the
-// interval is 0 or far below the time step. In one go: intervals of 1e-300 s take no longer than others.
+// Returns the first multiple of the interval after `time` [s]; `time` itself (every step is due) if
+// the interval is 0 or far below the time step. Constant cost for any interval.
 inline double next_due(double interval, double time, double step) {
-  const double tolerance = 1e-9 * step;  // times are sums of steps, with their rounding
+  const double tolerance = 1e-9 * step;  // times are sums of steps, with rounding errors
   if (!(interval > tolerance)) return time;
   return (std::floor((time + tolerance) / interval) + 1) * interval;
 }

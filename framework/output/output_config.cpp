@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// "velocity [m/s], displacement [m] (from where the scene puts it), ...".
+// Returns "velocity [m/s], displacement [m] (from its placement in the scene), ...".
 std::string described(bool of_elements) {
   std::string text;
   for (const FrameFieldInfo& info : frame_fields()) {

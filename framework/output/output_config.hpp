@@ -1,4 +1,4 @@
-// What a run writes and how often, typed.
+// Output settings of a run: files and intervals.
 #pragma once
 
 #include <optional>

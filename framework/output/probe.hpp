@@ -16,26 +16,28 @@ class Probe : public Component {
   static constexpr const char* kind_name = "probe";
   static constexpr const char* kind_doc = "A quantity recorded every step.";
 
-  void fields(Fields& f) override { f.text("name", name_, "column in probes.csv").required().line(); }
+  void fields(Fields& f) override {
+    f.text("name", name_, "its column in probes.csv").required().line();
+  }
   const std::string& name() const { return name_; }
 
-  // Checks the probe against the world and finds its vertices; throws InputError.
+  /// Checks the probe against the world and finds its vertices. Throws InputError.
   virtual void prepare(const World& world) = 0;
   virtual std::vector<std::string> columns() const { return {name_}; }
-  // Of every column: what numbers that are compared with it may be written in. It follows from the keys alone.
+  /// Returns the unit of all its columns. It must follow from the keys alone.
   virtual Unit unit() const = 0;
-  // Whether infinity is one of its values: a gap, of objects out of reach.
+  /// Returns true if infinity is a valid value, such as the gap of objects out of range.
   virtual bool unbounded() const { return false; }
-  // Whether it is of what was dissipated so far, an account that costs.
+  /// Returns true if the probe needs the account of dissipation, which costs time.
   virtual bool asks_for_losses() const { return false; }
-  // One value per column, at an accepted state.
+  /// Returns one value per column, at an accepted state.
   virtual std::vector<double> sample(const World& world, const State& state) = 0;
 
  protected:
   std::string name_;
 };
 
-// A probe of a vector: its component along a direction if one is given (one column), else x, y and z.
+/// A probe of a vector: its component along a direction, if given (one column), else x, y and z.
 class VectorProbe : public Probe {
  public:
   void fields(Fields& f) override;

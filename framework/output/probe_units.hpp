@@ -1,4 +1,4 @@
-// The SI units of the columns of probes.csv, for axes and legends.
+// SI units of the columns of probes.csv, for axes and legends.
 #pragma once
 
 #include <map>
@@ -10,8 +10,9 @@
 
 namespace tack {
 
-// By column; without the time, which is in seconds.
-inline std::map<std::string, std::string> probe_units(const std::vector<std::unique_ptr<const Probe>>& probes) {
+// Returns the units by column, without time (seconds).
+inline std::map<std::string, std::string> probe_units(
+    const std::vector<std::unique_ptr<const Probe>>& probes) {
   std::map<std::string, std::string> units;
   for (const auto& probe : probes)
     for (const std::string& column : probe->columns()) units[column] = probe->unit().si;

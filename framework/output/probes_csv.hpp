@@ -1,4 +1,4 @@
-// probes.csv: the time [s] and what each probe measured, one row per sample.
+// probes.csv: time [s] and the values of probes, one row per sample.
 #pragma once
 
 #include <filesystem>
@@ -9,22 +9,22 @@
 
 namespace tack {
 
-// A series of samples; the column "time" [s] comes first.
+// A series of samples; its first column is "time" [s].
 using ProbeSeries = CsvTable;
 
-// Also keeps the samples, for the expectations. Throws InputError when the file cannot be written
-// or two columns have one name.
+// Writes the file and keeps the samples for expectations. Throws InputError if the file cannot be
+// written or two columns have one name.
 class ProbesCsv {
  public:
-  // `columns` without "time".
+  // columns: without "time".
   ProbesCsv(std::filesystem::path path, const std::vector<std::string>& columns);
 
-  // Continues a file written before with its samples up to `last_time` [s]; a missing file is an
-  // empty one. Throws InputError if it has other columns.
+  // Continues an existing file with its samples up to `last_time` [s]; a missing file counts as
+  // empty. Throws InputError if its columns differ.
   static ProbesCsv continued(std::filesystem::path path, const std::vector<std::string>& columns,
                              double last_time);
 
-  // One value per column. Throws std::logic_error for a wrong count.
+  // Appends a sample, one value per column. Throws std::logic_error for a wrong count.
   void add(double time, const std::vector<double>& values);
 
   const ProbeSeries& series() const { return series_; }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double live_interval = 0.1;  // s
 constexpr int plain_lines = 20;        // in a run
-constexpr double silence = 5;          // s, before an iteration is told
+constexpr double silence = 5;          // s without output before an iteration is shown
 
 double steady_seconds() {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
@@ -62,7 +62,8 @@ std::string Progress::line_of(const StepReport& r, double now) const {
       fmt::format("step {}  t {:.6g} s ({:.0f}%)  {}  {}", r.step, r.time,
                   std::floor(100 * fraction(r.time) + 1e-9),
                   counted(r.solve.iterations, "iteration"), counted(r.contacts, "contact"));
-  // What an object has to itself is told only where nothing else is near: a mesh is always near itself.
+  // The distance of an object to itself is shown only if no other object is near: a mesh is always
+  // near itself.
   if (std::isfinite(r.min_gap)) line += fmt::format("  gap {:.3g} m", r.min_gap);
   else if (std::isfinite(r.min_distance)) line += fmt::format("  from itself {:.3g} m", r.min_distance);
   if (r.halvings > 0) line += fmt::format("  {}", counted(r.halvings, "halving"));
@@ -95,7 +96,7 @@ void Progress::iteration(int step, double time, int iteration, double residual) 
   print(line);
 }
 
-// The cursor stays on the line; what is too long would wrap and could not be erased.
+// Leaves the cursor on the line. A longer line would wrap and could not be erased.
 void Progress::show_live(const std::string& line, double now) {
   if (shown_ >= 0 && now - shown_ < live_interval) return;
   shown_ = now;
@@ -107,7 +108,7 @@ void Progress::show_live(const std::string& line, double now) {
 void Progress::erase() {
   if (live_) out_ << "\r\x1b[K";
   live_ = false;
-  shown_ = -1;  // the next step shows the line again at once
+  shown_ = -1;  // the next step shows the line at once
 }
 
 void Progress::print(std::string_view text) {

@@ -1,8 +1,8 @@
-// What a run tells while it runs. On a terminal that can be rewritten, one live line
+// Progress reports of a run. A terminal shows one live line, at most ten times a second:
 //   step 120  t 1.2 s (40%)  4 iterations  310 contacts  gap 0.0001 m  2m05s left
-// at most ten times a second; elsewhere such lines one below the other, every twentieth of the run.
-// A step that takes long tells an iteration every five seconds. All of it, and every step, also goes to the log.
-// Not for several threads at once.
+// Other streams get such lines one below the other, every twentieth of the run. A long step shows
+// an iteration every five seconds. Everything, and every step, also goes to the log. Not
+// thread-safe.
 #pragma once
 
 #include <functional>
@@ -16,32 +16,32 @@ namespace tack {
 
 enum class Verbosity {
   quiet,    // warnings only
-  normal,   // and messages and progress
-  verbose,  // and details and a line for every step, instead of the live line
+  normal,   // warnings, messages and progress
+  verbose,  // also details and a line per step, in place of the live line
 };
 
 struct ProgressOptions {
   Verbosity verbosity = Verbosity::normal;
-  int live_width = 0;  // columns of a terminal to keep a live line on; 0: none, plain lines
+  int live_width = 0;  // columns of a terminal for a live line; 0: plain lines
   std::function<double()> clock;  // s; default: a steady clock
 };
 
-// The columns of the terminal behind a file descriptor, 0 if it is no terminal: for live_width.
+// Returns the columns of the terminal of a file descriptor, for live_width; 0: no terminal.
 int terminal_width(int descriptor);
 
 class Progress {
  public:
-  // `log` may be null. Both streams must outlive this object.
+  // log may be null. Both streams must outlive this object.
   Progress(std::ostream& out, std::ostream* log, ProgressOptions options = {});
   ~Progress();  // erases the live line
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // The run goes from `start` to `end` [s]; the time that is left is reckoned from here on.
+  // Begins a run from `start` to `end` [s]. Estimates of the remaining time count from here.
   void begin(double start, double end);
   void step(const StepReport& report);
-  // An iteration of the step that is under way, which shows it as far as nothing was told for a while. `residual`:
-  // in tolerances.
+  // Shows an iteration of the present step if nothing was shown for a while. residual: in units of
+  // the tolerance.
   void iteration(int step, double time, int iteration, double residual);
 
   void message(std::string_view text);
@@ -65,10 +65,10 @@ class Progress {
   ProgressOptions options_;
   double start_ = 0, end_ = 0;  // s, simulated
   double begun_ = 0;            // s, on the clock
-  double told_ = 0;             // s, when anything was last told
-  double shown_ = -1;           // s, when the live line was last written; negative: never
-  int printed_ = 0;             // twentieths of the run already told in plain lines
-  bool live_ = false;           // a live line stands on the terminal
+  double told_ = 0;             // s, time of the last output
+  double shown_ = -1;           // s, time of the last live line; negative: never
+  int printed_ = 0;             // twentieths of the run shown in plain lines
+  bool live_ = false;           // the terminal shows a live line
 };
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// Where results come from: what the program was built from and how, on what machine it ran, when, and what it was told.
+// Provenance of results: build, machine, date, command line and plugins.
 #pragma once
 
 #include <string>
@@ -10,23 +10,25 @@ namespace tack {
 
 struct Build {
   std::string version;
-  std::string commit;           // of the checkout, shortened; "" if it was not built in one
-  bool changed_sources = false;  // tracked sources are not those of the commit
-  int untracked_sources = 0;     // source files that the build had and the commit has not
+  std::string commit;           // of the checkout, shortened; "" if built outside of one
+  bool changed_sources = false;  // tracked sources differ from the commit
+  int untracked_sources = 0;     // source files of the build that the commit lacks
   std::string compiler;          // "GNU 12.2.0"
   std::string flags;             // "Release -O3 -DNDEBUG ..."
-  std::string instruction_set;   // "AVX-512, FMA": what the flags let the compiler use
+  std::string instruction_set;   // "AVX-512, FMA": as enabled by the flags
 
-  std::string revision() const;  // "0123456789ab", "0123456789ab-dirty" if the sources are others than the commit's, ""
-  std::string sources() const;   // in words: "commit 0123456789ab with 1 untracked source file", "no git checkout"
+  // "0123456789ab", "0123456789ab-dirty" if sources differ from the commit, ""
+  std::string revision() const;
+  // in words: "commit 0123456789ab with 1 untracked source file", "no git checkout"
+  std::string sources() const;
 };
 Build this_build();
 
 struct Machine {
   std::string host;
   std::string cpu;           // the model
-  int cores = 0;             // of all processors; 0: not known
-  int hardware_threads = 0;  // that the program may use at once
+  int cores = 0;             // of all processors; 0: unknown
+  int hardware_threads = 0;  // available to the program
   std::string description() const;  // "Intel(R) Xeon(R) ..., 2 cores"
 };
 Machine this_machine();
@@ -34,16 +36,16 @@ Machine this_machine();
 struct Provenance {
   Build build;
   Machine machine;
-  int threads = 0;           // that were used
-  std::string date;          // when it began, "2026-01-31T23:59:59Z"
-  std::string command_line;  // as a shell would take it; "" for a program that is not tack's
-  std::string directory;     // where it was started
-  std::vector<Plugin> plugins = {};  // that took part
+  int threads = 0;           // number of threads used
+  std::string date;          // start, "2026-01-31T23:59:59Z"
+  std::string command_line;  // as for a shell; "" for a program that is not tack's
+  std::string directory;     // working directory at the start
+  std::vector<Plugin> plugins = {};  // loaded plugins
 };
-// Of what begins now.
+// Returns the provenance of a run that begins now.
 Provenance provenance_of(const std::string& command_line, int threads);
 
-// Words as one line that a shell would take apart in the same way.
+// Joins words into one line that a shell splits into the same words.
 std::string shell_line(const std::vector<std::string>& words);
 
 }  // namespace tack

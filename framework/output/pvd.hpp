@@ -1,4 +1,4 @@
-// The list of a run's frames with their times: run.pvd, which ParaView opens as an animation.
+// run.pvd: the list of a run's frames with their times, which ParaView opens as an animation.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace tack {
 
-// The file is replaced as a whole at each frame, so it is complete at any moment. Throws InputError
-// when it cannot be written.
+// The file is replaced as a whole at each frame, so that it is always complete. Throws InputError
+// if it cannot be written.
 class PvdFile {
  public:
   struct Frame {
@@ -16,14 +16,14 @@ class PvdFile {
     std::string file;  // relative to the folder of the list
   };
 
-  // Starts an empty list; nothing is written before the first frame.
+  // Starts an empty list. The first frame creates the file.
   explicit PvdFile(std::filesystem::path path) : path_(std::move(path)) {}
 
-  // Continues a list written before, with its frames up to `last_time` [s]; a missing file is an
-  // empty list. Throws InputError if the file is no such list.
+  // Continues an existing list with its frames up to `last_time` [s]; a missing file counts as
+  // empty. Throws InputError if the file is no such list.
   static PvdFile continued(std::filesystem::path path, double last_time);
 
-  // `frame` is relative to the folder of the list.
+  // Appends a frame. frame: relative to the folder of the list.
   void add(double time, const std::filesystem::path& frame);
 
   int frames() const { return static_cast<int>(entries_.size()); }

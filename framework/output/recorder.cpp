@@ -42,7 +42,7 @@ void Recorder::sample(const State& state) { probes_.add(state.time, probe_set_.s
 
 void Recorder::write_frame(const State& state) {
   const auto file = RunFolder::frame(pvd_.frames());
-  std::error_code failed;  // which writing tells
+  std::error_code failed;  // writing reports the error
   std::filesystem::create_directory(folder_.frames(), failed);
   write_vtu(folder_.root() / file, geometry_, state.x.head(3 * geometry_.vertices), state.time, vertex_fields(output_.frame_fields, world_, state, geometry_),
             element_fields(output_.frame_fields, world_, state.x, geometry_));

@@ -1,4 +1,4 @@
-// Everything that a run writes step by step: frames, steps.csv, probes.csv.
+// Writes the results of each step: frames, steps.csv, probes.csv.
 #pragma once
 
 #include "framework/output/output_config.hpp"
@@ -15,19 +15,20 @@ namespace tack {
 
 class Recorder {
  public:
-  // `resumed_at`: continues what a run wrote up to that time [s]; start() is not called then.
+  // resumed_at: continues the files of a run up to that time [s]; then start() is not called.
   Recorder(const OutputConfig& output, const TimeConfig& time, ProbeSet& probes, const World& world,
-           const RunFolder& folder, PhaseClock& clock, std::optional<double> resumed_at = std::nullopt);
+           const RunFolder& folder, PhaseClock& clock,
+           std::optional<double> resumed_at = std::nullopt);
 
-  void start(const State& state);  // the state before the first step
-  // Samples probes and writes frames that are due; `report.phases` lacks the time that this takes.
+  void start(const State& state);  // records the state before the first step
+  // Samples probes and writes frames that are due. The time for this is not in `report.phases`.
   void step(const State& state, const StepReport& report);
   const ProbeSeries& series() const { return probes_.series(); }
 
  private:
   void sample(const State& state);
   void write_frame(const State& state);
-  void schedule_frame(double time);  // the next one after `time` [s]
+  void schedule_frame(double time);  // schedules the next frame after `time` [s]
 
   const OutputConfig& output_;
   const TimeConfig& time_;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Moving the working directory away would pull the ground from under relative paths.
+// Moving the working directory would break relative paths.
 bool holds_working_directory(const fs::path& folder) {
   const fs::path here = fs::weakly_canonical(fs::current_path());
   const auto differing = std::mismatch(folder.begin(), folder.end(), here.begin(), here.end());
@@ -28,7 +28,7 @@ fs::path free_name(const fs::path& folder) {
   }
 }
 
-// Not from under a run that writes into it.
+// Throws if a run writes into the folder.
 fs::path move_aside(const fs::path& folder) {
   const FolderLock lock(folder);
   const fs::path aside = free_name(folder);
@@ -36,8 +36,8 @@ fs::path move_aside(const fs::path& folder) {
   return aside;
 }
 
-// Links are followed, so that a link to another disk stays one. A trailing slash would put the name
-// of the older run inside the folder.
+// Follows links, so that a link to another disk remains. Removes a trailing slash, which would put
+// the name of the older run inside the folder.
 fs::path real_path(const fs::path& root) {
   const fs::path real = fs::weakly_canonical(fs::absolute(root));
   return real.has_filename() ? real : real.parent_path();

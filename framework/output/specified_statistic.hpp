@@ -1,4 +1,4 @@
-// A statistic of a probe as a file names it: {probe: force, statistic: at, along: gap, where: 1 mm},
+// A statistic of a probe, as in a file: {probe: force, statistic: at, along: gap, where: 1 mm},
 // {probe: force, statistic: deviation, along: opening, follows: {file: load.csv}}.
 #pragma once
 

@@ -34,7 +34,8 @@ VecX vector_of(const Json& json) {
   return Eigen::Map<const VecX>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
-// Whether files of earlier programs are without a field, which is then what it is by default.
+// first: all files have the field; later: files of earlier programs may lack it, and the default
+// applies.
 enum class Since { first, later };
 
 template <class Field>
@@ -165,7 +166,7 @@ void read(const Json& json, const char* key, Field& field) {
   } else if constexpr (is_record<Field>) {
     read_fields(json.at(key), field);
     if constexpr (std::is_same_v<Field, EnergyAccount>)
-      for (const char* name : {"friction", "plastic", "damping"})  // of files of earlier programs
+      for (const char* name : {"friction", "plastic", "damping"})  // in files of earlier programs
         if (json.at(key).contains(name)) field.dissipated.emplace_back(std::string("dissipated_") + name, json.at(key).at(name).template get<double>());
   } else if constexpr (std::is_same_v<Field, History>) {
     read_history(json.at(key), field);
@@ -262,14 +263,14 @@ std::string head_of(int number, std::uint32_t checksum, std::size_t size) {
   return fmt::format("{}{} crc32 {:08x} bytes {}\n", format, number, checksum, size);
 }
 
-// The map of a file. Nothing of it is looked at before its checksum has proved right: the parser never sees
-// what is damaged.
+// Returns the map of a file. The checksum is verified before parsing, so that the parser never
+// reads damaged data.
 Json content_of(const std::filesystem::path& path) {
   const std::string text = read_file(path, largest_state);
   const auto line_end = text.find('\n');
   int number = 0;
   if (text.starts_with(format)) std::from_chars(text.data() + format.size(), text.data() + text.size(), number);
-  // Files of version 1 were a map alone, which named the format within.
+  // Version 1 was a map without header line, with the format's name inside.
   else if (text.find("tack state") != text.npos && text.find("whole_steps") != text.npos) number = 1;
   if (number == 0) refuse_file(path, "is not a whole file of `tack run --dump-problem` or output.checkpoint_interval; "
                                "write it anew");
@@ -321,7 +322,7 @@ StateFile read_state_file(const std::filesystem::path& path, StateFile::Kind kin
       for (const auto& [name, object] : json["objects"].items())
         file.objects[name] = {object.at("vertices").get<std::vector<int>>(), digest_of(object.at("mesh"))};
     read_fields(json.at("state"), file.state);
-    // Files of version 2 had the sides of contact beside the history at first.
+    // Files of version 2 initially had contact sides outside of the history.
     if (const auto sides = json.at("state").find("sides"); sides != json.at("state").end() && !sides->empty())
       file.state.history["contact/sides"] = {1, sides->get<std::vector<double>>(), {}};
     read(json, "step_size", file.step_size);

@@ -16,7 +16,7 @@
 namespace tack {
 namespace {
 
-// The samples inside the window: times, abscissae and values, equally many.
+// Samples in the time window: times, abscissae and values, of equal length.
 struct Samples {
   std::vector<double> t, s, p;
   std::size_t size() const { return p.size(); }
@@ -49,7 +49,7 @@ Samples samples_of(const StatisticQuery& query, const ProbeSeries& series) {
   return samples;
 }
 
-// Why there is no statistic of these samples; "" if there is one.
+// Returns why the samples have no such statistic; "" if they have.
 std::string problem_with(const Samples& samples, const StatisticQuery& query) {
   if (samples.size() == 0) return "there are no samples";
   const bool along_matters = query.statistic == Statistic::integral || query.statistic == Statistic::at || of_measured(query.statistic);
@@ -204,7 +204,7 @@ StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series) 
   StatisticValue result{};
   try {
     result = compute(samples, query);
-  } catch (const InputError& error) {  // a file of data that has gone since the run began
+  } catch (const InputError& error) {  // a data file may have disappeared since the run began
     return no_value(error.what());
   }
   if (result.problem.empty() && !std::isfinite(result.value)) {

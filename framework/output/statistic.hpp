@@ -1,7 +1,7 @@
-// One number out of a series of samples: what an expectation compares.
+// A statistic of a series of samples: the number that an expectation compares.
 //
-// The samples with t0 <= t <= t1 count (with a slack of 1e-9 of the larger bound, since times are
-// sums of steps). With s the chosen abscissa, by default the time:
+// Samples with t0 <= t <= t1 count, with a slack of 1e-9 of the larger bound, because times are
+// sums of steps. With s the abscissa, by default the time:
 //   final     last sample
 //   mean      average over time, (1/T) int p dt; the sample itself if there is only one
 //   max, min  largest and smallest sample
@@ -9,8 +9,9 @@
 //   integral  int p ds by the trapezoidal rule (work: a force along a displacement)
 //   at        p where s first passes a given number, linear in between
 //   deviation, rms_deviation, worst_deviation
-//             how far p over s is from a measured curve (framework/measured): a part of the measured numbers, as an average, a root
-//             mean square, the largest; every point that counts has to be passed by the run
+//             mean, root mean square and largest deviation of p over s from a measured curve
+//             (framework/measured), as fractions of the measured numbers; the run must pass every
+//             point that counts
 #pragma once
 
 #include <optional>
@@ -24,9 +25,22 @@
 
 namespace tack {
 
-enum class Statistic { final, mean, max, min, peak, integral, at, deviation, rms_deviation, worst_deviation };
-inline constexpr Statistic all_statistics[] = {Statistic::final,    Statistic::mean, Statistic::max,       Statistic::min,           Statistic::peak,
-                                               Statistic::integral, Statistic::at,   Statistic::deviation, Statistic::rms_deviation, Statistic::worst_deviation};
+enum class Statistic {
+  final,
+  mean,
+  max,
+  min,
+  peak,
+  integral,
+  at,
+  deviation,
+  rms_deviation,
+  worst_deviation
+};
+inline constexpr Statistic all_statistics[] = {
+    Statistic::final,         Statistic::mean,           Statistic::max, Statistic::min,
+    Statistic::peak,          Statistic::integral,       Statistic::at,  Statistic::deviation,
+    Statistic::rms_deviation, Statistic::worst_deviation};
 
 std::string_view to_string(Statistic statistic);
 bool of_measured(Statistic statistic);  // one of the deviations
@@ -40,29 +54,31 @@ struct StatisticQuery {
   std::optional<MeasuredData> follows = {};  // for deviations
 };
 
-// NaN and the reason in `problem` if there is no such number: no samples, a sample that is not a
-// number, an abscissa that never reaches the value, measured data that cannot be read or that the run does not cover, a result that is not finite.
+// A value, or NaN with the reason in `problem`: no samples, a sample that is not a number, an
+// abscissa that never reaches `where`, measured data that cannot be read or are not covered by the
+// run, a result that is not finite.
 struct StatisticValue {
   double value;
   std::string problem;
-  std::string detail = {};  // of deviations: how many points, and where it is worst
+  std::string detail = {};  // of deviations: number of points and position of the worst
 };
 
-// The SI unit of a statistic of a column, along another, that have those.
+// Returns the SI unit of a statistic of a column with unit `probe` along a column with unit
+// `along`.
 std::string unit_of(Statistic statistic, const Unit& probe, const Unit& along);
 
-// Throws InputError, with the nearest name, if the series lacks a column.
+// Evaluates a statistic. Throws InputError, with the nearest name, if the series lacks a column.
 StatisticValue evaluate(const StatisticQuery& query, const ProbeSeries& series);
 
-// A run beside its data, for each point of them; `run` is NaN where it never gets there.
+// A run at the points of measured data; `run` is NaN where the run never gets.
 struct Followed {
   MeasuredCurve curve;
   std::vector<double> run;
 };
-// Of a query that follows data. Throws InputError for data that cannot be read.
+// Evaluates a query with measured data. Throws InputError for data that cannot be read.
 Followed followed(const StatisticQuery& query, const ProbeSeries& series);
 
-// "peel_force: mean from 0.5 s to 1.2 s", "force: integral along gap".
+// Returns "peel_force: mean from 0.5 s to 1.2 s", "force: integral along gap".
 std::string description(const StatisticQuery& query);
 
 }  // namespace tack

@@ -9,7 +9,7 @@
 namespace tack {
 namespace {
 
-// The columns of energies and their flows.
+// Returns the columns of energies and energy flows.
 std::vector<std::string> terms_of(const StepReport& report) {
   std::vector<std::string> terms;
   for (const NamedEnergy& energy : report.energies) terms.push_back("energy_" + energy.name);

@@ -200,7 +200,7 @@ void RunSummary::add(const StepReport& report) {
 }
 
 void write_summary(const std::filesystem::path& path, const RunSummary& summary) {
-  // A scene name or a path in an error text need not be UTF-8, and must not cost the summary.
+  // Names and paths in error texts need not be UTF-8.
   constexpr auto lenient = OrderedJson::error_handler_t::replace;
   replace_file(path, to_json(summary).dump(2, ' ', false, lenient) + "\n");
 }

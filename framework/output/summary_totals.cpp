@@ -1,4 +1,4 @@
-// What a run has counted so far, as named numbers: for checkpoints.
+// Sums of a run so far as named numbers, for checkpoints.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 const std::string of_stepper = "stepper_";
 const std::string of_group = "group_";  // of bodies, by number
 
-// Calls act(name, number) for everything that adds up over the steps of a run.
+// Calls act(name, number) for every sum over the steps of a run.
 template <class Summary, class Act>
 void for_each_total(Summary& s, const Act& act) {
   act("steps", s.steps);
@@ -82,7 +82,7 @@ void set_totals(RunSummary& summary, const std::map<std::string, double>& totals
   const std::string prefix = "energy_" + of_group;
   for (const auto& [name, total] : totals)
     if (name.starts_with(prefix)) summary.losses.groups.resize(std::max(summary.losses.groups.size(), std::stoul(name.substr(prefix.size())) + 1));
-  // Flows that a stepper publishes are not known before there is one.
+  // Flows that a stepper publishes are unknown before the stepper exists.
   const std::map<std::string, double> known = totals_of(summary);
   for (const auto& [name, total] : totals) {
     const bool lost = name.starts_with("dissipated_");

@@ -1,4 +1,5 @@
-// Sums over time of a run whose length is not known: bins from 0 on, which become twice as wide whenever time runs out of them.
+// Histogram of a quantity over a time span of unknown length: bins from 0, whose width doubles
+// whenever time exceeds them.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace tack {
 
 struct TimeHistogram {
-  double width = 0;  // of a bin [s]; 0: nothing has been added yet
+  double width = 0;  // width of a bin [s]; 0: no data
   std::array<double, 64> sums{};
 
   void add(double time, double step_size, double amount) {
@@ -17,7 +18,8 @@ struct TimeHistogram {
     while (time > width * sums.size()) widen();
     sums[std::min(static_cast<std::size_t>(time / width), sums.size() - 1)] += amount;
   }
-  // The shortest time whose sum is `amount` or more, or less if that is negative, from and to [s]; all of it if there is none.
+  // Returns the shortest interval [s] whose sum is at least `amount` (at most, if that is
+  // negative); the whole time if there is none.
   std::pair<double, double> densest(double amount) const {
     std::size_t from = 0, count = sums.size();
     for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -30,7 +32,8 @@ struct TimeHistogram {
 
  private:
   void widen() {
-    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = 2 * i < sums.size() ? sums[2 * i] + sums[2 * i + 1] : 0;
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      sums[i] = 2 * i < sums.size() ? sums[2 * i] + sums[2 * i + 1] : 0;
     width *= 2;
   }
 };

@@ -1,5 +1,5 @@
-// The stiffness of contact and of affine bodies that a run uses, given or found (summary.json, and
-// the end of the resolved scene.yaml).
+// Stiffness of contact and affine bodies in a run, given or computed, for summary.json and the end
+// of the resolved scene.yaml.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ struct World;
 
 struct UsedStiffness {
   struct Barrier {
-    std::array<std::string, 2> between;  // the first two objects of which this is true
-    double pairs = 0;                    // how many pairs there are
+    std::array<std::string, 2> between;  // first pair with this stiffness
+    double pairs = 0;                    // number of such pairs
     double stiffness = 0;                // Pa: the barrier's key `stiffness`
   };
   struct Affine {
-    std::string object;  // the first one
-    int objects = 0;     // how many there are
+    std::string object;  // first object with this stiffness
+    int objects = 0;     // number of such objects
     double stiffness = 0;  // Pa
   };
   std::vector<Barrier> barriers;
@@ -27,11 +27,11 @@ struct UsedStiffness {
 
 UsedStiffness used_stiffness(const World& world);
 
-// The names of the bodies of each meeting group (world/meeting_groups.hpp): the groups to which
-// stiffness, where it is found, belongs.
+// Returns the names of the bodies of each meeting group (world/meeting_groups.hpp), the groups that
+// computed stiffness belongs to.
 std::vector<std::vector<std::string>> meeting_names(const World& world);
 
-// As comments of a YAML file; "" if there are none.
+// Returns YAML comments; "" if there are none.
 std::string comments_of(const UsedStiffness& used);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// How far each vertex is from the nearest of what contact sees of it.
+// Gap of each vertex to the nearest of its contacts.
 #pragma once
 
 #include "geometry/types.hpp"
@@ -7,8 +7,8 @@ namespace tack {
 
 class ContactSystem;
 
-// One per vertex [m], the offset of thickness taken off; a vertex of an edge or a triangle counts with the gap of what it belongs to. Not a
-// number where nothing is within reach of the laws. The system must be at x.
+// Returns, per vertex [m], the gap less contact offsets. A vertex of an edge or triangle gets the
+// gap of that primitive; NaN where nothing is within range of the laws. The system must be at x.
 VecX vertex_gaps(const ContactSystem& contact, const VecX& x);
 
 }  // namespace tack

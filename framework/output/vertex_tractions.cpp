@@ -9,21 +9,23 @@
 namespace tack {
 namespace {
 
-constexpr double least_share = 0.02;  // of the area around a vertex; less is no contact of its own
+// fraction of the tributary area; a smaller contact area is not used
+constexpr double least_share = 0.02;
 
-// What each vertex has of the contacts [m^2].
+// Returns the contact area of each vertex [m^2].
 VecX contact_areas(const World& world, const VecX& x) {
-  VecX areas = VecX::Zero(x.size());  // in the first of three, as forces are collected
+  // stored in the first of three entries, as forces are collected
+  VecX areas = VecX::Zero(x.size());
   for (const ForceRecord& force : world.records.forces())
     if (force.add_areas) force.add_areas(x, areas);
   world.collect_on_meshes(areas);
   return areas(Eigen::seq(0, Eigen::last, 3));
 }
 
-// What lies around each vertex.
+// Surface around each vertex.
 struct Surround {
   VecX areas;    // m^2; zero inside of solids
-  VecX outward;  // 3n: a third of the area vectors of a solid's triangles, zero of what has no inside
+  VecX outward;  // 3n: a third of the area vectors of a solid's triangles; zero for other bodies
 };
 
 Surround surround_of(const World& world, const VecX& x) {
@@ -44,7 +46,7 @@ Surround surround_of(const World& world, const VecX& x) {
   return s;
 }
 
-// `pressed`: of what has no inside, its sign is the traction's (n); empty: all are positive.
+// pressed (n): sign of the traction of bodies without inside; empty: all positive.
 VecX tractions(const World& world, const VecX& x, const VecX& forces, const VecX& pressed) {
   const Surround around = surround_of(world, x);
   const VecX areas = contact_areas(world, x);

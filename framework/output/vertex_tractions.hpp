@@ -1,6 +1,7 @@
-// Forces of vertices as tractions: per area that the vertex has of the contact. That is the sum over the points of quadrature of w |c|, w a point's
-// weight and c the part of its force that the vertex takes, so that what presses evenly has one pressure whatever the meshes.
-// Forces where there is no such area, of guards, count per area around the vertex.
+// Vertex forces as tractions: force per contact area of the vertex. The area is the sum over
+// quadrature points of w |c|, with the weight w of a point and the fraction c of its force that the
+// vertex gets, so that a uniform pressure gives one value on any mesh. Forces without such an area,
+// of guards, are divided by the tributary area of the vertex.
 #pragma once
 
 #include <string_view>
@@ -11,12 +12,17 @@ namespace tack {
 
 struct World;
 
-// One per vertex [Pa], of normal forces or a part of them (3n [N], collected on meshes): positive where they press, negative where they
-// pull. Of solids, into and out of them; sheets, rods and particles have no inside: of them, towards and away from what is opposite, of
-// sheets the sum over both sides. Zero where there is no force, not a number inside of solids. Contact must be at x.
+// Returns, per vertex [Pa], the normal traction of normal forces or one term of them (3n [N],
+// collected on meshes): positive in compression, negative in tension.
+//   solids              along their own normal
+//   sheets              towards and away from the opposite object, sum over both sides
+//   rods, particles     towards and away from the opposite object
+//   no force            0
+//   inside of solids    NaN
+// Contact must be at x.
 VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view part);
 
-// The magnitude of the force per the same area.
+// Returns the magnitude of the force per contact area.
 VecX tangential_tractions(const World& world, const VecX& x, const VecX& forces);
 
 }  // namespace tack

@@ -1,11 +1,11 @@
-// One frame of a run as a VTK unstructured grid (.vtu) for ParaView.
+// Writes one frame of a run as a VTK unstructured grid (.vtu) for ParaView.
 //
-// Points are all vertices of the scene in their order; cells are tets, then triangles, edges and
-// single points, each with the index of its object (cell array "object") and further numbers. The time stands in the
-// field array TimeValue [s]. Numbers keep every bit: raw appended data, compressed by zlib. The
-// same frame gives the same bytes.
-// Errors: InputError naming the file when it cannot be written; std::logic_error when an array does
-// not fit the geometry.
+// Points: all vertices of the scene in their order. Cells: tetrahedra, then triangles, edges and
+// single points, with the index of their object (cell array "object") and further fields. The field
+// array TimeValue holds the time [s]. Numbers are exact: raw appended data, compressed by zlib;
+// equal frames give equal bytes.
+// Errors: InputError with the file if it cannot be written; std::logic_error if an array does not
+// fit the geometry.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace tack {
 
-// What does not change between frames.
+// Data that frames share.
 struct FrameGeometry {
   int vertices = 0;
   std::vector<Tet> tets;
@@ -30,15 +30,15 @@ struct FrameGeometry {
   }
 };
 
-// A number or a vector per vertex.
+// A scalar or vector field on vertices.
 struct PointField {
   std::string name;
   int components = 1;  // 1 or 3
   VecX values;         // components * vertices
-  std::string unit;    // SI, such as "m/s"; kept in the file beside the array
+  std::string unit;    // SI, such as "m/s"; stored with the array
 };
 
-// Numbers per cell.
+// A field on cells.
 struct CellField {
   std::string name;
   VecX values;  // components * cells
@@ -46,8 +46,9 @@ struct CellField {
   int components = 1;  // 1, 3, or 6 of a symmetric tensor: xx, yy, zz, xy, yz, xz
 };
 
-// x: 3 * vertices coordinates [m].
+// Writes a frame. x: 3 * vertices coordinates [m].
 void write_vtu(const std::filesystem::path& path, const FrameGeometry& geometry, const VecX& x,
-               double time, const std::vector<PointField>& fields, const std::vector<CellField>& cell_fields = {});
+               double time, const std::vector<PointField>& fields,
+               const std::vector<CellField>& cell_fields = {});
 
 }  // namespace tack
