@@ -1,4 +1,4 @@
-// Probes of bonds: how many there are between two objects, and how whole they are.
+// Probes of bonds between two objects: number and intactness.
 #include <algorithm>
 #include <tuple>
 

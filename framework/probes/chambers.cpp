@@ -1,4 +1,4 @@
-// Probes of chambers and of surfaces under a pressure.
+// Probes of fluid cavities and of surfaces under pressure.
 #include <fmt/format.h>
 
 #include "framework/config/nearest.hpp"

@@ -1,4 +1,5 @@
-// Probes of forces on objects, and between two of them, of all that publishes some (core/records.hpp).
+// Probes of forces on objects and between two objects, over all published forces
+// (core/records.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace tack {
 namespace {
 
-// What one object exerts on another, or all on one.
+// Force of one object on another, or of all objects on one.
 class PairForce : public VectorProbe {
  public:
   void fields(Fields& f) override {
@@ -37,7 +38,7 @@ class PairForce : public VectorProbe {
       if (!world.is_number(v)) sum += vertex(forces, v);
     return sum;
   }
-  // Of all that act so.
+  // Returns the sum of all forces that act in that direction.
   Vec3 force(Acting acting, std::string_view part, const World& world, const VecX& x) const {
     Vec3 sum = Vec3::Zero();
     for (const ForceRecord& record : world.records.forces())
@@ -50,7 +51,7 @@ class PairForce : public VectorProbe {
   int a_ = -1, b_ = -1;
 };
 
-// The force that the second object exerts on the first, or all objects on one.
+// Contact force of the second object on the first, or of all objects on one.
 class ContactForce : public PairForce {
  public:
   void fields(Fields& f) override {
@@ -77,7 +78,7 @@ class ContactForce : public PairForce {
   Part part_ = Part::all;
 };
 
-// The same of what acts along surfaces, in the last step.
+// Tangential force of the second object on the first, or of all on one, in the last step.
 class FrictionForce : public PairForce {
  public:
   void fields(Fields& f) override {
@@ -106,7 +107,7 @@ class FrictionForce : public PairForce {
   Part part_ = Part::all;
 };
 
-// One by its name, whatever it is.
+// Force of a given name.
 class NamedForce : public PairForce {
  public:
   void fields(Fields& f) override {

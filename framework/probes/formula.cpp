@@ -1,4 +1,4 @@
-// Sums, differences, products of probes and whatever else a formula can say.
+// Probe of a formula of other probes.
 #include <fmt/format.h>
 
 #include <cctype>
@@ -62,11 +62,11 @@ class FormulaProbe : public DerivedProbe {
   }
 
   std::string text_, unit_;
-  mutable std::string si_;  // of the same dimension
+  mutable std::string si_;  // SI unit of the same dimension
   double zero_ = 0, one_ = 1;  // 0 and 1 of the unit, in SI
   std::optional<Formula> formula_;
-  std::vector<size_t> places_;          // of the variables among the values
-  mutable std::vector<double> values_;  // of the variables
+  std::vector<size_t> places_;          // per variable: its index among the values
+  mutable std::vector<double> values_;  // values of the variables
 };
 
 TACK_REGISTER(Probe, FormulaProbe, "formula", "A formula of other probes.", "");

@@ -1,4 +1,4 @@
-// Probes of what joints transmit, and of how exact they are.
+// Probes of forces and errors of joints.
 #include <fmt/format.h>
 
 #include <Eigen/QR>
@@ -22,7 +22,7 @@ const Joint& joint_named(const World& world, const std::string& name, const std:
   refuse_interaction(interaction_named(world, name, probe), probe, type);
 }
 
-// The degrees of freedom as they would be without joints.
+// Returns the dof map without joints.
 DofMap unjoined(const World& world, const State& state) {
   const auto holds = static_cast<std::ptrdiff_t>(world.script.holds().size());
   std::vector<char> active = state.held;
@@ -35,8 +35,9 @@ DofMap unjoined(const World& world, const State& state) {
   return DofMap(free, world.bindings.unjoined_at(free, {active.begin() + holds, active.end()}), world.script.held_directions(active));
 }
 
-// One for each relation of each joint, in their order [N]: with L of a relation sum_i w_i x_i = 0, w_i L and what does not balance at a vertex
-// that nothing else determines add up to zero. Where joints say the same thing several times, the least ones that do.
+// Returns one multiplier L [N] per relation of each joint, in their order: for a relation sum_i w_i
+// x_i = 0, the sum of w_i L and of the unbalanced force is zero at each vertex that is not
+// otherwise determined. The least-squares solution is taken for redundant relations.
 Eigen::MatrixXd multipliers(const World& world, const State& state) {
   const DofMap dofs = unjoined(world, state);
   VecX unbalanced = unbalanced_forces(world, state);
@@ -53,9 +54,10 @@ Eigen::MatrixXd multipliers(const World& world, const State& state) {
       }
       ++relations;
     }
-  std::map<int, int> row;  // of a block
+  std::map<int, int> row;  // row of each block
   for (const auto& entry : entries) row.try_emplace(entry.row());
-  for (const DofMap::HeldBlock& held : dofs.held_blocks()) row.erase(held.block);  // what holds it takes part
+  // constraints share the load
+  for (const DofMap::HeldBlock& held : dofs.held_blocks()) row.erase(held.block);
   int rows = 0;
   for (auto& [block, number] : row) number = rows++;
   Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(rows, relations), forces(rows, 3);
@@ -65,7 +67,7 @@ Eigen::MatrixXd multipliers(const World& world, const State& state) {
   return weights.completeOrthogonalDecomposition().solve(forces);
 }
 
-// What the joint exerts on vertices (3n) [N]: by its relations, and by terms of it.
+// Returns the forces of a joint on vertices (3n) [N], by its relations and its terms.
 VecX forces_of_joint(const Joint& joint, const World& world, const State& state) {
   VecX forces = VecX::Zero(state.x.size());
   for (const ActingInteraction& interaction : world.interactions)

@@ -1,4 +1,4 @@
-// Probes of what an interaction has made: of a term of a class of its own.
+// Base of probes of an interaction's term of class TermOf.
 #pragma once
 
 #include <string>
@@ -9,9 +9,12 @@
 
 namespace tack {
 
-// Throws InputError with the nearest name if there is none.
-const ActingInteraction& interaction_named(const World& world, const std::string& name, const std::string& probe);
-[[noreturn]] void refuse_interaction(const ActingInteraction& interaction, const std::string& probe, std::string_view type);
+// Returns the interaction of that name. Throws InputError with the nearest name if there is none.
+// refuse_interaction() throws for one of another type.
+const ActingInteraction& interaction_named(const World& world, const std::string& name,
+                                           const std::string& probe);
+[[noreturn]] void refuse_interaction(const ActingInteraction& interaction, const std::string& probe,
+                                     std::string_view type);
 
 // Base: Probe or VectorProbe.
 template <class TermOf, class Base>

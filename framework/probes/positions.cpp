@@ -32,7 +32,7 @@ class CentreOfMass : public VectorProbe {
   int index_ = -1;
 };
 
-// How far the mean position of one set of vertices is from another's along a direction.
+// Distance of the mean positions of two sets of vertices along a direction.
 class Separation : public Probe {
  public:
   void fields(Fields& f) override {
@@ -66,7 +66,7 @@ class Separation : public Probe {
   double at_rest_ = 0;
 };
 
-// The smallest distance between two objects; infinity beyond the reach of contact.
+// Smallest distance between two objects; infinity beyond the contact range.
 class Gap : public Probe {
  public:
   void fields(Fields& f) override {
@@ -89,7 +89,7 @@ class Gap : public Probe {
   int a_ = -1, b_ = -1;
 };
 
-// How many objects have their centres of mass in a box.
+// Number of objects whose centre of mass is in a box.
 class ObjectsWithin : public Probe {
  public:
   void fields(Fields& f) override {
@@ -103,7 +103,7 @@ class ObjectsWithin : public Probe {
     objects_.clear();
     for (size_t i = 0; i < world.bodies.size(); ++i)
       if (world.bodies[i].name == of_ || copy(world.bodies[i].name)) objects_.push_back(static_cast<int>(i));
-    if (objects_.empty()) object_index(world, of_, name_);  // says which there are
+    if (objects_.empty()) object_index(world, of_, name_);  // throws with the known names
   }
   Unit unit() const override { return units::none; }
   std::vector<double> sample(const World& world, const State& state) override {
@@ -114,7 +114,7 @@ class ObjectsWithin : public Probe {
   }
 
  private:
-  // NAME_12
+  // Returns true for the name of a copy, NAME_12.
   bool copy(const std::string& name) const {
     const size_t digits = of_.size() + 1;
     return name.size() > digits && name.starts_with(of_ + "_") && name.find_first_not_of("0123456789", digits) == std::string::npos;

@@ -1,4 +1,4 @@
-// Probes of what holds or drives vertices.
+// Probes of reactions of prescribed vertices.
 #include <algorithm>
 
 #include "framework/output/probe.hpp"
@@ -11,8 +11,8 @@
 namespace tack {
 namespace {
 
-// What holds each vertex that is held, or moves it as its script says (3n) [N]: against everything that acts on it, forces in the place
-// of terms included, and its own inertia; in the directions in which it is held, and zero of what is free.
+// Returns the reaction force on each prescribed vertex (3n) [N], which balances its inertia and all
+// other forces, in its prescribed directions; zero for free vertices.
 VecX holding_forces(const World& world, const State& state) {
   VecX gradient = unbalanced_forces(world, state), held = VecX::Zero(state.x.size());
   world.dofs.collect(gradient);
@@ -30,7 +30,7 @@ void require_held(const World& world, const VertexSet& set, const std::string& p
                        "free; give the selection of the motion that holds them");
 }
 
-// The sum of holding forces. Vertices that are free at present need none.
+// Sum of reaction forces; vertices that are free at present count zero.
 class Reaction : public VectorProbe {
  public:
   void fields(Fields& f) override {
@@ -55,8 +55,8 @@ class Reaction : public VectorProbe {
   VertexSet set_;
 };
 
-// Their moment about a point, with what holds the twist of rods: of an edge with both ends among the vertices, r f along its
-// tangent, f the force on the arc r theta.
+// Moment of reactions about a point, including that of prescribed twists of rods: for an edge with
+// both ends among the vertices, r f along its tangent, with the force f on the arc r theta.
 class Torque : public VectorProbe {
  public:
   void fields(Fields& f) override {
@@ -89,7 +89,7 @@ class Torque : public VectorProbe {
   VertexSet set_;
   Vec3 centre_ = Vec3::Zero();  // m
   std::shared_ptr<const RodFrames> rod_;
-  std::vector<int> edges_;  // of it
+  std::vector<int> edges_;  // of that rod
 };
 
 TACK_REGISTER(Probe, Torque, "torque", "Reaction moment on vertices with prescribed motion and on the twist of edges between them [N m].", "");

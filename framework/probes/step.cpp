@@ -1,4 +1,4 @@
-// Probe of what the stepper tells of its steps.
+// Probe of step metrics of the stepper.
 #include <fmt/format.h>
 
 #include <algorithm>

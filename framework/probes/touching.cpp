@@ -1,4 +1,4 @@
-// Probes of how surfaces touch: how fast they slide, and what holds on to what.
+// Probes of contact between surfaces: sliding speed, contact area and attached objects.
 #include <algorithm>
 #include <tuple>
 
@@ -13,12 +13,13 @@
 namespace tack {
 namespace {
 
-// The contact points of these laws.
+// Returns the contact points of the wanted laws.
 ContactPoints points_of(const World& world, const State& state, const std::vector<char>& wanted) {
   return contact_points({*world.contact, world.contact_term->laws(LawTerm::barrier), wanted, state.x});
 }
 
-// Mean of |u| / h, u the slip of the last step, over the contact points of a pair, weighted with their areas. 0 if nothing touches.
+// Mean of |u| / h over the contact points of a pair, weighted by area, with the slip u of the last
+// step; 0 without contact points.
 class SlidingSpeed : public Probe {
  public:
   void fields(Fields& f) override {
@@ -48,7 +49,7 @@ class SlidingSpeed : public Probe {
   std::vector<char> wanted_;  // per law
 };
 
-// The area over which two objects are within reach of each other's laws: that of their contact points.
+// Area over which two objects are within range of each other's laws: that of their contact points.
 class ContactArea : public Probe {
  public:
   void fields(Fields& f) override {
@@ -82,7 +83,7 @@ class ContactArea : public Probe {
   std::vector<char> wanted_;  // per law
 };
 
-// How many other objects are within reach of an object's adhesion, or hang on bonds.
+// Number of other objects within range of an object's adhesion, or connected by bonds.
 class AttachedObjects : public Probe {
  public:
   void fields(Fields& f) override {
@@ -113,7 +114,7 @@ class AttachedObjects : public Probe {
   }
 
  private:
-  // By bonds that have some strength: those that begin to form have none.
+  // Counts bonds with some strength, without those that begin to form.
   void add_bonded(const BondTerm& bonds, std::vector<char>& held) const {
     constexpr double least = 0.01;
     for (int i = 0; i < bonds.list().size(); ++i) {

@@ -7,8 +7,9 @@
 namespace tack {
 namespace {
 
-// Returns whether the last step is by the trapezoidal rule: it has accelerations, and its mean velocity is exactly that of the
-// step, (v + v_n) / 2 = (x - x_n) / h. The rule damps nothing, so stiff forces alternate from step to step about their mean.
+// Returns true if the last step used the trapezoidal rule: it has accelerations, and its mean
+// velocity is exactly (v + v_n) / 2 = (x - x_n) / h. The rule has no damping, so that stiff forces
+// alternate from step to step about their mean.
 bool alternates(const World& world, const State& state) {
   constexpr double round_off = 1e-9;
   if (state.h_before == 0 || state.x_before.size() != state.x.size() || state.v_before.size() != state.v.size()) return false;

@@ -1,4 +1,4 @@
-// What a probe looks at: objects, and the vertices of one.
+// Subjects of probes: objects, and selected vertices of one object.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,20 @@ namespace tack {
 
 struct World;
 
-// The index of an object by name; throws InputError with the nearest name.
+/// Returns the index of an object by name. Throws InputError with the nearest name.
 int object_index(const World& world, const std::string& name, const std::string& probe);
 
-// Throws InputError if the scene has no contact.
+/// Throws InputError if the scene has no contact.
 void require_contact(const World& world, const std::string& probe);
 
-// `between`: the names of two objects.
+/// `between`: the names of two objects.
 class ObjectNames {
  public:
   void fields(Fields& f) {
     f.texts("between", names_, "two object names").required();
-    f.check("between", [this]() -> std::string { return names_.size() == 2 ? "" : "expects two object names"; });
+    f.check("between", [this]() -> std::string {
+      return names_.size() == 2 ? "" : "expects two object names";
+    });
   }
   std::pair<int, int> prepare(const World& world, const std::string& probe) const {
     return {object_index(world, names_[0], probe), object_index(world, names_[1], probe)};
@@ -34,6 +36,7 @@ class ObjectNames {
   std::vector<std::string> names_;
 };
 
+/// The selected vertices of one object: prepare(), then vertices().
 class VertexSet {
  public:
   void fields(Fields& f) {
@@ -42,7 +45,7 @@ class VertexSet {
   }
   void prepare(const World& world, const std::string& probe);
   const std::vector<int>& vertices() const { return vertices_; }
-  Vec3 mean(const VecX& x) const;  // of the vertices' rows of x
+  Vec3 mean(const VecX& x) const;  ///< mean over the vertices' rows of x
 
  private:
   std::string object_;

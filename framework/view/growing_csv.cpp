@@ -37,13 +37,14 @@ void GrowingCsv::look() {
     if (columns_.empty()) {
       head += (head.empty() ? "" : "\n") + line;
       end_ += line.size() + 1;
-      if (std::count(head.begin(), head.end(), '"') % 2 == 0) columns_ = csv_cells(head);  // a name may have several lines
+      // a name may span several lines
+      if (std::count(head.begin(), head.end(), '"') % 2 == 0) columns_ = csv_cells(head);
     } else {
       starts_.push_back(start);
       end_ += line.size() + 1;
     }
   }
-  if (columns_.empty()) end_ = 0;  // half a header
+  if (columns_.empty()) end_ = 0;  // incomplete header
 }
 
 std::vector<std::vector<double>> GrowingCsv::rows(int from, int most) const {

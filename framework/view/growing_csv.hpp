@@ -1,4 +1,4 @@
-// A table (output/csv.hpp) that is being written: what is there of it so far, without reading all of it again.
+// A table (output/csv.hpp) that another process or thread is writing, read incrementally.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,14 @@ class GrowingCsv {
  public:
   explicit GrowingCsv(std::filesystem::path path) : path_(std::move(path)) {}
 
-  // Finds what has been added; another file of that name, or a shorter one, is another generation of it.
+  // Reads the rows added since the last call. A replaced or shorter file begins a new generation.
   void look();
   int generation() const { return generation_; }
-  const std::vector<std::string>& columns() const { return columns_; }  // empty: there is no table yet
-  int rows() const { return static_cast<int>(starts_.size()); }         // complete ones
+  const std::vector<std::string>& columns() const { return columns_; }  // empty: no table yet
+  int rows() const { return static_cast<int>(starts_.size()); }         // complete rows
 
-  // So many of the rows from the given one on, evenly spread, the last among them; NaN for a cell that is no number.
+  // Returns at most `most` of the rows from `from` on, evenly spread, including the last; NaN for
+  // cells that are no number.
   std::vector<std::vector<double>> rows(int from, int most) const;
 
  private:
@@ -26,9 +27,10 @@ class GrowingCsv {
 
   std::filesystem::path path_;
   int generation_ = 0;
-  std::uint64_t file_ = 0, device_ = 0, end_ = 0;  // which it is, and up to which byte it is known
+  // identity of the file, and the bytes read so far
+  std::uint64_t file_ = 0, device_ = 0, end_ = 0;
   std::vector<std::string> columns_;
-  std::vector<std::uint64_t> starts_;  // of the rows [bytes]
+  std::vector<std::uint64_t> starts_;  // byte offsets of the rows
 };
 
 }  // namespace tack

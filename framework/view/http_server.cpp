@@ -1,4 +1,4 @@
-// The one file that knows Boost.Beast.
+// The only file that includes Boost.Beast.
 #include "framework/view/http_server.hpp"
 
 #include <fmt/format.h>
@@ -34,10 +34,12 @@ using Tcp = asio::ip::tcp;
 using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
-constexpr int threads = 2;  // so that a page that takes long to make does not keep from stopping a run
-constexpr std::chrono::seconds patience{30}, first_patience{5};  // for the next request of a connection, and for its first
-constexpr std::chrono::milliseconds accept_pause{200};           // after a connection that the system refused to open
-constexpr std::size_t most_connections = 32;                     // open at once
+constexpr int threads = 2;  // two, so that a slow page does not delay a request to stop the run
+// for the next request of a connection, and for its first
+constexpr std::chrono::seconds patience{30}, first_patience{5};
+// after a connection that the system refused
+constexpr std::chrono::milliseconds accept_pause{200};
+constexpr std::size_t most_connections = 32;                     // open at a time
 constexpr std::size_t largest_header = 8192, largest_body = 1024;
 
 std::string fresh_token() {
@@ -48,14 +50,15 @@ std::string fresh_token() {
   return token;
 }
 
-// A browser opens up to six. An eighth of the descriptors of this process at most: a run beside the server needs them for its files.
+// Limits connections (a browser opens up to six) to an eighth of the process's file descriptors,
+// because a run in the process needs them for its files.
 std::size_t connection_limit() {
   rlimit descriptors{};
   if (::getrlimit(RLIMIT_NOFILE, &descriptors) != 0 || descriptors.rlim_cur == RLIM_INFINITY) return most_connections;
   return std::clamp<std::size_t>(descriptors.rlim_cur / 8, 2, most_connections);
 }
 
-// Takes as long whatever differs.
+// Compares in constant time.
 bool same(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned char different = 0;
@@ -63,7 +66,7 @@ bool same(std::string_view a, std::string_view b) {
   return different == 0;
 }
 
-// "a=1&b=2": numbers and plain words, as the page asks; nothing of them is encoded.
+// Parses "a=1&b=2". Values are numbers and plain words, without encoding.
 std::map<std::string, std::string> query_of(std::string_view text) {
   std::map<std::string, std::string> query;
   while (!text.empty()) {
@@ -78,10 +81,10 @@ std::map<std::string, std::string> query_of(std::string_view text) {
 struct Site {
   HttpServer::Handler handler;
   std::string token;
-  std::vector<std::string> hosts;  // by which this machine calls itself
+  std::vector<std::string> hosts;  // own host names
 
   bool ours(std::string_view name) const { return std::find(hosts.begin(), hosts.end(), name) != hosts.end(); }
-  // Returns whether the path is that of a page here: "/TOKEN/..."
+  // Returns true for paths "/TOKEN/...".
   bool has_token(std::string_view path) const {
     return path.size() >= token.size() + 2 && path[0] == '/' && path[token.size() + 1] == '/' && same(path.substr(1, token.size()), token);
   }
@@ -89,7 +92,8 @@ struct Site {
   HttpAnswer answer(const Request& request) const {
     const auto text = [&](http::field field) { return std::string(request[field]); };
     const std::string host = text(http::field::host), origin = text(http::field::origin);
-    // A page from elsewhere whose name was made to mean this machine has another host; one that lets the browser send orders has another origin.
+    // Rejects pages of other sites: one whose name resolves to this machine has another host; one
+    // that makes the browser send requests has another origin.
     constexpr std::string_view scheme = "http://";
     const bool from_here = origin.empty() || origin == "null" || (origin.starts_with(scheme) && ours(std::string_view(origin).substr(scheme.size())));
     if (!ours(host) || !from_here) return {403, "text/plain", ""};
@@ -123,14 +127,14 @@ Response response_of(const Request& request, HttpAnswer answer) {
   return response;
 }
 
-// One browser's connection: a request, its answer, the next request.
+// A browser's connection: request, answer, next request.
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   Connection(Tcp::socket socket, const Site& site) : stream_(std::move(socket)), site_(site) {}
 
   bool known() const { return known_; }  // it has sent the token
 
-  // Called by any thread.
+  // Callable by any thread.
   void drop() {
     asio::post(stream_.get_executor(), [self = shared_from_this()] { self->stream_.close(); });
   }
@@ -196,11 +200,11 @@ class HttpServer::Listener {
   const std::string& address() const { return address_; }
 
  private:
-  // One at a time: nothing else touches open_.
+  // Accepts one connection at a time; nothing else accesses open_.
   void accept() {
     acceptor_.async_accept(asio::make_strand(context_), [this](beast::error_code error, Tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      if (error) {  // no descriptors are left, say: those that are idle are closed meanwhile
+      if (error) {  // such as a lack of descriptors: idle connections are closed meanwhile
         pause_.expires_after(accept_pause);
         pause_.async_wait([this](beast::error_code aborted) {
           if (!aborted) accept();
@@ -215,7 +219,8 @@ class HttpServer::Listener {
     });
   }
 
-  // For another connection: the oldest goes, those first that have not sent the token.
+  // Drops connections to stay below the limit: the oldest, but first those that have not sent the
+  // token.
   void make_room() {
     std::erase_if(open_, [](const std::weak_ptr<Connection>& c) { return c.expired(); });
     while (open_.size() >= limit_) {

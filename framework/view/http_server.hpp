@@ -1,4 +1,5 @@
-// Pages for a browser on this machine, and nobody else: HTTP on the loopback interface, at a free port, below a path that cannot be guessed.
+// HTTP server for a browser on this machine only: on the loopback interface, at a free port, below
+// a random path.
 #pragma once
 
 #include <functional>
@@ -10,7 +11,7 @@ namespace tack {
 
 struct HttpRequest {
   bool post = false;  // else GET
-  std::string path;   // behind the token: "" of the page itself, "news"
+  std::string path;   // path after the token: "" for the page itself, "news"
   std::map<std::string, std::string> query;
 };
 
@@ -22,13 +23,13 @@ struct HttpAnswer {
 
 class HttpServer {
  public:
-  // Called by several threads at once. What it throws is answered with 500.
+  // Called by several threads at once. An exception becomes status 500.
   using Handler = std::function<HttpAnswer(const HttpRequest&)>;
 
-  // Serves from here on. Whoever asks without the token, or by another name than this machine has for itself, gets an empty 404 or 403. Throws
-  // InputError if there is no port to be had.
+  // Starts to serve. Requests without the token, or for another host name than this machine's own,
+  // get an empty 404 or 403. Throws InputError if no port is free.
   explicit HttpServer(Handler handler);
-  ~HttpServer();  // waits for what is being answered
+  ~HttpServer();  // waits for pending answers
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 

@@ -25,11 +25,11 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int frames_of_motions = 61;
-constexpr size_t most_bodies = 300;  // that have a row of their own
+constexpr size_t most_bodies = 300;  // bodies with a row of their own
 
 struct Loaded {
   std::unique_ptr<BuiltExperiment> built;
-  std::string error;  // why it cannot be run
+  std::string error;  // why it cannot run
 };
 
 Loaded load(const PreviewSettings& s) {
@@ -68,7 +68,8 @@ void place(FrameFile& frame, const VecX& x) {
   for (size_t v = 0; v < frame.mesh.vertices.size(); ++v) frame.mesh.vertices[v] = x.segment<3>(3 * static_cast<Eigen::Index>(v));
 }
 
-// Of laws between an object and any other, how far they reach beyond its surface [m]; null without adhesion.
+// Returns the range of the laws between an object and all others beyond its surface [m]; null
+// without adhesion.
 Json adhesion_of(const World& world, int body, double contact_distance) {
   if (!world.contact || world.adhesion.empty()) return Json();
   const PairTable& pairs = world.contact->pairs();
@@ -101,7 +102,7 @@ Json bodies_of(const Experiment& e, const World& world) {
   return list;
 }
 
-// Vertices that are shown, by their numbers in the series.
+// Returns selections by the indices of shown vertices in the series.
 Json selections_data(const std::vector<ShownSelection>& selections, const std::vector<int>& kept, size_t vertices, PageData& page) {
   std::vector<int> number(vertices, -1);
   for (size_t i = 0; i < kept.size(); ++i) number[static_cast<size_t>(kept[i])] = static_cast<int>(i);

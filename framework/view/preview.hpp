@@ -1,5 +1,5 @@
-// A scene before it is run, as a page: its bodies where they start, how its motions take what they hold, what it selects, how far contact reaches, and what
-// is doubtful of it.
+// A page of a scene before it runs: initial configuration, prescribed motions, selections, contact
+// ranges and warnings.
 #pragma once
 
 #include <string>
@@ -15,9 +15,10 @@ struct PreviewSettings {
   std::string version, commit;         // of the program
 };
 
-// Of kind `preview`: preview {error, warnings, notes, duration, bodies [{name, vertices, tets, triangles, edges, points, held, extent [m], contact [m], adhesion [m]}]}, and
-// one run with `selections` [{name, count, block}]. A scene that cannot be run, as it starts with an intersection, say, is shown all the same, without contact, if it
-// can be; else that is an InputError.
+// Returns page data of kind `preview`: preview {error, warnings, notes, duration, bodies [{name,
+// vertices, tets, triangles, edges, points, held, extent [m], contact [m], adhesion [m]}]}, and one
+// run with `selections` [{name, count, block}]. A scene that cannot run, for instance because its
+// start intersects, is shown without contact if possible; else throws InputError.
 PageData preview_data(const PreviewSettings& settings);
 
 }  // namespace tack

@@ -14,7 +14,8 @@ bool anything_moves(const World& world) {
   return std::any_of(holds.begin(), holds.end(), [](const Script::Hold& hold) { return hold.motion->moves(); });
 }
 
-// Frames, and when holds begin and end: a motion is counted from where its vertices are then.
+// Returns the times of frames and of starts and ends of prescribed motions, which count from the
+// positions at their start.
 std::vector<double> stops_of(const World& world, const std::vector<double>& frames) {
   std::vector<double> stops = frames;
   for (const Script::Hold& hold : world.script.holds())

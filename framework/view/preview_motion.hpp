@@ -1,4 +1,4 @@
-// Where the motions of a scene have what they hold, as time goes on; all else stays where it starts.
+// Positions of prescribed vertices over time; other vertices keep their initial positions.
 #pragma once
 
 #include <string>
@@ -11,10 +11,11 @@ namespace tack {
 struct ScriptedFrames {
   std::vector<double> times;  // s
   std::vector<VecX> places;   // 3n each [m]
-  std::string problem;        // why they end early; empty: they do not
+  std::string problem;        // reason why frames end early; empty: they do not
 };
 
-// So many evenly spread over the duration [s], or the start alone if nothing is moved. What follows what is held goes along with it.
+// Returns `frames` frames evenly spread over the duration [s], or the start alone if nothing is
+// prescribed. Vertices that depend on prescribed ones move with them.
 ScriptedFrames scripted_frames(const World& world, double duration, int frames);
 
 }  // namespace tack

@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// A `select` by itself, with what its numbers may name.
+// A `select` on its own, with the parameters that its numbers may use.
 struct Chosen {
   std::unique_ptr<Selection> select;
   std::map<std::string, Quantity> parameters;
@@ -43,7 +43,7 @@ class Finder {
   }
 
  private:
-  // `body`: of which a `select` without an object chooses; -1: of none.
+  // body: the body of a `select` without an object; -1: none.
   void look(const Value& value, const std::string& where, int body) {
     for (size_t i = 0; i < value.items.size(); ++i) look(value.items[i], fmt::format("{} {}", where, entry_name(value.items[i], i)), body);
     if (!value.is_map()) return;
@@ -54,7 +54,7 @@ class Finder {
     }
   }
 
-  // By its name, else by its number and type.
+  // Returns the name of an entry, else its index and type.
   static std::string entry_name(const Value& entry, size_t number) {
     if (const Value* name = entry.find("name"); name && name->is_scalar()) return name->text;
     const Value* type = entry.find("type");
@@ -70,7 +70,7 @@ class Finder {
       bind(map, chosen, "a selection");
       if (chosen.select) add(where, body, chosen.select->choose({body, world_.rest}));
     } catch (const InputError&) {
-      // one of a scene that cannot be run: what is wrong is told as such
+      // Scenes that cannot run report the error elsewhere.
     }
   }
 

@@ -1,4 +1,5 @@
-// What a scene selects of its objects, wherever it does: groups by name, and every `select` of a motion, load, pair, probe or interaction.
+// Selections of a scene: groups by name, and every `select` of a motion, load, pair, probe or
+// interaction.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ struct ShownSelection {
   std::vector<int> vertices;  // global, ascending
 };
 
-// Those that choose something, but not all of an object. `root`: the scene as parsed.
+// Returns selections that contain some but not all vertices of an object. root: the parsed scene.
 std::vector<ShownSelection> shown_selections(const Value& root, const World& world);
 
 }  // namespace tack

@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int most_rows = 2000, most_frames = 60;
-constexpr double most_seconds = 0.3;  // for the frames of one answer
+constexpr double most_seconds = 0.3;  // limit for the frames of one answer [s]
 
 Json rows_since(const GrowingCsv& table, int known) {
   if (table.columns().empty() || known >= table.rows()) return Json();
   return {{"columns", table.columns()}, {"next", table.rows()}, {"rows", table.rows(known, most_rows)}};
 }
 
-// Null if the file is not there or being written.
+// Returns null if the file is missing or incomplete.
 template <class Read>
 Json part(const fs::path& path, const Read& read) {
   if (!fs::exists(path)) return Json();
@@ -83,7 +83,7 @@ Json RunNews::since(const Known& known, bool running) {
   return news;
 }
 
-// As many as can be read in a moment, the newest among them; what cannot be read is left out.
+// Reads as many frames as the time limit allows, including the newest; skips unreadable ones.
 Json RunNews::frames_since(int known) {
   const int count = static_cast<int>(list_.size());
   if (known >= count) return Json();

@@ -1,4 +1,4 @@
-// What the folder of a run has that a page of it has not: rows of its tables, frames, and how it ended.
+// New results in the folder of a run, for its page: table rows, frames and the end.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +17,17 @@ class RunNews {
  public:
   explicit RunNews(std::filesystem::path folder);
 
-  // How much a page has: rows of the tables, frames that it knows of, whether it knows the end.
+  // Contents that a page has: rows of tables, number of frames, and whether it has the end.
   struct Known {
     int steps = 0, probes = 0, frames = 0;
     bool end = false;
   };
-  // {generation, steps and probes {columns, next, rows}, frames (frame_data of run_data.hpp; with the elements if the page has no frame), end {status, summary, laws}}, each only
-  // if there is news of it. `running`: whether the run goes on.
+  // Returns {generation, steps and probes {columns, next, rows}, frames (frame_data of
+  // run_data.hpp; with elements if the page has no frame), end {status, summary, laws}}, each only
+  // if it is new. running: the run goes on.
   nlohmann::ordered_json since(const Known& known, bool running);
-  // Another one for each run that takes the place of the one before in the folder, or is gone on with from an earlier state. Looks anew.
+  // Reads the folder and returns its generation. It changes when another run replaces the run in
+  // the folder, or the run is resumed from an earlier state.
   int generation();
 
  private:
@@ -35,12 +37,12 @@ class RunNews {
 
   std::filesystem::path folder_;
   GrowingCsv steps_, probes_;
-  int generation_ = 0;  // of both
+  int generation_ = 0;  // of both tables
   std::optional<FrameFollower> follower_;
   std::vector<PvdFile::Frame> list_;
-  std::filesystem::file_time_type listed_{};  // when the list was written,
-  std::uintmax_t list_bytes_ = 0;             // and how long it is: two may be written at what is the same time to the file system
-  double seconds_per_frame_ = 0.01;           // that it takes to read one
+  std::filesystem::file_time_type listed_{};  // time at which the list was written
+  std::uintmax_t list_bytes_ = 0;  // its length, because two lists may have one time stamp
+  double seconds_per_frame_ = 0.01;           // average time to read a frame
 };
 
 }  // namespace tack

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// 0 for what is no number.
+// Returns 0 for anything but a number.
 int number(const HttpRequest& request, const char* name) {
   int value = 0;
   if (const auto found = request.query.find(name); found != request.query.end())
@@ -46,7 +46,7 @@ HttpAnswer RunView::answer(const HttpRequest& request) {
   return {404, "text/plain", ""};
 }
 
-// What has been written since the generation was asked for is told as news.
+// Asks for the generation first: results written since then count as news.
 HttpAnswer RunView::page() {
   const std::lock_guard lock(reading_);
   const int generation = kind_ == FolderKind::run ? news_.generation() : 0;
@@ -56,7 +56,7 @@ HttpAnswer RunView::page() {
 }
 
 HttpAnswer RunView::news(const HttpRequest& request) {
-  const bool goes_on = running();  // before what it wrote last is read
+  const bool goes_on = running();  // before reading the last results
   const RunNews::Known known{number(request, "steps"), number(request, "probes"), number(request, "frames"), number(request, "ended") > 0};
   const std::lock_guard lock(reading_);
   Json news = news_.since(known, goes_on);

@@ -1,5 +1,5 @@
-// A folder of results as a page that is served. The page of a run fetches what comes to it while it is looked at; if the run is one of this program, it can
-// be held and ended from there.
+// Serves a results folder as a page. The page of a run fetches new results while it is open, and
+// can pause and stop a run of this program.
 #pragma once
 
 #include <filesystem>
@@ -15,11 +15,18 @@ namespace tack {
 
 class RunView {
  public:
-  // version, commit: of the program; control: of the run that writes into the folder, null if that is not of this program.
-  RunView(std::filesystem::path folder, std::string version, std::string commit, RunControl* control = nullptr);
+  // version, commit: of the program. control: of the run that writes into the folder; null if it is
+  // not this program's.
+  RunView(std::filesystem::path folder, std::string version, std::string commit,
+          RunControl* control = nullptr);
 
-  // GET "": the page, of a run with `live` {generation, controlled} in its data. GET "news?steps=&probes=&frames=&ended=": RunNews::since, with running and progress
-  // {start, end, time, step, iterations, contacts, min_gap, iteration, residual, paused, holding, stopped}. POST "pause", "resume", "stop".
+  // Answers a request.
+  //  GET ""                                      the page; data of a run contain `live`
+  //                                              {generation, controlled}
+  //  GET "news?steps=&probes=&frames=&ended="    RunNews::since, with running and progress {start,
+  //                                              end, time, step, iterations, contacts, min_gap,
+  //                                              iteration, residual, paused, holding, stopped}
+  //  POST "pause", "resume", "stop"
   HttpAnswer answer(const HttpRequest& request);
 
  private:

@@ -15,7 +15,7 @@ std::vector<py::ssize_t> shape_of(Eigen::Index size, int columns) {
   return {size / columns, columns};
 }
 
-// Complex numbers, masks, texts and truth values would be turned into numbers silently.
+// Rejects complex numbers, masks, texts and booleans, which would be converted silently.
 py::array real_array(const Numbers& numbers, const std::string& what) {
   if (py::isinstance(numbers, py::module_::import("numpy.ma").attr("MaskedArray")))
     throw py::type_error(what + ": a masked array is given, and every number counts; give what `filled` makes of it");
@@ -61,7 +61,7 @@ VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& wha
 py::object sparse(const BlockMatrix& matrix) {
   const auto size = static_cast<py::ssize_t>(matrix.size());
   const auto count = static_cast<py::ssize_t>(matrix.values.size());
-  // The lower triangle block by block, and what mirrors it: scipy adds up and sorts.
+  // Lists the lower triangle block by block with its mirror image; scipy sums duplicates and sorts.
   py::array_t<double> values(2 * count);
   py::array_t<std::int32_t> rows(2 * count), columns(2 * count);
   double* value = values.mutable_data();

@@ -1,4 +1,4 @@
-// Vectors and matrices of tack as NumPy and SciPy have them.
+// Conversion of vectors and matrices to and from NumPy and SciPy.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -14,32 +14,35 @@
 namespace tack::python {
 
 namespace py = pybind11;
-// An array of numbers, or nested lists of them, as a caller gave it: vector_of() checks it.
+// An array of numbers or nested lists of them, as given by a caller; vector_of() checks it.
 using Numbers = py::object;
 
-// All of it as (size / columns, columns), or flat where columns is 0: memory of the vector itself, which lives as long as the array does. Not writable.
+// Returns a read-only view of shape (size / columns, columns), or flat if columns is 0. It refers
+// to the vector's memory and keeps it alive.
 py::array view(const std::shared_ptr<const VecX>& values, int columns);
 
-// Copies, of the same shapes.
+// Returns a copy with the shape of view().
 py::array copy(const VecX& values, int columns);
 
-// Returns a flat vector from an array of shape (size) or (size / 3, 3): another shape of the same
-// size would scramble the numbers. Throws TypeError for anything but an array of real numbers and
-// for a masked array, ValueError for another shape and for numbers that are not finite. `what`: the
-// name in messages, such as "positions".
+// Returns a flat vector from an array of shape (size) or (size / 3, 3); another shape of equal size
+// would scramble the numbers. what: name in messages, such as "positions". Throws TypeError for
+// anything but an array of real numbers and for a masked array, ValueError for another shape and
+// for numbers that are not finite.
 VecX vector_of(const Numbers& numbers, Eigen::Index size, const std::string& what);
 
-// (n, K) of whole numbers.
+// Returns an array (n, columns) of integers.
 template <class Tuples>
 py::array_t<int> table(const Tuples& tuples, int columns) {
-  py::array_t<int> out({static_cast<py::ssize_t>(tuples.size()), static_cast<py::ssize_t>(columns)});
+  py::array_t<int> out(
+      {static_cast<py::ssize_t>(tuples.size()), static_cast<py::ssize_t>(columns)});
   auto at = out.mutable_unchecked<2>();
   for (size_t i = 0; i < tuples.size(); ++i)
     for (int k = 0; k < columns; ++k) at(static_cast<py::ssize_t>(i), k) = tuples[i][k];
   return out;
 }
 
-// scipy.sparse.csc_matrix, both triangles; modes of the matrix that are in no block (global_modes.hpp) are added as they are, dense.
+// Returns a scipy.sparse.csc_matrix with both triangles. Global modes of the matrix
+// (global_modes.hpp) are added as dense entries.
 py::object sparse(const BlockMatrix& matrix);
 
 }  // namespace tack::python

@@ -25,7 +25,7 @@ Interrupts::Interrupts() {
   if (living++ > 0) return;
   interrupt_requested = false;
   ::sigaction(SIGINT, nullptr, &before);
-  // Whoever ignores it, or ends with it, is left to do so.
+  // Leaves processes alone that ignore the signal or end on it.
   caught = !(before.sa_flags & SA_SIGINFO) && before.sa_handler != SIG_IGN && before.sa_handler != SIG_DFL;
   if (!caught) return;
   struct sigaction action = before;

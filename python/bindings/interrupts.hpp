@@ -1,9 +1,10 @@
-// Ctrl-C while tack works: a flag that its loops look at, beside what Python does about it.
+// Ctrl-C during calls of tack: sets a flag that its loops check, besides Python's own handler.
 #pragma once
 
 namespace tack::python {
 
-// While any lives; of several at once, in threads, the first begins and the last ends it.
+// Handles Ctrl-C while an instance exists. With several instances, in threads, the first one
+// installs the handler and the last one removes it.
 class Interrupts {
  public:
   Interrupts();

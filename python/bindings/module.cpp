@@ -1,4 +1,4 @@
-// What `import tack` is built on: the parts of it that are C++. python/tack makes of them what users see.
+// The C++ module under `import tack`; python/tack builds the user interface on it.
 #include <pybind11/pybind11.h>
 
 #include "framework/output/provenance.hpp"

@@ -20,7 +20,7 @@ MinimizerProblem& Problem::there() {
 
 int Problem::size() { return there().objective.size(); }
 
-// What stays where it is is not evaluated again.
+// Moves the objective only if q differs from the present point.
 Objective& Problem::at(const Numbers& q) {
   Objective& objective = there().objective;
   const VecX to = vector_of(q, objective.size(), "unknowns");
@@ -33,8 +33,8 @@ Objective& Problem::at(const Numbers& q) {
   return objective;
 }
 
-// Returns whether nothing intersects and no tet is inverted, exactly, as steps are checked. Barriers do not detect
-// surfaces that have passed through each other.
+// Returns true if nothing intersects and no tetrahedron is inverted, by the exact checks of steps.
+// Barriers do not detect surfaces that have passed through each other.
 bool Problem::feasible() {
   if (feasible_) return *feasible_;
   const VecX& x = dynamic_cast<const IncrementalPotential&>(there().objective).configuration();
@@ -60,7 +60,7 @@ py::object Problem::hessian(const Numbers& q, const std::string& projection) {
 double Problem::feasible_step(const Numbers& q, const Numbers& p) {
   const int size = there().objective.size();
   const double step = there().feasible_step(vector_of(q, size, "unknowns"), vector_of(p, size, "direction"));
-  leave();  // filters may have moved what is shared
+  leave();  // filters may have moved the shared state
   return step;
 }
 

@@ -1,4 +1,4 @@
-// The minimisation of a step, as a minimiser in Python sees it.
+// The minimisation of a step, for a minimiser in Python.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,16 @@
 
 namespace tack::python {
 
-// Valid while its step lasts; afterwards every call throws RuntimeError.
+// Valid during its step; afterwards every call throws RuntimeError.
 class Problem {
  public:
-  // start: the feasible unknowns where the minimisation begins (3m). The objective is an
+  // start: feasible unknowns at which the minimisation begins (3m). The objective is an
   // IncrementalPotential of the world, which must outlive the step.
   Problem(MinimizerProblem problem, const World& world, VecX start)
       : problem_(std::move(problem)), world_(world), start_(std::move(start)) { judge_.begin(); }
 
   void end() { problem_.reset(); }
-  // Clears stored results: others have moved the state that it shares with the simulation.
+  // Clears stored results, because the state shared with the simulation has moved.
   void leave() { q_.resize(0), judged_.reset(), feasible_.reset(); }
 
   int size();
@@ -30,7 +30,7 @@ class Problem {
   py::object hessian(const Numbers& q, const std::string& projection);
   double feasible_step(const Numbers& q, const Numbers& p);
   double stopping_norm(const Numbers& p, const Numbers& gradient);
-  // Whether projected Newton would end there.
+  // Returns true if projected Newton would end at q.
   bool converged(const Numbers& q);
 
   MinimizerResult& work() { return work_; }
@@ -44,7 +44,7 @@ class Problem {
   const World& world_;
   VecX start_, q_;
   ConvergenceJudge judge_;
-  std::optional<bool> judged_;    // at q_; the judge answers once
+  std::optional<bool> judged_;    // at q_; stored because the judge answers only once
   std::optional<bool> feasible_;  // at q_
   MinimizerResult work_;
 };

@@ -18,7 +18,7 @@ namespace {
 
 namespace py = pybind11;
 
-// Writes lines to Python's sys.stdout, from whichever thread has them.
+// Writes lines to Python's sys.stdout, from any thread.
 class Out : public std::streambuf {
  protected:
   int_type overflow(int_type c) override {

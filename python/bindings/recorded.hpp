@@ -1,4 +1,4 @@
-// Runs whose results are kept, and their reports.
+// Bindings of recorded runs and their reports.
 #pragma once
 
 #include <pybind11/pybind11.h>

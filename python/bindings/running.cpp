@@ -47,7 +47,7 @@ Running::Claim::Claim(std::atomic<bool>& busy) : busy_(busy) {
                              "thread has to wait, or needs a simulation of its own");
 }
 
-// Contact is where the state is, wherever a problem has taken it.
+// Moves contact back to the state, after a problem has moved it.
 void Running::return_to_state() {
   if (!problem_) return;
   problem_->leave();
@@ -69,7 +69,7 @@ Running::Running(LoadedExperiment loaded, int threads) : arena_(threads > 0 ? th
 
 Running::~Running() { end_problem(); }
 
-// Contact is where the state is.
+// Moves contact to the state.
 void Running::settle() {
   World& world = simulation_->world();
   if (world.contact) world.contact->move_to(simulation_->state().x);
@@ -78,7 +78,8 @@ void Running::settle() {
 void Running::show() {
   const State& state = simulation_->state();
   const auto keep = [](std::shared_ptr<VecX>& shown, const VecX& values, Eigen::Index size) {
-    if (shown->size() != size) shown = std::make_shared<VecX>(size);  // who has the former keeps it
+    // callers keep the former array
+    if (shown->size() != size) shown = std::make_shared<VecX>(size);
     *shown = values.head(size);
   };
   const Eigen::Index size = 3 * world().mesh_vertex_count();
@@ -126,7 +127,7 @@ void Running::minimize_by(const py::object& function) {
   restart();
 }
 
-// A stepper and a solver of its own from here on.
+// Replaces the stepper and the solver.
 void Running::restart() {
   end_problem();
   const State state = simulation_->state();
@@ -236,7 +237,7 @@ std::shared_ptr<Problem> Running::problem() {
   return problem_;
 }
 
-// Returns the warnings since the last call. Warnings of a step that is under way are reported when it is over.
+// Returns the warnings since the last call. Warnings of a step in progress are reported after it.
 std::vector<std::string> Running::take_warnings() {
   if (busy_) return {};
   return std::exchange(warnings_, {});

@@ -1,6 +1,6 @@
-// A simulation as Python has it: nothing is written, and threads are its own.
-// One call at a time: while a step is under way, calls from other threads and from its own
-// minimiser throw std::runtime_error, except calls that only read the results of the newest step.
+// A simulation for Python, with its own threads; it writes no files. One call at a time: during a
+// step, calls from other threads and from the simulation's minimiser throw std::runtime_error,
+// except calls that only read results of the last step.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -22,7 +22,7 @@ namespace tack::python {
 
 class Running {
  public:
-  // threads: 0 for all cores. Called without the interpreter's lock. Throws InputError.
+  // threads: 0 for all cores. Call it without the interpreter's lock. Throws InputError.
   Running(LoadedExperiment loaded, int threads);
   ~Running();
 
@@ -35,33 +35,35 @@ class Running {
   int threads() const { return arena_.max_concurrency(); }
   const World& world() const { return simulation_->world(); }
 
-  // One accepted step, without the interpreter's lock. Throws SimulationError, and KeyboardInterrupt: then there was no step.
+  // Makes one accepted step, without the interpreter's lock. Throws SimulationError; on
+  // KeyboardInterrupt the state does not change.
   py::dict step();
-  // Who minimises from now on; none: the scene's own.
+  // Sets the minimiser from now on; None: the scene's own.
   void minimize_by(const py::object& function);
 
-  // Of all vertices (n, 3): they show the newest step, wherever they were asked for.
+  // Views of all vertices (n, 3), which always show the last step.
   py::array positions() const { return view(x_, 3); }
   py::array velocities() const { return view(v_, 3); }
   py::array rest() const { return copy(world().rest, 3); }
   py::array mass() const { return copy(world().mass, 0); }
-  // Goes on from there. Throws InputError for what intersects or is inverted.
+  // Continues from these positions and velocities. Throws InputError if they intersect or invert
+  // elements.
   void move(const std::optional<Numbers>& x, const std::optional<Numbers>& v);
 
   py::dict energies();
   py::dict forces();
   py::array field(const std::string& name);
-  // The scene with everything that it leaves open, as runs keep it.
+  // Returns the scene with all defaults resolved, as in results of runs.
   std::string scene() const;
-  // A frame as runs write them, with some fields of it.
+  // Writes a frame as runs do, with some of the fields.
   void write_frame(const std::string& path);
   std::vector<std::string> probe_columns() const { return probes_->columns(); }
   std::vector<double> probe_values();
 
-  // Of the next step: good until there is another one, or a step.
+  // Returns the problem of the next step, valid until the next problem or step.
   std::shared_ptr<Problem> problem();
 
-  // What was doubtful since the last call.
+  // Returns the warnings since the last call.
   std::vector<std::string> take_warnings();
 
  private:
@@ -91,11 +93,11 @@ class Running {
     double time = 0, step_size = 0;  // s
     int step = 0;
     bool finished = false;
-  } shown_;  // of the newest step, as x_ and v_ are
+  } shown_;  // of the last step, as x_ and v_
   std::vector<std::string> warnings_;
   std::atomic<bool> busy_ = false;
 
-  // Of problem().
+  // Parts of problem().
   std::shared_ptr<Problem> problem_;
   std::optional<Convergence> convergence_;
   std::optional<FeasibleSteps> steps_;

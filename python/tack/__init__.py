@@ -13,7 +13,7 @@ import ctypes as _ctypes
 import os as _os
 import pathlib as _pathlib
 
-# Plugins that a scene names find what they are built on in it.
+# Makes libtack's symbols global, for plugins that a scene names.
 _ctypes.CDLL(str(_pathlib.Path(__file__).parent / "lib" / "libtack.so"), mode=_os.RTLD_GLOBAL | _os.RTLD_NOW)
 
 from ._tack import InputError, Problem, SimulationError  # noqa: E402
