@@ -33,6 +33,7 @@ namespace tack {
 
 class Reader;
 
+/// A parameter: its key, doc, shape and bounds, with access to the member that holds it.
 struct Field {
   std::string key;
   std::string doc;
@@ -51,7 +52,7 @@ struct Field {
   /// Modifiers, chained to the declaration. Bounds hold for every number of a list, in SI.
   Field& required();
   Field& nonempty();
-  /// declares a formula (formula.hpp) of these variables and the scene's parameters
+  /// Declares a formula (formula.hpp) of these variables and the scene's parameters.
   Field& formula(std::vector<std::string> variables);
   Field& line();  ///< a text within one line, such as a name in tables and messages
   Field& positive();
@@ -65,6 +66,7 @@ struct Field {
   std::string constraint() const;  ///< "positive", "not empty", ""
 };
 
+/// An option of a choice: its name in scene files, its value and its doc.
 template <class E>
 struct Choice {
   std::string name;
@@ -72,6 +74,7 @@ struct Choice {
   std::string doc;
 };
 
+/// The list of an object's parameters. Each declaration adds a field and returns it for modifiers.
 class Fields {
  public:
   Fields() = default;
@@ -121,8 +124,8 @@ class Fields {
   Field& map(std::string key, std::map<std::string, T>& target, std::string doc);
 
   /// Component of a kind. Pointer: unique_ptr or shared_ptr to the kind's base class, which may be
-  /// const; null means none. A map without `type` sets fields of the default component, if there is
-  /// one.
+  /// const; null means none. A map without `type` sets fields of the default component, if there
+  /// is one.
   template <class Pointer>
   Field& component(std::string key, Pointer& target, std::string doc);
   template <class Pointer>
@@ -132,9 +135,9 @@ class Fields {
   void bare(std::string key) { bare_ = std::move(key); }
   const std::string& bare_key() const { return bare_; }
 
-  /// Adds a condition between several fields: it returns "" or the error and its remedy. Runs after
-  /// all fields of this object were bound without error. Errors are reported at `key` if the file
-  /// has it.
+  /// Adds a condition between several fields: it returns "" or the error and its remedy. Runs
+  /// after all fields of this object were bound without error. Errors are reported at `key` if the
+  /// file has it.
   void check(std::string key, std::function<std::string()> condition);
 
   struct Check {
@@ -166,6 +169,7 @@ class Fields {
   std::string bare_;  // empty: a text is an error
 };
 
+/// Returns the fields of `object`, which must outlive them.
 /// Returns the fields of `object`, which must outlive them.
 template <class T>
 Fields fields_of(T& object) {

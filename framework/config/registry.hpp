@@ -23,6 +23,7 @@ namespace tack {
 
 class Fields;
 
+/// Base of all components.
 struct Component {
   virtual ~Component() = default;
 
@@ -50,8 +51,8 @@ class Kind {
     std::string plugin = {};  ///< library that registered it; "" for the program
   };
 
-  /// Returns the kind of that name, created on first use. A kind exists once per program, whichever
-  /// library asks. Throws std::logic_error if it has another base class.
+  /// Returns the kind of that name, created on first use. A kind exists once per program,
+  /// whichever library asks. Throws std::logic_error if it has another base class.
   static Kind& named(const char* name, const char* doc, std::type_index base);
 
   Kind(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {}
@@ -74,9 +75,9 @@ class Kind {
   /// Returns the fields of a new instance (defaults), which the result keeps alive.
   Fields prototype(std::string_view name) const;
 
-  /// Registers a class. Throws std::logic_error if its name or class is registered already. While a
-  /// plugin is loading, the error is stored in its PluginRegistrations instead; names of components
-  /// not yet loaded count as registered then.
+  /// Registers a class. Throws std::logic_error if its name or class is registered already. While
+  /// a plugin is loading, the error is stored in its PluginRegistrations instead; names of
+  /// components not yet loaded count as registered then.
   void add(Entry entry, std::type_index type);
 
  private:
@@ -123,6 +124,7 @@ class PluginRegistrations {
   std::vector<std::string> errors_;
 };
 
+/// The typed registry of the kind with base class Base.
 template <class Base>
 requires std::derived_from<Base, Component>
 class Registry {
@@ -142,6 +144,7 @@ class Registry {
   }
 };
 
+/// Registers class Derived at its construction; made by TACK_REGISTER.
 template <class Base, std::derived_from<Base> Derived>
 struct Registration {
   Registration(const char* name, const char* doc, const char* source, const char* file) {

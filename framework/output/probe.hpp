@@ -11,6 +11,7 @@ namespace tack {
 struct World;
 struct State;
 
+/// Base of probes: prepare() once per world, then sample() after each step.
 class Probe : public Component {
  public:
   static constexpr const char* kind_name = "probe";

@@ -31,7 +31,7 @@ int terminal_width(int descriptor);
 
 class Progress {
  public:
-  // log may be null. Both streams must outlive this object.
+  // `log` may be null. Both streams must outlive this object.
   Progress(std::ostream& out, std::ostream* log, ProgressOptions options = {});
   ~Progress();  // erases the live line
   Progress(const Progress&) = delete;

@@ -19,7 +19,7 @@ struct Build {
 
   // "0123456789ab", "0123456789ab-dirty" if sources differ from the commit, ""
   std::string revision() const;
-  // in words: "commit 0123456789ab with 1 untracked source file", "no git checkout"
+  // In words: "commit 0123456789ab with 1 untracked source file", "no git checkout".
   std::string sources() const;
 };
 Build this_build();

@@ -36,10 +36,10 @@ class RunFolder {
   std::filesystem::path steps() const { return root_ / "steps.csv"; }
   std::filesystem::path profile() const { return root_ / "profile.csv"; }  // of `tack profile`
   std::filesystem::path probes() const { return root_ / "probes.csv"; }
-  // gradients of probes, if requested
+  // Gradients of probes, if requested.
   std::filesystem::path gradients() const { return root_ / "gradients.csv"; }
   std::filesystem::path laws() const { return root_ / "laws.csv"; }  // of adhesive pairs
-  // curves that expectations compare with
+  // Curves that expectations compare with.
   std::filesystem::path measured() const { return root_ / "measured.csv"; }
   std::filesystem::path summary() const { return root_ / "summary.json"; }
   std::filesystem::path log() const { return root_ / "log.txt"; }

@@ -76,7 +76,7 @@ struct RunSummary {
   double min_distance = std::numeric_limits<double>::infinity();  // m
   double min_gap = std::numeric_limits<double>::infinity();       // of different objects [m]
   double max_unbalanced_force = 0;  // at the end of a step [N]
-  // steps that ended above the tolerated force, because of stagnation without motion
+  // Steps that ended above the tolerated force, because of stagnation without motion.
   int unbalanced_steps = 0;
   double max_affine_strain = 0;     // largest of all affine bodies
   // Lowest mean ratio of a plastically deformed element, relative to its value at rest
@@ -87,7 +87,7 @@ struct RunSummary {
   std::map<std::string, double> stepper;  // step metrics (StepFigure)
   EnergyFlows flows;     // sums [J]
   int damped_steps = 0;  // steps repeated with implicit Euler, because energy would have grown
-  // steps smaller than the scene's, because larger ones gained or lost energy
+  // Steps smaller than the scene's, because larger ones gained or lost energy.
   int refined_steps = 0;
   EnergyLosses losses;
   std::vector<std::string> group_names;  // of losses.groups

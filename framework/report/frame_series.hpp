@@ -16,7 +16,7 @@ struct FrameSeries {
   struct Field {
     std::string name, unit;
     bool magnitude = false;                  // magnitude of a vector
-    // values per vertex; false: per element (triangles, then edges, then points)
+    // Values per vertex; false: per element (triangles, then edges, then points).
     bool of_vertices = true;
     std::vector<std::vector<float>> frames;  // one per frame
   };
@@ -25,7 +25,7 @@ struct FrameSeries {
   std::vector<int> triangles, edges, points;  // vertex indices, three, two and one per element
   std::vector<int> object;                    // per element: triangles, then edges, then points
   Vec3 origin = Vec3::Zero();                 // origin of positions [m]
-  // per frame: x of all vertices, y of all, z of all [m]
+  // Per frame: x of all vertices, y of all, z of all [m].
   std::vector<std::vector<float>> positions;
   std::vector<Field> fields;
 
@@ -60,7 +60,7 @@ class FrameFollower {
   Mesh mesh_;
   std::vector<int> kept_;
   std::vector<int> cells_;  // cells of the elements
-  // per object: outer vertices of the mesh that kept_ refers to
+  // Per object: outer vertices of the mesh that kept_ refers to.
   std::vector<std::vector<int>> outer_;
 };
 

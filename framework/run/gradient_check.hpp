@@ -13,7 +13,7 @@ namespace tack {
 
 struct GradientCheck {
   double number, step;  // SI; the runs have number - step and number + step
-  // at times where all runs have samples and all values are finite
+  // At times where all runs have samples and all values are finite.
   std::vector<double> times, gradients, differences;
   double largest = 0;   // largest absolute difference quotient
   size_t worst = 0;     // index of the largest error

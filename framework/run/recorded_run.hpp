@@ -1,5 +1,5 @@
 // A simulation with recorded results: a folder with the resolved experiment, steps, probes, frames,
-// checkpoints, stored problems, a profile and a summary, and messages on the way.
+// checkpoints, stored problems, a profile and a summary, and messages.
 #pragma once
 
 #include <fstream>

@@ -1,4 +1,4 @@
-// How an object moves as a whole: `body: affine` gives it twelve unknowns, whatever its mesh.
+// Motion of an object as a whole: `body: affine` gives it twelve unknowns, whatever its mesh.
 // Without a body model its vertices are free.
 #pragma once
 

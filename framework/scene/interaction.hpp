@@ -14,30 +14,31 @@ namespace tack {
 
 class InteractionBuilder;
 
-// Vertices of an object, as a scene value: {object: NAME, select: {...}}.
+/// Vertices of an object, as a scene value: {object: NAME, select: {...}}.
 struct ObjectVertices {
   std::string object;
   std::unique_ptr<Selection> select = Registry<Selection>::make("all");
   void fields(Fields& f);
 };
 
+/// Base of interactions, which implement objects() and build().
 class Interaction : public Component {
  public:
   static constexpr const char* kind_name = "interaction";
   static constexpr const char* kind_doc =
       "What acts between objects, on vertices of them, or on one.";
 
-  // Derived classes append their fields to these.
+  /// Derived classes append their fields to these.
   void fields(Fields& f) override;
   const std::string& given_name() const { return name_; }  // "": none was given
 
-  // Names of the objects or groups that it acts on; "*": all.
+  /// Names of the objects or groups that it acts on; "*": all.
   virtual std::vector<std::string> objects() const = 0;
-  // Returns true if these objects keep their placement, so that contact.push_out does not move
-  // them.
+  /// Returns true if these objects keep their placement, so that contact.push_out does not move
+  /// them.
   virtual bool places() const { return true; }
-  // Requests all parts of the interaction from the builder. Throws InputError; the caller adds the
-  // source location.
+  /// Requests all parts of the interaction from the builder. Throws InputError; the caller adds the
+  /// source location.
   virtual void build(InteractionBuilder& builder) const = 0;
 
  private:

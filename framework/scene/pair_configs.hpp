@@ -21,7 +21,7 @@
 
 namespace tack {
 
-// How a name in a pair matches an object.
+// Match of a name in a pair with an object.
 enum class NamedAs { not_at_all, everything, group, object };
 NamedAs named_as(const ObjectConfig& object, const std::string& name);
 

@@ -13,7 +13,7 @@ void add_frame(const ObjectConfig& object, int index, World& world);
 
 // add_affine_masses: adds the masses of a frame. add_affine_terms: adds the orthogonality term,
 // once all masses are there.
-// The default stiffness allows a strain of 1e-4 under the largest stress that bodies in reach may
+// The default stiffness allows a strain of 1e-4 under the largest stress that bodies in range may
 // cause (loading.hpp): their weight on the smallest face of the body, plus the stress that stops
 // the body within a step at the speed it may reach.
 void add_affine_masses(const ObjectConfig& object, int index, World& world);

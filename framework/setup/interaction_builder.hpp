@@ -18,48 +18,49 @@ namespace tack {
 
 struct SceneConfig;
 
+/// Builder of one interaction.
 class InteractionBuilder {
  public:
   InteractionBuilder(const SceneConfig& scene, World& world, std::string name, std::string type);
 
-  // Name in the scene; else the type and its number in the list, "spring 0".
+  /// Name in the scene; else the type and its number in the list, "spring 0".
   const std::string& name() const { return acting_.name; }
-  // The world so far. rest: 3n [m]; mass: n [kg]; script: prescribed motion of vertices. Terms get
-  // the time in begin_step (step_participant.hpp).
+  /// The world so far. rest: 3n [m]; mass: n [kg]; script: prescribed motion of vertices. Terms get
+  /// the time in begin_step (step_participant.hpp).
   const World& world() const { return world_; }
   const VecX& rest() const { return world_.rest; }
   const VecX& mass() const { return world_.mass; }
 
-  int body(const std::string& object) const;                 // index of a body
-  // bodies of an object, a group or "*", ascending
+  int body(const std::string& object) const;                 ///< index of a body
+  /// Bodies of an object, a group or "*", ascending.
   std::vector<int> bodies(const std::string& name) const;
   std::vector<int> vertices(const ObjectVertices& of) const;  // global, ascending, at least one
   // A vertex at that place [m] that a body carries along (embedding.hpp).
   int anchor(int body, const Vec3& at);
 
-  // Adds a fixed vertex at position `at` [m], for attachments to space, and returns its index.
+  /// Adds a fixed vertex at position `at` [m], for attachments to space, and returns its index.
   int fixed(const Vec3& at);
 
-  // Unknowns of the interaction.
+  /// Unknowns of the interaction.
   Unknowns unknowns() { return Unknowns(world_, acting_.name); }
-  // Makes vertices dependent from time `from` until `until` [s]. No motion may prescribe them.
+  /// Makes vertices dependent from time `from` until `until` [s]. No motion may prescribe them.
   void tie(Dependences dependences, double from = 0,
            double until = std::numeric_limits<double>::infinity());
-  // Adds a joint: relations that hold exactly and throughout (joint_relations.hpp). Sets its name.
-  // At least one of its bodies must be affine and free to move.
+  /// Adds a joint: relations that hold exactly and throughout (joint_relations.hpp). Sets its name.
+  /// At least one of its bodies must be affine and free to move.
   void add(Joint joint);
-  // Excludes contact between the two bodies, for the whole run.
+  /// Excludes contact between the two bodies, for the whole run.
   void join(int body, int other);
 
-  // Adds a term that takes part in every step of the run.
+  /// Adds a term that takes part in every step of the run.
   template <class T>
   T& add(std::unique_ptr<T> term) {
     T& added = *term;
     take(std::move(term));
     return added;
   }
-  // Declares an array of the history that one of its terms keeps, and returns its name. `start:`
-  // copies declared arrays.
+  /// Declares an array of the history that one of its terms keeps, and returns its name. `start:`
+  /// copies declared arrays.
   std::string remembers(const std::string& what, int width, int entries);
 
   ActingInteraction finish();
@@ -72,10 +73,10 @@ class InteractionBuilder {
   ActingInteraction acting_;
 };
 
-// Returns the name of entry i of the list.
+/// Returns the name of entry i of the list.
 std::string interaction_name(const SceneConfig& scene, size_t i);
 
-// Adds all interactions of the scene. root: the parsed file.
+/// Adds all interactions of the scene. root: the parsed file.
 void add_interactions(const SceneConfig& scene, const Value& root, World& world);
 
 }  // namespace tack

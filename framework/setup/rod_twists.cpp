@@ -116,7 +116,7 @@ class DrivenTwist : public Motion {
     return rod_.radius() * (angle + turn * std::round((theta + turned - angle) / turn));
   }
 
-  // Returns the linear part of the motion at the edge from the anchor to time t, by three points
+  // Returns the linear part of the motion at the edge from the reference position to time t, by three points
   // beside its first vertex.
   Mat3 linear_part(int e, const VecX& rest, const VecX& anchor, double t) const {
     const Edge& edge = rod_.edge(e);

@@ -27,7 +27,7 @@ class GrowingCsv {
 
   std::filesystem::path path_;
   int generation_ = 0;
-  // identity of the file, and the bytes read so far
+  // Identity of the file, and the bytes read so far.
   std::uint64_t file_ = 0, device_ = 0, end_ = 0;
   std::vector<std::string> columns_;
   std::vector<std::uint64_t> starts_;  // byte offsets of the rows

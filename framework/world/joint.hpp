@@ -19,9 +19,9 @@ struct Joint {
   std::vector<Relation> relations;
   std::vector<int> bodies;   // joined bodies, its object first
   std::vector<int> places;   // its own massless vertices, which may become dependent
-  // vertices of its object at which it acts; its torque is reported about the first
+  // Vertices of its object at which it acts; its torque is reported about the first.
   std::vector<int> anchors;
-  // error of relations that only a stiff potential keeps [m]
+  // Error of relations that only a stiff potential keeps [m].
   std::function<double(const VecX& x)> play = {};
 };
 

@@ -11,7 +11,7 @@ namespace tack {
 
 class RemeshedEnergy : public StepParticipant {
  public:
-  // history array: energy lost since the last step [J]
+  // History array: energy lost since the last step [J].
   static constexpr const char* name = "remeshing/lost";
 
   void remember(const History& history) override {

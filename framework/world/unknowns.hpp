@@ -1,8 +1,8 @@
-// Unknowns beyond mesh vertices. Energies, interactions and the world request them while a world is
-// built. Each is a vertex of x that belongs to no mesh:
+// Unknowns beyond mesh vertices. Energies, interactions and the world request them while a world
+// is built. Each is a vertex of x that belongs to no mesh:
 //   vector dof   a position
 //   scalar dof   first coordinate: the number times a length, so that norms, tolerances and
-//                integrators treat it like a displacement (twist of a rod: the arc at its radius of
+// integrators treat it like a displacement (twist of a rod: the arc at its radius of
 //                gyration); the other two coordinates are fixed
 // With a mass it has inertia; without, it minimises the potential. States, checkpoints and resumed
 // runs contain all unknowns.
@@ -20,39 +20,41 @@ namespace tack {
 
 struct World;
 
-// The unknowns of one request.
+/// The unknowns of one request.
 struct UnknownGroup {
-  std::string name;           // "box/0/temperature"
-  int body = -1;              // owner; -1: an interaction
-  std::vector<int> vertices;  // consecutive
-  double length = 0;          // scalar dofs: the displacement of one unit [m]; 0: vector dofs
+  std::string name;           ///< "box/0/temperature"
+  int body = -1;              ///< owner; -1: an interaction
+  std::vector<int> vertices;  ///< consecutive
+  double length = 0;          ///< scalar dofs: the displacement of one unit [m]; 0: vector dofs
 };
 
+/// Scalar dofs of one request. at: value of dof i in x (3n).
 struct Numbers {
   std::vector<int> vertices;
-  double length = 1;  // m
+  double length = 1;  ///< m
   double at(int i, const VecX& x) const { return x(3 * vertices[i]) / length; }
 };
 
+/// Requests for unknowns of one owner.
 class Unknowns {
  public:
-  // owner: beginning of their names.
+  /// owner: beginning of their names.
   Unknowns(World& world, std::string owner, int body = -1)
       : world_(world), owner_(std::move(owner)), body_(body) {}
 
-  // Adds vector dofs with these rest positions [m]. mass: of each [kg].
+  /// Adds vector dofs with these rest positions [m]. mass: of each [kg].
   std::vector<int> places(const std::string& name, std::span<const Vec3> at, double mass = 0);
-  // Adds scalar dofs. length: displacement that counts as one unit [m]; tolerances resolve a
-  // hundredth of it. start: initial value. mass: inertia against that displacement [kg].
+  /// Adds scalar dofs. length: displacement that counts as one unit [m]; tolerances resolve a
+  /// hundredth of it. start: initial value. mass: inertia against that displacement [kg].
   Numbers numbers(const std::string& name, int count, double length, double start = 0,
                   double mass = 0);
-  // Makes a vertex a weighted sum of others throughout; weights add up to one.
+  /// Makes a vertex a weighted sum of others throughout; weights add up to one.
   void follow(Dependence dependence);
-  // Fixes directions of a vector dof throughout. held: projection onto these directions.
+  /// Fixes directions of a vector dof throughout. held: projection onto these directions.
   void hold(int vertex, const Mat3& held);
-  // Fixes vector dofs.
+  /// Fixes vector dofs.
   void fix(std::vector<int> places);
-  // Prescribes the scalar dofs with these indices by a schedule throughout.
+  /// Prescribes the scalar dofs with these indices by a schedule throughout.
   void prescribe(const Numbers& numbers, std::span<const int> which, const Schedule& values);
 
  private:

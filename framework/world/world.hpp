@@ -32,6 +32,7 @@ class RemeshedEnergy;
 class OverlapBoundaryTerm;
 class VolumeTerm;
 
+/// A scene ready to simulate. build_world.hpp makes it.
 struct World {
   World();
   ~World();
@@ -59,7 +60,7 @@ struct World {
   LoadTerm load_term;
   std::vector<std::unique_ptr<FollowingLoad>> load_terms;
   std::vector<FollowingLoad*> following_loads;  ///< of all terms
-  /// among following_loads: loads by an enclosed volume or a surface
+  /// Among following_loads: loads by an enclosed volume or a surface.
   std::vector<const VolumeTerm*> chambers;
   std::unique_ptr<ContactSystem> contact;  ///< null without contact
   std::unique_ptr<ContactTerm> contact_term;
@@ -71,7 +72,8 @@ struct World {
   StepParticipants participants;  // contact and the terms
   Records records;                // what the terms publish, and a stepper instead of them
   std::vector<AdhesionSummary> adhesion;
-  std::vector<StepFigure> step_figures;  ///< step metrics that the stepper reports of the last step
+  /// step metrics that the stepper reports of the last step
+  std::vector<StepFigure> step_figures;
   State start;
   std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (initial_state.hpp)
 

@@ -6,7 +6,7 @@
     sim.run(until=0.5)
     print(sim.x.shape, sim.energies())
 
-    results = tack.run("scene.yaml")     # with everything kept that `tack run` keeps
+    results = tack.run("scene.yaml")     # with all result files of `tack run`
     results.probes["force"]              # arrays
 """
 import ctypes as _ctypes

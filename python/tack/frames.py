@@ -1,4 +1,4 @@
-"""Frames of a run: VTK unstructured grids (.vtu), raw appended data compressed by zlib, as tack writes them."""
+"""Frames of a run: VTK unstructured grids (.vtu) as tack writes them, raw appended data compressed by zlib."""
 import xml.etree.ElementTree as ElementTree
 import zlib
 
@@ -9,9 +9,9 @@ _corners = {1: "points", 3: "edges", 5: "triangles", 10: "tets"}
 
 
 class Frame:
-    """One frame: `time` [s], `x` (n, 3) [m], fields of vertices and of cells by name, `cells` by kind, each with the numbers of its rows among all cells.
+    """A frame: `time` [s], `x` (n, 3) [m], fields of vertices and cells by name, `cells` by kind with their indices among all cells.
 
-    frame["velocity"] is a field of vertices, or else of cells.
+    frame["velocity"] is the field of vertices of that name, or else the field of cells.
     """
 
     def __init__(self, path):

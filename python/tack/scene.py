@@ -1,10 +1,10 @@
-"""Scenes and overrides as the program takes them: YAML, of which JSON is a part."""
+"""Converts scenes and overrides to the program's format, YAML (JSON is a subset)."""
 import json
 import os
 
 
 def _plain(value):
-    """NumPy's numbers and arrays, paths and mappings as JSON has them."""
+    """Converts NumPy's numbers and arrays, paths and mappings for JSON."""
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if hasattr(value, "tolist"):
@@ -19,14 +19,14 @@ def text_of(scene):
 
 
 def overrides_of(values):
-    """{"time.step": "2 ms"} as ["time.step=2 ms"]."""
+    """Converts {"time.step": "2 ms"} to ["time.step=2 ms"]."""
     def one(value):
         return value if isinstance(value, str) else json.dumps(value, default=_plain, allow_nan=False, ensure_ascii=False)
     return [f"{key}={one(value)}" for key, value in (values or {}).items()]
 
 
 def opened(scene):
-    """(path, text) of a file or a dictionary: one of them is all there is."""
+    """Returns (path, "") for a file and ("scene", text) for a dictionary."""
     if isinstance(scene, (str, os.PathLike)):
         return os.fspath(scene), ""
     return "scene", text_of(scene)

@@ -18,7 +18,7 @@
 namespace tack {
 
 struct ContactRow {
-  // global ids: of the point, then of the opposite feature; or of two edges
+  // Global ids: of the point, then of the opposite feature; or of two edges.
   std::array<int, 4> vertices;
   // sum_i c_i x_i is the vector from the feature to the point; 0 for unused entries
   std::array<double, 4> coefficients;

@@ -76,7 +76,7 @@ int LcpStep::add_violated(const VecX& way, double tolerated, bool first) {
   return added;
 }
 
-// Adds contacts met on the way to the end of the step. Returns their number.
+// Adds contacts that are first met during the step. Returns their number.
 int LcpStep::add_impacts(const VecX& x, const VecX& end) {
   if (!impacts_) return 0;
   const PhaseScope scope(clock_, Phase::ccd);

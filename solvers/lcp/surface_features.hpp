@@ -29,7 +29,7 @@ struct NearEdges {
   Vec2 at;  // per edge, the position is (1 - at) * first vertex + at * second vertex
   double distance;               // m
   Vec3 normal;                   // unit, from b to a
-  // cosine of -normal with the surface normal at a, of normal with that at b
+  // Cosine of -normal with the surface normal at a, of normal with that at b.
   double facing_a, facing_b;
 };
 

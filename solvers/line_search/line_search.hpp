@@ -8,19 +8,21 @@
 
 namespace tack {
 
+/// Result of a search: the step length [1], if one was found, and the evaluations of the objective.
 struct LineSearchResult {
   bool found = false;
   double step = 0;
   int evaluations = 0;
 };
 
+/// Interface of line searches.
 class LineSearch : public Component {
  public:
   static constexpr const char* kind_name = "line_search";
   static constexpr const char* kind_doc = "Chooses the step length along a descent direction.";
 
-  /// Searches from q, where the objective is, along p. slope: p . gradient(q) < 0. Every step in (0,
-  /// t_max] is feasible. On success the objective is left at q + step p.
+  /// Searches from q, where the objective is, along p. slope: p . gradient(q) < 0. Every step in
+  /// (0, t_max] is feasible. On success the objective is left at q + step p.
   virtual LineSearchResult search(Objective& objective, const VecX& q, const VecX& p, double slope,
                                   double t_max) = 0;
 };

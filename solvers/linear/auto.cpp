@@ -60,7 +60,7 @@ class AutomaticSolver : public LinearSolver {
   std::string describe() const override { return reason_; }
 
  private:
-  // Decides anew for a system of another size.
+  // Decides again for a system of another size.
   void begin(PhaseClock& clock) {
     decided_for_ = matrix_->size();
     needed_ = expected;

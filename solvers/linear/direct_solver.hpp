@@ -8,6 +8,7 @@
 
 namespace tack {
 
+/// Base of direct solvers, which implement factorize_blocks() and solve_blocks().
 class DirectSolver : public LinearSolver {
  public:
   bool factorize(const BlockMatrix& matrix, PhaseClock& clock) final {

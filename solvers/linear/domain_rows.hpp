@@ -27,7 +27,7 @@ struct DomainRows {
   };
   std::vector<int> vertex;        // of each row
   std::vector<int> domain_start;  // first row of each domain, and the end
-  // first row of each group of separators, and the end; groups follow the domains
+  // First row of each group of separators, and the end; groups follow the domains.
   std::vector<int> group_start;
   std::vector<int> row_start;
   std::vector<int> column;        // of each entry of a row, ascending: the diagonal comes last

@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// vertices; incomplete factors solve smaller components nearly as well as a complete factor
+// Vertices; incomplete factors solve smaller components nearly as well as a complete factor.
 inline constexpr int smallest_part = 24;
 
 // Returns the number of columns of each component.

@@ -10,6 +10,7 @@ namespace tack {
 
 class MatrixSweeps;
 
+/// Interface of preconditioners: update() for a matrix, then apply().
 class Preconditioner : public Component {
  public:
   static constexpr const char* kind_name = "preconditioner";

@@ -34,8 +34,8 @@ class RigidMotions {
   Aggregates pieces_;
   std::vector<int> part_;         // BlockMatrix::part when the aggregates were built
   std::uint64_t version_ = 0;
-  // per aggregate: columns are axes, scaled so that a vertex moves by 1 as by a translation; or
-  // zero
+  // Per aggregate: columns are axes, scaled so that a vertex moves by 1 as by a translation; or
+  // zero.
   std::vector<Mat3> rotations_;
   Eigen::Matrix3Xd arms_;         // per column: vector from the centre of its aggregate
   // Sums Z_r^T A Z_c over the blocks of an aggregate's columns whose rows belong to another

@@ -29,7 +29,7 @@ struct SupernodeTree {
   std::vector<int> position;        // aligned with rows: index of a row in the parent's rows
   std::vector<int> parent;          // -1: a root; parents follow their children
   std::vector<int> child_start, children;
-  // first entry of each node's columns (height x columns), and the end
+  // First entry of each node's columns (height x columns), and the end.
   std::vector<std::ptrdiff_t> panel;
 
   // Targets of the matrix's blocks, sorted by node: entry (i, j) goes to at + i + j * height(node).

@@ -27,7 +27,7 @@ class ConvergenceJudge {
   DirectionCheck check_;
   double next_gradient_ = 0;  // |gradient| below which the next solve is worth its cost
   bool begun_ = false;
-  // calls in this minimisation; the call that an observer is answered at
+  // Calls in this minimisation; the call that an observer is answered at.
   int asked_ = 0, next_asked_ = 0;
 };
 

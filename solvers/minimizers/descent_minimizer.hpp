@@ -11,6 +11,7 @@
 
 namespace tack {
 
+/// Base of descent methods: minimize() is the loop, direction() the method.
 class DescentMinimizer : public Minimizer {
  public:
   void fields(Fields& f) override;
@@ -29,8 +30,8 @@ class DescentMinimizer : public Minimizer {
 
   /// Begins a minimisation; the objective is at its first point.
   virtual void begin(const MinimizerProblem&, MinimizerResult&) {}
-  /// p <- a descent direction at the objective's present point. Any status but `converged` ends the
-  /// minimisation. The loop checks that the gradient is finite: before the call unless
+  /// p <- a descent direction at the objective's present point. Any status but `converged` ends
+  /// the minimisation. The loop checks that the gradient is finite: before the call unless
   /// newton_like(), and after it.
   virtual MinimizerStatus direction(const MinimizerProblem& problem, VecX& p,
                                     MinimizerResult& result) = 0;
@@ -63,7 +64,7 @@ class DescentMinimizer : public Minimizer {
   // Hessians of this minimisation are too stiff, since some step, and no step was truncated
   bool too_stiff_ = false;
   bool cut_ = false;        // the last step was truncated
-  // force residual too large after the last step, which was below the tolerance
+  // Force residual too large after the last step, which was below the tolerance.
   bool unbalanced_ = false;
   bool accelerated_ = false;  // this step is conjugate to the last one, and extrapolated
   double room_ = 0;           // feasible length of this step, in units of its direction

@@ -52,7 +52,7 @@ class GuardedProblem {
   void fail(std::exception_ptr failure) { failure_ = failure; }
   void rethrow() const { if (failure_) std::rethrow_exception(failure_); }
 
-  // Returns true if so many trials in a row failed that the method should restart.
+  // Returns true after too many consecutive failed trials: the method should restart.
   bool gets_nowhere() const;
   // fruitless: the last round had no accepted point; reason: the status for that.
   bool fruitless() const { return result_.iterations == iterations_before_; }
@@ -82,7 +82,7 @@ class GuardedProblem {
   bool trial_usable_ = false;
 
   int trials_left_ = 0;
-  // counts within the round; the last one, in a row
+  // Counts within the round; the last one, in a row.
   int iterations_before_ = 0, tried_ = 0, blocked_ = 0, idle_ = 0;
   std::optional<MinimizerStatus> status_;
   std::exception_ptr failure_;

@@ -24,10 +24,10 @@ class ResidualModel {
   struct Stencil {
     int arity, residuals, blocks;
     size_t first;           // index of its first residual
-    // index of its Jacobian by vertices: residuals x (3 arity), row-major
+    // Index of its Jacobian by vertices: residuals x (3 arity), row-major.
     size_t first_of_vertices;
     size_t first_jacobian;     // index of its Jacobian by blocks: residuals x (3 blocks), row-major
-    // indices of its blocks, and of the weights of each vertex on all blocks
+    // Indices of its blocks, and of the weights of each vertex on all blocks.
     size_t first_block, first_weight;
   };
   const std::vector<Stencil>& stencils() const { return stencils_; }

@@ -10,6 +10,7 @@
 
 namespace tack {
 
+/// Metric made by begin() from the clamped Hessian at the start of a minimisation.
 class StartPreconditioner {
  public:
   enum class Kind { elastic, full, block_diagonal };
