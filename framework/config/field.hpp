@@ -170,7 +170,6 @@ class Fields {
 };
 
 /// Returns the fields of `object`, which must outlive them.
-/// Returns the fields of `object`, which must outlive them.
 template <class T>
 Fields fields_of(T& object) {
   Fields fields;
