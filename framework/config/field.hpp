@@ -1,12 +1,12 @@
 // Self-describing parameters. A configurable struct lists each parameter once, beside the member
 // that holds its default:
 //
-//   struct Sphere {
-//     double radius = 0.1;  // m
-//     void fields(Fields& f) {
-//       f.number("radius", radius, units::length, "distance from the centre").positive();
-//     }
-//   };
+//    struct Sphere {
+//      double radius = 0.1;  // m
+//      void fields(Fields& f) {
+//        f.number("radius", radius, units::length, "distance from the centre").positive();
+//      }
+//    };
 //
 // Scene binding (bind.hpp), documentation, the JSON schema and the echo of the resolved scene
 // (describe.hpp) are generated from that list. Fields refer to members of the object they were

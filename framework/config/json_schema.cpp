@@ -164,7 +164,7 @@ class Schema {
 
   void define(const Kind& kind) {
     if (definitions_.contains(kind.name())) return;
-    // guards against recursion: components may contain components of their own kind
+    // Guards against recursion: components may contain components of their own kind.
     definitions_[kind.name()] = nullptr;
     json bare_names = json::array();
     json variants = json::array();

@@ -3,8 +3,6 @@
 // `include: other.yaml`, or a list of files, at the top level of a file merges the included files
 // (merge.hpp): later ones over earlier ones, the including file over all. All errors are
 // InputErrors that open with file:line:column.
-// it, later ones over earlier ones, the including file over all, as merge.hpp says. All errors are
-// InputErrors that open with file:line:column.
 #pragma once
 
 #include <string>
@@ -19,11 +17,11 @@ Value parse_file(const std::string& path);
 // Parses a text. name: stands for the file in messages, includes and relative paths.
 Value parse_string(const std::string& text, const std::string& name);
 
-// Applies `--set a.b=c`: the value, parsed as YAML, replaces the one at the dotted path.
-//   segment in a list            index, or `name` of an entry (`objects.plate.shape.size`)
-//   key that does not exist      created (binding checks it)
-//   component as a bare name     becomes a map
-//   name of a parameter alone    the parameter, unless it is a key of the file
+// Applies `--set a.b=c`: the value, parsed as YAML, replaces the one at the dotted path:
+//    segment in a list            index, or `name` of an entry (`objects.plate.shape.size`)
+//    key that does not exist      created (binding checks it)
+//    component as a bare name     becomes a map
+//    name of a parameter alone    the parameter, unless it is a key of the file
 void apply_override(Value& root, const std::string& assignment);
 
 Value with_overrides(Value root, const std::vector<std::string>& assignments);

@@ -1,7 +1,7 @@
-// Columns of numbers with units from a text file, such as measured data or a spreadsheet export.
-//   first line    names, each with its unit ("gap [um], traction [kPa]"; without one: SI)
-//   second line   optionally the units instead
-//   cells         separated by commas, semicolons or tabs
+// Columns of numbers with units from a text file, such as measured data or a spreadsheet export:
+//    first line    names, each with its unit ("gap [um], traction [kPa]"; without one: SI)
+//    second line   optionally the units instead
+//    cells         separated by commas, semicolons or tabs
 // Allowed: any line ends, a byte order mark, quotes, empty lines, lines that begin with #, and
 // columns that are not read.
 #pragma once

@@ -1,10 +1,10 @@
 // Components chosen by name in a scene file (`type: fang`), and the registries that hold them.
 //
-// A kind of component is a base class that derives from Component and has
-//   static constexpr const char* kind_name = "normal_law";
-//   static constexpr const char* kind_doc = "Potential of the gap between two surfaces.";
+// A kind of component is a base class that derives from Component and has:
+//    static constexpr const char* kind_name = "normal_law";
+//    static constexpr const char* kind_doc = "Potential of the gap between two surfaces.";
 // A component is a class of that kind which registers itself in its own .cpp, at namespace scope:
-//   TACK_REGISTER(NormalLaw, FangAdhesion, "fang", "One sentence.", "Fang et al., eq. 10-12");
+//    TACK_REGISTER(NormalLaw, FangAdhesion, "fang", "One sentence.", "Fang et al., eq. 10-12");
 // Registration runs before main, or when a plugin is loaded (framework/plugin). Object files must
 // be linked whole (OBJECT libraries). Registering a name or a class twice ends the program at its
 // start. Entries are sorted by name, whatever the link order.

@@ -53,7 +53,7 @@ class Required {
   std::string define(const Kind& kind) {
     const std::string name = "required." + kind.name();
     if (definitions_.contains(name)) return name;
-    // guards against recursion: components may contain components of their own kind
+    // Guards against recursion: components may contain components of their own kind.
     definitions_[name] = nullptr;
     json variants = json::array();
     for (const auto& [component, entry] : kind.entries()) {

@@ -1,9 +1,9 @@
 // Tables of numbers with a header line as .csv files (RFC 4180: names with commas or quotes are
-// quoted).
-//   numbers                       fewest digits that read back as the same bits
-//   infinity, not a number        inf, -inf, nan
-//   texts like formulas           ("=...", "+...", "-...", "@...") with an apostrophe in front, for
-//                                 spreadsheets; readers remove it
+// quoted). Cells:
+//    numbers                       fewest digits that read back as the same bits
+//    infinity, not a number        inf, -inf, nan
+//    texts like formulas           ("=...", "+...", "-...", "@...") with an apostrophe in front,
+//                                  for spreadsheets; readers remove it
 #pragma once
 
 #include <filesystem>

@@ -1,11 +1,11 @@
 // Expectations of a scene on its run. In a scene file:
-//   expect:
-//     - {probe: peel_force, statistic: mean, over: [0.5, 1.2], target: 12.3, within: 5%}
-//     - {probe: gap, statistic: min, at_least: 0}
-//     - {probe: force, statistic: integral, along: gap, target: 0.02, within: 0.001}
-//     - {probe: force, statistic: at, along: gap, where: 0.001, at_least: 1, at_most: 2}
-//     - {probe: force, statistic: deviation, along: opening, at_most: 10%,
-//        follows: {file: load.csv, from: 5 mm}}
+//    expect:
+//      - {probe: peel_force, statistic: mean, over: [0.5, 1.2], target: 12.3, within: 5%}
+//      - {probe: gap, statistic: min, at_least: 0}
+//      - {probe: force, statistic: integral, along: gap, target: 0.02, within: 0.001}
+//      - {probe: force, statistic: at, along: gap, where: 0.001, at_least: 1, at_most: 2}
+//      - {probe: force, statistic: deviation, along: opening, at_most: 10%,
+//         follows: {file: load.csv, from: 5 mm}}
 // Numbers may have a unit of the probe's dimension (`target: 12 mN`), or for an integral of the
 // product's; without unit they are SI. An expectation has either a target with tolerance, or
 // bounds. Bounds and tolerance include their ends.

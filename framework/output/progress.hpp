@@ -1,5 +1,5 @@
 // Progress reports of a run. A terminal shows one live line, at most ten times a second:
-//   step 120  t 1.2 s (40%)  4 iterations  310 contacts  gap 0.0001 m  2m05s left
+//    step 120  t 1.2 s (40%)  4 iterations  310 contacts  gap 0.0001 m  2m05s left
 // Other streams get such lines one below the other, every twentieth of the run. A long step shows
 // an iteration every five seconds. Everything, and every step, also goes to the log. Not
 // thread-safe.

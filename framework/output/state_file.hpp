@@ -4,26 +4,26 @@
 //
 // Format: a line "tack state 2 crc32 CHECKSUM bytes SIZE" (format version; checksum and size of the
 // rest), then a map, all in SI:
-//   kind            "problem" or "checkpoint"
-//   program, commit
-//   scene           resolved, as YAML
-//   meshes          {object: {vertices, tets, triangles, edges, points, tags}}, problems only:
-//                   meshes that were read from files
-//   file_meshes     {object: [vertex count, element count, checksums of vertices, elements and
-//                   groups]}, checkpoints only: digests of such meshes (geometry/mesh/digest.hpp)
-//   plugins         {path: CRC-32 of the file}, checkpoints only
-//   files           {path: digest} read by the scene (framework/config/file_digest.hpp)
-//   objects         {object: {vertices: of its mesh and others, mesh: digest}}
-//   state           {time, step, whole_steps, h_before, acted_before, h_next, held, x, v, a,
-//                   anchor, x_before, v_before, contact, contact_before,
-//                   history {name: {width, values, keys}}, energy (energy_account.hpp)}
-//   step_size       of a problem [s]
-//   totals          {name: number}
-//   linear_solver   text
-//   warnings        [[text, kind, times]]: this and the two before of a checkpoint's run so far
-//   flowed          {object: {vertices, tets, tags, surface, shapes, volumes}} of remeshed objects
-//                   (framework/body/flowed_mesh.hpp)
-//   remeshings      records of a checkpoint's run
+//    kind            "problem" or "checkpoint"
+//    program, commit
+//    scene           resolved, as YAML
+//    meshes          {object: {vertices, tets, triangles, edges, points, tags}}, problems only:
+//                    meshes that were read from files
+//    file_meshes     {object: [vertex count, element count, checksums of vertices, elements and
+//                    groups]}, checkpoints only: digests of such meshes (geometry/mesh/digest.hpp)
+//    plugins         {path: CRC-32 of the file}, checkpoints only
+//    files           {path: digest} read by the scene (framework/config/file_digest.hpp)
+//    objects         {object: {vertices: of its mesh and others, mesh: digest}}
+//    state           {time, step, whole_steps, h_before, acted_before, h_next, held, x, v, a,
+//                    anchor, x_before, v_before, contact, contact_before,
+//                    history {name: {width, values, keys}}, energy (energy_account.hpp)}
+//    step_size       of a problem [s]
+//    totals          {name: number}
+//    linear_solver   text
+//    warnings        [[text, kind, times]]: this and the two before of a checkpoint's run so far
+//    flowed          {object: {vertices, tets, tags, surface, shapes, volumes}} of remeshed objects
+//                    (framework/body/flowed_mesh.hpp)
+//    remeshings      records of a checkpoint's run
 // Fields of later programs are absent from older files and then have State's defaults. The version
 // rises when the meaning of existing fields changes.
 #pragma once

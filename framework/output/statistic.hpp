@@ -2,16 +2,16 @@
 //
 // Samples with t0 <= t <= t1 count, with a slack of 1e-9 of the larger bound, because times are
 // sums of steps. With s the abscissa, by default the time:
-//   final     last sample
-//   mean      average over time, (1/T) int p dt; the sample itself if there is only one
-//   max, min  largest and smallest sample
-//   peak      largest absolute value
-//   integral  int p ds by the trapezoidal rule (work: a force along a displacement)
-//   at        p where s first passes a given number, linear in between
-//   deviation, rms_deviation, worst_deviation
-//             mean, root mean square and largest deviation of p over s from a measured curve
-//             (framework/measured), as fractions of the measured numbers; the run must pass every
-//             point that counts
+//    final     last sample
+//    mean      average over time, (1/T) int p dt; the sample itself if there is only one
+//    max, min  largest and smallest sample
+//    peak      largest absolute value
+//    integral  int p ds by the trapezoidal rule (work: a force along a displacement)
+//    at        p where s first passes a given number, linear in between
+//    deviation, rms_deviation, worst_deviation
+//              mean, root mean square and largest deviation of p over s from a measured curve
+//              (framework/measured), as fractions of the measured numbers; the run must pass every
+//              point that counts
 #pragma once
 
 #include <optional>

@@ -1,15 +1,15 @@
 // steps.csv: one row per accepted step. Columns:
-//   step, time [s], step_size [s], halvings
-//   newton_iterations, linear_solves, linear_iterations, line_search_evaluations
-//   contacts, candidates, min_distance [m], min_gap (of different objects) [m]
-//   energy_<term> [J] for each term
-//   energy balance [J] (stepping/energy_balance.hpp): work_loads, work_script, work_rim,
-//     work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic,
-//     dissipated_damping, dissipated_areas, dissipated_numerics; flows that terms publish
-//     (core/records.hpp) stand among those of their kind
-//   residual, unbalanced_force [N], tolerated_force [N], converged (0 or 1)
-//   lag_iterations, friction_residual
-//   wall_seconds, seconds_<phase> for each phase
+//    step, time [s], step_size [s], halvings
+//    newton_iterations, linear_solves, linear_iterations, line_search_evaluations
+//    contacts, candidates, min_distance [m], min_gap (of different objects) [m]
+//    energy_<term> [J] for each term
+//    energy balance [J] (stepping/energy_balance.hpp): work_loads, work_script, work_rim,
+//      work_healing, dissipated_friction, dissipated_adhesion, dissipated_plastic,
+//      dissipated_damping, dissipated_areas, dissipated_numerics; flows that terms publish
+//      (core/records.hpp) stand among those of their kind
+//    residual, unbalanced_force [N], tolerated_force [N], converged (0 or 1)
+//    lag_iterations, friction_residual
+//    wall_seconds, seconds_<phase> for each phase
 #pragma once
 
 #include <filesystem>

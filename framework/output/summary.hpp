@@ -1,32 +1,32 @@
 // Summary of a run: summary.json, and the tables at the end on the terminal.
 //
 // Keys (numbers that are not finite are null):
-//   name, version, commit ("-dirty" is appended if sources differ), status, error, threads, dofs
-//   provenance         output/provenance_json.hpp
-//   linear_solver, steps, converged_steps, failed_solves, repeated_steps, unconverged_lags
-//   step_size          {smallest, largest, mean [s]}, null before the first step
-//   wall_seconds [s], phases {phase: seconds}
-//   totals             {newton_iterations, linear_solves, linear_iterations,
-//                      line_search_evaluations, broad_phase_builds}
-//   max_contacts, min_distance [m], min_gap (of different objects) [m], max_unbalanced_force [N],
-//   unbalanced_steps, max_affine_strain, lowest_quality, intersections, inverted_tets
-//   stepper            step metrics of the stepper: sum or maximum
-//   energy             {work_loads, work_script, work_rim, work_healing, dissipated_friction,
-//                      dissipated_adhesion, dissipated_plastic, dissipated_damping,
-//                      dissipated_areas, dissipated_numerics, flows that terms publish,
-//                      at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator,
-//                      repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
-//                      groups [{objects, at_play, lost, made [J]}] of bodies that do not interact
-//                      (stepping/group_balance.hpp), damped_steps, refined_steps, gains}
-//   adhesion           [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
-//                      peak_traction [Pa]}]
-//   stiffness          {barriers [{between, pairs, stiffness [Pa]}],
-//                      affine [{object, objects, stiffness [Pa]}]}
-//   meeting_groups     [[object]]
-//   remeshings         [{object, step, time [s], quality_before, quality_after, tets_before,
-//                      tets_after, lost [J]}], if objects may be remeshed
-//   warnings           [{text, times}]: the first of each kind, and their number
-//   expect             [{name, value, target, tolerance, at_least, at_most, pass, text}]
+//    name, version, commit ("-dirty" is appended if sources differ), status, error, threads, dofs
+//    provenance         output/provenance_json.hpp
+//    linear_solver, steps, converged_steps, failed_solves, repeated_steps, unconverged_lags
+//    step_size          {smallest, largest, mean [s]}, null before the first step
+//    wall_seconds [s], phases {phase: seconds}
+//    totals             {newton_iterations, linear_solves, linear_iterations,
+//                       line_search_evaluations, broad_phase_builds}
+//    max_contacts, min_distance [m], min_gap (of different objects) [m], max_unbalanced_force [N],
+//    unbalanced_steps, max_affine_strain, lowest_quality, intersections, inverted_tets
+//    stepper            step metrics of the stepper: sum or maximum
+//    energy             {work_loads, work_script, work_rim, work_healing, dissipated_friction,
+//                       dissipated_adhesion, dissipated_plastic, dissipated_damping,
+//                       dissipated_areas, dissipated_numerics, flows that terms publish,
+//                       at_play [J] (stepping/energy_balance.hpp), causes {areas, integrator,
+//                       repeated: {lost, made, sum, in_contact [J]}} (output/energy_losses.hpp),
+//                       groups [{objects, at_play, lost, made [J]}] of bodies that do not interact
+//                       (stepping/group_balance.hpp), damped_steps, refined_steps, gains}
+//    adhesion           [{between, work_of_adhesion [J/m^2], effective [J/m^2], rest_gap [m],
+//                       peak_traction [Pa]}]
+//    stiffness          {barriers [{between, pairs, stiffness [Pa]}],
+//                       affine [{object, objects, stiffness [Pa]}]}
+//    meeting_groups     [[object]]
+//    remeshings         [{object, step, time [s], quality_before, quality_after, tets_before,
+//                       tets_after, lost [J]}], if objects may be remeshed
+//    warnings           [{text, times}]: the first of each kind, and their number
+//    expect             [{name, value, target, tolerance, at_least, at_most, pass, text}]
 #pragma once
 
 #include <array>

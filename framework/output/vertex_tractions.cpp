@@ -9,12 +9,12 @@
 namespace tack {
 namespace {
 
-// fraction of the tributary area; a smaller contact area is not used
+// Fraction of the tributary area; a smaller contact area is not used.
 constexpr double least_share = 0.02;
 
 // Returns the contact area of each vertex [m^2].
 VecX contact_areas(const World& world, const VecX& x) {
-  // stored in the first of three entries, as forces are collected
+  // Stored in the first of three entries, as forces are collected.
   VecX areas = VecX::Zero(x.size());
   for (const ForceRecord& force : world.records.forces())
     if (force.add_areas) force.add_areas(x, areas);

@@ -13,12 +13,12 @@ namespace tack {
 struct World;
 
 // Returns, per vertex [Pa], the normal traction of normal forces or one term of them (3n [N],
-// collected on meshes): positive in compression, negative in tension.
-//   solids              along their own normal
-//   sheets              towards and away from the opposite object, sum over both sides
-//   rods, particles     towards and away from the opposite object
-//   no force            0
-//   inside of solids    NaN
+// collected on meshes): positive in compression, negative in tension:
+//    solids              along their own normal
+//    sheets              towards and away from the opposite object, sum over both sides
+//    rods, particles     towards and away from the opposite object
+//    no force            0
+//    inside of solids    NaN
 // Contact must be at x.
 VecX normal_pressures(const World& world, const VecX& x, const VecX& forces, std::string_view part);
 

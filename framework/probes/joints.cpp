@@ -37,7 +37,7 @@ DofMap unjoined(const World& world, const State& state) {
 
 // Returns one multiplier L [N] per relation of each joint, in their order: for a relation sum_i w_i
 // x_i = 0, the sum of w_i L and of the unbalanced force is zero at each vertex that is not
-// otherwise determined. The least-squares solution is taken for redundant relations.
+// otherwise determined. Redundant relations get the multipliers of minimum norm.
 Eigen::MatrixXd multipliers(const World& world, const State& state) {
   const DofMap dofs = unjoined(world, state);
   VecX unbalanced = unbalanced_forces(world, state);
@@ -56,7 +56,7 @@ Eigen::MatrixXd multipliers(const World& world, const State& state) {
     }
   std::map<int, int> row;  // row of each block
   for (const auto& entry : entries) row.try_emplace(entry.row());
-  // constraints share the load
+  // Constraints share the load.
   for (const DofMap::HeldBlock& held : dofs.held_blocks()) row.erase(held.block);
   int rows = 0;
   for (auto& [block, number] : row) number = rows++;

@@ -16,12 +16,12 @@ class PageData {
   explicit PageData(Blocks where = Blocks::beside) : where_(where) {}
 
   // The document's keys:
-  //   kind          run, runs, comparison, batch, calibration or preview
-  //   title, made
-  //   runs          run_data.hpp
-  //   comparison, batch, calibration   table_data.hpp
-  //   preview       view/preview.hpp
-  //   live          view/run_view.hpp
+  //    kind          run, runs, comparison, batch, calibration or preview
+  //    title, made
+  //    runs          run_data.hpp
+  //    comparison, batch, calibration   table_data.hpp
+  //    preview       view/preview.hpp
+  //    live          view/run_view.hpp
   nlohmann::ordered_json document;
 
   // Deflates and adds a block of bytes. Returns its reference in the document.

@@ -9,13 +9,13 @@
 namespace tack {
 
 // Returns the data of a run. Unreadable files are null, with a note. Keys:
-//   label, notes [text]
-//   status       of summary.json; else "unfinished"
-//   summary      the file, or null
-//   scene        scene_data.hpp, or null
-//   steps, probes   number_table
-//   laws         text_table
-//   frames       frame_data, or null
+//    label, notes [text]
+//    status       of summary.json; else "unfinished"
+//    summary      the file, or null
+//    scene        scene_data.hpp, or null
+//    steps, probes   number_table
+//    laws         text_table
+//    frames       frame_data, or null
 nlohmann::ordered_json run_data(const std::filesystem::path& folder, const std::string& label,
                                 int frames, PageData& page);
 

@@ -66,7 +66,7 @@ Json expectations_of(const Experiment& e) {
     }
   Json list = Json::array();
   for (const Expectation& one : e.expect) {
-    // the scene cannot be run
+    // The scene cannot be run.
     if (!units.contains(one.query.probe) || !units.contains(one.query.along)) continue;
     const ExpectationResult wanted = evaluate(one, none);
     list.push_back({{"name", wanted.name}, {"unit", unit_of(one.query.statistic, units[one.query.probe], units[one.query.along])},

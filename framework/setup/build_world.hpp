@@ -15,10 +15,10 @@ namespace tack {
 
 struct InitialStateFromRun;
 
-// Builds the world as it is before the first step of a run. The world refers to the scene.
-//   root      the parsed file, for source locations in messages
-//   earlier   the state that the scene's `start` names; null without
-//   flowed    meshes of objects remeshed in a resumed run, whose start is past
+// Builds the world as it is before the first step of a run. The world refers to the scene:
+//    root      the parsed file, for source locations in messages
+//    earlier   the state that the scene's `start` names; null without
+//    flowed    meshes of objects remeshed in a resumed run, whose start is past
 // Throws InputError for any inconsistency, also for an initial configuration that intersects.
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root,
                                    const RunTimes& times, PhaseClock& clock,

@@ -155,7 +155,7 @@ std::map<std::string, StateObject> state_objects(const World& world) {
 
 std::string energies_text(const ObjectConfig& object) {
   std::string text;
-  // their history is in another order
+  // Their history is in another order.
   if (object.elements != Elements::linear) text += fmt::format("elements {}\n", static_cast<int>(object.elements));
   for (const auto& energy : object.energies) text += fmt::format("{}\n{}", energy->type(), to_yaml(fields_of(*energy)));
   return text;

@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// the barrier is a tenth of the modulus: a gap of 0.94 ranges under the expected pressure
+// The barrier is a tenth of the modulus: a gap of 0.94 ranges under the expected pressure.
 constexpr double of_pressing = 1000;
 constexpr double of_tension = 10;
 constexpr double strain = 1e-3, radius = 0.1;      // of the tension; radius in sizes of the sheet

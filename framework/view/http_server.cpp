@@ -35,9 +35,9 @@ using Request = http::request<http::string_body>;
 using Response = http::response<http::string_body>;
 
 constexpr int threads = 2;  // two, so that a slow page does not delay a request to stop the run
-// for the next request of a connection, and for its first
+// For the next request of a connection, and for its first.
 constexpr std::chrono::seconds patience{30}, first_patience{5};
-// after a connection that the system refused
+// After a connection that the system refused.
 constexpr std::chrono::milliseconds accept_pause{200};
 constexpr std::size_t most_connections = 32;                     // open at a time
 constexpr std::size_t largest_header = 8192, largest_body = 1024;

@@ -20,13 +20,14 @@ class RunView {
   RunView(std::filesystem::path folder, std::string version, std::string commit,
           RunControl* control = nullptr);
 
-  // Answers a request.
-  //  GET ""                                      the page; data of a run contain `live`
-  //                                              {generation, controlled}
-  //  GET "news?steps=&probes=&frames=&ended="    RunNews::since, with running and progress {start,
-  //                                              end, time, step, iterations, contacts, min_gap,
-  //                                              iteration, residual, paused, holding, stopped}
-  //  POST "pause", "resume", "stop"
+  // Answers a request:
+  //    GET ""                                      the page; data of a run contain `live`
+  //                                                {generation, controlled}
+  //    GET "news?steps=&probes=&frames=&ended="    RunNews::since, with running and progress
+  //                                                {start, end, time, step, iterations, contacts,
+  //                                                min_gap, iteration, residual, paused, holding,
+  //                                                stopped}
+  //    POST "pause", "resume", "stop"
   HttpAnswer answer(const HttpRequest& request);
 
  private:

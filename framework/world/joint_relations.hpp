@@ -1,8 +1,6 @@
 // Joint relations solved for vertices. Joints of affine bodies are linear in the bodies' frames, so
 // that trees and loops of joints cost no unknowns and have no error. Weights of blocks of three
 // unknowns are scalars, so that the equations are those of one coordinate.
-// unknowns and leave no error. Blocks of three unknowns have scalar weights throughout, and so the
-// equations are those of one coordinate.
 #pragma once
 
 #include <span>

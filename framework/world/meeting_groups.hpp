@@ -1,6 +1,6 @@
-// Groups of bodies that may touch each other in the run, directly or through others
-// (setup/loading.hpp finds them). Bodies of different groups change nothing for each other: no
-// stiffness, no tolerance, no account of energy.
+// Groups of bodies that may touch each other in the run, directly or through other bodies
+// (setup/loading.hpp finds them). Bodies of different groups do not interact: computed stiffness,
+// tolerances and energy accounts belong to one group.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 namespace tack {
 
 struct MeetingGroups {
-  std::vector<std::vector<int>> bodies;  // of each group, ascending; fixed bodies are in none
+  std::vector<std::vector<int>> bodies;  // per group, ascending; without fixed bodies
   // Fixed bodies that a motion moves, each with a body that it may touch.
   std::vector<std::pair<int, int>> pushed;
 };

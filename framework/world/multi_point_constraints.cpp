@@ -10,7 +10,7 @@
 namespace tack {
 namespace {
 
-// weight on the rest of a frame above which a fixed vertex is an independent position
+// Weight on the rest of a frame above which a fixed vertex is an independent position.
 constexpr double independent = 1e-6;
 
 // A fixed vertex as a sum of frame vertices that are still undetermined, and of fixed vertices that

@@ -1,9 +1,9 @@
 // Unknowns beyond mesh vertices. Energies, interactions and the world request them while a world
 // is built. Each is a vertex of x that belongs to no mesh:
-//   vector dof   a position
-//   scalar dof   first coordinate: the number times a length, so that norms, tolerances and
-// integrators treat it like a displacement (twist of a rod: the arc at its radius of
-//                gyration); the other two coordinates are fixed
+//    vector dof   a position
+//    scalar dof   first coordinate: the number times a length, so that norms, tolerances and
+//                 integrators treat it like a displacement (twist of a rod: the arc at its
+//                 radius of gyration); the other two coordinates are fixed
 // With a mass it has inertia; without, it minimises the potential. States, checkpoints and resumed
 // runs contain all unknowns.
 #pragma once

@@ -78,7 +78,7 @@ void Running::settle() {
 void Running::show() {
   const State& state = simulation_->state();
   const auto keep = [](std::shared_ptr<VecX>& shown, const VecX& values, Eigen::Index size) {
-    // callers keep the former array
+    // Callers keep the former array.
     if (shown->size() != size) shown = std::make_shared<VecX>(size);
     *shown = values.head(size);
   };

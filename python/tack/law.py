@@ -10,14 +10,14 @@ import numpy as np
 
 
 def law(traction: Callable, reach: float, rows: int = 400, file: str | os.PathLike | None = None, cut: bool = False) -> dict:
-    """Writes an adhesion law that is a table of a Python function.
+    """Writes the table of a Python function and returns its adhesion law.
 
     Args:
-        traction: A function of the gap [m] that returns pascals, positive where surfaces pull at each other. It is called with an array, or with numbers if it takes none.
-        reach: The gap from which on the traction is zero [m].
-        rows: How many rows the table has, at least 2; they are closer together where gaps are small.
-        file: The file of the table; unless given, law_CHECKSUM.csv in the working folder: each law has a file of its own.
-        cut: The traction may jump to zero at the end of its reach.
+        traction: A function of the gap [m] that returns the traction [Pa], positive for attraction. It is called with an array, or with numbers if it accepts no array.
+        reach: Range of the law [m]; the traction is zero at larger gaps.
+        rows: Number of rows of the table, at least 2; denser at small gaps.
+        file: Path of the table; default: law_CHECKSUM.csv in the working folder, one file per law.
+        cut: The traction may jump to zero at the end of the range.
 
     Returns:
         The law for a scene: `{"type": "table", "file": ..., "cut": ...}`.
@@ -45,7 +45,7 @@ def law(traction: Callable, reach: float, rows: int = 400, file: str | os.PathLi
 
 
 def _write_whole(path, text):
-    """A run that reads the file meanwhile finds the former one or this one, and no part of either."""
+    """Replaces a file as a whole: a run that reads it meanwhile gets the former or the new contents, never a fragment."""
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     try:
         draft.write_text(text, encoding="ascii")

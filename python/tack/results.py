@@ -18,14 +18,14 @@ from .frames import Frame
 
 
 def shown(folder, title):
-    """The report of a folder, for a notebook."""
+    """Returns the report of a folder as HTML for a notebook."""
     with tempfile.TemporaryDirectory() as scratch:
         page = pathlib.Path(_tack.report([str(folder)], str(pathlib.Path(scratch) / "report.html"), 0)).read_text(encoding="utf-8")
     return f'<iframe title="{html.escape(title)}" srcdoc="{html.escape(page)}" style="width: 100%; height: 720px; border: 0" sandbox="allow-scripts"></iframe>'
 
 
 class Table(dict):
-    """Columns of a CSV file by name: arrays of numbers, or of texts where not all are numbers."""
+    """Columns of a CSV file by name: arrays of numbers, or of texts if a cell is no number."""
 
     def __init__(self, path):
         with open(path, newline="", encoding="utf-8") as file:
@@ -54,8 +54,8 @@ class _Folder:
         """Writes the report, one HTML file.
 
         Args:
-            output: The path of the file; unless given, report.html in the folder.
-            frames: How many frames the 3D view has at most; 0: 200, or as many as a page can carry.
+            output: The path of the file; default: report.html in the folder.
+            frames: Limit of frames of the 3D view; 0: 200, or fewer if the page would get too large.
 
         Returns:
             The path of the file.
@@ -81,17 +81,17 @@ class Run(_Folder):
 
     @functools.cached_property
     def steps(self) -> Table:
-        """steps.csv: what is known of every step."""
+        """steps.csv: arrays by name, one row per step."""
         return Table(self.path / "steps.csv")
 
     @property
     def scene(self) -> pathlib.Path:
-        """The path of the scene with everything that it left open."""
+        """The path of the scene with all defaults resolved."""
         return self.path / "scene.yaml"
 
     @functools.cached_property
     def frames(self) -> Frames:
-        """Frames, read when they are asked for: run.frames[-1].x"""
+        """Frames, read on access: run.frames[-1].x"""
         return Frames(self.path)
 
     def __repr__(self):
@@ -118,7 +118,7 @@ class Frames:
         return Frame(self._paths[i])
 
     def at(self, time: float) -> Frame:
-        """The frame nearest to a time [s]."""
+        """Returns the frame nearest to a time [s]."""
         return self[int(np.argmin(np.abs(np.array(self.times) - time)))]
 
 
@@ -132,7 +132,7 @@ class Batch(_Folder):
 
     @functools.cached_property
     def cases(self) -> dict:
-        """{name: Run} of the cases that have begun."""
+        """{name: Run} of the cases with a summary."""
         return {folder.name: Run(folder) for folder in sorted((self.path / "cases").iterdir()) if (folder / "summary.json").exists()}
 
     def __repr__(self):

@@ -1,4 +1,4 @@
-"""A simulation that is stepped from Python, and runs whose results are kept."""
+"""Simulations stepped from Python, and runs with recorded results."""
 from __future__ import annotations
 
 import os
@@ -19,7 +19,7 @@ class Warned(UserWarning):
 
 
 class Object:
-    """An object of the scene, in the simulation that it belongs to."""
+    """An object of the scene in its simulation."""
 
     def __init__(self, running, known):
         self._running, self._known = running, known
@@ -38,12 +38,12 @@ class Object:
 
     @property
     def tets(self) -> np.ndarray:
-        """Tets (n, 4), by vertices of the scene counted from 0."""
+        """Tetrahedra (n, 4), by vertices of the scene counted from 0."""
         return self._known.tets
 
     @property
     def triangles(self) -> np.ndarray:
-        """Triangles (n, 3) of the surface, outwards, and of sheets."""
+        """Triangles (n, 3) of the surface, oriented outwards, and of sheets."""
         return self._known.triangles
 
     @property
@@ -61,15 +61,15 @@ class Object:
 
 
 class Simulation:
-    """A scene, ready to be stepped. Nothing is written.
+    """A scene ready to be stepped. It writes no files.
 
     Args:
         scene: The path of a file, or a dictionary with the same keys.
         set: Keys of the scene and their new values, `{"objects.plate.place.translate": [0, 0.1, 0], "time.step": "2 ms"}`.
-        threads: How many threads the simulation has; 0: all cores.
+        threads: Number of threads of the simulation; 0: all cores.
 
     Raises:
-        InputError: The scene cannot be simulated: file, line and remedy.
+        InputError: The scene cannot be simulated; the message has file, line and remedy.
     """
 
     def __init__(self, scene: str | os.PathLike | dict, set: dict | None = None, threads: int = 0):
@@ -93,17 +93,17 @@ class Simulation:
 
     @property
     def time(self) -> float:
-        """The time of the newest step [s]."""
+        """The time at the end of the last step [s]."""
         return self._running.time
 
     @property
     def steps(self) -> int:
-        """How many steps there have been."""
+        """The number of steps so far."""
         return self._running.step_count
 
     @property
     def duration(self) -> float:
-        """When the scene ends [s]."""
+        """The time at which the scene ends [s]."""
         return self._running.duration
 
     @property
@@ -118,12 +118,12 @@ class Simulation:
 
     @property
     def threads(self) -> int:
-        """How many threads compute a step."""
+        """The number of threads that compute a step."""
         return self._running.threads
 
     @property
     def x(self) -> np.ndarray:
-        """Positions of all vertices (n, 3) [m]: memory of the simulation, which shows its newest step; copy what is to stay. Assign to it to move vertices."""
+        """Positions of all vertices (n, 3) [m]: a view that always shows the last step; copy it to keep it. Assign to it to move vertices."""
         return self._running.x
 
     @x.setter
@@ -132,7 +132,7 @@ class Simulation:
 
     @property
     def v(self) -> np.ndarray:
-        """Velocities of all vertices (n, 3) [m/s], likewise."""
+        """Velocities of all vertices (n, 3) [m/s]: a view, as x is. Assign to it to change them."""
         return self._running.v
 
     @v.setter
@@ -150,18 +150,18 @@ class Simulation:
         return self._running.mass
 
     def __getitem__(self, name: str) -> Object:
-        """An object by its name."""
+        """Returns an object by its name."""
         return self._objects[name]
 
     def move(self, x: np.ndarray | None = None, v: np.ndarray | None = None):
-        """Goes on from other positions and velocities, as a run that starts there; from those that it has, nothing changes.
+        """Sets positions and velocities and continues from them, as a run that starts there. Equal values change nothing.
 
         Args:
-            x: Positions (n, 3) [m]; None: as they are.
-            v: Velocities (n, 3) [m/s]; None: as they are.
+            x: Positions (n, 3) [m]; None: unchanged.
+            v: Velocities (n, 3) [m/s]; None: unchanged.
 
         Raises:
-            InputError: The positions intersect or invert elements, or bend an affine body. Nothing has changed.
+            InputError: The positions intersect, invert elements, or deform an affine body other than affinely. Nothing has changed.
         """
         self._running.move(x, v)
 
@@ -169,13 +169,13 @@ class Simulation:
         """Takes one time step.
 
         Args:
-            minimizer: A function that is called with a Problem, and returns the unknowns where it ended; it replaces the minimiser of the scene from now on.
+            minimizer: A function of a Problem that returns the unknowns at the minimum; it replaces the minimiser of the scene from now on.
 
         Returns:
             A dictionary about the step: iterations, status, contacts, smallest gap, ...
 
         Raises:
-            SimulationError: No step small enough succeeds.
+            SimulationError: No permitted step size succeeds.
         """
         if minimizer is not None:
             self.minimize_by(minimizer)
@@ -210,37 +210,37 @@ class Simulation:
         return self
 
     def problem(self) -> _tack.Problem:
-        """The incremental potential of the next step, to be looked at; nothing is stepped. Valid until the next call or step."""
+        """Returns the incremental potential of the next step, without making the step. Valid until the next call or step."""
         return self._running.problem()
 
     def energies(self) -> dict:
-        """Energies by name [J]."""
+        """Returns energies by name [J]."""
         return self._running.energies()
 
     def forces(self) -> dict:
-        """Forces on vertices (n, 3) [N], by the term of the potential that exerts them."""
+        """Returns forces on vertices (n, 3) [N] by term of the potential."""
         return self._running.forces()
 
     def field(self, name: str) -> np.ndarray:
-        """A field of frames, as `output.fields` names it: contact_pressure, gap, von_mises_stress, ... One row per vertex, or per element in the order of frames."""
+        """Returns a field of frames by its name in `output.fields`: contact_pressure, gap, von_mises_stress, ... One row per vertex, or per element in the order of frames."""
         return self._running.field(name)
 
     @property
     def pressures(self) -> np.ndarray:
-        """Contact pressure of the vertices [Pa], positive where they press."""
+        """Contact pressure of the vertices [Pa], positive in compression."""
         return self.field("contact_pressure")
 
     @property
     def gaps(self) -> np.ndarray:
-        """Gap of the vertices to the nearest surface [m]; not a number where none is within reach."""
+        """Gap of the vertices to the nearest surface [m]; NaN where none is within range of the laws."""
         return self.field("gap")
 
     def scene(self) -> str:
-        """The scene with everything that it leaves open, in YAML."""
+        """Returns the scene as YAML, with all defaults resolved."""
         return self._running.scene()
 
     def probes(self) -> dict:
-        """The scene's probes, now."""
+        """Returns the present values of the scene's probes by column."""
         return dict(zip(self._running.probe_columns(), self._running.probe_values()))
 
     def _repr_html_(self):
@@ -268,10 +268,10 @@ def run(scene: str | os.PathLike | dict, set: dict | None = None, output: str | 
     Args:
         scene: The path of a file, or a dictionary with the same keys.
         set: Keys of the scene and their new values.
-        output: The folder of the results; unless given, `results/` and the name of the scene.
-        threads: How many threads the run has; 0: all cores.
-        steps: How many steps it takes at most; 0: to the end.
-        resume: The run goes on from the newest checkpoint of the folder.
+        output: The folder of the results; default: `results/` and the name of the scene.
+        threads: Number of threads of the run; 0: all cores.
+        steps: Limit of steps; 0: to the end.
+        resume: Continue from the newest checkpoint of the folder.
         quiet: Nothing is printed.
 
     Returns:
@@ -279,7 +279,7 @@ def run(scene: str | os.PathLike | dict, set: dict | None = None, output: str | 
 
     Raises:
         InputError: The scene cannot be simulated.
-        SimulationError: The run fails; what it wrote until then stays.
+        SimulationError: The run fails; its results until then stay.
     """
     path, text = opened(scene)
     return read(_tack.record(path, text, overrides_of(set), str(output), threads, steps, resume, quiet))

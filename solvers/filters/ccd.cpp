@@ -63,7 +63,7 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
     const double before = relative_displacement(ua, ub);
     for (size_t i = 0; i < A; ++i) ua[i] += t * da[i];
     for (size_t i = 0; i < B; ++i) ub[i] += t * db[i];
-    // lower bound of the gap along the path
+    // Lower bound of the gap along the path.
     const double gap = distance - std::max(before, approach(ua, ub)) - offset;
     if (kept * motion < gap) return t;
   }
@@ -106,7 +106,7 @@ class Ccd : public StepFilter {
   }
 
   std::optional<Blocker> blocker(const VecX& x, const VecX& p) override {
-    // the diagnosis runs after the deadline
+    // The diagnosis runs after the deadline.
     const Deadline* const limit = std::exchange(deadline_, nullptr);
     double t = largest_step(x, p, 1);
     deadline_ = limit;
@@ -131,7 +131,7 @@ class Ccd : public StepFilter {
     contact_->cover(x, t_max * p);
     const PhaseScope scope(*clock_, Phase::ccd);
     double t = t_max;
-    // bound of the relative displacement of two vertices
+    // Bound of the relative displacement of two vertices.
     const double most = 2 * largest_motion(p) * caution;
     const VecX moved = x - contact_->candidates().reference;
     const DisplacementBounds displacements(contact_->surface().mesh, [&](int v) {

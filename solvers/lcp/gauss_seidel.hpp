@@ -1,5 +1,5 @@
 // Projected Gauss-Seidel sweeps over contacts and bonds (Otaduy et al. 2009, Gascon et al. 2010).
-// With the velocities u = u* + W lambda along rows,
+// With the velocities u = u* + W lambda along rows:
 //     contact  0 <= lambda_n, u_n + g/h >= 0, one of them 0;
 //              |lambda_t| <= mu lambda_n, against the slip (cone)
 //     bond     a_n = -h k_n <d + h u_n>  (without <> for bonds that resist compression),

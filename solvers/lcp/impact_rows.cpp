@@ -76,7 +76,7 @@ bool ImpactFinder::edges_meet(int a, int b, const VecX& x, const VecX& way, Impa
   const double when = edge_edge_accd(a0, a1, b0, b1, da0, da1, db0, db1, of_gap, 1, offset);
   if (when >= 1) return false;
   const Vec3 p0 = a0 + when * da0, p1 = a1 + when * da1, q0 = b0 + when * db0, q1 = b1 + when * db1;
-  // rows of points cover this pair
+  // Rows of points cover this pair.
   if (edge_edge_type(p0, p1, q0, q1) != EdgeEdgeType::EA_EB) return false;
   const Vec2 at = edge_edge_parameters(p0, p1, q0, q1, EdgeEdgeType::EA_EB);
   const Vec3 r = (1 - at[0]) * p0 + at[0] * p1 - (1 - at[1]) * q0 - at[1] * q1;

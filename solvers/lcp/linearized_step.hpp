@@ -1,4 +1,4 @@
-// Implicit Euler, linearised at the start of the step. For displacements p of the unknowns,
+// Implicit Euler, linearised at the start of the step. For displacements p of the unknowns:
 //     A p = M h v + h^2 f - h^2 K_s p_s + h J^T lambda,    A = M + h^2 K
 // f, K: forces and stiffness (projected, with damping) of all terms, dynamic ones too, except
 // contact, friction and bonds; p_s: prescribed displacements; lambda: impulses along rows J [N s].

@@ -12,7 +12,7 @@ namespace {
 constexpr int flat_size = 20;       // vertices of an aggregate of a sheet or rod
 constexpr int flat_pieces = 2000;  // limit of their number; aggregates of larger systems are larger
 constexpr int solid_size = 250;     // vertices of an aggregate of a solid
-// limit of their number: the factor of their motions grows faster than the system
+// Limit of their number: the factor of their motions grows faster than the system.
 constexpr int solid_pieces = 400;
 constexpr int fragment = 3;  // an aggregate smaller than its size by this factor joins a neighbour
 constexpr double flat = 0.02;       // square of thickness over width

@@ -131,16 +131,16 @@ class AutomaticSolver : public LinearSolver {
   static constexpr double per_unknown = 150;  // per unknown and pass: nodes are small
   static constexpr double product = 10;       // per block of the matrix and pass
   static constexpr double per_block = 26;  // per block and iteration: product and incomplete factor
-  // iterations that cost as much as the incomplete factor
+  // Iterations that cost as much as the incomplete factor.
   static constexpr double incomplete_factor = 5.5;
   static constexpr double expected = 9;       // iterations that a system is assumed to take
   static constexpr int smallest = 1000;       // unknowns, below which any solver will do
-  // factor on the budget: the cost of a reused factor is uncertain
+  // Factor on the budget: the cost of a reused factor is uncertain.
   static constexpr double patience = 1.6;
-  // factor on iterations that were too many: the budget at which iterating is tried again
+  // Factor on iterations that were too many: the budget at which iterating is tried again.
   static constexpr double again = 1.5;
   static constexpr int trial = 4;             // systems before iterations are judged
-  // factor on the budget above which one system is enough to stop
+  // Factor on the budget above which one system is enough to stop.
   static constexpr double hopeless = 5;
   static constexpr int memory = 16;           // systems of the running average
 

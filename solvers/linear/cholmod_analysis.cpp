@@ -18,7 +18,7 @@ void CholmodAnalysis::configure() {
   session_->method[0].ordering = CHOLMOD_GIVEN;
   session_->postorder = 1;
   session_->quick_return_if_not_posdef = 1;
-  // numbers of columns, in blocks, below which supernodes merge
+  // Numbers of columns, in blocks, below which supernodes merge.
   if (kind_ == Kind::supernodal_blocks) {
     session_->nrelax[0] = 2;
     session_->nrelax[1] = 6;

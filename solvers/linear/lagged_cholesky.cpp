@@ -83,7 +83,7 @@ class LaggedCholesky : public LinearSolver {
   int iterations_ = 0;  // of the last solve, with all factors that it used
   int size_ = 0;        // of the factor; 0: none
   bool fresh_ = false;  // the factor is that of matrix_
-  // the last solve took so many iterations that the next one gets a new factor
+  // The last solve took so many iterations that the next one gets a new factor.
   bool stale_ = false;
   ConjugateGradients cg_;
 };

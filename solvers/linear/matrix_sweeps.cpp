@@ -12,7 +12,7 @@ namespace {
 
 // w; many systems of contact and elasticity break down with 1, none with 0.4 to 0.7
 constexpr double weight = 0.5;
-// fraction of A_ii that a pivot keeps: eigenvalues of M^-1 A are at most 1 / (2 - 1 / 0.6) = 3
+// Fraction of A_ii that a pivot keeps: eigenvalues of M^-1 A are at most 1 / (2 - 1 / 0.6) = 3.
 constexpr double least_left = 0.6;
 constexpr int rows_per_look = 256;  // rows between checks of the deadline
 
@@ -189,7 +189,7 @@ double MatrixSweeps::forward_rows(int first, int last, double step, VecX& x_of_v
     store4(Lanes{}, row4(at.product, i));
     const BlockLanes inverse(row9(at.inverse, i));
     const Lanes lower = load4(row4(at.lower, i));
-    // the second product depends on the row before
+    // The second product depends on the row before.
     const Lanes half = inverse.times(residual) - inverse.times(lower);
     store4(Lanes{}, row4(at.lower, i));
     store4(half, row4(at.z, i));

@@ -1,6 +1,6 @@
 // Sweeps through a symmetric block matrix A = L + diag(A) + L^T with the preconditioner M = (D + L)
 // D^-1 (D + L^T) of conjugate gradients, an incomplete Cholesky factor that changes the diagonal
-// only (D-ILU, Pommerell 1992; Barrett et al. 1994, 3.4.2),
+// only (D-ILU, Pommerell 1992; Barrett et al. 1994, 3.4.2):
 //     D_i = A_ii - w sum_j L_ij D_j^-1 L_ij^T,    w = 1/2,
 // and w = 0 (Gauss-Seidel) in rows where the pivot would keep too little of A_ii. D >= 0.6 diag(A)
 // bounds the eigenvalues of M^-1 A by 3, as (D + L) + (D + L)^T - A = 2 D - diag(A).

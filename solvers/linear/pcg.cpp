@@ -93,10 +93,10 @@ class Pcg : public LinearSolver {
   int max_iterations_ = 1000;
   bool truncate_ = false;
   bool with_translations_ = true, with_rigid_motions_ = true;
-  // vertices, below which iterations are few or a factor is cheap
+  // Vertices, below which iterations are few or a factor is cheap.
   static constexpr int many = 5000;
   PartTranslations translations_;
-  // iterations, and consecutive systems, below which rigid motions cost more than they save
+  // Iterations, and consecutive systems, below which rigid motions cost more than they save.
   static constexpr int few = 4, in_a_row = 4;
   static constexpr int too_many = 10;  // iterations without rigid motions, from which they are used
   int columns_ = 0, easy_ = 0;                 // vertices and easy systems so far

@@ -11,10 +11,10 @@
 namespace tack {
 namespace {
 
-// fraction of an aggregate's largest moment of inertia, below which its rotation about an axis is
-// left out
+// Fraction of an aggregate's largest moment of inertia, below which its rotation about an axis is
+// left out.
 constexpr double slender = 1e-4;
-// fraction of the diagonal, against breakdown of free motions by rounding
+// Fraction of the diagonal, against breakdown of free motions by rounding.
 constexpr double shift = 1e-12;
 
 Mat3 matrix3(const BlockLanes& lanes) {
@@ -107,7 +107,7 @@ void RigidMotions::sum_columns(const BlockMatrix& matrix, int piece) {
   const int begin = sum_start_[piece], end = sum_start_[piece + 1];
   struct Product {
     BlockLanes force, moment;  // transposed motions of rows times blocks of one column
-    // with the motions of all columns as well
+    // With the motions of all columns as well.
     BlockLanes moved_force, moved_moment, turned_force, turned_moment;
   };
   std::vector<Product> products(end - begin);

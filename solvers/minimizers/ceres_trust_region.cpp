@@ -66,7 +66,7 @@ class CeresTrustRegion : public DescentMinimizer {
 
  private:
   static constexpr double first_radius = 1e4;                            // Ceres' default
-  // bounds of the radius of a new round
+  // Bounds of the radius of a new round.
   static constexpr double smallest_radius = 1e-6, largest_radius = 1e12;
   static constexpr int failures = 5;  // steps that do not improve the model, per round
   static constexpr double cost_noise = 1e-11;  // relative rounding error of a sum of squares

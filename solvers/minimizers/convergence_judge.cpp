@@ -9,7 +9,7 @@
 namespace tack {
 namespace {
 
-// factor on the gradient at which the next norm is computed, to be early rather than late
+// Factor on the gradient at which the next norm is computed, to be early rather than late.
 constexpr double sooner = 1.5;
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr double longish = 0.3, too_much = 1.25;
 // constant.
 constexpr double little_loss = 1e-6, shortest_bent = 1e-4, shorter = 0.9, sufficient = 1e-4;
 constexpr double almost_whole = 0.9;  // step lengths below it were truncated
-// fraction of the Newton slope that a conjugate direction must keep
+// Fraction of the Newton slope that a conjugate direction must keep.
 constexpr double descent = 0.1;
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Error control of a Newton direction p, H p = -g. Iterative solvers leave a residual. A residual
 // that is small against |g| may hold the whole motion of a body that falls freely beside a stiff
-// contact. Therefore, if p would end the minimisation, p is corrected until
+// contact. Therefore, if p would end the minimisation, p is corrected until:
 //     stopping norm of p + bound of the norm of its error < 1, or
 //     the norm of the corrected p is above 1.
 // A direct solver needs one product for this check.

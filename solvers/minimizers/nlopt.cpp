@@ -84,7 +84,7 @@ class Nlopt : public Minimizer {
     nlopt_set_vector_storage(opt.get(), memory_);
     VecX z = VecX::Zero(guarded.size());
     double f = 0;
-    // its status is ignored: the accepted points are the result
+    // Its status is ignored: the accepted points are the result.
     nlopt_optimize(opt.get(), z.data(), &f);
   }
 

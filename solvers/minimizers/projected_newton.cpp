@@ -142,11 +142,11 @@ class ProjectedNewton : public DescentMinimizer {
     return large;
   }
 
-  // iterations with easy steps, below which no trial is worth its cost
+  // Iterations with easy steps, below which no trial is worth its cost.
   static constexpr int calm = 3;
   // Relative error of the predicted decrease up to which the quadratic model fits.
   static constexpr double fit = 0.01;
-  // fraction of the predicted decrease below which the step went too far
+  // Fraction of the predicted decrease below which the step went too far.
   static constexpr double little = 0.25;
 
   Policy policy_ = Policy::contacts;

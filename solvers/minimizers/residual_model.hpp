@@ -4,8 +4,6 @@
 // potential (residual_view.hpp) act with their force at q0, which is folded into the target: the
 // model's gradient at q0 is the potential's. Without inertia, a weak pull towards q0 takes its
 // place.
-// gradient at q0 is the potential's. Where there is no inertia, a weak pull towards q0 takes its
-// place.
 #pragma once
 
 #include "framework/core/objective.hpp"
