@@ -24,7 +24,7 @@ std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root,
                                    const RunTimes& times, PhaseClock& clock,
                                    const InitialStateFromRun* earlier = nullptr, const FlowedMeshes& flowed = {});
 
-// Builds the pairs of objects and their laws (contact_setup.cpp).
+// Builds the pairs of objects and their laws (build_world_contact.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times,
                    PhaseClock& clock, World& world);
 

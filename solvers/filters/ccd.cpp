@@ -38,7 +38,7 @@ double relative_displacement(const std::array<Vec3, A>& da, const std::array<Vec
 }
 
 // Two configurations and the path from the second one.
-struct Way {
+struct StepMotion {
   const VecX& moved;  // displacements from the configuration of the stored distances to x [m]
   const VecX& x;
   const VecX& p;
@@ -64,8 +64,8 @@ double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, doubl
     for (size_t i = 0; i < A; ++i) ua[i] += t * da[i];
     for (size_t i = 0; i < B; ++i) ub[i] += t * db[i];
     // Lower bound of the gap along the path.
-    const double gap = distance - std::max(before, approach(ua, ub)) - offset;
-    if (kept * motion < gap) return t;
+    const double gap = distance - std::max(before, relative_displacement(ua, ub)) - offset;
+    if (free_gap_fraction * motion < gap) return t;
   }
   return std::min(t, accd(a, b, da, db, t, offset));
 }
@@ -132,7 +132,7 @@ class Ccd : public StepFilter {
     const PhaseScope scope(*clock_, Phase::ccd);
     double t = t_max;
     // Bound of the relative displacement of two vertices.
-    const double most = 2 * largest_motion(p) * caution;
+    const double most = 2 * largest_motion(p) * motion_factor;
     const VecX moved = x - contact_->candidates().reference;
     const DisplacementBounds displacements(contact_->surface().mesh, [&](int v) {
       return vertex(moved, v).norm() + motion_factor * t * vertex(p, v).norm();
