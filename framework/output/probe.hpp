@@ -18,7 +18,7 @@ class Probe : public Component {
   static constexpr const char* kind_doc = "A quantity recorded every step.";
 
   void fields(Fields& f) override {
-    f.text("name", name_, "its column in probes.csv").required().line();
+    f.text("name", name_, "column in probes.csv").required().line();
   }
   const std::string& name() const { return name_; }
 

@@ -26,7 +26,8 @@ class Interaction : public Component {
  public:
   static constexpr const char* kind_name = "interaction";
   static constexpr const char* kind_doc =
-      "What acts between objects, on vertices of them, or on one.";
+      "A connection between objects or vertices, or an action on one object: joints, springs, "
+      "ropes, fluid cavities.";
 
   /// Derived classes append their fields to these.
   void fields(Fields& f) override;
