@@ -1,7 +1,7 @@
 // Vertex forces as tractions: force per contact area of the vertex. The area is the sum over
 // quadrature points of w |c|, with the weight w of a point and the fraction c of its force that the
 // vertex gets, so that a uniform pressure gives one value on any mesh. Forces without such an area,
-// of guards, are divided by the tributary area of the vertex.
+// of safety barrier pairs, are divided by the tributary area of the vertex.
 #pragma once
 
 #include <string_view>

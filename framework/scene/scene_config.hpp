@@ -98,7 +98,7 @@ struct PairConfig {
 struct ContactConfig {
   enum class Weights { area, pair };
   double contact_distance = 1e-3;  // m
-  std::optional<double> guard;     // range of guard stencils, in contact distances
+  std::optional<double> guard;     // range of safety barriers, in contact distances
   Weights weights = Weights::area;
   bool between_held = true;
   std::unique_ptr<BarrierLaw> barrier = Registry<BarrierLaw>::make("clamped_log");

@@ -22,7 +22,8 @@ struct InitialStateFromRun;
 // Throws InputError for any inconsistency, also for an initial configuration that intersects.
 std::unique_ptr<World> build_world(const SceneConfig& scene, const Value& root,
                                    const RunTimes& times, PhaseClock& clock,
-                                   const InitialStateFromRun* earlier = nullptr, const FlowedMeshes& flowed = {});
+                                   const InitialStateFromRun* earlier = nullptr,
+                                   const FlowedMeshes& flowed = {});
 
 // Builds the pairs of objects and their laws (build_world_contact.cpp).
 void build_contact(const SceneConfig& scene, const Value& root, const RunTimes& times,

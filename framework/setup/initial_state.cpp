@@ -38,7 +38,7 @@ std::string names_of(const std::map<std::string, StateObject>& objects) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// In the scene's order.
+// Returns the chosen objects in the scene's order.
 std::vector<const ObjectConfig*> chosen(const StartConfig& start, const InitialStateFromRun& earlier, const SceneConfig& scene) {
   std::vector<const ObjectConfig*> all;
   const auto among = [](const std::vector<std::string>& list, const std::string& name) { return std::find(list.begin(), list.end(), name) != list.end(); };
@@ -61,7 +61,7 @@ std::vector<const ObjectConfig*> chosen(const StartConfig& start, const InitialS
   return all;
 }
 
-// What the object remembers, by the names that it begins with.
+// Copies the history arrays whose names begin with the object's.
 void take_history(const ObjectConfig& object, const InitialStateFromRun& earlier, State& state) {
   const std::string prefix = object.name + "/";
   bool any = false;
@@ -80,7 +80,7 @@ struct Places {
   std::vector<int> vertices, objects;
 };
 
-// What is remembered between objects: entries of a point and another object, both of which are taken, by their numbers here.
+// Copies keyed history: entries of a point and another object, both chosen, renumbered.
 void take_keyed(const InitialStateFromRun& earlier, const Places& places, State& state) {
   for (const auto& [name, there] : earlier.history) {
     const bool keyed = !there.keys.empty() && static_cast<int>(there.keys.size()) == there.entries();

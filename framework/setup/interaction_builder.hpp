@@ -25,8 +25,8 @@ class InteractionBuilder {
 
   /// Name in the scene; else the type and its number in the list, "spring 0".
   const std::string& name() const { return acting_.name; }
-  /// The world so far. rest: 3n [m]; mass: n [kg]; script: prescribed motion of vertices. Terms get
-  /// the time in begin_step (step_participant.hpp).
+  /// The world so far. rest: 3n [m]; mass: n [kg]; script: prescribed motion of vertices. Terms
+  /// get the time in begin_step (step_participant.hpp).
   const World& world() const { return world_; }
   const VecX& rest() const { return world_.rest; }
   const VecX& mass() const { return world_.mass; }
@@ -34,8 +34,9 @@ class InteractionBuilder {
   int body(const std::string& object) const;                 ///< index of a body
   /// Bodies of an object, a group or "*", ascending.
   std::vector<int> bodies(const std::string& name) const;
-  std::vector<int> vertices(const ObjectVertices& of) const;  // global, ascending, at least one
-  // A vertex at that place [m] that a body carries along (embedding.hpp).
+  std::vector<int> vertices(const ObjectVertices& of) const;  ///< global, ascending, at least one
+  /// Adds a vertex at position `at` [m] that moves with a body (embedding.hpp), and returns its
+  /// index.
   int anchor(int body, const Vec3& at);
 
   /// Adds a fixed vertex at position `at` [m], for attachments to space, and returns its index.
@@ -46,8 +47,8 @@ class InteractionBuilder {
   /// Makes vertices dependent from time `from` until `until` [s]. No motion may prescribe them.
   void tie(Dependences dependences, double from = 0,
            double until = std::numeric_limits<double>::infinity());
-  /// Adds a joint: relations that hold exactly and throughout (joint_relations.hpp). Sets its name.
-  /// At least one of its bodies must be affine and free to move.
+  /// Adds a joint: relations that hold exactly and throughout (joint_relations.hpp). Sets its
+  /// name. At least one of its bodies must be affine and free to move.
   void add(Joint joint);
   /// Excludes contact between the two bodies, for the whole run.
   void join(int body, int other);

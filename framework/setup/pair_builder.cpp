@@ -19,10 +19,13 @@ constexpr double affine_modulus = 0.01;
 // barrier must carry. The barrier takes the body as stiff as that, up to this multiple of its
 // modulus.
 constexpr double most_times = 10;
-// Such a body is crushed on edges and tips, and guards are what stops it there: they act over the whole range then.
+// Ranges of safety barriers. A body faster than its waves is crushed on edges and tips, where only
+// safety barriers stop it; there they act over the whole contact distance.
 constexpr double safety_barrier_range = 0.5, safety_barrier_range_of_fast = 1;  // contact distances
-// A pair of edges stands for what its smaller side carries: the diagonal of a coarse floor (square metres) would stop the edge of a fine
-// mat ten thousand times too hard. Not where the two adhere: there it has to resist to what is pulled against a rim by all around it.
+// Limit of the area ratio of an edge pair, which carries the load of its smaller side: the diagonal
+// of a coarse floor (square metres) would stop the edge of a fine mat ten thousand times too hard.
+// Not applied to adhering pairs, which must resist the pull of all vertices around an overlap
+// boundary.
 constexpr double most_uneven = 16;
 
 // Objects are of one class if all entries of pairs match them alike and they have equal stiffness,
@@ -203,7 +206,7 @@ PairBuilder::LawIds PairBuilder::laws_of(int a, int b, int config, int part) {
   }
   const TangentialLaw along = tangential_of(pair, materials.adhesion_peak);
   TangentialLaw along_guard = along;
-  if (!table_.plain_sums) along_guard.mu_a = 0;  // guards do not adhere
+  if (!table_.plain_sums) along_guard.mu_a = 0;  // safety barrier pairs do not adhere
   int rule = -1;
   if (bond) {
     rule = bonds_.add(rule_of(*pair, bond, pressure, config));

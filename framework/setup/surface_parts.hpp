@@ -20,22 +20,23 @@ class SurfaceParts {
 
   bool any() const { return next_ > 0; }
   const std::vector<RegionSet>& of_vertices() const { return of_vertices_; }
-  // What places of a and of b have to be of for an entry to hold; 0: they may be anywhere.
+  // Returns the regions of a and of b in which an entry holds; 0: anywhere.
   std::array<RegionSet, 2> wanted(int entry, int a, int b) const;
-  // Refuses entries of the two objects of which none says more than the other, where they meet.
+  // Throws InputError if two of these entries of a and b are equally specific where they overlap.
   void tell_apart(const std::vector<int>& entries, int a, int b) const;
 
  private:
   RegionSet add(int entry, const PairSide& side);
-  // Whether a triangle of the body (an edge, a point, if it has none) is of all these parts.
+  // Returns true if a triangle of the body (an edge or point, if it has none) is in all these
+  // regions.
   bool holds(const Body& body, RegionSet parts) const;
 
   const SceneConfig& scene_;
   const PairConfigs& configs_;
   const World& world_;
-  int next_ = 0;                              // the first bit that is free
-  std::vector<RegionSet> of_vertices_;          // empty without parts
-  std::vector<std::array<RegionSet, 2>> sides_;  // of the entries
+  int next_ = 0;                              // first free bit
+  std::vector<RegionSet> of_vertices_;          // empty without regions
+  std::vector<std::array<RegionSet, 2>> sides_;  // per entry
 };
 
 }  // namespace tack

@@ -61,7 +61,7 @@ Embedding::Attachment Embedding::of(const Vec3& point) const {
   return place;
 }
 
-// In the tet that holds it, or else in that of the closest face.
+// Uses the tetrahedron that contains the point, or else that of the nearest face.
 std::vector<std::pair<int, double>> Embedding::on_tets(const Vec3& point, const Triangle* closest) const {
   const Tet* chosen = nullptr;
   for (const Tet& t : body_.tets) {

@@ -38,18 +38,20 @@ struct World {
   ~World();
 
   std::vector<Body> bodies;
-  VecX rest;              // 3n [m]: the vertices of the bodies' meshes, then those that are in none
-  std::vector<int> extra_object;  // of the latter: the body that each belongs to; -1: none
-  std::vector<UnknownGroup> unknowns;  // the latter, as they were asked for, ascending
-  VecX mass;              // n [kg]
-  VecX gravitational_mass;     // n [kg]: what gravity pulls at; none of numbers
-  std::vector<std::unique_ptr<Motion>> own_motions;  // beside those of the scene: of what is carried, and of what is held of unknowns
-  Script script;          // who is held when
-  MultiPointConstraints bindings;      // which vertices follow others
-  std::vector<std::pair<int, int>> attached;  // bodies that are in no contact, as one is attached or joined to the other, ascending
-  MeetingGroups meeting;  // bodies that may touch each other in the run
-  DofMap dofs;            // of the present step; the first before it
-  std::vector<Tet> tets;  // of all bodies that may move
+  VecX rest;              ///< 3n [m]: mesh vertices of the bodies, then vertices without mesh
+  std::vector<int> extra_object;  ///< per vertex without mesh: its body; -1: none
+  std::vector<UnknownGroup> unknowns;  ///< requests of the vertices without mesh, ascending
+  VecX mass;              ///< n [kg]
+  VecX gravitational_mass;     ///< n [kg]; 0 for scalar dofs
+  /// Besides the scene's: relative motions in space, and motions of prescribed unknowns.
+  std::vector<std::unique_ptr<Motion>> own_motions;
+  Script script;          ///< prescribed motion of vertices by time
+  MultiPointConstraints bindings;      ///< dependent vertices
+  /// Pairs of bodies without contact, because one is attached or joined to the other, ascending.
+  std::vector<std::pair<int, int>> attached;
+  MeetingGroups meeting;  ///< groups of bodies that may touch each other in the run
+  DofMap dofs;            ///< of the present step; before it, of the first one
+  std::vector<Tet> tets;  ///< of all movable bodies
   Vec3 gravity = Vec3::Zero();
 
   std::vector<std::unique_ptr<Term>> elastic_terms;
@@ -64,18 +66,20 @@ struct World {
   std::vector<const VolumeTerm*> chambers;
   std::unique_ptr<ContactSystem> contact;  ///< null without contact
   std::unique_ptr<ContactTerm> contact_term;
-  std::unique_ptr<OverlapBoundaryTerm> rim;            // null if no pair adheres by a law of the gap over covered areas
-  std::unique_ptr<BondTerm> bonds;         // null if no pair adheres by bonds
-  std::unique_ptr<FrictionTerm> friction;  // null if nothing acts along surfaces
-  std::vector<const Term*> terms;  // all of the above that the scene names
-  std::unique_ptr<RemeshedEnergy> remeshed;  // null if nothing may be meshed anew
-  StepParticipants participants;  // contact and the terms
-  Records records;                // what the terms publish, and a stepper instead of them
+  /// Null unless a pair adheres by a traction-separation law over overlap areas.
+  std::unique_ptr<OverlapBoundaryTerm> rim;
+  std::unique_ptr<BondTerm> bonds;         ///< null if no pair adheres by bonds
+  std::unique_ptr<FrictionTerm> friction;  ///< null without tangential forces
+  std::vector<const Term*> terms;  ///< all terms above that the scene uses
+  std::unique_ptr<RemeshedEnergy> remeshed;  ///< null unless objects may be remeshed
+  StepParticipants participants;  ///< contact and the terms
+  Records records;                ///< published by the terms, or by a stepper in place of them
   std::vector<AdhesionSummary> adhesion;
-  /// step metrics that the stepper reports of the last step
+  /// Step metrics that the stepper reports of the last step.
   std::vector<StepFigure> step_figures;
   State start;
-  std::vector<std::string> start_notes;  // what was pushed apart (push_out.hpp), and who starts as before (initial_state.hpp)
+  /// Moved objects (push_out.hpp) and objects with an initial state from a run (initial_state.hpp).
+  std::vector<std::string> start_notes;
 
   int body_index(const std::string& name) const;  ///< -1 if there is none
   /// Returns the index of a body. Throws InputError with the nearest name, after `who` ("probe
