@@ -1,5 +1,5 @@
-// What is written from the fields alone: help on the terminal, the reference page, the JSON schema
-// for editors, and the echo of a resolved scene.
+// Texts generated from fields: terminal help, the pages of the reference, the JSON schema for
+// editors and the echo of a resolved scene.
 #pragma once
 
 #include <map>
@@ -10,19 +10,20 @@
 
 namespace tack {
 
-// `tack list [KIND [NAME]]`: all kinds, the components of one, or the parameters of one component.
-// Throws InputError with the nearest name for an unknown kind or component.
+// Text of `tack list [KIND [NAME]]`: all kinds, the components of one kind, or the parameters of
+// one component. Throws InputError with the nearest name for an unknown kind or component.
 std::string list_kinds();
 std::string list_kind(const std::string& kind);
 std::string list_component(const std::string& kind, const std::string& name);
-// Returns the components of that name, of any kind; "" if there are none, or if it is the name of a
-// kind.
+// Returns the list of components of that name, of any kind; "" for a kind's name or if there are
+// none.
 std::string list_named(const std::string& name);
 
-// Markdown: the parameters of `root` as a table.
+// Returns a Markdown table of the parameters of `root`.
 std::string parameter_table(const Fields& root);
 
-// Markdown, one page: the parameters of `root` (the scene), then every registered kind and component.
+// Returns one page of Markdown: the parameters of `root` (the scene), then every registered kind
+// and component.
 std::string reference_page(const Fields& root, const std::string& title);
 
 // A kind of file that users write, as a page of the reference.
@@ -34,20 +35,21 @@ struct FileFormat {
 };
 
 // Returns the pages of the reference (Markdown) by file name: "README.md", the index; one page per
-// format; one page per registered kind, KIND.md, in which each component has its name as anchor.
+// format; one page per registered kind, named after it, in which each component has its name as
+// anchor.
 std::map<std::string, std::string> reference_pages(const std::vector<FileFormat>& formats);
 
-// JSON schema, draft 7, of files that bind to `root`.
+// Returns the JSON schema, draft 7, of files that bind to `root`.
 std::string json_schema(const Fields& root, const std::string& title);
 
-// Every value, defaults included, in SI with its unit as comment. Binding this text again gives the
-// same values bit for bit.
+// Returns every value, defaults included, in SI with its unit as comment. Binding this text gives
+// the same values bit for bit.
 std::string to_yaml(const Fields& fields);
 
-// The default of a field for readers: "5e6", "fang", "required", "unset".
+// Returns the default of a field for readers: "5e6", "fang", "required", "unset".
 std::string default_text(const Field& field);
 
-// The struct inside an object, list or map of objects; nullptr for anything else.
+// Returns the struct inside an object, list or map of objects; nullptr for other shapes.
 const Shape* nested_object(const Shape& shape);
 
 }  // namespace tack

@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// "Mesh operations"
+// Returns the title of a page: "Mesh operations".
 std::string kind_title(const Kind& kind) {
   std::string title = plural(kind.name());
   for (char& c : title) c = c == '_' ? ' ' : c;
@@ -16,13 +16,13 @@ std::string kind_title(const Kind& kind) {
   return title;
 }
 
-// "Time stepping."
+// Returns a sentence with a capital and a full stop: "Time stepping."
 std::string sentence(std::string text) {
   if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text + ".";
 }
 
-// Top-level keys first, then a section per key that holds other keys.
+// Writes top-level keys first, then a section per key that holds other keys.
 std::string format_page(const FileFormat& format) {
   const auto& fields = format.keys->all();
   std::string out = fmt::format("# {}\n\n{}\nUnits, `include` and `type`: [index](README.md).\n\n{}",

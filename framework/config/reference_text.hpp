@@ -17,7 +17,8 @@ extern const char* const reference_conventions;
 // Returns a text as a cell of a table: bars escaped.
 std::string table_cell(const std::string& text);
 
-// Appends one row per field, keys with `prefix`; with `nested`, also a row per field of the structs inside.
+// Appends one row per field, keys with `prefix`; with `nested`, also a row per field of the structs
+// inside.
 void append_rows(const Fields& fields, const std::string& prefix, KindLinks links, bool nested,
                  std::string& out);
 

@@ -80,7 +80,7 @@ struct RunSummary {
   int unbalanced_steps = 0;
   double max_affine_strain = 0;     // largest of all affine bodies
   // Lowest mean ratio of a plastically deformed element, relative to its value at rest
-  // (scene/flow_quality.hpp); infinity: none.
+  // (checks/flow_quality.hpp); infinity: none.
   double lowest_quality = std::numeric_limits<double>::infinity();
   int intersections = 0;
   int inverted_tets = 0;

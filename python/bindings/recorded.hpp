@@ -1,4 +1,4 @@
-// Bindings of recorded runs and their reports.
+// Python classes and functions for recorded runs and their reports.
 #pragma once
 
 #include <pybind11/pybind11.h>

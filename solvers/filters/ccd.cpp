@@ -1,6 +1,7 @@
-// Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of its gap in a step. The gap is
-// the distance less the offset of the pair (thickness). A pair is skipped if its motion is shorter than a lower bound of its gap:
-// its distance bound, the gap of its boxes, or its reference distance less its displacement bounds. The others go to additive CCD.
+// Continuous collision detection as a step filter: no pair of primitives may lose more than 90% of
+// its gap, the distance less the pair's contact offset, in a step. A pair is skipped if its motion
+// is shorter than a lower bound of its gap: its distance bound, the gap of its boxes, or its
+// reference distance less its displacement bounds. The others go to additive CCD.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,8 +18,10 @@ namespace tack {
 namespace {
 
 constexpr double gap_fraction_min = 0.1;      // fraction of each gap that must remain
-constexpr double stop_short_fraction = 0.02;  // of the motion that a distance bound allows: additive CCD stops 1-2% short
-constexpr double motion_factor = 1 / ((1 - gap_fraction_min) * (1 - stop_short_fraction));  // factor on motions that are compared with distance bounds
+// Reserve of distance bounds, as a fraction of the motion: additive CCD stops 1-2% short.
+constexpr double stop_short_fraction = 0.02;
+// Factor on motions compared with distance bounds.
+constexpr double motion_factor = 1 / ((1 - gap_fraction_min) * (1 - stop_short_fraction));
 // Least gap over the motion for which the whole motion passes, with a reserve.
 constexpr double free_gap_fraction = gap_fraction_min + 2 * stop_short_fraction;
 constexpr double stage_growth = 4;  // length of a stage of a fast step over the last one
@@ -44,8 +47,8 @@ struct StepMotion {
   const VecX& p;
 };
 
-// Returns the largest step up to t that a pair allows. distance_bound: lower bound of its distance; distance: its reference distance;
-// offset: of the pair [m].
+// Returns the largest step up to t that a pair allows. distance_bound: lower bound of its distance;
+// distance: its reference distance; offset: of the pair [m].
 template <size_t A, size_t B, class Accd>
 double bounded(const std::array<int, A>& va, const std::array<int, B>& vb, double distance_bound, double distance, double offset,
                const StepMotion& step, double t, const Accd& accd) {

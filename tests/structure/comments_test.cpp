@@ -15,6 +15,7 @@ constexpr size_t columns_max = 100;
 const std::vector<std::string> done = {
     "geometry/",
     "tests/structure/",
+    "framework/config/",
     "framework/contact/codimensional_view.hpp",
     "framework/contact/contact_system.hpp",
     "framework/contact/contact_term.hpp",
@@ -30,15 +31,16 @@ const std::vector<std::string> done = {
     "framework/contact/surface_overlap.hpp",
     "framework/contact/surface_region.hpp",
     "framework/contact/weight_relaxation.hpp",
-    "framework/setup/initial_state.hpp",
+    "framework/probes/",
+    "framework/report/",
+    "framework/run/",
+    "framework/setup/",
     "framework/stepping/dirichlet_continuation.hpp",
     "framework/stepping/moving_components.hpp",
     "framework/stepping/tunnelling_check.hpp",
-    "framework/world/embedding.hpp",
-    "framework/world/multi_point_constraints.hpp",
-    "solvers/lcp/",
-    "solvers/line_search/",
-    "solvers/minimizers/"};
+    "framework/view/",
+    "framework/world/",
+    "solvers/"};
 
 // Comment lines of C++ code that open with "What" or "Of". The bound falls; it never rises.
 constexpr int openings_max = 500;
