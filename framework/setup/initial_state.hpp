@@ -16,7 +16,7 @@ struct World;
 
 // The vertices of a state that belong to an object, and its mesh.
 struct StateObject {
-  // Those of its mesh in order, then those in no mesh (Body::extra_vertices).
+  // Vertices of its mesh in order, then those without mesh (Body::extra_vertices).
   std::vector<int> vertices;
   MeshDigest mesh;            // before mesh placement
 };
