@@ -1,6 +1,6 @@
-// Symmetric sparse matrix of 3x3 blocks, lower triangle, by block columns (rows ascending, the
-// diagonal block first), and global modes beside it. Only the pattern's owner changes the structure; `version` tells solvers
-// when to analyse anew.
+// Symmetric sparse matrix of 3x3 blocks plus global modes. Storage: lower triangle by block
+// columns, rows ascending, the diagonal block first. Only the owner of the pattern changes the
+// structure; a new `version` makes solvers repeat their symbolic analysis.
 #pragma once
 
 #include <cstdint>
@@ -14,12 +14,14 @@ struct BlockMatrix {
   std::vector<int> column_start;  // block columns + 1
   std::vector<int> row;           // block row of each block, >= its column
   std::vector<double> values;     // 9 per block, column major
-  std::uint64_t version = 0;      // changes when column_start or row do
-  VecX place;                     // of each block column: where what it moves is [m]; may be empty
-  std::vector<int> part;          // of each block column, from 0: columns that lasting stencils connect; may be empty
-  GlobalModes modes;              // parts of the matrix that are in no block; mostly none
+  std::uint64_t version = 0;      // changes with column_start or row
+  VecX place;                     // per block column: position of its vertex [m]; may be empty
+  std::vector<int> part;          // per block column: component by lasting stencils; may be empty
+  GlobalModes modes;              // low-rank summands outside the blocks; usually none
 
-  int columns() const { return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1; }
+  int columns() const {
+    return column_start.empty() ? 0 : static_cast<int>(column_start.size()) - 1;
+  }
   int size() const { return 3 * columns(); }
   int blocks() const { return static_cast<int>(row.size()); }
   auto block(int k) { return Eigen::Map<Mat3>(values.data() + 9 * static_cast<std::ptrdiff_t>(k)); }

@@ -1,8 +1,8 @@
 // Rayleigh damping as a potential of a time step: for velocities v' = rate (x' - still) at its end,
 // as the integrator takes them (EndVelocity),
 //     P_d(x') = 1 / (2 rate) v'^T C v',   of which the force is -C v',
-// C = alpha M, or beta K with the elastic Hessians of the start of the step, clamped: positive
-// semi-definite, and held in the step. It has the order of the integrator but for K, which is one
+// C = alpha M, or beta K with the clamped elastic Hessians of the start of the step, which are
+// positive semi-definite and lagged. The order is that of the integrator except for K, which is one
 // step old.
 //
 // K damps the rate of strain and no rotation. Each stencil enters by its displacement u without
@@ -40,8 +40,7 @@ class DampingTerm : public Term {
   }
 
  protected:
-  // From where displacements count: the start of the step, or where the integrator takes velocities
-  // from.
+  // Reference of displacements: the start of the step, or EndVelocity::still.
   enum class Reference { start, still };
 
   DampingTerm() : Term("damping") {}
@@ -54,11 +53,13 @@ class DampingTerm : public Term {
   EndVelocity velocity_{};
 };
 
-// beta K of an elastic term, which must outlive it. beta: s. Throws std::logic_error for stencils
-// of more vertices than there may be.
+// Returns the damping beta K of an elastic term, which must outlive it. beta: s. Throws
+// std::logic_error for stencils of more than largest_arity vertices, or largest_rank_one vertices
+// if their Hessian is of rank one.
 std::unique_ptr<DampingTerm> stiffness_damping(const Term& elastic, double beta);
 
-// alpha M of so many vertices from a first one on. mass: of all vertices [kg]; alpha: 1/s.
+// Damping alpha M of `count` vertices from `first_vertex` on. mass: of all vertices [kg]; alpha:
+// 1/s.
 class MassDamping : public DampingTerm {
  public:
   MassDamping(int first_vertex, int count, const VecX& mass, double alpha);

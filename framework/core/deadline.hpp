@@ -1,7 +1,8 @@
-// Limits in wall time: of a solve (solver.time_limit) and of a run (time.wall_limit). Without a limit no
-// clock is read. Work that is spread over threads asks passed() and breaks off; the loops around it call
-// check(), whose exception ends the solve wherever it is. Minimisers report it as a status. What takes long and
-// cannot be broken off: factorisations and orderings of other libraries, and a single front of our own.
+// Limits of wall time: of a solve (solver.time_limit) and of a run (time.wall_limit). Parallel
+// loops poll passed() and stop; the loops around them call check(), whose exception ends the solve.
+// Minimisers report it as a status. Without a limit no clock is read.
+// Limits: factorisations and orderings of external libraries, and a single front of our own
+// factorisation, cannot be interrupted.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ class Deadline {
  public:
   using Clock = std::chrono::steady_clock;
 
-  // Seconds from `begun` on; none: no limit.
+  // Limits the run to `seconds` from `begun` on; none: no limit.
   void limit_run(Clock::time_point begun, std::optional<double> seconds) {
     end_ = run_end_ = seconds ? begun + duration(*seconds) : never;
   }
@@ -41,7 +42,8 @@ class Deadline {
   static bool after(Clock::time_point end) { return end != never && Clock::now() >= end; }
   static Clock::duration duration(double seconds) {
     constexpr double century = 3e9;  // s; more overflows
-    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, century)));
+    return std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(std::min(seconds, century)));
   }
 
   Clock::time_point run_end_ = never, end_ = never;

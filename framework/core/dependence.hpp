@@ -1,6 +1,9 @@
-// Vertices whose place follows from that of others: x_v = sum_k w_k x_k, with weights that add up to one. Vertices of
-// an affine body follow the four of its frame, those that are tied to an element its corners, and those of a finer
-// contact surface the corners of the triangle that they lie in.
+// Multi-point constraints: the position of a dependent vertex v is x_v = sum_k w_k x_k, sum_k w_k
+// = 1.
+//   dependent vertex            depends on
+//   of an affine body           the four vertices of its frame
+//   attached to an element      the corners of the element
+//   of a finer contact surface  the corners of the triangle that contains it
 #pragma once
 
 #include <utility>
@@ -8,12 +11,13 @@
 
 namespace tack {
 
+/// One dependent vertex.
 struct Dependence {
   int vertex = -1;
   std::vector<std::pair<int, double>> on;  // vertices and weights
 };
 
-// At most one for each vertex; what a vertex depends on may depend on others in turn, but not on itself.
+/// At most one constraint per vertex. Chains are allowed, cycles are not.
 using Dependences = std::vector<Dependence>;
 
 }  // namespace tack

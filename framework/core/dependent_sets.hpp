@@ -1,4 +1,5 @@
-// Vertices that depend on each other (dof_map.hpp) move together, and so do their sets.
+// Union of vertex sets over multi-point constraints (dof_map.hpp): constrained vertices move
+// together.
 #pragma once
 
 #include <span>
@@ -8,8 +9,8 @@
 
 namespace tack {
 
-// Joins the sets of each dependent vertex and of the vertices that it depends on. set_of: per
-// vertex, a member of its set; below zero: it is in none.
+// Joins the set of each dependent vertex with the sets of the vertices that it depends on. set_of:
+// a member of the set of each vertex; negative: the vertex is in no set.
 inline void join_dependent(const DofMap& dofs, std::span<const int> set_of, DisjointSets& sets) {
   for (size_t k = 0; k < dofs.dependents().size(); ++k) {
     int first = set_of[dofs.dependents()[k]];

@@ -1,4 +1,4 @@
-// Sets of the numbers 0 .. n - 1 that grow together (union-find); each is known by its smallest member.
+// Disjoint sets of the numbers 0 .. n - 1 (union-find). The smallest member represents its set.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the balance of energy carries from step to step (energy_balance.hpp).
+// State of the energy balance between steps (energy_balance.hpp).
 #pragma once
 
 #include <string>
@@ -10,32 +10,34 @@
 
 namespace tack {
 
-// The same for a group of bodies (stepping/group_balance.hpp).
+/// Energy balance of a group of bodies (stepping/group_balance.hpp).
 struct GroupAccount {
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;  // J
   double dissipated = 0;  // so far [J]
   EnergyAtPlay at_play;   // so far
-  bool met_another = false;  // a stencil of contact has ended in another group: its own energy is not known
+  bool met_another = false;  // a contact stencil joined another group: the energy is unknown
 };
 
+/// Energy balance of all bodies.
 struct EnergyAccount {
-  bool open = false;  // false: nothing is known of the state's energies yet
-  // Of the state, of all that was free in the step before [J].
+  bool open = false;  // false: the energies of the state are not known yet
+  // Energies of the state, for the vertices that were free in the last step [J].
   double kinetic = 0, gravity = 0, elastic = 0, contact = 0;
   // Dissipated so far, by name (EnergyFlows::Published::account) [J].
   std::vector<std::pair<std::string, double>> dissipated;
-  double loads = 0;  // what loads have done so far [J]
-  VecX gradient;  // 3n: of elastic and contact energy [N]; empty if no script moves anything
+  double loads = 0;  // work of the loads so far [J]
+  VecX gradient;  // 3n: of elastic and contact energy [N]; empty without prescribed motion
 
-  double unexplained = 0;  // energy that nothing put in, from the first step on [J]
-  double lowest = 0;       // its smallest value since the last gain that was told of [J]
+  double unexplained = 0;  // numerical energy gain since the first step [J]
+  double lowest = 0;       // its smallest value since the last reported gain [J]
   EnergyAtPlay at_play;    // so far
-  double bottom = 0;       // the smallest value of all of `unexplained` [J]
-  int grown_steps = 0;     // steps behind us in all of which it was far above that
-  bool told = false;       // that it was for long
+  double bottom = 0;       // smallest value of `unexplained` in the run [J]
+  int grown_steps = 0;     // consecutive steps with `unexplained` far above `bottom`
+  bool told = false;       // the warning about lasting growth was given
   std::vector<GroupAccount> groups;  // empty: all bodies are one group
 
-  double dissipated_as(const std::string& name) const {  // 0 of what was not
+  // Returns the energy dissipated under a name [J]; 0 for an unknown name.
+  double dissipated_as(const std::string& name) const {
     for (const auto& [other, amount] : dissipated)
       if (other == name) return amount;
     return 0;
@@ -45,7 +47,7 @@ struct EnergyAccount {
     for (const auto& [name, amount] : dissipated) sum += amount;
     return sum;
   }
-  // To count on what it was before.
+  // Returns the account of a name; a new account starts at its amount in `before`.
   double& account(const std::string& name, const EnergyAccount& before) {
     for (auto& [other, amount] : dissipated)
       if (other == name) return amount;

@@ -1,4 +1,5 @@
-// How much energy a run has moved so far: what losses are to be compared with.
+// Reference energy: the largest amount of energy that a run has moved so far. The energy balance
+// compares numerical losses with it.
 #pragma once
 
 #include <algorithm>
@@ -7,11 +8,11 @@
 namespace tack {
 
 struct EnergyAtPlay {
-  using Range = std::array<double, 3>;  // what has changed since the start, its lowest and its highest value [J]
+  using Range = std::array<double, 3>;  // change since the start, its minimum and its maximum [J]
 
-  double kinetic = 0, dissipated = 0;     // the largest so far [J]
-  Range elastic{}, contact{}, gravity{};  // gravity: of what was free in each step
-  Range work{};                           // of loads and script
+  double kinetic = 0, dissipated = 0;     // largest values so far [J]
+  Range elastic{}, contact{}, gravity{};  // gravity: of the vertices free in each step
+  Range work{};                           // of loads and prescribed motion
 
   static void move(Range& range, double by) {
     range[0] += by;
@@ -19,10 +20,11 @@ struct EnergyAtPlay {
     range[2] = std::max(range[2], range[0]);
   }
   bool operator==(const EnergyAtPlay&) const = default;
-  // The largest of all [J].
+  // Returns the largest of all amounts [J].
   double most() const {
     double most = std::max(kinetic, dissipated);
-    for (const Range* range : {&elastic, &contact, &gravity, &work}) most = std::max(most, (*range)[2] - (*range)[1]);
+    for (const Range* range : {&elastic, &contact, &gravity, &work})
+      most = std::max(most, (*range)[2] - (*range)[1]);
     return most;
   }
 };

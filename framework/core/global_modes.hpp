@@ -1,6 +1,7 @@
-// Parts of a symmetric matrix that couple everything with everything, and are of low rank: sum_k c_k u_k u_k^T. What depends on all of a
-// surface by one number has such a Hessian: a gas by the volume that is enclosed, -p'(V) grad V grad V^T. They are neither assembled
-// nor dropped: products add them, and who has an inverse without them corrects it (mode_update.hpp).
+// Global modes: a dense summand of low rank, sum_k c_k u_k u_k^T, of a symmetric matrix. A
+// potential that depends on a whole surface by one number has such a Hessian: a gas, by the
+// enclosed volume V, has -p'(V) grad V grad V^T. Modes are not assembled: matrix products add them,
+// and inverses computed without them are corrected (mode_update.hpp).
 #pragma once
 
 #include <vector>
@@ -21,10 +22,10 @@ inline void add_product(const GlobalModes& modes, const VecX& x, VecX& y) {
   for (const GlobalMode& mode : modes) y += mode.coefficient * mode.vector.dot(x) * mode.vector;
 }
 
-// What a term derives from as well whose Hessian has such parts.
+/// Second base class of a term whose Hessian has global modes.
 class GlobalModeSource {
  public:
-  // Adds them, over all vertices (3n), with coefficients that are projected as eigenvalues are.
+  /// Appends the modes over all vertices (3n). Coefficients are projected like eigenvalues.
   virtual void add_global_modes(const VecX& x, Projection projection, GlobalModes& modes) const = 0;
 
  protected:

@@ -1,6 +1,6 @@
-// What bodies remember from step to step beside where they are: named arrays of numbers, part of the state.
-// They are written when a step is kept and at no other time, so that a step that is given up leaves them as they
-// were; checkpoints and problems hold them all.
+// History variables: named arrays of numbers that are part of the state, beside positions and
+// velocities. They are written only when a step is accepted, so that a rejected step needs no
+// rollback. Checkpoints and saved problems contain all of them.
 #pragma once
 
 #include <array>
@@ -10,21 +10,24 @@
 
 namespace tack {
 
+/// One named array of history variables.
 struct HistoryArray {
-  int width = 1;               // numbers of an entry
+  int width = 1;               // numbers per entry
   std::vector<double> values;  // entry by entry
-  // Of entries that belong to a point and another object: (vertex, object) of each, ascending. Empty: entry i is
-  // that of element i, or vertex i, of whoever remembers.
+  // Keys (vertex, object) of entries that belong to a point and another object, ascending. Empty:
+  // entry i belongs to element i, or vertex i, of the owner.
   std::vector<std::array<int, 2>> keys;
 
   int entries() const { return static_cast<int>(values.size()) / width; }
   bool operator==(const HistoryArray&) const = default;
 };
 
-using History = std::map<std::string, HistoryArray>;  // by name: that of the object, "/" and what it is
+/// History arrays by name: "<object>/<variable>".
+using History = std::map<std::string, HistoryArray>;
 
-// The values of an array that has so many entries of that width; null where there is none (a run begins).
-// Throws std::logic_error for an array of another shape: names must differ.
-const std::vector<double>* remembered(const History& history, const std::string& name, int width, int entries);
+/// Returns the values of the array `name`; null if there is none (at the start of a run). Throws
+/// std::logic_error if its width or number of entries differs: two owners then use one name.
+const std::vector<double>* remembered(const History& history, const std::string& name, int width,
+                                      int entries);
 
 }  // namespace tack

@@ -33,7 +33,9 @@ Lanes spread(const Lanes& lanes) {
   return __builtin_shufflevector(lanes, lanes, d, d, d, d);
 }
 
-inline Lanes rotated(const Lanes& lanes) { return __builtin_shufflevector(lanes, lanes, 1, 2, 3, 0); }
+inline Lanes rotated(const Lanes& lanes) {
+  return __builtin_shufflevector(lanes, lanes, 1, 2, 3, 0);
+}
 
 inline Lanes cross(const Lanes& a, const Lanes& b) {
   const auto next = [](const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };
@@ -54,8 +56,12 @@ struct BlockLanes {
     return {load4(block), load4(block + 3), load4(block + 6)};
   }
   Lanes times(const double* v) const { return a * v[0] + b * v[1] + c * v[2]; }
-  Lanes times(const Lanes& v) const { return a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v); }
-  Lanes times(const Lanes& v, const Lanes& start) const { return start + a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v); }
+  Lanes times(const Lanes& v) const {
+    return a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v);
+  }
+  Lanes times(const Lanes& v, const Lanes& start) const {
+    return start + a * spread<0>(v) + b * spread<1>(v) + c * spread<2>(v);
+  }
   inline Lanes transposed_times(const Lanes& v) const;
   // This times the transpose of another block.
   BlockLanes times_transposed(const double* other) const {
@@ -65,9 +71,12 @@ struct BlockLanes {
   // The matrix of the cross product with v, times this; and this times that matrix.
   BlockLanes crossed_by(const Lanes& v) const { return {cross(v, a), cross(v, b), cross(v, c)}; }
   BlockLanes times_cross(const Lanes& v) const {
-    return {b * spread<2>(v) - c * spread<1>(v), c * spread<0>(v) - a * spread<2>(v), a * spread<1>(v) - b * spread<0>(v)};
+    return {b * spread<2>(v) - c * spread<1>(v), c * spread<0>(v) - a * spread<2>(v),
+            a * spread<1>(v) - b * spread<0>(v)};
   }
-  BlockLanes transposed() const { return {Lanes{a[0], b[0], c[0], 0}, Lanes{a[1], b[1], c[1], 0}, Lanes{a[2], b[2], c[2], 0}}; }
+  BlockLanes transposed() const {
+    return {Lanes{a[0], b[0], c[0], 0}, Lanes{a[1], b[1], c[1], 0}, Lanes{a[2], b[2], c[2], 0}};
+  }
   void operator*=(double factor) { a *= factor, b *= factor, c *= factor; }
   void operator+=(const BlockLanes& other) {
     a += other.a;
@@ -95,8 +104,10 @@ struct TransposedSum {
     c += block.c * v;
   }
   Lanes sum() const {
-    const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Lanes first = __builtin_shufflevector(ab, c, 0, 1, 4, 5), third = __builtin_shufflevector(ab, c, 2, 3, 6, 7);
+    const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+                ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Lanes first = __builtin_shufflevector(ab, c, 0, 1, 4, 5),
+                third = __builtin_shufflevector(ab, c, 2, 3, 6, 7);
     return first + __builtin_shufflevector(ab1, c, 0, 1, 5, 6) + third;
   }
   Lanes a{}, b{}, c{};

@@ -1,4 +1,4 @@
-// Chains of dependences (dependence.hpp), resolved down to vertices that depend on nothing.
+// Resolves chains of multi-point constraints (dependence.hpp) to independent vertices.
 #pragma once
 
 #include <cmath>
@@ -12,31 +12,35 @@ namespace tack {
 
 class Leaves {
  public:
-  // The dependences have to outlive it.
-  Leaves(int vertices, const Dependences& dependences) : of_(vertices, nullptr), state_(vertices, fresh), leaves_(vertices) {
+  // The dependences must outlive this object.
+  Leaves(int vertices, const Dependences& dependences)
+      : of_(vertices, nullptr), state_(vertices, fresh), leaves_(vertices) {
     for (const Dependence& d : dependences) of_[d.vertex] = &d;
   }
 
   bool depends(int v) const { return of_[v] != nullptr; }
 
-  // Weights by vertex. Throws InputError if it depends on itself.
+  // Returns the weights of the independent vertices of v. Throws InputError if v depends on itself.
   const std::map<int, double>& of(int v) {
     if (state_[v] == done) return leaves_[v];
-    if (state_[v] == open) throw InputError("vertices follow each other in a circle (attach); let one of the objects lead");
+    if (state_[v] == open)
+      throw InputError(
+          "vertices follow each other in a circle (attach); let one of the objects lead");
     state_[v] = open;
     if (!of_[v]) {
       leaves_[v] = {{v, 1.0}};
     } else {
       for (const auto& [on, weight] : of_[v]->on)
         for (const auto& [leaf, part] : of(on)) leaves_[v][leaf] += weight * part;
-      std::erase_if(leaves_[v], [](const auto& entry) { return std::abs(entry.second) < no_weight; });
+      std::erase_if(leaves_[v],
+                    [](const auto& entry) { return std::abs(entry.second) < no_weight; });
     }
     state_[v] = done;
     return leaves_[v];
   }
 
  private:
-  static constexpr double no_weight = 1e-13;  // what round-off leaves where weights cancel
+  static constexpr double no_weight = 1e-13;  // bound of the round-off of weights that cancel
   enum State : char { fresh, open, done };
   std::vector<const Dependence*> of_;
   std::vector<State> state_;

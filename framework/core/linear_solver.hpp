@@ -10,28 +10,30 @@
 
 namespace tack {
 
-// What a Cholesky factor costs, predicted from the pattern of the matrix alone.
+/// Cost of a Cholesky factorisation, predicted from the pattern of the matrix alone.
 struct FactorCost {
   double operations = 0;  // multiplications and additions of a factorisation
   double entries = 0;     // of L
 };
 
-// Throws OutOfTime where the clock's deadline passes; what is kept from system to system then is as if there had been
-// none before.
+/// Solver of block systems. Every call may throw OutOfTime (deadline.hpp); the data that the solver
+/// keeps between systems are then cleared.
 class LinearSolver : public Component {
  public:
   static constexpr const char* kind_name = "linear_solver";
   static constexpr const char* kind_doc = "Solves the Newton system A p = -g.";
 
-  // Factorises A; false if A is not positive definite. Reuses the symbolic analysis while
-  // A.version stays the same.
+  /// Factorises A. Returns false if A is not positive definite. Reuses the symbolic analysis while
+  /// A.version stays the same.
   virtual bool factorize(const BlockMatrix& matrix, PhaseClock& clock) = 0;
-  // x <- A^-1 b with the last successful factorisation.
+  /// x <- A^-1 b with the last successful factorisation.
   virtual void solve(const VecX& b, VecX& x, PhaseClock& clock) = 0;
-  // The same once more for another b, leaving at most `relative` of it: what corrects a solution that
-  // iterations stopped short of. Direct solvers need no such leave.
-  virtual void correct(const VecX& b, VecX& x, double /*relative*/, PhaseClock& clock) { solve(b, x, clock); }
-  // columns <- A^-1 columns. Direct solvers may take several at once.
+  /// x <- A^-1 b for a further right-hand side, a residual in iterative refinement, to the relative
+  /// residual `relative`. Direct solvers ignore `relative`.
+  virtual void correct(const VecX& b, VecX& x, double /*relative*/, PhaseClock& clock) {
+    solve(b, x, clock);
+  }
+  /// columns <- A^-1 columns. Direct solvers may solve for several columns at once.
   virtual void solve_columns(Eigen::MatrixXd& columns, PhaseClock& clock) {
     VecX x;
     for (Eigen::Index i = 0; i < columns.cols(); ++i) {
@@ -41,22 +43,24 @@ class LinearSolver : public Component {
   }
   virtual int analyses() const = 0;  // symbolic analyses so far
 
-  // The relative residual that solves may leave from now on, for solvers that iterate; direct ones
-  // need no such leave.
+  /// Sets the relative residual of later solves. Direct solvers ignore it.
   virtual void set_tolerance(double /*relative*/) {}
-  // Whether systems from now on may be indefinite. Such a system counts as unsolved all the same, but the solver
-  // is not to blame.
+  /// Announces that later systems may be indefinite. An indefinite system still counts as unsolved,
+  /// but not as a failure of the solver.
   virtual void expect_indefinite(bool /*expected*/) {}
   virtual int iterations() const { return 0; }  // of the last solve
 
-  // Analyses the matrix's pattern; nothing from solvers that make no factor.
-  virtual std::optional<FactorCost> predict(const BlockMatrix& /*matrix*/, PhaseClock&) { return {}; }
-  // What solves and why, in a few words, once it is known: for the log.
+  /// Analyses the pattern of the matrix; returns nothing if the solver computes no factor.
+  virtual std::optional<FactorCost> predict(const BlockMatrix& /*matrix*/, PhaseClock&) {
+    return {};
+  }
+  /// Names the method and the reason for its choice, in a few words, for the log.
   virtual std::string describe() const { return std::string(type()); }
 
-  // For solvers that can trade accuracy for speed. A preconditioner calls allow_approximation() once;
-  // exact() tells whether the last factor solves to double precision nevertheless; sharpen() asks that
-  // later ones do, and is false if that would change nothing.
+  /// Approximate factors, for solvers that can trade accuracy for speed:
+  ///   allow_approximation()  a preconditioner calls it once
+  ///   exact()                true if the last factor solves to double precision all the same
+  ///   sharpen()              requests exact factors from now on; false if that changes nothing
   virtual void allow_approximation() {}
   virtual bool exact() const { return true; }
   virtual bool sharpen() { return false; }

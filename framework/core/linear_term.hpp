@@ -12,7 +12,9 @@ class LinearTerm : public Term, public ResidualView {
   using Term::Term;
 
   void set_force(VecX force) { force_ = std::move(force); }              // N, 3n
-  void set_reference(VecX reference) { reference_ = std::move(reference); }  // where it is zero [m], 3n
+  void set_reference(VecX reference) {
+    reference_ = std::move(reference);
+  }  // where it is zero [m], 3n
   const VecX& force() const { return force_; }
   const VecX& reference() const { return reference_; }
 
@@ -23,10 +25,10 @@ class LinearTerm : public Term, public ResidualView {
     if (force_.size() > 0) gradient -= force_;
   }
 
-  // External forces are no energies that bodies have.
+  // Publishes nothing: the potential of external forces is no energy of a body.
   void publish(Records&) const override {}
 
-  // All of it is rest.
+  // The view has no residuals; the whole potential is `rest`.
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {}; }
   bool residuals(const VecX&, double*, double*) const override { return true; }

@@ -1,6 +1,6 @@
-// The contract of every minimiser: from a feasible q, a local minimiser of the objective, without
-// ever leaving the feasible set, judged by the program's own stopping norm. Failing to converge is a
-// returned status, not an exception.
+// Interface of minimisers. A minimiser starts from a feasible q, stays in the feasible set, and
+// returns a local minimiser of the objective. The stopping norm of the problem, not the method,
+// decides on convergence. Failure to converge is a returned status, not an exception.
 #pragma once
 
 #include <functional>
@@ -27,41 +27,46 @@ enum class MinimizerStatus {
 };
 std::string_view to_string(MinimizerStatus status);
 
-// One problem: what to minimise, where from, and when to stop.
+/// One problem: objective, feasible steps and convergence criteria.
 struct MinimizerProblem {
   Objective& objective;
   // The largest t in (0, 1] such that q + s p is feasible for s in [0, t].
   std::function<double(const VecX& q, const VecX& p)> feasible_step;
-  // The stopping norm given the last search direction p and the gradient; converged when below 1.
+  // Stopping norm of the last search direction p and the gradient; below 1: converged.
   std::function<double(const VecX& p, const VecX& gradient)> stopping_norm;
   PhaseClock& clock;
-  // Whether that norm is of p, which then must be the Newton direction: methods whose own direction is
-  // something else ask solvers/minimizers/convergence_judge.hpp.
+  // True if the stopping norm depends on p, which then must be the Newton direction. Methods with
+  // another direction use solvers/minimizers/convergence_judge.hpp.
   bool norm_of_direction = true;
-  // If given, every minimiser tells it of every iteration: its number, the stopping norm as far as it is known,
-  // the objective's value and the seconds since the minimisation began.
-  using Observer = std::function<void(int iteration, double residual, double value, double seconds)>;
+  // Observer, optional. Every minimiser calls it in every iteration. residual: the stopping norm as
+  // far as it is known; seconds: since the start of the minimisation.
+  using Observer =
+      std::function<void(int iteration, double residual, double value, double seconds)>;
   Observer observer = {};
-  // Of a direction that leaves the residual r = -g - H p of its Newton system: how much the stopping norm of
-  // the exact direction may exceed that of p. If it is not given, directions are believed.
+  // Bound of the stopping norm of the exact direction minus that of p, given the residual
+  // r = -g - H p of the Newton system. None: the stopping norm of p counts without correction.
   std::function<double(const VecX& r)> direction_error = {};
-  // The largest force that nothing balances, in units of what is tolerated; if given, it must be below 1
-  // where the minimisation ends.
+  // Largest force residual, in units of its tolerance. If given, it must be below 1 at the end of
+  // the minimisation.
   std::function<double(const VecX& gradient)> imbalance = {};
-  // If given, p <- a step from q that agrees with it to first order and turns stiff bodies without straining them, where
-  // straining one would cost more than `loss`, in units of the objective. False, and p as it was, if there is none.
+  // Retraction on rotations, optional: replaces p by a step from q that agrees with p to first
+  // order and rotates stiff bodies without strain. It applies to bodies whose strain energy under p
+  // would exceed `loss` [unit of the objective]. Returns false and keeps p if there is no such
+  // body.
   std::function<bool(const VecX& q, VecX& p, double loss)> bend = {};
-  // Whether the observer is to be told the stopping norm also where it costs a linear solve that the method itself does without: at the first
-  // twenty iterations, and then at every tenth part more of them. Not for what is timed.
+  // True: the observer gets the stopping norm also from methods that must do a linear solve for it
+  // alone: in the first 20 iterations, later each time their number has grown by a tenth. Not for
+  // timed runs.
   bool true_residuals = false;
 };
 
+/// Status and work of a minimisation.
 struct MinimizerResult {
   MinimizerStatus status = MinimizerStatus::converged;
   int iterations = 0;
   int linear_solves = 0;
-  long linear_iterations = 0;  // of linear solvers that iterate
-  int line_search_evaluations = 0;  // values in search of a step length, or of a foreign minimiser
+  long linear_iterations = 0;  // of iterative linear solvers
+  int line_search_evaluations = 0;  // values in line searches, or in an external minimiser
   double residual = 0;  // the last stopping norm, in units of the tolerance
 
   // Adds the work of an earlier minimisation of the same step.
@@ -73,19 +78,20 @@ struct MinimizerResult {
   }
 };
 
-// Whether forces balance at the objective's present point, as far as the problem asks; result.residual tells by
-// how much they do not.
+/// Returns true if the force residual at the current point of the objective is within its
+/// tolerance, or if the problem sets none. Otherwise raises result.residual to the force residual.
 bool balanced(const MinimizerProblem& problem, MinimizerResult& result);
 
-// When a minimisation has converged.
+/// Convergence criterion.
 enum class Stopping {
   velocity,      // |p|_inf / h below a tolerance [m/s], p the Newton direction (the paper)
-  force,         // |gradient|_inf below a part of the largest force of any stencil
+  force,         // |gradient|_inf below a fraction of the largest force of any stencil
   acceleration,  // |M^-1 gradient|_inf below a tolerance [m/s^2]
 };
 
 class Term;
 
+/// A minimisation method with its settings.
 class Minimizer : public Component {
  public:
   static constexpr const char* kind_name = "minimizer";
@@ -102,22 +108,24 @@ class Minimizer : public Component {
   std::optional<double> time_limit() const { return time_limit_; }  // s of wall time
   bool checks_iterates() const { return check_iterates_; }
 
-  // What a scene that does not say gets: framework/experiment/tolerances.hpp.
+  // Settings that the scene leaves open get defaults in framework/experiment/tolerances.hpp.
   bool tolerance_given() const { return tolerance_.has_value(); }
   bool balance_given() const { return balance_tolerance_.has_value(); }
   void set_velocity_tolerance(double tolerance) { tolerance_ = tolerance; }
   void set_force_floor(double floor) { force_floor_ = floor; }
 
-  // Returns a minimiser with the same settings and no history of earlier minimisations: for
-  // problems beside those of the steps.
+  /// Returns a minimiser with the settings of this one and no history of earlier minimisations: for
+  /// problems beside those of the steps.
   virtual std::unique_ptr<Minimizer> fresh() const;
-  // What solves linear systems and why, once it is known; "" for methods without.
+  /// Names the linear solver and the reason for its choice; "" for methods without linear systems.
   virtual std::string linear_solver() const { return {}; }
-  // Throws InputError for a potential of these terms that it cannot minimise. Asked when a scene is loaded.
+  /// Throws InputError if the method cannot minimise a potential of these terms. Called when a
+  /// scene is loaded.
   virtual void admit(const std::vector<const Term*>& /*terms*/, int /*unknowns*/) const {}
 
-  // q: in, the feasible start; out, the last feasible iterate. Every call of the problem may throw
-  // OutOfTime, which need not be caught: that loses the counts of the work alone.
+  /// Minimises. q: in, the feasible start; out, the last feasible iterate. Every call of the
+  /// problem may throw OutOfTime, which the method need not catch: only the counts of the work are
+  /// lost.
   virtual MinimizerResult minimize(const MinimizerProblem& problem, VecX& q) = 0;
 
  protected:

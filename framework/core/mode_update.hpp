@@ -1,6 +1,7 @@
 // (A + U C U^T)^-1 from A^-1, with few columns U and a diagonal C (Sherman, Morrison and Woodbury):
 //     A^-1 - Z (C^-1 + U^T Z)^-1 Z^T,   Z = A^-1 U.
-// If A is positive definite, the sum is so if C^-1 + U^T Z has as many negative eigenvalues as C (Haynsworth's inertia additivity).
+// For a positive definite A, the sum is positive definite if C^-1 + U^T Z and C have equal numbers
+// of negative eigenvalues (Haynsworth's inertia additivity).
 #pragma once
 
 #include "framework/core/global_modes.hpp"
@@ -9,12 +10,13 @@ namespace tack {
 
 class ModeUpdate {
  public:
-  // solve(b, x): x <- A^-1 b, of a positive definite A. False if the sum is not positive definite, or not finite.
+  // Prepares the update of a positive definite A. solve(b, x): x <- A^-1 b. Returns false if the
+  // sum is not positive definite or not finite.
   template <class Solve>
   bool prepare(const GlobalModes& modes, const Solve& solve) {
     return prepare_any(modes, solve) && definite();
   }
-  // Of any A that has an inverse; false if the sum has none.
+  // Prepares the update of any invertible A; returns false if the sum is not invertible.
   template <class Solve>
   bool prepare_any(const GlobalModes& modes, const Solve& solve) {
     clear();
@@ -28,7 +30,7 @@ class ModeUpdate {
   }
   void clear();
   bool empty() const { return columns_.empty(); }
-  // x = A^-1 b becomes (A + U C U^T)^-1 b.
+  // Replaces x = A^-1 b by (A + U C U^T)^-1 b.
   void apply(VecX& x) const;
 
  private:

@@ -1,6 +1,6 @@
-// What a minimiser sees: a smooth function of the unknowns q (3m). The objective holds a current
-// point; everything is evaluated there, so nothing about a point (active contacts, above all) is
-// computed twice.
+// Objective of a minimiser: a smooth function of the unknowns q (3m). The objective stores a
+// current point and evaluates everything there, so that no quantity of a point (the active
+// contacts, above all) is computed twice.
 #pragma once
 
 #include <optional>
@@ -14,28 +14,32 @@ namespace tack {
 
 struct LeastSquares;
 
-// Which Hessian. The dynamic part is what changes with the point's contacts; the rest is inertia and elasticity.
+/// Choice of a Hessian. Its dynamic part (Term::dynamic) changes with the contacts of the point;
+/// the rest is inertia and elasticity.
 struct HessianRequest {
   Projection projection = Projection::none;           // of every stencil
-  std::optional<Projection> dynamic_projection = {};  // of the dynamic ones, if it is another
-  // Flags of unknown blocks (3 unknowns): stencils that touch one with a flag are clamped, after `projection`.
+  std::optional<Projection> dynamic_projection = {};  // of dynamic stencils; none: `projection`
+  // Flags of blocks of 3 unknowns. Stencils that touch a flagged block are clamped after
+  // `projection`.
   const std::vector<char>* clamp_at = nullptr;
-  bool without_dynamic = false;  // leaves the dynamic part out; the gradient has it all the same
+  bool without_dynamic = false;  // omits the dynamic part of the Hessian, not of the gradient
 };
 
+/// A smooth function of the unknowns with a current point.
 class Objective {
  public:
   virtual ~Objective() = default;
   virtual int size() const = 0;
 
   virtual void move_to(const VecX& q) = 0;  // makes q the current point
-  virtual double value() = 0;               // the incremental potential [J s^2 = kg m^2; quasi-static: J]
-  // A bound on the rounding error of value(), to tell descent from noise.
+  virtual double value() = 0;  // the incremental potential [J s^2 = kg m^2; quasi-static: J]
+  /// Returns a bound of the rounding error of value(), which tells descent from noise.
   virtual double value_noise() const = 0;
   virtual const VecX& gradient() = 0;
-  // The gradient too is up to date afterwards. One matrix: the next call overwrites it.
+  /// Returns the Hessian and updates the gradient. The next call overwrites the matrix.
   virtual const BlockMatrix& hessian(const HessianRequest& request) = 0;
-  // At the present point (residual_view.hpp). Throws InputError if the objective is no sum of squares.
+  /// Returns the least-squares form at the current point (residual_view.hpp). Throws InputError if
+  /// the objective is no sum of squares.
   virtual LeastSquares least_squares() const;
   virtual int value_count() const = 0;  // evaluations of value() so far
 };

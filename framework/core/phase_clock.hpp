@@ -1,7 +1,7 @@
-// Wall time by phase of a step (the paper's figure 17). Phases nest exclusively: entering one pauses
-// the phase around it, so the times of all phases add up to the time measured.
-// Only the driving thread enters phases; work inside a phase may run on all threads.
-// Whatever takes time has the clock, so it also holds the limits of that time.
+// Wall time by phase of a step (the paper's figure 17). Phases nest exclusively: entering one
+// pauses the phase around it, so the times of all phases add up to the time measured. Only the
+// driving thread enters phases; work inside a phase may run on all threads. The clock also holds
+// the time limits (deadline.hpp), because all long computations receive it.
 #pragma once
 
 #include <array>
@@ -45,13 +45,13 @@ class PhaseClock {
     enter(current_);
     return seconds_;
   }
-  // What passed since the last change belongs to no phase.
+  // Excludes the time since the last change from all phases.
   void skip() { start_ = Clock::now(); }
 
-  // Numeric ones, and preconditioners that are made.
+  // Counts numeric factorisations, those of preconditioners included.
   void count_factorization() { ++factorizations_; }
   long factorizations() const { return factorizations_; }
-  // The table that terms are timed in; null, as a rule: they are not (term_times.hpp).
+  // Returns the table of the times of terms (term_times.hpp); null: terms are not timed.
   TermTimes* term_times() const { return term_times_; }
   void time_terms(TermTimes* times) { term_times_ = times; }
 
@@ -77,7 +77,7 @@ class PhaseScope {
   Phase outer_;
 };
 
-// Leaves the lifetime of a scope, in which no phase may be entered, out of all phases.
+// Excludes the lifetime of a scope from all phases. The scope must enter no phase.
 class ClockPause {
  public:
   explicit ClockPause(PhaseClock& clock) : clock_(clock) { clock.seconds(); }

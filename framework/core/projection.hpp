@@ -1,4 +1,4 @@
-// How a stencil's Hessian is made positive semi-definite before assembly.
+// Projection of the Hessian of a stencil to a positive semi-definite matrix, before assembly.
 #pragma once
 
 namespace tack {
@@ -7,10 +7,10 @@ enum class Projection {
   none,      // the exact Hessian
   clamp,     // negative eigenvalues become zero (Teran et al. 2005; the paper, section 5)
   absolute,  // negative eigenvalues become their absolute value (Chen et al. 2024)
-  majorize,  // clamp; terms that know one give the Hessian of a quadratic that lies above them
+  majorize,  // Hessian of a quadratic upper bound, for terms that know one; else clamp
 };
 
-// One eigenvalue under the policy.
+/// Returns the projected eigenvalue.
 inline double projected(double eigenvalue, Projection projection) {
   if (eigenvalue >= 0 || projection == Projection::none) return eigenvalue;
   return projection == Projection::absolute ? -eigenvalue : 0.0;

@@ -1,9 +1,10 @@
-// The one vocabulary in which terms and steppers tell what they do: named forces, energies, flows of energy and fields. Probes,
-// reactions, frames, the balance of energy, steps.csv and summaries ask for these, and know no term.
+// Records: the named forces, energies, energy flows and fields of terms and steppers. Probes,
+// reactions, frames, the energy balance, steps.csv and summaries read records and know no term.
 //
-// Terms publish once, when the world is built (Term::publish). What is published is asked for at states that are kept (flows: of a step
-// that is going to be), and nothing is computed before. A stepper whose forces are other ones than the gradients of potentials, impulses over
-// the step for instance, puts them in the place of the terms' by replacing the records of the same name (Stepper::prepare).
+// Terms publish records once, when the world is built (Term::publish). Records are functions: they
+// are evaluated at accepted states (flows: before a step is committed), and cost nothing otherwise.
+// A stepper whose forces are not gradients of potentials (impulses over the step, for instance)
+// replaces the records of the same name (Stepper::prepare).
 #pragma once
 
 #include <functional>
@@ -20,48 +21,56 @@ struct ObjectPair {
   int a, b;
 };
 
-// Which probes and fields it belongs to: contact_force and pressures, friction_force, or only those that name it.
+/// Probes and fields that sum a force:
+///   normal      contact_force and pressures
+///   tangential  friction_force
+///   otherwise   only probes and fields that name it
 enum class Acting { normal, tangential, otherwise };
 
+/// A force on vertices.
 struct ForceRecord {
-  std::string name;  // "contact", "rim", "bonds", "friction", ...; those of one name add up
+  std::string name;  // "contact", "rim", "bonds", "friction", ...; forces of one name add up
   Acting acting = Acting::otherwise;
-  // What of it can be asked for alone: probes do for "barrier" and "adhesion" of normal forces, "friction" and "adhesion" of tangential
-  // ones. "" is all of it.
+  // Names of the summands that are available alone. Probes use "barrier" and "adhesion" of normal
+  // forces, "friction" and "adhesion" of tangential forces. "" is the whole force.
   std::vector<std::string> parts = {};
-  // Adds those of a part on every vertex (3n) [N], held ones included. Unless given: minus the gradient of the term that publishes it.
+  // Adds the forces of the summand `part` on all vertices (3n) [N], fixed vertices included. None:
+  // minus the gradient of the term that publishes the record.
   std::function<void(const VecX& x, std::string_view part, VecX& forces)> add = {};
-  // What object b exerts on object a [N]. None: it does not act between objects.
+  // Returns the force of object b on object a [N]. None: the force does not act between objects.
   std::function<Vec3(const VecX& x, std::string_view part, ObjectPair pair)> between = {};
-  // Of normal ones, for pressures: adds what each vertex is pressed with (positive) or pulled, whatever the direction; and what it has
-  // of the area over which the force acts, if others do not tell already. In the first of three (3n) [N, m^2].
+  // For pressures of normal forces, in the first of three entries per vertex (3n): adds the
+  // magnitude of compression (positive) or tension [N], and the area over which the force acts
+  // [m^2], unless another record adds that area.
   std::function<void(const VecX& x, std::string_view part, VecX& pressed)> add_compressions = {};
   std::function<void(const VecX& x, VecX& areas)> add_areas = {};
-  // It follows from an energy that is stored; else what works against it is dissipated.
-  bool stored = true;
-  const Term* term = nullptr;  // that published it, whose gradient it is a part of; null: reactions take it from here
+  bool stored = true;  // true: gradient of a stored energy; false: work against it is dissipated
+  // The term that publishes the record and whose gradient contains the force. Null: reactions read
+  // the force from this record.
+  const Term* term = nullptr;
 
   bool has(std::string_view part) const;
 };
 
 enum class EnergyKind {
-  motion,           // kinetic
+  motion,           // kinetic energy
   of_objects,       // stored in objects
-  weight,           // of gravity
-  contact,          // stored between objects, over areas that are taken anew at the start of each step
-  between_objects,  // stored between them otherwise
-  of_step           // the potential of the last step alone, about what it dissipated: not stored
+  weight,           // potential of gravity
+  contact,          // stored between objects, over areas re-evaluated at the start of each step
+  between_objects,  // stored between objects otherwise
+  of_step           // potential of the last step alone, close to its dissipation: not stored
 };
 constexpr bool is_stored(EnergyKind kind) { return kind != EnergyKind::of_step; }
 
+/// An energy of a term.
 struct EnergyRecord {
-  std::string name;  // its column is energy_<name>; those of one name add up
-  EnergyKind kind = EnergyKind::of_objects;  // the same one for all of a term
+  std::string name;  // its column is energy_<name>; energies of one name add up
+  EnergyKind kind = EnergyKind::of_objects;  // equal for all energies of one term
   std::function<double(const VecX& x)> value = {};  // J
-  const Term* term = nullptr;  // that published it: all that it published add up to its value
+  const Term* term = nullptr;  // the publishing term: its energies add up to its value
 };
 
-// An energy of a state [J].
+/// An energy of a state [J].
 struct NamedEnergy {
   std::string name;
   double value = 0;
@@ -69,64 +78,73 @@ struct NamedEnergy {
 };
 
 enum class FlowKind {
-  fed,        // it puts energy into what is stored
-  within,     // it moves energy within what is stored
-  dissipated  // it takes it away
+  fed,        // adds to the stored energy
+  within,     // moves energy between stored energies
+  dissipated  // removes stored energy
 };
 
+/// A column of an energy flow in steps.csv.
 struct FlowColumn {
-  std::string name;  // of steps.csv: work_... of what is fed or within, dissipated_...
+  std::string name;  // work_... (fed, within) or dissipated_...
   FlowKind kind = FlowKind::dissipated;
 };
 
-// What a step does to energy.
+/// Energy that a step feeds, moves or dissipates.
 struct FlowRecord {
-  std::string name;  // whose
+  std::string name;  // of the source
   std::vector<FlowColumn> columns;  // columns of one name add up
-  // Writes the amount of each for the step to x, while all that takes part still holds what it held in it [J].
+  // Writes the amount of each column for the step to x [J]. Called before the step is committed,
+  // so that lagged quantities are still those of the step.
   std::function<void(const VecX& x, double* amounts)> amounts = {};
-  // Calls share(vertices, energy) for each stencil: what the step to x dissipates there, less what it
-  // feeds [J]. None: all stencils of the term belong together (Term::share_energy).
+  // Calls share(vertices, energy) for each stencil: the dissipation of the step to x minus the fed
+  // energy [J]. None: all stencils of the term count as connected (Term::share_energy).
   std::function<void(const VecX& x, const EnergyShare& share)> shares = {};
-  const Term* term = nullptr;  // that published it
+  const Term* term = nullptr;  // the publishing term
 };
 
+/// A field on vertices or elements.
 struct FieldRecord {
   std::string name;  // registered (published_field.hpp)
-  // Of vertices: one or three numbers for each, as many as are in x, not a number where there is nothing. Of elements: as many as are
-  // registered for each of the term's stencils, which are one batch of tets or triangles. Where several terms have one, their sum or the largest counts.
+  // Returns the values at x:
+  //   vertices  one or three numbers per vertex; NaN where the field has no value
+  //   elements  the registered number of components per stencil of the term; the stencils are one
+  //             batch of tets or triangles
+  // Fields of one name from several terms are summed (`summed`), or the largest value counts.
   std::function<VecX(const VecX& x)> values = {};
   bool of_elements = false;
   bool summed = false;
-  const Term* term = nullptr;  // that published it
-  const std::vector<Tet>* tets = nullptr;  // of elements: those, in the place of the term's stencils
+  const Term* term = nullptr;  // the publishing term
+  const std::vector<Tet>* tets = nullptr;  // elements instead of the stencils of the term
 
   void combine(double value, double& with) const;
 };
 
-// Of each of the term's stencils, which are one batch of tets or triangles: Cauchy's, of this term alone.
+/// Cauchy stress of one term alone, per stencil; the stencils are one batch of tets or triangles.
 struct StressRecord {
   std::function<std::vector<Mat3>(const VecX& x)> values = {};  // Pa
-  const Term* term = nullptr;  // that published it
-  const std::vector<Tet>* tets = nullptr;  // those, in the place of the term's stencils
+  const Term* term = nullptr;  // the publishing term
+  const std::vector<Tet>* tets = nullptr;  // elements instead of the stencils of the term
 };
 
-// Tets that may be exchanged for others between steps, and what those have to take over (framework/remesh).
+/// Tets that remeshing may exchange between steps, and the quantities to transfer
+/// (framework/remesh).
 struct ExchangeableTets {
-  std::string body;                        // whose
-  const std::vector<Tet>* tets = nullptr;  // all that it has
-  std::function<std::vector<double>()> volumes = {};                 // without stress [m^3]
-  std::function<std::vector<Mat3>(const VecX& x)> elastic = {};      // deformations from there, of an isotropic material
-  std::function<std::vector<double>()> flow = {};                    // accumulated plastic strains
-  std::string flow_remembered_as;                                    // where the history has those
+  std::string body;                        // name of the body
+  const std::vector<Tet>* tets = nullptr;  // all tets of the body
+  std::function<std::vector<double>()> volumes = {};             // stress-free volumes [m^3]
+  std::function<std::vector<Mat3>(const VecX& x)> elastic = {};  // elastic deformation gradients
+                                                                 // of an isotropic material
+  std::function<std::vector<double>()> flow = {};                // accumulated plastic strains
+  std::string flow_remembered_as;                                // name of their history array
 };
 
+/// All records of a world.
 class Records {
  public:
-  // Takes in what the term publishes.
+  /// Adds the records of a term.
   void publish(const Term& term);
-  // Called by Term::publish, and by others for what is of no term. Throw std::logic_error for what no file could show: a field that is not
-  // registered, a column with another prefix.
+  /// Adds a record; called by Term::publish and by owners that are no terms. Throws
+  /// std::logic_error for a field that is not registered and a column with another prefix.
   void add(ForceRecord record);
   void add(EnergyRecord record);
   void add(FlowRecord record);
@@ -134,12 +152,12 @@ class Records {
   void add(StressRecord record);
   void add(ExchangeableTets record) { exchangeable_.push_back(std::move(record)); }
 
-  // Puts it in the place of all of its name; what was the gradient of a term then is none, for reactions and the balance of energy. Throw
-  // std::logic_error if there is none of the name.
+  /// Replaces all records of its name. Reactions and the energy balance then ignore the gradient of
+  /// the term that published them. Throws std::logic_error if there is no record of the name.
   void replace(ForceRecord record);
   void replace(EnergyRecord record);
   void replace(FlowRecord record);
-  // Takes all forces of that name away: of potentials that a stepper does not use.
+  /// Removes all forces of a name: those of potentials that a stepper does not use.
   void remove_forces(const std::string& name);
 
   const std::vector<ForceRecord>& forces() const { return forces_; }
@@ -149,10 +167,10 @@ class Records {
   const std::vector<StressRecord>& stresses() const { return stresses_; }
   const std::vector<ExchangeableTets>& exchangeable() const { return exchangeable_; }
 
-  // Sums over all forces that act so (3n) [N], zero without any; those of a part, "": all.
+  /// Adds all forces of a group (3n) [N]. part: name of a summand; "": the whole forces.
   void add_forces(Acting acting, const VecX& x, std::string_view part, VecX& forces) const;
-  bool acts(Acting acting) const;  // whether anything does
-  // Whether something else acts in the place of the term.
+  bool acts(Acting acting) const;  // true if the group has any force
+  /// Returns true if another record replaces a record of the term.
   bool replaced(const Term& term) const;
   bool any_replaced() const { return !replaced_.empty(); }
 

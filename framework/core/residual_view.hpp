@@ -1,11 +1,11 @@
-// A term as least squares: P(x) = constant + 1/2 |r(x)|^2 + rest(x), for methods of Gauss-Newton type.
-// The rest is what has no residual: linear potentials, and stencils of negative weight, whose energy
-// has no lower bound. Its force is the difference between the gradient of the term and J^T r, and a
-// method that uses the view holds that difference at a point.
+// A term as least squares: P(x) = constant + 1/2 |r(x)|^2 + rest(x), for methods of Gauss-Newton
+// type. The rest is what has no residual: linear potentials, and stencils of negative weight, whose
+// energy has no lower bound. Its force is the difference between the gradient of the term and J^T
+// r, and a method that uses the view holds that difference at a point.
 //
 // Like Term, a view computes all its stencils in one call. They are those of the term's present
-// stencils (of the configuration to which the contact system was last moved), and stay the same however
-// x is varied.
+// stencils (of the configuration to which the contact system was last moved), and stay the same
+// however x is varied.
 #pragma once
 
 #include <string>
@@ -15,7 +15,8 @@
 
 namespace tack {
 
-// Stencils of one kind: stencil s has `residuals` residuals of the vertices[arity * s + (0..arity-1)].
+// Stencils of one kind: stencil s has `residuals` residuals of the vertices[arity * s +
+// (0..arity-1)].
 struct ResidualBatch {
   int arity = 0;
   int residuals = 0;
@@ -27,9 +28,9 @@ class ResidualView {
  public:
   virtual ~ResidualView() = default;
   virtual std::vector<ResidualBatch> residual_batches() const = 0;
-  // Writes the residuals [J^1/2] of all stencils, batch by batch, and unless `jacobian` is null, for
-  // each stencil a row-major matrix [J^1/2 / m] of residuals x (3 arity). False where the energy is
-  // not finite; what was written is void then.
+  // Writes the residuals [J^1/2] of all stencils, batch by batch, and unless `jacobian` is null,
+  // for each stencil a row-major matrix [J^1/2 / m] of residuals x (3 arity). False where the
+  // energy is not finite; what was written is void then.
   virtual bool residuals(const VecX& x, double* r, double* jacobian) const = 0;
 };
 
@@ -45,7 +46,9 @@ struct LeastSquares {
   const VecX& block_mass;  // per free block [kg]; zero without inertia
 };
 
-// The view of each term. Throws InputError naming the first term that has none; `who` needs it.
-std::vector<const ResidualView*> residual_views(const std::vector<const Term*>& terms, const std::string& who);
+// Returns the view of each term. Throws InputError with the name of the first term without a view
+// and of the method `who` that needs it.
+std::vector<const ResidualView*> residual_views(const std::vector<const Term*>& terms,
+                                                const std::string& who);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// The state of a simulation between steps: all that the next step depends on. What solvers keep from
-// step to step for speed (factors, candidates) is no part of it, and of influence on the last bits.
+// State of a simulation between steps: everything that the next step depends on. Caches of solvers
+// (factors, candidates) are not part of it; they influence the last bits only.
 #pragma once
 
 #include <vector>
@@ -13,17 +13,18 @@ namespace tack {
 struct State {
   double time = 0;  // s
   int step = 0;     // accepted steps
-  // 3n: positions [m], velocities [m/s], accelerations [m/s^2]; no a: the state follows from no
-  // step.
+  // 3n: positions [m], velocities [m/s], accelerations [m/s^2]. a is empty before the first step.
   VecX x, v, a;
 
-  VecX anchor;          // 3n: where vertices were when they were last seized [m]; empty before the first step
-  std::vector<char> held;  // per hold of the script: whether it acted in the step before
+  // 3n: reference positions of prescribed motions: the positions at their last start [m]; empty
+  // before the first step.
+  VecX anchor;
+  std::vector<char> held;  // per prescribed motion: active in the last step
 
   // The step before, for two-step integrators; valid while the step size stays the same, or adapts.
   VecX x_before, v_before;
   double h_before = 0;  // s; 0: there is none
-  double acted_before = 0;  // for how long contact and friction acted on velocities in it [s]; 0: not known
+  double acted_before = 0;  // time in which contact and friction acted in it [s]; 0: unknown
 
   // Accelerations by dynamic terms (Term::dynamic), now and in the step before (3n) [m/s^2]; empty:
   // not followed.
@@ -33,16 +34,16 @@ struct State {
 
   EnergyAccount energy;
 
-  int whole_steps = 0;  // steps of the scene's size behind us; a step in halves is one of them
-  double h_next = 0;    // size tried next [s]; 0: the scene's
-  int parts = 1;        // in which whole steps are begun, because larger ones made or lost energy; a power of two
-  int calm_steps = 0;   // whole steps behind us since that number last changed
+  int whole_steps = 0;  // finished steps of the scene's size; substeps do not count
+  double h_next = 0;    // size of the next step [s]; 0: the scene's
+  int parts = 1;        // substeps of a whole step, against numerical energy gain or loss; 2^k
+  int calm_steps = 0;   // whole steps since `parts` last changed
 
-  // Of steps whose sizes follow an error (stepping/step_control.hpp).
-  bool adapts = false;      // they are such steps: two-step integrators take other sizes behind them into account
-  double error_before = 0;  // that of the last step, over what is allowed; 0: there is none
-  double wary_until = 0;    // s: steps do not grow before
-  double h_cap = 0;         // what larger steps made or lost energy beyond [s]; 0: nothing
+  // Error-controlled step sizes (stepping/step_control.hpp).
+  bool adapts = false;      // true: error-controlled; two-step integrators allow for varying h
+  double error_before = 0;  // error of the last step over its tolerance; 0: none
+  double wary_until = 0;    // time before which step sizes do not grow [s]
+  double h_cap = 0;         // size above which steps gained or lost energy [s]; 0: no such size
 };
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// A number that a stepper tells of each step, always under the same names: a column of steps.csv, and in summary.json the sum or the most of it.
+// Step metric: a number that a stepper reports of each step. It is a column of steps.csv;
+// summary.json has its sum or its maximum. The names of a stepper's metrics never change.
 #pragma once
 
 #include <string>

@@ -1,13 +1,13 @@
-// The life of a time step, as everything knows it that has a part in it: terms of the potential, and what several of
-// them share (contact). In this order, for each step that is tried:
-//   remember    the history that counts from now on: before the first step, and whenever one was kept or undone
-//   begin_step  a step starts at x
-//   lag         what is held while the step is minimised is taken at x: at its start, and when the step is
-//               solved again with what its latest solution says; x is the current configuration
-//   move_to     x is the current configuration: before anything is evaluated there, many times
-//   commit      the step ends at x and is kept: writes what is to be remembered of it
-// Between two calls of remember() the history does not change. A step that is given up is followed by another
-// begin_step(), from the same x or an earlier one.
+// Participants of a time step: the terms of the potential, and objects that several terms share
+// (contact). Calls of each step that is tried, in this order:
+//   remember    sets the history: before the first step, after a step was accepted or rolled back
+//   begin_step  starts a step at x
+//   lag         updates the lagged quantities at x, the current configuration: at the start of the
+//               step, and before each further lagging iteration
+//   move_to     makes x the current configuration, before any evaluation there: many times
+//   commit      ends an accepted step at x: writes the history variables
+// The history does not change between two calls of remember(). After a rejected step, begin_step()
+// follows again, from the same x or an earlier one.
 #pragma once
 
 #include <vector>
@@ -17,36 +17,39 @@
 
 namespace tack {
 
-// What a time integrator takes for the velocities at the end x of a step: rate (x - still).
+/// Velocities at the end x of a step, as a time integrator defines them: rate (x - still).
 struct EndVelocity {
   double rate;  // 1/s
   VecX still;   // 3n [m]
 };
 
+/// The start of a step.
 struct StepStart {
   const VecX& x;    // 3n [m]
   double time = 0;  // s
-  double h = 0;     // step size [s]; 0: nothing is solved, and records are asked for at x
-  const EndVelocity* velocity = nullptr;  // null: the step over h
-  const VecX* before = nullptr;  // velocities at the start (3n) [m/s]; null: nothing has any, as in quasi-static steps
+  double h = 0;     // step size [s]; 0: no solve follows, records are evaluated at x
+  const EndVelocity* velocity = nullptr;  // null: velocities are (x' - x) / h
+  const VecX* before = nullptr;  // velocities at the start (3n) [m/s]; null: quasi-static step
 };
 
+/// Interface of everything that takes part in time steps.
 class StepParticipant {
  public:
   virtual ~StepParticipant() = default;
 
   virtual void remember(const History& /*history*/) {}
   virtual void begin_step(const StepStart& /*start*/) {}
-  virtual bool lags() const { return false; }  // whether lag() does anything
+  virtual bool lags() const { return false; }  // true if lag() does anything
   virtual void lag(const VecX& /*x*/) {}
   virtual void move_to(const VecX& /*x*/) {}
   virtual void commit(const VecX& /*x*/, History& /*history*/) const {}
-  virtual std::vector<double> abrupt_times() const { return {}; }  // at which it changes in no smooth way [s]: steps that adapt end there
-  // Forgets what steps have left for the sake of speed: as if built anew.
+  /// Returns the times of discontinuities [s]; steps of adaptive size end there.
+  virtual std::vector<double> abrupt_times() const { return {}; }
+  /// Clears all caches: later steps give the bits of a participant that was just built.
   virtual void forget() {}
 };
 
-// All that take part in the steps of a world, in the order in which they are told: what others build on comes first.
+/// The participants of a world, in the order of their calls: one that others depend on comes first.
 class StepParticipants : public StepParticipant {
  public:
   void add(StepParticipant* participant) { all_.push_back(participant); }
@@ -54,7 +57,7 @@ class StepParticipants : public StepParticipant {
   void remember(const History& history) override {
     for (StepParticipant* p : all_) p->remember(history);
   }
-  // With lag() at the start, if there is anything to lag.
+  // Calls lag(start.x) afterwards if any participant lags.
   void begin_step(const StepStart& start) override {
     for (StepParticipant* p : all_) p->begin_step(start);
     lag(start.x);

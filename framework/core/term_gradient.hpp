@@ -5,9 +5,9 @@
 
 namespace tack {
 
-// Adds the term's gradient (3n) [N].
+/// Adds the gradient of the term (3n) [N].
 void add_term_gradient(const Term& term, const VecX& x, VecX& gradient);
-// That of its stencils alone: without what it adds by add_linear_gradient().
+/// Adds the gradient of the stencils alone (3n) [N], without add_linear_gradient().
 void add_stencil_gradient(const Term& term, const VecX& x, VecX& gradient);
 
 }  // namespace tack

@@ -1,6 +1,6 @@
-// How often each term of the potential is evaluated in a run, and how long that takes: for those who ask
-// (`tack profile`). The clock of a run holds the table, and without one nothing is timed. Nothing is measured per
-// stencil: whole evaluations are, or chunks of them where those of several terms are under way at once.
+// Number and duration of the evaluations of each term in a run (`tack profile`). The clock of the
+// run holds the table; without a table nothing is timed. Timed units are whole evaluations, or
+// chunks of them where several terms are evaluated at once, never single stencils.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace tack {
 
 class Term;
 
-enum class Evaluation { value, gradient, hessian, count };  // with the Hessian comes the gradient
+enum class Evaluation { value, gradient, hessian, count };  // hessian: with the gradient
 inline constexpr int evaluation_count = static_cast<int>(Evaluation::count);
 
 struct TermTime {
@@ -26,7 +26,7 @@ class TermTimes {
     ++time.evaluations[static_cast<int>(kind)];
     time.seconds[static_cast<int>(kind)] += seconds;
   }
-  // Zeros for a term that was never evaluated.
+  // Returns the counts and times of a term; zeros for a term that was never evaluated.
   TermTime of(const Term* term) const {
     const auto found = times_.find(term);
     return found == times_.end() ? TermTime() : found->second;
@@ -36,14 +36,16 @@ class TermTimes {
   std::map<const Term*, TermTime> times_;
 };
 
-// Charges the lifetime of a scope to a term; to nobody without a table.
+// Charges the lifetime of a scope to a term; does nothing without a table.
 class TermScope {
  public:
-  TermScope(TermTimes* times, const Term* term, Evaluation kind) : times_(times), term_(term), kind_(kind) {
+  TermScope(TermTimes* times, const Term* term, Evaluation kind)
+      : times_(times), term_(term), kind_(kind) {
     if (times_) start_ = Clock::now();
   }
   ~TermScope() {
-    if (times_) times_->add(term_, kind_, std::chrono::duration<double>(Clock::now() - start_).count());
+    if (times_)
+      times_->add(term_, kind_, std::chrono::duration<double>(Clock::now() - start_).count());
   }
   TermScope(const TermScope&) = delete;
   TermScope& operator=(const TermScope&) = delete;

@@ -1,4 +1,4 @@
-// What a run tells of and goes on with, but what may make its results worth less than they seem.
+// Warnings of a run: conditions that do not stop it but may reduce the quality of its results.
 #pragma once
 
 #include <functional>
@@ -7,16 +7,19 @@
 
 namespace tack {
 
+/// One warning.
 struct Warning {
-  std::string text;  // a line
-  // What recurs from step to step: records have the first of a kind, and how often there were more. "": each is told by itself.
+  std::string text;  // one line
+  // Kind of a warning that recurs from step to step: records keep the first of each kind and count
+  // the others. "": every warning is recorded.
   std::string kind;
 
-  Warning(std::string what, std::string of_kind = "") : text(std::move(what)), kind(std::move(of_kind)) {}
-  operator const std::string&() const { return text; }  // for those who only print it
+  Warning(std::string what, std::string of_kind = "")
+      : text(std::move(what)), kind(std::move(of_kind)) {}
+  operator const std::string&() const { return text; }  // for printing
 };
 
-// What a run has warned of: the first of a kind, and how often there was one.
+/// The first warning of a kind, and the number of warnings of that kind.
 struct WarningCount {
   Warning first;
   int times = 1;
