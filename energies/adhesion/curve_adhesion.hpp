@@ -1,4 +1,4 @@
-// An adhesion law whose traction is a curve: energy, traction and its slope are those of the curve, exactly.
+// Adhesion law given by a traction curve. Energy, traction and slope are exact for the curve.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,9 +12,11 @@
 
 namespace tack {
 
-// Throws InputError, which begins with `what`, unless the curve is one of adhesion [Pa over m]: it pulls on the whole, and its peak can be felt
-// beyond the contact distance. Unless `cut`, it also has to end with no traction, or next to none.
-void check_traction(const CubicCurve& curve, bool cut, double contact_distance, const std::string& what);
+// Throws InputError, with a message that begins with `what`, unless the curve [Pa over m] is one of
+// adhesion: its integral is a pull, and its peak lies beyond the contact distance. Unless `cut`,
+// the curve must end with (almost) zero traction.
+void check_traction(const CubicCurve& curve, bool cut, double contact_distance,
+                    const std::string& what);
 
 template <class Law>
 class CurveAdhesion : public NormalLawOf<Law, NormalAdhesion> {
@@ -30,7 +32,7 @@ class CurveAdhesion : public NormalLawOf<Law, NormalAdhesion> {
   }
 
  protected:
-  // From the gap 0 on.
+  // The curve begins at the gap 0.
   void set(CubicCurve curve) {
     peak_ = curve.largest().value;
     curve_ = std::make_shared<const CubicCurve>(std::move(curve));

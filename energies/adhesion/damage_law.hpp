@@ -1,21 +1,24 @@
-// Adhesion with irreversible damage D: a bond stores (1 - D) k / 2 with its pull k = K d^2 + K_T |u|^2 [J/m^2], and damage to D
-// dissipates g(D). A step from D has
-//     phi = min over D <= b <= 1 of  (1 - b) k / 2 + g(b) - g(D) + eta / (2 h) (b - D)^2,     d phi / d k = (1 - b) / 2.
-// Without the viscosity eta, g'(b) = k / 2: the traction follows an envelope of the opening lambda = sqrt(k / K), unloads towards the
-// origin and comes back the same way. With it, b solves g'(b) + eta/h (b - D) = k / 2.
-// g belongs to an envelope that a law gives by the opening at which a damage is reached:
+// Adhesion with irreversible damage D. A bond stores (1 - D) k / 2 with k = K d^2 + K_T |u|^2
+// [J/m^2], and damage to D dissipates g(D). A step from D has the potential
+//     phi = min over D <= b <= 1 of  (1 - b) k / 2 + g(b) - g(D) + eta / (2 h) (b - D)^2,
+//     d phi / d k = (1 - b) / 2.
+//   eta = 0  g'(b) = k / 2: the traction follows an envelope of the opening lambda = sqrt(k / K),
+//            and unloads and reloads along a line through the origin
+//   eta > 0  g'(b) + eta/h (b - D) = k / 2
+// A law defines g by an envelope, the damage as a function of the opening:
 //     struct Envelope {
 //       double end() const;                    // the opening at which D = 1, or infinity
-//       double damage(double opening) const;   // from 0 at an onset on
-//       double growth(double opening) const;   // its derivative [1/m]
-//       double opening(double damage) const;   // its inverse; the onset for 0
+//       double damage(double opening) const;   // positive above an onset
+//       double growth(double opening) const;   // derivative of damage [1/m]
+//       double opening(double damage) const;   // inverse of damage; the onset for 0
 //       double spent(double damage) const;     // g [J/m^2]
 //     };
 //     Envelope envelope(double mixity) const;
-//     bool mixed() const;       // whether the envelope depends on the mixity, the share of K_T |u|^2 in k
-//     double broken() const;    // the damage at which a bond is gone
-// The mixity is held in a step, as that of the last one: with a mixity of the step's own there is no potential. Until a bond has opened
-// so far that it has one, it is elastic. What is remembered is the damage, so that another mixity cannot heal.
+//     bool mixed() const;       // true if the envelope depends on the mixity K_T |u|^2 / k
+//     double broken() const;    // the damage at which a bond is broken
+// The mixity is lagged: with the mixity of the end of the step there is no potential. A bond is
+// elastic until it has opened far enough to have a mixity. The history variable is the damage, so
+// that a change of mixity cannot heal a bond.
 #pragma once
 
 #include <algorithm>
@@ -54,7 +57,9 @@ class DamageLawOf : public BondLawOf<Law> {
     return now;
   }
   double loss(const Memory& before, const Memory& after, const BondPlace& at) const {
-    return after.damage > before.damage ? spent(before, after.damage) + viscous(before, after.damage, at.h) : 0;
+    return after.damage > before.damage
+               ? spent(before, after.damage) + viscous(before, after.damage, at.h)
+               : 0;
   }
   bool gone(const Memory& m, const BondPlace&) const { return m.damage >= law().broken(); }
   double intensity(const Memory& m) const { return 1 - m.damage; }
@@ -64,7 +69,8 @@ class DamageLawOf : public BondLawOf<Law> {
   double viscosity_ = 0;                   // eta [J s/m^2]
 
  private:
-  static constexpr double least_opening = 1e-3;  // that has a mixity, of that of half the damage
+  static constexpr double least_opening =
+      1e-3;  // from which a mixity counts, over the opening at D = 1/2
 
   struct Reached {
     double damage;
@@ -89,23 +95,31 @@ class DamageLawOf : public BondLawOf<Law> {
     const Reached held{m.damage, 0};
     if (h == 0 || m.damage >= 1 || (law().mixed() && m.mixity < 0)) return held;
     const auto envelope = law().envelope(m.mixity);
-    const double from = envelope.opening(m.damage), lambda = std::sqrt(k / stiffness_), end = envelope.end();
+    const double from = envelope.opening(m.damage), lambda = std::sqrt(k / stiffness_),
+                 end = envelope.end();
     if (!(lambda > from)) return held;
     const double c = viscosity_ > 0 ? viscosity_ / h : 0;
-    if (lambda >= end && stiffness_ * (lambda - end) * (lambda + end) / 2 >= c * (1 - m.damage)) return {1, 0};
-    const double to = c > 0 ? solve(envelope, m.damage, c, from, std::min(lambda, end), lambda) : lambda;
+    if (lambda >= end && stiffness_ * (lambda - end) * (lambda + end) / 2 >= c * (1 - m.damage))
+      return {1, 0};
+    const double to =
+        c > 0 ? solve(envelope, m.damage, c, from, std::min(lambda, end), lambda) : lambda;
     const double growth = envelope.growth(to);
-    return {std::clamp(envelope.damage(to), m.damage, 1.0), growth / (2 * (stiffness_ * to + c * growth))};
+    return {std::clamp(envelope.damage(to), m.damage, 1.0),
+            growth / (2 * (stiffness_ * to + c * growth))};
   }
 
-  // The opening x in [low, high] at which K (x^2 - lambda^2) / 2 + c (D(x) - D) = 0, which grows with x: Newton's method within bisection.
+  // Returns the root x in [low, high] of K (x^2 - lambda^2) / 2 + c (D(x) - D), which increases
+  // with x: Newton's method within bisection.
   template <class Envelope>
-  double solve(const Envelope& envelope, double damage, double c, double low, double high, double lambda) const {
+  double solve(const Envelope& envelope, double damage, double c, double low, double high,
+               double lambda) const {
     double x = high;
     for (int i = 0; i < 200; ++i) {
-      const double excess = stiffness_ * (x - lambda) * (x + lambda) / 2 + c * (envelope.damage(x) - damage);
+      const double excess =
+          stiffness_ * (x - lambda) * (x + lambda) / 2 + c * (envelope.damage(x) - damage);
       (excess > 0 ? high : low) = x;
-      const double newton = x - excess / (stiffness_ * x + c * envelope.growth(x)), least = 1e-15 * x;
+      const double newton = x - excess / (stiffness_ * x + c * envelope.growth(x)),
+                   least = 1e-15 * x;
       if (std::abs(newton - x) <= least || high - low <= least) break;
       x = newton > low && newton < high ? newton : 0.5 * (low + high);
     }

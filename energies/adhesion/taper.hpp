@@ -1,6 +1,7 @@
-// The end of a law without one: its energy times a step that falls from 1 to 0 over the last quarter of the range, with two continuous
-// derivatives. The energy at contact stays, and with it the work of adhesion: what the tail beyond the range would do is done within
-// that quarter.
+// Taper of a law without a finite range: the energy times a step that falls from 1 to 0 over the
+// last quarter of the range, with two continuous derivatives. The energy at contact, and with it
+// the work of adhesion, does not change: the work of the tail beyond the range moves into that
+// quarter.
 #pragma once
 
 namespace tack {

@@ -1,4 +1,5 @@
-// A traction by gap, or the energy that it is the derivative of, as a formula with named parameters, which becomes a curve (geometry/curves).
+// Traction by gap, or its energy, as a formula with named parameters, converted to a curve
+// (geometry/curves).
 #pragma once
 
 #include <map>
@@ -16,7 +17,8 @@ struct TractionFormula {
 
   void fields(Fields& f);
 
-  // From 0 to the range. Throws InputError for a formula that is not finite there, or jumps.
+  // Returns the curve from 0 to the range. Throws InputError for a formula that is not finite there
+  // or jumps.
   AdaptiveCurve sample() const;
 
  private:

@@ -1,4 +1,5 @@
-// A traction by gap (or opening) as rows of a file, which become a curve: monotone between rows, its integral exact (geometry/curves).
+// Traction by gap (or opening) from the rows of a file, as a curve that is monotone between rows
+// and has an exact integral (geometry/curves).
 #pragma once
 
 #include <optional>
@@ -12,7 +13,7 @@ namespace tack {
 
 struct TractionTable {
   struct Read {
-    CubicCurve curve;  // from 0 to the last gap [m]; below the first its traction holds on
+    CubicCurve curve;  // 0 to the last gap [m]; constant below the first
     int rows = 0;
     std::vector<std::string> doubts;
   };
@@ -23,7 +24,8 @@ struct TractionTable {
 
   void fields(Fields& f);
 
-  // Throws InputError with file and line for what is no such curve: fewer than two rows, gaps that are negative or do not ascend.
+  // Throws InputError with file and line for fewer than two rows, negative gaps and gaps that do
+  // not ascend.
   Read read() const;
 };
 

@@ -1,4 +1,5 @@
-// The free coordinate of a hinge or a slider, as a function of its vertices, and its history variable: angles count whole turns.
+// Free coordinate of a hinge or a slider: one number as a function of vertices, with its history.
+// Angles count whole turns.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,8 +13,8 @@
 
 namespace tack {
 
-// By how much the object is turned about the axis against what it is joined to [rad]: of a point of the axis, another one in its direction,
-// an arm of the latter and an arm of the object.
+// Rotation of the object about the axis, relative to the other object [rad]. Vertices: a point of
+// the axis, another point of it in its direction, an arm of the other object and one of the object.
 struct HingeAngle {
   static constexpr int arity = 4;
   template <class T>
@@ -24,11 +25,14 @@ struct HingeAngle {
     const T across = (from.dot(arm) * length * length - from.dot(axis) * arm.dot(axis)) / length;
     return atan2(axis.dot(from.cross(arm)), across);
   }
-  // That of the angles that mean the same which is nearest.
-  static double turns(double angle, double near) { return 2 * std::numbers::pi * std::round((near - angle) / (2 * std::numbers::pi)); }
+  // Returns the whole turns [rad] that bring `angle` nearest to `near`.
+  static double turns(double angle, double near) {
+    return 2 * std::numbers::pi * std::round((near - angle) / (2 * std::numbers::pi));
+  }
 };
 
-// How far a point of the object has gone along a line [m]: the point, a point of the line and another one in its direction.
+// Displacement of a point of the object along a line [m]. Vertices: the point, a point of the line,
+// another point of the line in its direction.
 struct SliderWay {
   static constexpr int arity = 3;
   template <class T>
@@ -50,10 +54,12 @@ class JointCoordinate {
 
   const std::array<int, arity>& vertices() const { return vertices_; }
   double offset() const { return offset_; }
-  double last() const { return last_; }  // at the end of the last step that was kept
-  // The value nearest to that, and what it adds to that of the formula.
+  double last() const { return last_; }  // at the end of the last accepted step
+  // Value nearest to last(), and its difference from the value of the formula.
   double at(const VecX& x) const { return plain(x) + shift(x); }
-  double shift(const VecX& x) const { return offset_ + Coordinate::turns(plain(x) + offset_, last_); }
+  double shift(const VecX& x) const {
+    return offset_ + Coordinate::turns(plain(x) + offset_, last_);
+  }
 
   void remember(const History& history) {
     const std::vector<double>* value = remembered(history, memory_, 1, 1);

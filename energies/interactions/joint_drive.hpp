@@ -1,9 +1,9 @@
-// Forces of a joint against its motion, or for it: with v the rate of its coordinate q at the end of a step,
-//     friction  T f(|v| / e) against v, and c v,
-//     motor     T f(|w - v| / e) towards a rate w,
-//     servo     T f(|p - q| / e) towards a value p,
-// f(y) = 2 y - y^2 below 1, 1 from there on: T is the most, and e below which it is less, as of friction of contact. Each step has a potential
-// for it, F with F' = f, of e T / (dv/dq).
+// Forces along the coordinate q of a joint, with v the rate of q at the end of a step:
+//     friction  T f(|v| / e) against v, and c v
+//     motor     T f(|w - v| / e) towards a rate w (velocity motor)
+//     servo     T f(|p - q| / e) towards a value p (position motor)
+// f(y) = 2 y - y^2 for y < 1, else 1. T: largest force; e: width below which the force is smaller,
+// as in friction of contact. Each step has the potential e T / (dv/dq) F, F' = f.
 #pragma once
 
 #include <cmath>
@@ -24,7 +24,7 @@ struct JointDrive : FormulaOf<Coordinate::arity> {
     DriveKind kind;
     double most, soft, damping, offset;  // T, e, c
     double near = 0;                     // the coordinate before the step
-    double still = 0, rate = 1;          // v = rate (q - still); of a servo 0 and 1
+    double still = 0, rate = 1;          // v = rate (q - still); servo: 0 and 1
     double target = 0;                   // w, p
   };
   static double saturation(double y) { return y < 1 ? 2 * y - y * y : 1; }
@@ -48,12 +48,15 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
  public:
   using Data = typename JointDrive<Coordinate>::Data;
 
-  explicit JointDriveTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate) : FormulaTerm<JointDrive<Coordinate>>("joint_drives"), coordinate_(std::move(coordinate)) {}
+  explicit JointDriveTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate)
+      : FormulaTerm<JointDrive<Coordinate>>("joint_drives"), coordinate_(std::move(coordinate)) {}
   void drive(DriveKind kind, double most, double soft, double damping, Schedule target) {
-    this->add(coordinate_->vertices(), {kind, most, soft, damping, coordinate_->offset(), coordinate_->offset(), kind == DriveKind::servo ? 0 : coordinate_->offset(), 1, target.at(0)});
+    this->add(coordinate_->vertices(),
+              {kind, most, soft, damping, coordinate_->offset(), coordinate_->offset(),
+               kind == DriveKind::servo ? 0 : coordinate_->offset(), 1, target.at(0)});
     targets_.push_back(std::move(target));
   }
-  // Returns the work of that kind in the step that ends at x.
+  // Returns the force of all drives of a kind, for the step that ends at x.
   double exerted(DriveKind kind, const VecX& x) const {
     double sum = 0;
     for (const Data& d : this->data())
@@ -63,7 +66,8 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
 
   void begin_step(const StepStart& start) override {
     const double now = coordinate_->at(start.x);
-    const double still = start.velocity ? near(start.velocity->still, now) : now, rate = start.velocity ? start.velocity->rate : 1 / start.h;
+    const double still = start.velocity ? near(start.velocity->still, now) : now,
+                 rate = start.velocity ? start.velocity->rate : 1 / start.h;
     for (int s = 0; s < this->count(); ++s) {
       Data& d = this->data()[s];
       d.near = now;
@@ -82,15 +86,18 @@ class JointDriveTerm : public FormulaTerm<JointDrive<Coordinate>> {
 
   void publish(Records& records) const override {
     Term::publish(records);
-    records.add(FlowRecord{this->name(), {{"dissipated_joints", FlowKind::dissipated}, {"work_motors", FlowKind::fed}}, [this](const VecX& x, double* amounts) {
-      amounts[0] = amounts[1] = 0;
-      const double q = coordinate_->at(x);
-      for (const Data& d : this->data()) {
-        const double work = JointDrive<Coordinate>::drive(d, q) * (q - d.near);
-        if (d.kind == DriveKind::friction) amounts[0] -= work;
-        else amounts[1] += work;
-      }
-    }});
+    records.add(
+        FlowRecord{this->name(),
+                   {{"dissipated_joints", FlowKind::dissipated}, {"work_motors", FlowKind::fed}},
+                   [this](const VecX& x, double* amounts) {
+                     amounts[0] = amounts[1] = 0;
+                     const double q = coordinate_->at(x);
+                     for (const Data& d : this->data()) {
+                       const double work = JointDrive<Coordinate>::drive(d, q) * (q - d.near);
+                       if (d.kind == DriveKind::friction) amounts[0] -= work;
+                       else amounts[1] += work;
+                     }
+                   }});
   }
 
  private:

@@ -1,6 +1,8 @@
-// Limits of a joint's coordinate q, unilateral: of both gaps g = q - low, high - q, where they are less than a margin m,
+// Limits of a joint's coordinate q. Each gap g = q - low, high - q below a margin m has the
+// potential
 //     P = -K (g - m)^2 ln(g / m),
-// the barrier of contact (Li et al. 2020, Incremental Potential Contact, eq. 6) in the coordinate: it is infinite beyond, so no step ends there.
+// the barrier of contact (Li et al. 2020, Incremental Potential Contact, eq. 6). P is infinite
+// beyond the limit, so that no step ends there.
 #pragma once
 
 #include <limits>
@@ -13,7 +15,8 @@ namespace tack {
 
 // The coordinate as the formula of a term has it: near that one.
 template <class Coordinate, class T>
-T joint_coordinate(const std::array<Eigen::Matrix<T, 3, 1>, Coordinate::arity>& x, double offset, double near) {
+T joint_coordinate(const std::array<Eigen::Matrix<T, 3, 1>, Coordinate::arity>& x, double offset,
+                   double near) {
   const T plain = Coordinate::of(x) + offset;
   if constexpr (std::is_same_v<T, double>) return plain + Coordinate::turns(plain, near);
   else return plain + Coordinate::turns(plain.v, near);
@@ -40,14 +43,16 @@ struct JointLimit : FormulaOf<Coordinate::arity> {
   }
 };
 
-// With no limits it only remembers the coordinate: for probes.
+// Without limits the term only stores the coordinate, for probes.
 template <class Coordinate>
 class JointLimitTerm : public FormulaTerm<JointLimit<Coordinate>> {
  public:
-  explicit JointLimitTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate) : FormulaTerm<JointLimit<Coordinate>>("joint_limits"), coordinate_(std::move(coordinate)) {}
-  // stiffness: what it exerts at half of the margin, over the margin and 1.193.
+  explicit JointLimitTerm(std::shared_ptr<JointCoordinate<Coordinate>> coordinate)
+      : FormulaTerm<JointLimit<Coordinate>>("joint_limits"), coordinate_(std::move(coordinate)) {}
+  // stiffness: the force at half of the margin, over the margin and 1.193.
   void limit(double low, double high, double margin, double stiffness) {
-    this->add(coordinate_->vertices(), {low, high, margin, stiffness, coordinate_->offset(), coordinate_->offset()});
+    this->add(coordinate_->vertices(),
+              {low, high, margin, stiffness, coordinate_->offset(), coordinate_->offset()});
   }
   const JointCoordinate<Coordinate>& coordinate() const { return *coordinate_; }
 

@@ -1,4 +1,4 @@
-// Points at which joints join an object and another one, or space.
+// Attachment points of joints, on an object and on another object or space.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace tack {
 
-// The keys that all joints have.
+// Scene keys of all joints.
 struct JointEnds {
   std::string object, to;
   Vec3 at = Vec3::Zero();  // m
@@ -20,16 +20,17 @@ class JointPoints {
  public:
   JointPoints(InteractionBuilder& builder, const JointEnds& ends);
 
-  // How far from each other points of a body are by which it is held: half of its size, of the smaller one of the two [m].
+  // Returns the distance between the points that hold a body: half of the size of the smaller body
+  // [m].
   double reach() const { return reach_; }
   int object() const { return object_; }
   int other() const { return other_; }  // -1: space
-  int of_object(const Vec3& at);        // a vertex that the object carries
-  int of_other(const Vec3& at);         // one that the other carries, or that stays
-  // One place of both; the vertex that is there.
+  int of_object(const Vec3& at);        // returns a vertex that moves with the object
+  int of_other(const Vec3& at);         // with the other object; fixed for space
+  // Joins both at a position; returns the vertex there.
   int joined(const Vec3& at);
   Joint& joint() { return joint_; }
-  // Adds the joint; `contact`: whether the two stay in contact.
+  // Adds the joint. Its key `contact`: true keeps contact between the two.
   void finish();
 
  private:
@@ -42,7 +43,7 @@ class JointPoints {
   Joint joint_;
 };
 
-// Two directions at right angles to an axis of length one, and to each other: a right-handed frame with it.
+// Returns two unit vectors that form a right-handed frame with a unit axis.
 std::array<Vec3, 2> across(const Vec3& axis);
 
 }  // namespace tack

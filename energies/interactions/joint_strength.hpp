@@ -1,4 +1,4 @@
-// Loads for which joined bodies are stiff enough.
+// Default strength of joints, from the stiffness of the joined bodies.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,15 @@
 
 namespace tack {
 
-// A moment [N m], or a force over the size of the body: the stress that strains the softer one by 1e-4, for which its stiffness was chosen,
-// times its volume. other: -1 where there is none.
+// Returns a moment [N m], or a force times the size of the body: the stress that strains the softer
+// body by 1e-4 (the strain for which its stiffness was chosen), times its volume. other: -1 for
+// none.
 inline double joint_strength(const World& world, int object, int other) {
   double least = std::numeric_limits<double>::infinity();
   for (const int i : {object, other})
     if (i >= 0 && world.bodies[i].movable && !world.bodies[i].frame.empty())
-      least = std::min(least, tolerated_affine_strain * world.bodies[i].stiffness * world.bodies[i].volume);
+      least = std::min(
+          least, tolerated_affine_strain * world.bodies[i].stiffness * world.bodies[i].volume);
   return least;
 }
 

@@ -1,4 +1,4 @@
-// Which vertices springs and ropes tie to each other.
+// Pairs of vertices that springs and ropes connect.
 #pragma once
 
 #include <string>
@@ -8,10 +8,13 @@
 
 namespace tack {
 
-// Each of some vertices with the nearest of others, the first of equally near ones. rest: 3n [m]; who: "spring 'cord'". Throws InputError where that
-// is the vertex itself.
-std::vector<Edge> nearest_ends(const std::vector<int>& from, const std::vector<int>& to, const VecX& rest, const std::string& who);
+// Returns each vertex of one list with its nearest vertex of another list, the first of equally
+// near ones. rest: 3n [m]; who: "spring 'cord'". Throws InputError if both are one vertex.
+std::vector<Edge> nearest_ends(const std::vector<int>& from, const std::vector<int>& to,
+                               const VecX& rest, const std::string& who);
 
-inline double length_of(const Edge& ends, const VecX& x) { return (vertex(x, ends[0]) - vertex(x, ends[1])).norm(); }  // m
+inline double length_of(const Edge& ends, const VecX& x) {
+  return (vertex(x, ends[0]) - vertex(x, ends[1])).norm();
+}  // m
 
 }  // namespace tack

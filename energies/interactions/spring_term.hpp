@@ -1,5 +1,6 @@
-// Springs between pairs of vertices: sum_s k_s/2 (l_s - L_s)^2, l_s their lengths. One whose force at the end of a
-// step is above what it bears is broken from the next step on, for good: that is remembered.
+// Springs between pairs of vertices: sum_s k_s/2 (l_s - L_s)^2, l_s their lengths. A spring whose
+// force at the end of a step exceeds its strength is broken from the next step on, permanently: a
+// history variable.
 #pragma once
 
 #include <limits>
@@ -12,7 +13,7 @@ namespace tack {
 
 class SpringTerm : public Term, public ResidualView {
  public:
-  // history: the name of the array that has which are broken.
+  // history: name of the array that marks broken springs.
   explicit SpringTerm(std::string history) : Term("springs"), history_(std::move(history)) {}
 
   struct Spring {
@@ -23,7 +24,7 @@ class SpringTerm : public Term, public ResidualView {
   void add(Edge vertices, const Spring& spring);
   int count() const { return static_cast<int>(springs_.size()); }
   int intact() const;
-  // Returns the summed force of the springs on their first vertices [N].
+  // Returns the sum of the forces on the first vertices [N].
   Vec3 force(const VecX& x) const;
 
   void remember(const History& history) override;
@@ -32,16 +33,25 @@ class SpringTerm : public Term, public ResidualView {
   double dissipated(const VecX& x) const;  // by those that break [J]
 
   double value(const VecX& x) const override;
-  std::vector<StencilBatch> batches() const override { return {{2, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  std::vector<StencilBatch> batches() const override {
+    return {{2, count(), vertices_.empty() ? nullptr : vertices_.front().data()}};
+  }
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override;
 
   const ResidualView* residual_view() const override { return this; }
-  std::vector<ResidualBatch> residual_batches() const override { return {{2, 1, count(), vertices_.empty() ? nullptr : vertices_.front().data()}}; }
+  std::vector<ResidualBatch> residual_batches() const override {
+    return {{2, 1, count(), vertices_.empty() ? nullptr : vertices_.front().data()}};
+  }
   bool residuals(const VecX& x, double* r, double* jacobian) const override;
 
  private:
-  Vec3 span(int s, const VecX& x) const { return vertex(x, vertices_[s][1]) - vertex(x, vertices_[s][0]); }
-  PairSpring pair(int s) const { return {broken_[s] ? 0 : springs_[s].stiffness, springs_[s].length}; }
+  Vec3 span(int s, const VecX& x) const {
+    return vertex(x, vertices_[s][1]) - vertex(x, vertices_[s][0]);
+  }
+  PairSpring pair(int s) const {
+    return {broken_[s] ? 0 : springs_[s].stiffness, springs_[s].length};
+  }
   bool breaks(int s, const VecX& x) const;
   double energy(int s, const VecX& x) const;
 

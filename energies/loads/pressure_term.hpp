@@ -1,4 +1,5 @@
-// A pressure that is given, and follows the surface: W = -p V. It is no energy that bodies have: what it does is work.
+// Prescribed pressure that follows the surface: W = -p V. W is no stored energy; the pressure does
+// work.
 #pragma once
 
 #include "energies/loads/ramp.hpp"
@@ -27,7 +28,7 @@ class PressureTerm : public VolumeTerm {
  private:
   double value_;
   const Ramp& ramp_;
-  double reference_ = 0;  // m^3: where its value is zero
+  double reference_ = 0;  // volume of zero potential [m^3]
 };
 
 }  // namespace tack

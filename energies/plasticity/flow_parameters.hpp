@@ -1,4 +1,4 @@
-// Parameters of plastic flow of solids and sheets in a scene.
+// Scene parameters of plastic flow, for solids and sheets.
 #pragma once
 
 namespace tack {
@@ -10,7 +10,7 @@ struct FlowParameters {
   double hardening = 0;       // Pa
   double viscosity = 0;       // Pa s
 
-  // `drawn`: what is in tension where they are measured, "bar" or "strip".
+  // drawn: the specimen of the tension test, "bar" or "strip".
   void fields(Fields& f, const char* drawn);
 };
 

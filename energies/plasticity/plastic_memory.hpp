@@ -1,4 +1,5 @@
-// History variables of a von Mises material at each of its samples (tets or points of them), and the return mapping.
+// History variables of a von Mises material, per sample (a tet or a point of it), and the return
+// mapping.
 #pragma once
 
 #include <string>
@@ -15,11 +16,13 @@ class PlasticMemory {
   explicit PlasticMemory(const Body& body);
 
   void remember(const History& history, int samples);
-  Mat3 inverse(int i) const { return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]); }  // Fp^-1
+  Mat3 inverse(int i) const {
+    return Eigen::Map<const Mat3>(&inverse_[9 * static_cast<size_t>(i)]);
+  }                                                              // Fp^-1
   const std::vector<double>& strain() const { return strain_; }  // accumulated plastic strains
   std::string strain_remembered_as() const { return name_ + strain_name; }
 
-  // The return mapping. deformation(i): F Fp^-1 at the end of the step.
+  // Applies the return mapping. deformation(i): F Fp^-1 of sample i at the end of the step.
   template <class Deformation>
   void commit(const VonMises& material, const Deformation& deformation, History& history) const {
     HistoryArray inverses{9, inverse_, {}}, strains{1, strain_, {}};
@@ -32,27 +35,34 @@ class PlasticMemory {
       const double back = std::min(std::sqrt(1.5) * added + inside, trial.norm) / trial.norm;
       const Vec3 flow = (-back * trial.deviator).array().exp();
       const Mat3 next = inverse(i) * trial.svd.v * flow.asDiagonal() * trial.svd.v.transpose();
-      Eigen::Map<Mat3>(&inverses.values[9 * static_cast<size_t>(i)]) = next / std::cbrt(next.determinant());
+      Eigen::Map<Mat3>(&inverses.values[9 * static_cast<size_t>(i)]) =
+          next / std::cbrt(next.determinant());
     });
     history[name_ + inverse_name] = std::move(inverses);
     history[name_ + strain_name] = std::move(strains);
   }
 
-  // Plastic work: what a commit takes off the value [J]. volume(i): what sample i counts for [m^3].
+  // Returns the plastic work, by which a commit reduces the value [J]. volume(i): volume of sample
+  // i [m^3].
   template <class Deformation, class Volume>
-  double dissipated(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
-    return over_flows(material, deformation, volume, [&](int i, double added) { return material.work(strain_[i], added); });
+  double dissipated(const VonMises& material, const Deformation& deformation,
+                    const Volume& volume) const {
+    return over_flows(material, deformation, volume,
+                      [&](int i, double added) { return material.work(strain_[i], added); });
   }
-  // Energy that viscosity dissipates beside it.
+  // Returns the viscous dissipation beside the plastic work [J].
   template <class Deformation, class Volume>
-  double viscous(const VonMises& material, const Deformation& deformation, const Volume& volume) const {
-    return over_flows(material, deformation, volume, [&](int, double added) { return material.viscous_work(added); });
+  double viscous(const VonMises& material, const Deformation& deformation,
+                 const Volume& volume) const {
+    return over_flows(material, deformation, volume,
+                      [&](int, double added) { return material.viscous_work(added); });
   }
 
  private:
-  // The sum of volume(i) density(i, plastic strain that is added) over all that flow.
+  // Returns the sum of volume(i) density(i, added plastic strain) over all samples that flow.
   template <class Deformation, class Volume, class Density>
-  double over_flows(const VonMises& material, const Deformation& deformation, const Volume& volume, const Density& density) const {
+  double over_flows(const VonMises& material, const Deformation& deformation, const Volume& volume,
+                    const Density& density) const {
     return sum_chunks(samples(), [&](int first, int last) {
       double sum = 0;
       for (int i = first; i < last; ++i) {
@@ -65,8 +75,8 @@ class PlasticMemory {
 
   static constexpr const char* inverse_name = "plastic_inverse";
   static constexpr const char* strain_name = "plastic_strain";
-  // The return mapping leaves |dev e| so far within the yield surface that rounding does not cross it: what does not
-  // move does not flow.
+  // The return mapping leaves |dev e| inside the yield surface by more than round-off, so that a
+  // sample at rest does not flow.
   static constexpr double inside = 1e-13;
 
   struct Trial {
@@ -81,8 +91,8 @@ class PlasticMemory {
 
   int samples() const { return static_cast<int>(strain_.size()); }
 
-  std::string name_;                      // its arrays in the history begin so
-  std::vector<double> inverse_, strain_;  // per sample: Fp^-1, column by column, and the accumulated plastic strain
+  std::string name_;                      // prefix of its history arrays
+  std::vector<double> inverse_, strain_;  // per sample: Fp^-1 (column major), accumulated strain
 };
 
 }  // namespace tack

@@ -9,16 +9,18 @@
 
 namespace tack {
 
-// Energies that plastic flow and its viscosity dissipate in a step to x [J]; no entry without viscosity.
+// Dissipation of a step to x by plastic flow and by its viscosity [J]; `viscous` may be empty.
 struct PlasticFlows {
   std::function<double(const VecX& x)> work;
   std::function<double(const VecX& x)> viscous = {};
 };
 
-// Adds them and the accumulated plastic strain of each stencil, which is read where it is.
-void publish_plasticity(Records& records, const std::string& term, PlasticFlows flows, const std::vector<double>& strain);
-// The same, with the strain of each of some tets.
-void publish_plasticity(Records& records, const std::string& term, PlasticFlows flows, std::function<VecX()> strain,
-                        const std::vector<Tet>* tets);
+// Publishes the flows and the accumulated plastic strain of each stencil. `strain` must outlive the
+// records.
+void publish_plasticity(Records& records, const std::string& term, PlasticFlows flows,
+                        const std::vector<double>& strain);
+// Publishes the flows and the accumulated plastic strain of each of `tets`.
+void publish_plasticity(Records& records, const std::string& term, PlasticFlows flows,
+                        std::function<VecX()> strain, const std::vector<Tet>* tets);
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// Plastic flow of composite tets: every sample (composite_samples.hpp) has its own, parts included, so that a homogeneous flow is that of a linear tet.
+// Plastic flow of composite tets. Every sample (composite_samples.hpp), parts included, has its own
+// flow, so that homogeneous flow equals that of a linear tet.
 #pragma once
 
 #include "energies/solid/composite_term.hpp"
@@ -15,12 +16,12 @@ class CompositeVonMises : public CompositeTerm<VonMises> {
   void commit(const VecX& x, History& history) const override;
   void publish(Records& records) const override;
   double dissipated(const VecX& x) const;  // plastic work of a step to x [J]
-  double viscous(const VecX& x) const;     // what viscosity takes beside it [J]
+  double viscous(const VecX& x) const;     // viscous dissipation beside it [J]
 
  private:
   void set_step(double h) { material_.h = split_.shape.h = split_.part.h = h; }  // s
   double volume_of(int sample) const;  // m^3
-  // Per sample, as stresses are.
+  // Returns the strains of the parts, as for stresses.
   VecX plastic_strain() const;
 
   VonMises material_;

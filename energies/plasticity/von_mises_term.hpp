@@ -1,4 +1,4 @@
-// Plastic flow of tets, each of which has its own.
+// Term of tets with plastic flow, each with its own flow.
 #pragma once
 
 #include "energies/plasticity/plastic_memory.hpp"
@@ -7,17 +7,19 @@
 
 namespace tack {
 
-// Base: SolidTerm<VonMises>, or what is one beside pressures of patches.
+// Base: SolidTerm<VonMises>, or an equivalent term with pressures of patches.
 template <class Base>
 class VonMisesTerm : public Base {
  public:
   template <class... Args>
   explicit VonMisesTerm(const Body& body, Args&&... args)
-      : Base(std::forward<Args>(args)...), body_(body.elements == Elements::linear ? body.name : ""), memory_(body), rest_shapes_(rest_) {
+      : Base(std::forward<Args>(args)...),
+        body_(body.elements == Elements::linear ? body.name : ""), memory_(body),
+        rest_shapes_(rest_) {
     remember({});
   }
 
-  // Within a step the yield surface and Fp stand still: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
+  // The yield surface and Fp are lagged: F Fp^-1 = edges (edges_rest^-1 Fp^-1).
   void remember(const History& history) override {
     const int n = count();
     material_.h = 0;
@@ -39,18 +41,24 @@ class VonMisesTerm : public Base {
   }
 
   double dissipated(const VecX& x) const {
-    return memory_.dissipated(material_, [&](int t) { return deformation(t, x); }, [&](int t) { return rest_of(t).volume; });
+    return memory_.dissipated(
+        material_, [&](int t) { return deformation(t, x); },
+        [&](int t) { return rest_of(t).volume; });
   }
 
   double viscous(const VecX& x) const {
-    return memory_.viscous(material_, [&](int t) { return deformation(t, x); }, [&](int t) { return rest_of(t).volume; });
+    return memory_.viscous(
+        material_, [&](int t) { return deformation(t, x); },
+        [&](int t) { return rest_of(t).volume; });
   }
 
   void publish(Records& records) const override {
     Base::publish(records);
     PlasticFlows flows{[this](const VecX& x) { return dissipated(x); }};
     if (material_.viscosity > 0) flows.viscous = [this](const VecX& x) { return viscous(x); };
-    const auto strain = [this] { return VecX(Eigen::Map<const VecX>(memory_.strain().data(), count())); };
+    const auto strain = [this] {
+      return VecX(Eigen::Map<const VecX>(memory_.strain().data(), count()));
+    };
     publish_plasticity(records, this->name(), std::move(flows), strain, &tets_);
     if (!body_.empty()) records.add(exchangeable());
   }
@@ -69,15 +77,21 @@ class VonMisesTerm : public Base {
       for (int t = 0; t < count(); ++t) all.push_back(deformation(t, x));
       return all;
     };
-    return {body_, &tets_, volumes, elastic, [this] { return memory_.strain(); }, memory_.strain_remembered_as()};
+    return {body_,
+            &tets_,
+            volumes,
+            elastic,
+            [this] { return memory_.strain(); },
+            memory_.strain_remembered_as()};
   }
 
-  std::string body_;  // whose tets may be exchanged; "": none may
+  std::string body_;  // body whose tets may be exchanged; "": none
   PlasticMemory memory_;
-  std::vector<TetRest<Pack>> rest_shapes_;  // before plastic flow; rest_ is with it
+  std::vector<TetRest<Pack>> rest_shapes_;  // without plastic flow; rest_ includes it
 };
 
-// Term of tets that are grouped (Body::elements).
-std::unique_ptr<Term> make_grouped_von_mises(const std::string& name, const VonMises& material, const Body& body, const VecX& rest);
+// Material of grouped tets (Body::elements).
+std::unique_ptr<Term> make_grouped_von_mises(const std::string& name, const VonMises& material,
+                                             const Body& body, const VecX& rest);
 
 }  // namespace tack

@@ -12,13 +12,17 @@ namespace tack {
 class EdgeStretching {
  public:
   // stretching: E A [N].
-  EdgeStretching(std::vector<Edge> edges, double stretching, const VecX& rest) : edges_(std::move(edges)) {
-    for (const Edge& e : edges_) springs_.push_back({stretching / edge_length(e, rest), edge_length(e, rest)});
+  EdgeStretching(std::vector<Edge> edges, double stretching, const VecX& rest)
+      : edges_(std::move(edges)) {
+    for (const Edge& e : edges_)
+      springs_.push_back({stretching / edge_length(e, rest), edge_length(e, rest)});
   }
 
   const std::vector<Edge>& edges() const { return edges_; }
   int count() const { return static_cast<int>(edges_.size()); }
-  StencilBatch batch() const { return {2, count(), edges_.empty() ? nullptr : edges_.front().data()}; }
+  StencilBatch batch() const {
+    return {2, count(), edges_.empty() ? nullptr : edges_.front().data()};
+  }
 
   // lengths: of each edge, instead of those at rest; null: those.
   double value(const VecX& x, const double* lengths = nullptr) const {
@@ -41,12 +45,18 @@ class EdgeStretching {
   // See ResidualView: one for each edge.
   ResidualBatch residual_batch() const { return {2, 1, count(), batch().vertices}; }
   void residuals(const VecX& x, double* r, double* jacobian) const {
-    for (int e = 0; e < count(); ++e) r[e] = springs_[e].residual(span(e, x), jacobian ? jacobian + 6 * static_cast<size_t>(e) : nullptr);
+    for (int e = 0; e < count(); ++e)
+      r[e] = springs_[e].residual(span(e, x),
+                                  jacobian ? jacobian + 6 * static_cast<size_t>(e) : nullptr);
   }
 
  private:
-  PairSpring spring(int e, const double* lengths) const { return lengths ? PairSpring{springs_[e].stiffness, lengths[e]} : springs_[e]; }
-  Vec3 span(int e, const VecX& x) const { return vertex(x, edges_[e][1]) - vertex(x, edges_[e][0]); }
+  PairSpring spring(int e, const double* lengths) const {
+    return lengths ? PairSpring{springs_[e].stiffness, lengths[e]} : springs_[e];
+  }
+  Vec3 span(int e, const VecX& x) const {
+    return vertex(x, edges_[e][1]) - vertex(x, edges_[e][0]);
+  }
 
   std::vector<Edge> edges_;
   std::vector<PairSpring> springs_;

@@ -1,11 +1,12 @@
-// Base of energies of edges.
+// Section, length and mass of edges, for all energies of edges.
 #pragma once
 
 #include "framework/body/body.hpp"
 
 namespace tack {
 
-// Its section; throws InputError naming the body and the energy if it has no edges, or none.
+// Returns the section of the edges. Throws InputError with body and energy if there are no edges or
+// no section.
 const RodSection& section_of(const Body& body, std::string_view energy);
 
 double edge_length(const Edge& edge, const VecX& rest);  // m

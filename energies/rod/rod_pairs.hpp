@@ -1,7 +1,8 @@
-// Which edges of a rod bend and twist against each other: at every vertex, all pairs of the edges that meet there.
-//     A weld is a rigid node to which each edge is tied by its half, of stiffness k_i = 2 B / L_i. Without the node, whose
-// rotation follows from balance, that is a spring between every two edges with k_ij = k_i k_j / sum_m k_m (star to mesh), B over the
-// length L_i L_j / 2 sum_m 1 / L_m. Of two edges that is the Voronoi length (L_i + L_j) / 2 of Bergou et al.
+// Pairs of edges of a rod that bend and twist against each other: all pairs that meet at a vertex.
+// A weld is a rigid node to which each edge is attached by its half, of stiffness k_i = 2 B / L_i.
+// Eliminating the rotation of the node (star to mesh) leaves a spring between every two edges,
+//     k_ij = k_i k_j / sum_m k_m,   that is B over the length L_i L_j / 2 sum_m 1 / L_m.
+// For two edges that is the Voronoi length (L_i + L_j) / 2 of Bergou et al.
 #pragma once
 
 #include <vector>
@@ -12,12 +13,12 @@ namespace tack {
 
 struct RodPair {
   int first, second;  // numbers of edges
-  int vertex;         // that they share
+  int vertex;         // shared by both edges
   double length;      // m
   bool joint;         // more than two edges meet there
 };
 
-// In the order of vertices. rest: 3n [m].
+// Returns the pairs in the order of their vertices. rest: 3n [m].
 std::vector<RodPair> rod_pairs(const std::vector<Edge>& edges, const VecX& rest);
 
 }  // namespace tack

@@ -1,11 +1,14 @@
-// Energy of the edges of an object as an elastic rod (Bergou et al. 2008, 2010): stretching of each edge, bending and twisting of
-// each two that meet (rod_pairs.hpp, bend_twist.hpp),
-//     P = sum_e E A / (2 L) (|x_b - x_a| - L)^2 + sum_pairs 1 / (2 l) (E I1 (kappa_1 - rest)^2 + E I2 (kappa_2 - rest)^2 + G J (tau - rest)^2).
-// The directors of a pair are turned, each by half of the twist that the mesh has at rest, so that they agree there; and where edges meet at
-// an acute angle, one is followed backwards, so that the angle between tangents is at most a right one.
-//     Where the rest shape turns by an angle phi, curvature and twist change by more than the frames turn against each other: by 1 / cos^2(phi / 2)
-// per angle in the plane of the turn, and by 1 / cos(phi / 2) across it. That is taken out of the stiffness, so that small bending of a
-// corner costs what it does of a straight rod.
+// Elastic rod (Bergou et al. 2008, 2010): stretching of each edge, bending and twisting of each
+// pair of edges that meet (rod_pairs.hpp, bend_twist.hpp),
+//     P = sum_e E A / (2 L) (|x_b - x_a| - L)^2
+//       + sum_pairs 1 / (2 l) (E I1 (kappa_1 - rest)^2 + E I2 (kappa_2 - rest)^2
+//                              + G J (tau - rest)^2).
+// The directors of a pair are rotated by half of the twist of the rest mesh each, so that they
+// agree at rest. If edges meet at an acute angle, one of them is reversed, so that the angle
+// between the tangents is at most a right angle. At a rest angle phi, curvature and twist change by
+// more than the relative rotation of the frames: by 1 / cos^2(phi / 2) per angle in the plane of
+// phi, by 1 / cos(phi / 2) across it. The stiffness is divided by these factors, so that small
+// bending of a corner costs as much as of a straight rod.
 #pragma once
 
 #include <memory>
@@ -22,18 +25,19 @@ struct RodMaterial {
   Vec3 bending;       // E I1, E I2, G J [N m^2]
 };
 
-// What the rest shape is, beside the mesh.
+// Rest shape beside that of the mesh.
 struct RodRest {
   bool straight = false;         // of vertices with two edges
-  Vec2 curvature = Vec2::Zero();  // of those too, and added to what they have [1/m]
+  Vec2 curvature = Vec2::Zero();  // of those vertices, added to that of the mesh [1/m]
   double twist = 0;              // 1/m
 };
 
 class RodTerm : public Term, public ResidualView, public StrainView {
  public:
-  // frames: of these edges, perhaps among others. history: in which its arrays have the prefix `memory`.
-  RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape, std::vector<Edge> edges,
-          std::shared_ptr<const RodFrames> frames, const VecX& rest);
+  // frames: of these edges, perhaps among others. history: in which its arrays have the prefix
+  // `memory`.
+  RodTerm(std::string name, std::string memory, const RodMaterial& material, const RodRest& shape,
+          std::vector<Edge> edges, std::shared_ptr<const RodFrames> frames, const VecX& rest);
 
   void remember(const History& history) override;
   void commit(const VecX& x, History& history) const override;
@@ -47,7 +51,9 @@ class RodTerm : public Term, public ResidualView, public StrainView {
 
   // The lengths of the edges, then three strains of each pair.
   VecX strains(const VecX& x) const override;
-  double value_from(const VecX& x, const VecX& rest) const override { return value_of(x, rest.data()); }
+  double value_from(const VecX& x, const VecX& rest) const override {
+    return value_of(x, rest.data());
+  }
   void derivatives_from(const VecX& x, const VecX& rest, Projection projection, double* gradient,
                         double* hessian) const override {
     derivatives_of(x, rest.data(), projection, gradient, hessian);
@@ -65,7 +71,7 @@ class RodTerm : public Term, public ResidualView, public StrainView {
     std::array<int, 2> edge;         // in the frames
     std::array<bool, 2> backwards;   // against the direction in which it is stored
     bool second_from_end;            // the second is followed from b to v
-    std::array<double, 2> turned;    // what directors are turned by [rad]
+    std::array<double, 2> turned;    // rotation of the directors [rad]
     Mat3 root;                       // of the stiffness C = root^T root (see BendTwist) [J^1/2]
     Vec3 rest;                       // likewise
   };
@@ -75,11 +81,14 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   void derivatives_of(const VecX& x, const double* strains, Projection projection, double* gradient,
                       double* hessian) const;
   Vec3 rest_of(int pair, const double* strains) const {
-    return strains ? Vec3(Eigen::Map<const Vec3>(strains + stretching_.count() + 3 * static_cast<size_t>(pair))) : pairs_[pair].rest;
+    return strains ? Vec3(Eigen::Map<const Vec3>(strains + stretching_.count() +
+                                                 3 * static_cast<size_t>(pair)))
+                   : pairs_[pair].rest;
   }
   Quaternion frame(const Pair& pair, int side) const;
   double sign(const Pair& pair, int side) const { return pair.backwards[side] ? -1 : 1; }
-  void settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape, const VecX& rest);
+  void settle(Pair& pair, const RodPair& of, const RodMaterial& material, const RodRest& shape,
+              const VecX& rest);
   BendTwist::Place place(int pair, const VecX& x) const;
   Chain chain(int pair) const;
 
@@ -88,7 +97,7 @@ class RodTerm : public Term, public ResidualView, public StrainView {
   EdgeStretching stretching_;
   std::vector<Pair> pairs_;
   std::vector<std::array<int, 5>> stencils_;
-  // Of the committed frames:
+  // Data of the committed frames:
   std::vector<BendTwist> bends_;
   std::vector<std::array<Mat3, 2>> axes_;  // of both frames, as rows
   std::vector<double> turns_;              // BendTwist::Place::turn

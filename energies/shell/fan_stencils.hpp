@@ -1,16 +1,18 @@
-// Fans of hinges of one shape: 1/2 a^T C a each, a = the angles of its hinges less those at rest, C from hinge_fit.hpp. Fans are
-// computed pack_width at a time, one per lane.
+// Fans of hinges of one shape: energy 1/2 a^T C a each, a the angles of its hinges minus those at
+// rest, C from hinge_fit.hpp. pack_width fans are computed at once, one per lane.
 //
-// The angle of a hinge is that between the normals n1, n2 of its sides, positive where both apexes rise. For each side let
-// m point from the edge e to the apex, h be the height, and A = sum_k (m . grad N_k) x_k, B = sum_k (e . grad N_k) x_k, N_k the
-// side's barycentric coordinates. Then, with dx the change of the vertices,
+// The angle of a hinge lies between the normals n1, n2 of its sides, positive if both apexes rise.
+// On each side, m points from the edge e to the apex, h is the height, N_k are barycentric
+// coordinates, and A = sum_k (m . grad N_k) x_k, B = sum_k (e . grad N_k) x_k. With dx the change
+// of the vertices,
 //     d angle = sum over sides of A(dx) . n,
 //     d2 angle = -sum over sides of 2 (A.m) (A.n) + (B.n) (2 (A.e) + B.m).
-// The forms in each product have orthogonal coefficients, so that p r = ((k p + r/k)^2 - (k p - r/k)^2) / 4 separates its positive
-// and negative part, k^2 the ratio of their lengths. A projected Hessian is the sum of C's part, which is definite, and those parts
-// of the moments.
+// The factors p, r of each product have orthogonal coefficients, so that
+// p r = ((k p + r/k)^2 - (k p - r/k)^2) / 4 separates its positive and negative part, k^2 the ratio
+// of their lengths. A projected Hessian is the definite part with C plus those parts of the
+// moments.
 //
-// An angle may pass pi: it is that which is nearest to the one at the start of the step.
+// Angles may pass pi: the value nearest to the angle at the start of the step counts.
 #pragma once
 
 #include "energies/shell/hinge_fit.hpp"
@@ -34,8 +36,8 @@ class FanStencils final : public StencilRanges {
   void turns(const VecX& x, double* turns) const;
 
   double value(const VecX& x) const;
-  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
-                         double* hessian) const override;
+  void range_derivatives(const VecX& x, Projection projection, int first, int last,
+                         double* gradient, double* hessian) const override;
 
  private:
   struct Side {
@@ -54,13 +56,17 @@ class FanStencils final : public StencilRanges {
 
   int packs() const { return static_cast<int>(resting_.size()); }
   int lanes(int pack) const { return std::min(pack_width, count_ - pack * pack_width); }
-  const Pack& c(int pack, int i, int k) const { return c_[static_cast<size_t>((pack * shape_.hinges + i) * shape_.hinges + k)]; }
+  const Pack& c(int pack, int i, int k) const {
+    return c_[static_cast<size_t>((pack * shape_.hinges + i) * shape_.hinges + k)];
+  }
   void corners(int pack, const VecX& x, Corners& out) const;
   void hinges(const Corners& x, Hinges& out) const;
   // Nearest to those at the start of the step.
   Pack unwound(int pack, int i, const Pack& angle) const;
-  void derivatives(int pack, const VecX& x, Projection projection, double* gradient, double* hessian) const;
-  void add_moment(const Hinge& hinge, int i, const Pack& moment, Projection projection, Pack* slots) const;
+  void derivatives(int pack, const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const;
+  void add_moment(const Hinge& hinge, int i, const Pack& moment, Projection projection,
+                  Pack* slots) const;
 
   FanShape shape_;
   int count_;

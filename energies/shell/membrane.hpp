@@ -1,5 +1,5 @@
-// Base of membrane energies: parameters, lumped mass, fibres, the term. An elastic material is one file: its
-// density, its derivatives, and a TACK_REGISTER of Membrane<Material>.
+// Base of all membranes: parameters, lumped mass, fibres and the term. An elastic material is one
+// file: its density, its derivatives, and a TACK_REGISTER of Membrane<Material>.
 #pragma once
 
 #include <limits>
@@ -28,7 +28,9 @@ struct FibreConfig {
 class MembraneEnergy : public Energy {
  public:
   void fields(Fields& f) override;
-  void add_mass(const Body& body, const VecX& rest, VecX& mass) const override { add_sheet_mass(body, rest, density_, mass); }
+  void add_mass(const Body& body, const VecX& rest, VecX& mass) const override {
+    add_sheet_mass(body, rest, density_, mass);
+  }
   std::optional<double> young() const override { return young_; }
 
  protected:
@@ -48,7 +50,8 @@ class Membrane : public MembraneEnergy {
  public:
   std::unique_ptr<Term> make_term(const Body& body, const VecX& rest) const override {
     Fibres along = fibres(body, rest);
-    return std::make_unique<MembraneTerm<Material>>(std::string(type()), Material(young_, poisson_), body, rest, std::move(along));
+    return std::make_unique<MembraneTerm<Material>>(std::string(type()), Material(young_, poisson_),
+                                                    body, rest, std::move(along));
   }
 };
 

@@ -1,11 +1,13 @@
-// sum over triangles of thickness * area * psi(F), for an isotropic material in plane stress, given in principal
-// stretches, and fibres if there are any. A material has
+// sum over triangles of thickness * area * psi(F), for an isotropic material in plane stress, given
+// in principal stretches, and fibres if there are any. A material has
 //   Pack energy(const PlaneStrain& strain, const PackMat32& f) const;   psi [J/m^3]
 //   PlaneDerivatives derivatives(const PackVec2& stretches) const;
-// or, where it differs from triangle to triangle, at(p): that of the triangles pack_width * p on, one per lane.
-// Triangles are computed pack_width at a time, one per lane, and projected in the principal frame.
+// or, where it differs from triangle to triangle, at(p): that of the triangles pack_width * p on,
+// one per lane. Triangles are computed pack_width at a time, one per lane, and projected in the
+// principal frame.
 //
-// Fibres of stiffness E_f along d, in the plane of each triangle at rest, add  E_f/2 e^2,  e = (|F d|^2 - 1) / 2.
+// Fibres of stiffness E_f along d, in the plane of each triangle at rest, add  E_f/2 e^2,  e = (|F
+// d|^2 - 1) / 2.
 #pragma once
 
 #include <algorithm>
@@ -19,15 +21,17 @@ namespace tack {
 
 struct Fibres {
   double young = 0;                        // E_f [Pa]
-  std::vector<PackVec2> directions = {};   // of pack_width triangles each, in their frames; unit vectors. Empty: no fibres
+  std::vector<PackVec2> directions =
+      {};  // of pack_width triangles each, in their frames; unit vectors. Empty: no fibres
 };
 
 template <class Material>
 class MembraneTerm : public Term, public StencilRanges {
  public:
-  MembraneTerm(std::string name, const Material& material, const Body& body, const VecX& rest, Fibres fibres = {})
-      : Term(std::move(name)), material_(material), triangles_(body.sheet), rest_(packed(sheet_rest_data(body, rest))),
-        fibres_(std::move(fibres)) {}
+  MembraneTerm(std::string name, const Material& material, const Body& body, const VecX& rest,
+               Fibres fibres = {})
+      : Term(std::move(name)), material_(material), triangles_(body.sheet),
+        rest_(packed(sheet_rest_data(body, rest))), fibres_(std::move(fibres)) {}
 
   double value(const VecX& x) const override {
     return sum_chunks(count(), [&](int first, int last) {
@@ -47,9 +51,12 @@ class MembraneTerm : public Term, public StencilRanges {
     });
   }
 
-  std::vector<StencilBatch> batches() const override { return {{3, count(), triangles_.front().data()}}; }
+  std::vector<StencilBatch> batches() const override {
+    return {{3, count(), triangles_.front().data()}};
+  }
 
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override {
     for_each_chunk(count(), [&](int, int first, int last) {
       range_derivatives(x, projection, first, last, gradient + 9 * static_cast<size_t>(first),
                         hessian ? hessian + 54 * static_cast<size_t>(first) : nullptr);
@@ -58,8 +65,8 @@ class MembraneTerm : public Term, public StencilRanges {
 
   std::vector<const StencilRanges*> ranges() const override { return {this}; }
 
-  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
-                         double* hessian) const override {
+  void range_derivatives(const VecX& x, Projection projection, int first, int last,
+                         double* gradient, double* hessian) const override {
     for (int t = first; t < last; t += pack_width, gradient += 9 * pack_width) {
       elements(t, std::min(pack_width, last - t), x, projection, gradient, hessian);
       if (hessian) hessian += 54 * pack_width;
@@ -71,14 +78,17 @@ class MembraneTerm : public Term, public StencilRanges {
     records.add(StressRecord{[this](const VecX& x) { return cauchy_stress(x); }});
   }
 
-  // Stresses of the thickness without its elastic change, and without that of fibres [Pa].
+  // Returns stresses without the elastic change of thickness and without fibres [Pa].
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(triangles_.size());
     for_each(static_cast<int>(rest_.size()), [&](int p) {
       const int first = p * pack_width, n = std::min(pack_width, count() - first);
-      const PlaneStretch stretch = plane_stretch(deformation_gradient(rest_[p], &triangles_[first], n, x));
-      const PackVec2 principal = material(p).derivatives(stretch.s).gradient.cwiseProduct(stretch.s) / stretch.s.prod();
-      PackMat3 sigma = stretch.u.template leftCols<2>() * principal.asDiagonal() * stretch.u.template leftCols<2>().transpose();
+      const PlaneStretch stretch =
+          plane_stretch(deformation_gradient(rest_[p], &triangles_[first], n, x));
+      const PackVec2 principal =
+          material(p).derivatives(stretch.s).gradient.cwiseProduct(stretch.s) / stretch.s.prod();
+      PackMat3 sigma = stretch.u.template leftCols<2>() * principal.asDiagonal() *
+                       stretch.u.template leftCols<2>().transpose();
       for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
     }, chunk_size / pack_width);
     return stress;
@@ -95,7 +105,8 @@ class MembraneTerm : public Term, public StencilRanges {
 
   Material material_;
   std::vector<Triangle> triangles_;
-  std::vector<SheetRest<Pack>> rest_;  // of pack_width triangles each; the last lanes repeat the last triangle
+  std::vector<SheetRest<Pack>>
+      rest_;  // of pack_width triangles each; the last lanes repeat the last triangle
 
  private:
   static_assert(chunk_size % pack_width == 0 && grain % pack_width == 0);
@@ -117,7 +128,8 @@ class MembraneTerm : public Term, public StencilRanges {
   }
 
   // Slots of the triangles first .. first + n.
-  void elements(int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  void elements(int first, int n, const VecX& x, Projection projection, double* gradient,
+                double* hessian) const {
     const int p = first / pack_width;
     const SheetRest<Pack>& rest = rest_[p];
     const PackMat32 f = deformation_gradient(rest, &triangles_[first], n, x);
@@ -126,10 +138,13 @@ class MembraneTerm : public Term, public StencilRanges {
     const PackMat2 shape = rest.shape * stretch.v;  // row a-1: V^T grad N_a
     PackMat3 g;
     for (int a = 0; a < 2; ++a)
-      g.col(a + 1) = rest.volume * (stretch.u.template leftCols<2>() * d.gradient.cwiseProduct(shape.row(a).transpose()));
+      g.col(a + 1) = rest.volume * (stretch.u.template leftCols<2>() *
+                                    d.gradient.cwiseProduct(shape.row(a).transpose()));
     alignas(64) Pack slots[54];
-    if (hessian) blocks(stretch.u, shape, plane_hessian(stretch.s, d, projection), rest.volume, slots);
-    if (!fibres_.directions.empty()) add_fibres(f, rest, fibres_.directions[p], projection, g, hessian ? slots : nullptr);
+    if (hessian)
+      blocks(stretch.u, shape, plane_hessian(stretch.s, d, projection), rest.volume, slots);
+    if (!fibres_.directions.empty())
+      add_fibres(f, rest, fibres_.directions[p], projection, g, hessian ? slots : nullptr);
     g.col(0) = -(g.col(1) + g.col(2));
     store_lanes(g.data(), 9, gradient, n);
     if (!hessian) return;
@@ -144,7 +159,8 @@ class MembraneTerm : public Term, public StencilRanges {
   static constexpr int slot_of[3][3] = {{0, -1, -1}, {1, 2, -1}, {3, 4, 5}};
 
   // K_ab = volume U K^_ab U^T for a, b = 1, 2.
-  static void blocks(const PackMat3& u, const PackMat2& shape, const PlaneHessian& h, const Pack& volume, Pack* out) {
+  static void blocks(const PackMat3& u, const PackMat2& shape, const PlaneHessian& h,
+                     const Pack& volume, Pack* out) {
     for (int a = 0; a < 2; ++a) {
       const PackVec2 p = volume * shape.row(a).transpose();
       for (int b = 0; b <= a; ++b) {
@@ -157,18 +173,20 @@ class MembraneTerm : public Term, public StencilRanges {
         const Pack out_of_plane = h.out(0) * p(0) * q(0) + h.out(1) * p(1) * q(1);
         const PackMat32 half = u.template leftCols<2>() * k;
         Eigen::Map<PackMat3>(out + 9 * slot_of[a + 1][b + 1]).noalias() =
-            half * u.template leftCols<2>().transpose() + out_of_plane * u.col(2) * u.col(2).transpose();
+            half * u.template leftCols<2>().transpose() +
+            out_of_plane * u.col(2) * u.col(2).transpose();
       }
     }
   }
 
-  // With q = F d: gradient E_f e q (d . grad N_a), Hessian (d . grad N_a) (d . grad N_b) E_f (e I + q q^T), whose eigenvalues
-  // are e + |q|^2 along q, and e across.
-  void add_fibres(const PackMat32& f, const SheetRest<Pack>& rest, const PackVec2& direction, Projection projection,
-                  PackMat3& g, Pack* slots) const {
+  // With q = F d: gradient E_f e q (d . grad N_a), Hessian (d . grad N_a) (d . grad N_b) E_f (e I +
+  // q q^T), whose eigenvalues are e + |q|^2 along q, and e across.
+  void add_fibres(const PackMat32& f, const SheetRest<Pack>& rest, const PackVec2& direction,
+                  Projection projection, PackMat3& g, Pack* slots) const {
     const PackVec3 q = f * direction;
     const PackVec2 along = rest.shape * direction;
-    const Pack square = q.squaredNorm(), e = (square - 1) / 2, stiffness = rest.volume * fibres_.young;
+    const Pack square = q.squaredNorm(), e = (square - 1) / 2,
+               stiffness = rest.volume * fibres_.young;
     for (int a = 0; a < 2; ++a) g.col(a + 1) += (stiffness * e * along(a)) * q;
     if (!slots) return;
     const Pack across = projected(Pack(stiffness * e), projection);
@@ -176,7 +194,8 @@ class MembraneTerm : public Term, public StencilRanges {
     PackMat3 k = ((stretch - across) / square) * q * q.transpose();
     for (int i = 0; i < 3; ++i) k(i, i) += across;
     for (int a = 0; a < 2; ++a)
-      for (int b = 0; b <= a; ++b) Eigen::Map<PackMat3>(slots + 9 * slot_of[a + 1][b + 1]) += (along(a) * along(b)) * k;
+      for (int b = 0; b <= a; ++b)
+        Eigen::Map<PackMat3>(slots + 9 * slot_of[a + 1][b + 1]) += (along(a) * along(b)) * k;
   }
 
   Fibres fibres_;

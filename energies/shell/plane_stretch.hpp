@@ -1,7 +1,8 @@
-// A sheet's deformation within its plane: F = U diag(s) V^T of a 3x2 matrix F, for several triangles side by side.
-// The derivatives of an isotropic density psi(s1, s2) and their projection follow Stomakhin et al. 2012 and Smith et
-// al. 2019, as those of solids do (energies/solid/principal.hpp); out of the plane, the sheet is a string with the
-// force psi_i / s_i per length.
+// A sheet's deformation within its plane: F = U diag(s) V^T of a 3x2 matrix F, for several
+// triangles side by side. The derivatives of an isotropic density psi(s1, s2) and their projection
+// follow Stomakhin et al. 2012 and Smith et al. 2019, as those of solids do
+// (energies/solid/principal.hpp); out of the plane, the sheet is a string with the force psi_i /
+// s_i per length.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -66,15 +67,16 @@ struct PlaneDerivatives {
   PackMat2 hessian;
 };
 
-// dP/dF in the frame of U: on the diagonal entries, on the pair (01, 10) the matrix [same cross; cross same], and on
-// each entry (2i) one number.
+// dP/dF in the frame of U: on the diagonal entries, on the pair (01, 10) the matrix [same cross;
+// cross same], and on each entry (2i) one number.
 struct PlaneHessian {
   PackMat2 diagonal;
   Pack same, cross;
   PackVec2 out;
 };
 
-inline PlaneHessian plane_hessian(const PackVec2& s, const PlaneDerivatives& d, Projection projection) {
+inline PlaneHessian plane_hessian(const PackVec2& s, const PlaneDerivatives& d,
+                                  Projection projection) {
   PlaneHessian h;
   h.diagonal = d.hessian;
   if (projection != Projection::none) {

@@ -1,4 +1,4 @@
-// How the triangles of a sheet hang together: neighbours across edges, and fans of hinges about vertices.
+// Topology of a sheet: neighbours across edges, and fans of hinges about vertices.
 #pragma once
 
 #include <array>
@@ -12,15 +12,16 @@ namespace tack {
 // A triangle with its neighbours; edge i is opposite vertex i, from vertex i + 1 to i + 2.
 struct SheetTriangle {
   std::array<int, 3> vertices;
-  std::array<int, 3> neighbour;  // which triangle; -1: a border
+  std::array<int, 3> neighbour;  // triangle index; -1: a border
 };
 
 // Throws InputError, with `who` in front, if more than two triangles share an edge.
-std::vector<SheetTriangle> connect_sheet(const std::vector<Triangle>& sheet, const std::string& who);
+std::vector<SheetTriangle> connect_sheet(const std::vector<Triangle>& sheet,
+                                         const std::string& who);
 
-// Triangles j = 0 ... about a vertex, each with the vertex and ring j and j + 1; hinges are the edges from the vertex to the
-// ring that two of them share. Closed, the last ends where the first begins, and every vertex of the ring has a hinge; else
-// the first and the last have none.
+// Triangles j = 0 ... about a vertex, each with the vertex and ring j and j + 1; hinges are the
+// edges from the vertex to the ring that two of them share. Closed, the last ends where the first
+// begins, and every vertex of the ring has a hinge; else the first and the last have none.
 struct FanShape {
   bool closed;
   int hinges;
@@ -28,8 +29,8 @@ struct FanShape {
   int ring() const { return closed ? hinges : hinges + 2; }
   int arity() const { return 1 + ring(); }
   int triangles() const { return closed ? hinges : hinges + 1; }
-  // Vertices of hinge i among the fan's vertices, of which the first is that in the middle: where it ends, and the apexes of its
-  // sides. To the left lies the later one.
+  // Of hinge i, among the fan's vertices, of which the first is that in the middle: where it ends,
+  // and the apexes of its sides. To the left lies the later one.
   int tip(int i) const { return closed ? 1 + i : 2 + i; }
   int left(int i) const { return closed ? 1 + (i + 1) % hinges : 3 + i; }
   int right(int i) const { return closed ? 1 + (i + hinges - 1) % hinges : 1 + i; }
@@ -44,12 +45,13 @@ inline constexpr int most_hinges = 8, most_ring = 8;  // of a fan
 
 struct HingeFan {
   FanShape shape;
-  std::vector<int> vertices;   // the one in the middle, and the ring
+  std::vector<int> vertices;   // centre, then ring
   std::vector<int> triangles;  // of the sheet
 };
 
-// Every hinge is in two fans, those of its ends. Vertices with more than `most` hinges (<= most_hinges), or without a triangle at
-// a side and more than two less, have several. In the order of the shape, then of the vertices.
+// Every hinge is in two fans, those of its ends. Vertices with more than `most` hinges (<=
+// most_hinges), or without a triangle at a side and more than two less, have several. In the order
+// of the shape, then of the vertices.
 std::vector<HingeFan> hinge_fans(const std::vector<SheetTriangle>& sheet, int most);
 
 }  // namespace tack

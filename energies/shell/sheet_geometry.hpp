@@ -1,4 +1,5 @@
-// Rest data of linear triangles: F = sum_a x_a (grad N_a)^T, 3x2, in a frame of each triangle's own.
+// Rest data of linear triangles: F = sum_a x_a (grad N_a)^T, 3x2, in a frame of each triangle's
+// own.
 #pragma once
 
 #include <vector>
@@ -18,7 +19,8 @@ struct SheetRest {
   T volume;                      // area times thickness [m^3]
 };
 
-// Throws InputError naming the body if it has no sheet, or one without thickness; and the triangle that has no area.
+// Throws InputError naming the body if it has no sheet, or one without thickness; and the triangle
+// that has no area.
 void require_sheet(const Body& body, const VecX& rest, std::string_view energy);
 
 // The frame of a triangle: along its first edge, and across. 3x2.
@@ -35,7 +37,8 @@ inline Mat32 deformation_gradient(const SheetRest<double>& rest, const Triangle&
 }
 
 // The same of triangles[0 .. count), count <= pack_width; further lanes repeat the last one.
-inline PackMat32 deformation_gradient(const SheetRest<Pack>& rest, const Triangle* triangles, int count, const VecX& x) {
+inline PackMat32 deformation_gradient(const SheetRest<Pack>& rest, const Triangle* triangles,
+                                      int count, const VecX& x) {
   PackMat3 corners;
   for (int l = 0; l < pack_width; ++l) {
     const Triangle& t = triangles[l < count ? l : count - 1];

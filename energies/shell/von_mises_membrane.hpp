@@ -1,16 +1,21 @@
-// Von Mises plasticity of a membrane in plane stress, in Hencky strain e = ln s of the trial deformation F Fp^-1, Fp that
-// of the start of the step; for several triangles side by side.
-// In the numbers (p, q) = (e1 + e2, (e1 - e2) / sqrt 3) the elastic density and the length of an isochoric flow are
-//     1/2 (A p^2 + B q^2),  A = mu + lambda,  B = 3 mu,      g = |(p', q')|, the equivalent strain of the flow,
-// lambda = E nu / (1 - nu^2), and the stress conjugate to them, t = (A p, B q), has von Mises' stress as its length. So the
-// least of elastic energy and plastic work over all plastic flows (the augmented density),
-//     psi = min_f  1/2 (A (p - p')^2 + B (q - q')^2) + Y g + H/2 g^2,    Y = sigma_y + H a,   a the accumulated strain,
+// Von Mises plasticity of a membrane in plane stress, in Hencky strain e = ln s of the trial
+// deformation F Fp^-1, Fp that of the start of the step; for several triangles side by side. In the
+// numbers (p, q) = (e1 + e2, (e1 - e2) / sqrt 3) the elastic density and the length of an isochoric
+// flow are
+//     1/2 (A p^2 + B q^2),  A = mu + lambda,  B = 3 mu,      g = |(p', q')|, the equivalent strain
+//     of the flow,
+// lambda = E nu / (1 - nu^2), and the stress conjugate to them, t = (A p, B q), has von Mises'
+// stress as its length. So the least of elastic energy and plastic work over all plastic flows (the
+// augmented density),
+//     psi = min_f  1/2 (A (p - p')^2 + B (q - q')^2) + Y g + H/2 g^2,    Y = sigma_y + H a,   a the
+//     accumulated strain,
 // is a projection onto a circle in a metric of two numbers, where the length g solves
 //     (A p)^2 / ((A + H) g + Y)^2 + (B q)^2 / ((B + H) g + Y)^2 = 1,
-// which is convex and falls in g: Newton's method from 0 does not overshoot. The stress is the return-mapped one,
-// Kirchhoff's in the sheet of the thickness at rest.
-// With a viscosity eta, |t| = Y + H g + eta g/h over a step h: H + eta/h takes the place of H. Between steps, h = 0, nothing flows (plasticity/von_mises.hpp).
-// Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity; Simo and Taylor 1986 for the return in plane stress.
+// which is convex and falls in g: Newton's method from 0 does not overshoot. The stress is the
+// return-mapped one, Kirchhoff's in the sheet of the thickness at rest. With a viscosity eta, |t| =
+// Y + H g + eta g/h over a step h: H + eta/h takes the place of H. Between steps, h = 0, nothing
+// flows (solid/von_mises.hpp). Source: Li, Li, Jiang 2022, Energetically Consistent Inelasticity;
+// Simo and Taylor 1986 for the return in plane stress.
 #pragma once
 
 #include <cmath>
@@ -19,7 +24,8 @@
 
 namespace tack {
 
-// Increment of a return mapping: the principal logarithmic strains of the flow, and its length (nothing where it is zero).
+// Result of a return mapping: principal logarithmic strains of the flow and its length, 0 if
+// elastic.
 struct PlaneFlow {
   PackVec2 strain;
   Pack amount;
@@ -34,17 +40,21 @@ struct VonMisesMembraneLanes {
     const PackVec2 s = plane_stretch(f).s;
     const Return r = mapped(s);
     const Pack p = r.stress(0) / bulk, q = r.stress(1) / shear;
-    const Pack psi = 0.5 * (r.stress(0) * p + r.stress(1) * q) + r.amount * (yield + hardening / 2 * r.amount);
+    const Pack psi =
+        0.5 * (r.stress(0) * p + r.stress(1) * q) + r.amount * (yield + hardening / 2 * r.amount);
     return select(s.prod() > 0, psi, std::numeric_limits<double>::infinity());
   }
 
   PlaneDerivatives derivatives(const PackVec2& s) const {
     const Return r = mapped(s);
-    // dt/d(p, q) = C - C (C + M)^-1 C, M = Y'/g (I - n n^T) + H n n^T, Y' = Y + H g, n the direction of the flow.
+    // dt/d(p, q) = C - C (C + M)^-1 C, M = Y'/g (I - n n^T) + H n n^T, Y' = Y + H g, n the
+    // direction of the flow.
     const PackMask flows = r.amount > 0;
     const Pack secant = (yield + hardening * r.amount) / select(flows, r.amount, 1);
-    const Pack nn = r.direction(0) * r.direction(0), mm = r.direction(1) * r.direction(1), nm = r.direction(0) * r.direction(1);
-    const Pack a = bulk + secant + (hardening - secant) * nn, b = shear + secant + (hardening - secant) * mm;
+    const Pack nn = r.direction(0) * r.direction(0), mm = r.direction(1) * r.direction(1),
+               nm = r.direction(0) * r.direction(1);
+    const Pack a = bulk + secant + (hardening - secant) * nn,
+               b = shear + secant + (hardening - secant) * mm;
     const Pack c = (hardening - secant) * nm, det = a * b - c * c;
     const Pack pp = select(flows, bulk - bulk * bulk * b / det, bulk);
     const Pack qq = select(flows, shear - shear * shear * a / det, shear);
@@ -62,11 +72,13 @@ struct VonMisesMembraneLanes {
     return d;
   }
 
-  // A sheet that does not move afterwards does not flow: the state stays a little within the yield surface.
+  // The state stays inside the yield surface by more than round-off, so that a sheet at rest does
+  // not flow.
   PlaneFlow flow(const PackVec2& s) const {
     constexpr double inside = 1e-13;
     const Return r = mapped(s);
-    const Pack p = (r.amount + inside) * r.direction(0), q = (r.amount + inside) * r.direction(1) * root3;
+    const Pack p = (r.amount + inside) * r.direction(0),
+               q = (r.amount + inside) * r.direction(1) * root3;
     return {PackVec2((p + q) / 2, (p - q) / 2), r.amount};
   }
 
@@ -96,19 +108,22 @@ struct VonMisesMembraneLanes {
       g += change;
       if (!any(abs(change) > 1e-15 * (g + yield / ap))) break;
     }
-    const Pack np = tp / (ap * g + yield), nq = tq / (aq * g + yield), length = sqrt(np * np + nq * nq);
+    const Pack np = tp / (ap * g + yield), nq = tq / (aq * g + yield),
+               length = sqrt(np * np + nq * nq);
     const Pack scale = select(beyond & (g > 0), 1 / select(length > 0, length, 1), 0);
     r.direction = PackVec2(np * scale, nq * scale);
     r.amount = select(beyond & (g > 0), g, 0);
     const Pack now = yield + hardening * r.amount;
-    r.stress = PackVec2(select(beyond, now * r.direction(0), tp), select(beyond, now * r.direction(1), tq));
+    r.stress = PackVec2(select(beyond, now * r.direction(0), tp),
+                        select(beyond, now * r.direction(1), tq));
     return r;
   }
 };
 
-// Term of a sheet, each of whose triangles has its own yield surface.
+// Material of a sheet whose triangles have a yield surface each.
 struct VonMisesMembrane {
-  VonMisesMembrane(const PlaneStress& lame, double yield_stress_, double hardening_, double viscosity_ = 0)
+  VonMisesMembrane(const PlaneStress& lame, double yield_stress_, double hardening_,
+                   double viscosity_ = 0)
       : elastic(lame), yield_stress(yield_stress_), hardening(hardening_), viscosity(viscosity_) {}
 
   PlaneStress elastic;
@@ -116,17 +131,23 @@ struct VonMisesMembrane {
   double hardening;     // H: yield stress per accumulated plastic strain [Pa]
   double viscosity;     // eta [Pa s]
   std::vector<Pack> yields = {};  // of pack_width triangles each
-  double h = 0;         // the size of the step [s], where there is a viscosity
+  double h = 0;         // step size [s], with viscosity only
 
   VonMisesMembraneLanes at(int pack) const {
     constexpr double out_of_reach = 1e100;  // Pa
-    if (viscosity > 0 && h == 0) return {elastic.mu + elastic.lambda, 3 * elastic.mu, hardening, out_of_reach};
-    return {elastic.mu + elastic.lambda, 3 * elastic.mu, viscosity > 0 ? hardening + viscosity / h : hardening, yields[pack]};
+    if (viscosity > 0 && h == 0)
+      return {elastic.mu + elastic.lambda, 3 * elastic.mu, hardening, out_of_reach};
+    return {elastic.mu + elastic.lambda, 3 * elastic.mu,
+            viscosity > 0 ? hardening + viscosity / h : hardening, yields[pack]};
   }
   double yield(double strain) const { return yield_stress + hardening * strain; }
-  // Work per volume of plastic flow that adds to an accumulated strain [J/m^3].
-  double work(double strain, double added) const { return added * (yield_stress + hardening * (strain + added / 2)); }
-  double viscous_work(double added) const { return viscosity > 0 ? viscosity * added * added / h : 0; }
+  // Returns the work per volume of plastic flow that adds to an accumulated strain [J/m^3].
+  double work(double strain, double added) const {
+    return added * (yield_stress + hardening * (strain + added / 2));
+  }
+  double viscous_work(double added) const {
+    return viscosity > 0 ? viscosity * added * added / h : 0;
+  }
 };
 
 }  // namespace tack

@@ -1,5 +1,6 @@
-// Composite tets of one elastic material that are also a sum of squares: those of its shape at each point and of what stands for it in each part
-// (solid_residuals.hpp), and sqrt(V) g(J) of the mean J, U = g^2 / 2.
+// Composite tets of one elastic material that are also a sum of squares: those of its shape at each
+// point and of what stands for it in each part (solid_residuals.hpp), and sqrt(V) g(J) of the mean
+// J, U = g^2 / 2.
 #pragma once
 
 #include <atomic>
@@ -14,7 +15,8 @@ template <class Material>
 class CompositeSolid : public CompositeTerm<Material>, public ResidualView {
  public:
   CompositeSolid(std::string name, const Material& material, const Body& body, const VecX& rest)
-      : CompositeTerm<Material>(std::move(name), material, body, rest), squares_(material.lame.lambda >= 0) {}
+      : CompositeTerm<Material>(std::move(name), material, body, rest),
+        squares_(material.lame.lambda >= 0) {}
 
   // A negative lambda is no sum of squares.
   const ResidualView* residual_view() const override { return squares_ ? this : nullptr; }
@@ -34,14 +36,17 @@ class CompositeSolid : public CompositeTerm<Material>, public ResidualView {
   }
 
  private:
-  static constexpr int residual_count = composite_samples * tet_residual_count + 1, columns = 3 * composite_nodes;
+  static constexpr int residual_count = composite_samples * tet_residual_count + 1,
+                       columns = 3 * composite_nodes;
   using OfEdges = Eigen::Matrix<double, tet_residual_count, 12, Eigen::RowMajor>;
   using OfNodes = Eigen::Matrix<double, Eigen::Dynamic, columns, Eigen::RowMajor>;
 
   // `of_edges`: derivatives by the corners of a tet, 0 to 3; node n moves edge l by c_l.
-  static void add_node(double* jacobian, const OfEdges& of_edges, int node, const CompositeTable::Row& c) {
+  static void add_node(double* jacobian, const OfEdges& of_edges, int node,
+                       const CompositeTable::Row& c) {
     Eigen::Map<Eigen::Matrix<double, tet_residual_count, columns, Eigen::RowMajor>> rows(jacobian);
-    for (int l = 0; l < 3; ++l) rows.template middleCols<3>(3 * node) += c[l] * of_edges.middleCols<3>(3 * (l + 1));
+    for (int l = 0; l < 3; ++l)
+      rows.template middleCols<3>(3 * node) += c[l] * of_edges.middleCols<3>(3 * (l + 1));
   }
 
   bool residuals_of(int t, const VecX& x, double* r, double* jacobian) const {
@@ -57,28 +62,33 @@ class CompositeSolid : public CompositeTerm<Material>, public ResidualView {
       const Mat3 f = tets.deformation(t, k, x);
       double* const into = r + tet_residual_count * k;
       double* const slopes = jacobian ? of_edges.data() : nullptr;
-      if (!(k < composite_points ? tet_residuals(this->split_.shape, rest, f, into, slopes) : tet_residuals(this->split_.part, rest, f, into, slopes)))
+      if (!(k < composite_points ? tet_residuals(this->split_.shape, rest, f, into, slopes)
+                                 : tet_residuals(this->split_.part, rest, f, into, slopes)))
         return false;
       double* const rows = jacobian ? jacobian + columns * tet_residual_count * k : nullptr;
       if (k >= composite_points) {
         const auto& nodes = composite_tets[k - composite_points];
         if (jacobian)
-          for (int i = 0; i < 4; ++i) add_node(rows, of_edges, nodes[i], table.part[k - composite_points][i]);
+          for (int i = 0; i < 4; ++i)
+            add_node(rows, of_edges, nodes[i], table.part[k - composite_points][i]);
         continue;
       }
       const auto& c = table.point[k];
       const double j = f.determinant();
       mean += j / composite_points;
       if (!jacobian) continue;
-      const Mat3 of_growth = j / composite_points * f.inverse().transpose() * rest.shape.transpose();
+      const Mat3 of_growth =
+          j / composite_points * f.inverse().transpose() * rest.shape.transpose();
       for (int a = 0; a < composite_nodes; ++a) {
         add_node(rows, of_edges, a, c[a]);
-        growth.template segment<3>(3 * a) += (of_growth * Eigen::Map<const Vec3>(c[a].data())).transpose();
+        growth.template segment<3>(3 * a) +=
+            (of_growth * Eigen::Map<const Vec3>(c[a].data())).transpose();
       }
     }
     const double root_volume = std::sqrt(tets.volume_of(t));
     r[residual_count - 1] = root_volume * this->split_.volume.root(mean);
-    if (jacobian) all.row(residual_count - 1) = root_volume * this->split_.volume.root_slope(mean) * growth;
+    if (jacobian)
+      all.row(residual_count - 1) = root_volume * this->split_.volume.root_slope(mean) * growth;
     return std::isfinite(r[residual_count - 1]);
   }
 

@@ -10,12 +10,15 @@ namespace tack {
 
 class CompositeSums {
  public:
-  static constexpr size_t gradient_size = 3 * composite_nodes, hessian_size = 9 * hessian_blocks(composite_nodes);
+  static constexpr size_t gradient_size = 3 * composite_nodes,
+                          hessian_size = 9 * hessian_blocks(composite_nodes);
 
   CompositeSums(const CompositeTets& tets, int pack, Projection projection, bool with_hessian);
 
-  // A point at F = U diag(s) V^T with the derivatives of psi_s there, and the pressure of the mean J.
-  void add_point(int q, const Svd3<Pack>& svd, const PrincipalDerivatives& psi, const Pack& pressure);
+  // A point at F = U diag(s) V^T with the derivatives of psi_s there, and the pressure of the mean
+  // J.
+  void add_point(int q, const Svd3<Pack>& svd, const PrincipalDerivatives& psi,
+                 const Pack& pressure);
   void add_part(int s, const Svd3<Pack>& svd, const PrincipalDerivatives& psi);
   // Writes the first n; after all points and parts. bulk: U'' of the mean J.
   void store(const Pack& bulk, int n, double* gradient, double* hessian);

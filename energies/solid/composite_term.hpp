@@ -1,10 +1,13 @@
-// Solids of composite tets (geometry/tets/divide_tets.hpp), for a material that can be split (material_split.hpp). With the samples of
-// composite_samples.hpp, a tet of volume V costs
-//     (1 - b) V/4 sum over points of psi_s(F_q) + b V/8 sum over parts of psi_b(F_s) + V U(J),   J = 1/4 sum over points of det F_q.
-// The mean J does not lock; the small share b of the parts is what keeps them from inverting: energies of points alone let them, and steps that a
-// filter then cuts stall. Of U'', what is not within the points' Hessians is of rank one.
-// Where the material differs from sample to sample, `shape.at(i)` and `part.at(i)` are those of sample i % 12 of the tets pack_width * (i / 12) on.
-// Sources: composite_samples.hpp; Simo, Taylor, Pister 1985 for the mean volume.
+// Solids of composite tets (geometry/tets/divide_tets.hpp), for a splittable material
+// (material_split.hpp). With the samples of composite_samples.hpp, a tet of volume V has the energy
+//     (1 - b) V/4 sum over points of psi_s(F_q) + b V/8 sum over parts of psi_b(F_s) + V U(J),
+//     J = 1/4 sum over points of det F_q.
+// The mean J does not lock. The small fraction b of the parts prevents their inversion: energies of
+// points alone permit it, and steps that a filter then truncates stall. The Hessian of U beyond the
+// Hessians of the points is of rank one.
+// If the material differs between samples, `shape.at(i)` and `part.at(i)` belong to sample i % 12
+// of the tets from pack_width * (i / 12) on. Sources: composite_samples.hpp; Simo, Taylor, Pister
+// 1985 for the mean volume.
 #pragma once
 
 #include <algorithm>
@@ -41,17 +44,22 @@ class CompositeTerm : public Term, public StencilRanges {
     return {{composite_nodes, count(), count() == 0 ? nullptr : tets_.nodes().front().data()}};
   }
 
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override {
     for_each_chunk(count(), [&](int, int first, int last) {
-      range_derivatives(x, projection, first, last, gradient + CompositeSums::gradient_size * static_cast<size_t>(first),
-                        hessian ? hessian + CompositeSums::hessian_size * static_cast<size_t>(first) : nullptr);
+      range_derivatives(
+          x, projection, first, last,
+          gradient + CompositeSums::gradient_size * static_cast<size_t>(first),
+          hessian ? hessian + CompositeSums::hessian_size * static_cast<size_t>(first) : nullptr);
     });
   }
 
   std::vector<const StencilRanges*> ranges() const override { return {this}; }
 
-  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient, double* hessian) const override {
-    for (int t = first; t < last; t += pack_width, gradient += CompositeSums::gradient_size * pack_width) {
+  void range_derivatives(const VecX& x, Projection projection, int first, int last,
+                         double* gradient, double* hessian) const override {
+    for (int t = first; t < last;
+         t += pack_width, gradient += CompositeSums::gradient_size * pack_width) {
       elements(t, std::min(pack_width, last - t), x, projection, gradient, hessian);
       if (hessian) hessian += CompositeSums::hessian_size * pack_width;
     }
@@ -64,7 +72,8 @@ class CompositeTerm : public Term, public StencilRanges {
     records.add(std::move(stress));
   }
 
-  // Of samples: a corner has that of its own point, what is inside the mean of the four; the pressure of U is the same in all.
+  // Returns the stresses of the parts: a part at a corner has the stress of its point, an inner
+  // part the mean of the four. The pressure of U is equal in all parts.
   std::vector<Mat3> cauchy_stress(const VecX& x) const {
     std::vector<Mat3> stress(tets_.parts().size());
     for_each(tets_.packs(), [&](int p) {
@@ -75,7 +84,8 @@ class CompositeTerm : public Term, public StencilRanges {
       PackMat3 mean = PackMat3::Zero();
       for (int q = 0; q < composite_points; ++q) {
         const Svd3<Pack> svd = svd3(points.f[q]);
-        const PackVec3 tau = material(split_.shape, p, q).derivatives(svd.s).gradient.cwiseProduct(svd.s);
+        const PackVec3 tau =
+            material(split_.shape, p, q).derivatives(svd.s).gradient.cwiseProduct(svd.s);
         PackVec3 principal = tau / svd.s.prod();
         for (int i = 0; i < 3; ++i) principal(i) += pressure;
         sigma[q] = svd.u * principal.asDiagonal() * svd.u.transpose();
@@ -83,7 +93,8 @@ class CompositeTerm : public Term, public StencilRanges {
       }
       for (int l = 0; l < n; ++l)
         for (int s = 0; s < composite_parts; ++s)
-          stress[composite_parts * (first + l) + s] = get_lane<3, 3>(s < composite_points ? sigma[s] : mean, l);
+          stress[composite_parts * (first + l) + s] =
+              get_lane<3, 3>(s < composite_points ? sigma[s] : mean, l);
     }, chunk_size / pack_width);
     return stress;
   }
@@ -112,11 +123,14 @@ class CompositeTerm : public Term, public StencilRanges {
       least = select(j < least, j, least);
     };
     for (int q = 0; q < composite_points; ++q) add(q, points.f[q], material(split_.shape, pack, q));
-    for (int s = 0; s < composite_parts; ++s) add(composite_points + s, tets_.part(pack, s, x), material(split_.part, pack, composite_points + s));
+    for (int s = 0; s < composite_parts; ++s)
+      add(composite_points + s, tets_.part(pack, s, x),
+          material(split_.part, pack, composite_points + s));
     return select(least > 0, sum, std::numeric_limits<double>::infinity());
   }
 
-  void elements(int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  void elements(int first, int n, const VecX& x, Projection projection, double* gradient,
+                double* hessian) const {
     const int pack = first / pack_width;
     const CompositeNodes at = tets_.at(first, n, x);
     const CompositePoints points = tets_.points(pack, at);

@@ -1,4 +1,5 @@
-// The composite tets of a body at rest, pack_width side by side, and the deformation gradients of their samples (composite_samples.hpp).
+// The composite tets of a body at rest, pack_width side by side, and the deformation gradients of
+// their samples (composite_samples.hpp).
 #pragma once
 
 #include "energies/solid/composite_samples.hpp"
@@ -17,7 +18,8 @@ struct CompositePoints {
 
 class CompositeTets {
  public:
-  // body.tets: eight for each, as divide_tets has left them. Throws InputError naming the body and the part if one is not positively oriented.
+  // body.tets: eight for each, as divide_tets has left them. Throws InputError naming the body and
+  // the part if one is not positively oriented.
   CompositeTets(const Body& body, const VecX& rest);
 
   int count() const { return static_cast<int>(nodes_.size()); }
@@ -26,12 +28,20 @@ class CompositeTets {
   const std::vector<CompositeTet>& nodes() const { return nodes_; }
   const Pack& volume(int pack) const { return volume_[pack]; }
   double volume_of(int tet) const { return volume_[tet / pack_width][tet % pack_width]; }
-  // Fractions of a tet's volume for the shape and the sub-tet of a sample.
-  static double weight(int k) { return k < composite_points ? (1 - share_of_parts) / composite_points : share_of_parts / composite_parts; }
+  // What of a tet's volume a sample's shape and part count for.
+  static double weight(int k) {
+    return k < composite_points ? (1 - share_of_parts) / composite_points
+                                : share_of_parts / composite_parts;
+  }
 
-  // Sample k: the gradients of corners 1 to 3, as rows, or those times what a material remembers.
-  const PackMat3& shape(int pack, int k) const { return turned_.empty() ? shape_[pack] : turned_[composite_samples * pack + k]; }
-  Mat3 shape_of(int tet, int k) const { return get_lane<3, 3>(shape(tet / pack_width, k), tet % pack_width); }
+  // Of sample k: the gradients of corners 1 to 3, as rows, or those times what a material
+  // remembers.
+  const PackMat3& shape(int pack, int k) const {
+    return turned_.empty() ? shape_[pack] : turned_[composite_samples * pack + k];
+  }
+  Mat3 shape_of(int tet, int k) const {
+    return get_lane<3, 3>(shape(tet / pack_width, k), tet % pack_width);
+  }
   // Sets it to that at rest times inverse(i) for sample i % 12 of tet i / 12.
   template <class Inverse>
   void turn(const Inverse& inverse) {
@@ -39,10 +49,14 @@ class CompositeTets {
     for (int p = 0; p < packs(); ++p)
       for (int k = 0; k < composite_samples; ++k)
         for (int l = 0; l < pack_width; ++l)
-          set_lane<3, 3>(turned_[composite_samples * p + k], l, get_lane<3, 3>(shape_[p], l) * inverse(composite_samples * std::min(p * pack_width + l, count() - 1) + k));
+          set_lane<3, 3>(
+              turned_[composite_samples * p + k], l,
+              get_lane<3, 3>(shape_[p], l) *
+                  inverse(composite_samples * std::min(p * pack_width + l, count() - 1) + k));
   }
 
-  // At x, of the tets first .. first + n, from their first nodes: exact differences, however far from the origin. Further lanes repeat the last one.
+  // At x, of the tets first .. first + n, from their first nodes: exact differences, however far
+  // from the origin. Further lanes repeat the last one.
   CompositeNodes at(int first, int n, const VecX& x) const;
   CompositePoints points(int pack, const CompositeNodes& x) const;
   PackMat3 part(int pack, int s, const CompositeNodes& x) const;
@@ -53,7 +67,8 @@ class CompositeTets {
   const CompositeTable& table_ = composite_table();
   std::vector<Tet> parts_;
   std::vector<CompositeTet> nodes_;
-  std::vector<PackMat3> shape_, turned_;  // of pack_width tets each; the last lanes repeat the last tet. turned_: of each sample, or empty
+  std::vector<PackMat3> shape_, turned_;  // of pack_width tets each; the last lanes repeat the last
+                                          // tet. turned_: of each sample, or empty
   std::vector<Pack> volume_;              // likewise [m^3]
 };
 

@@ -1,5 +1,5 @@
-// Fixed corotated elasticity: psi = mu sum (s_i - 1)^2 + lambda/2 (J - 1)^2. That is finite at J = 0, so nothing in it would keep
-// a tet from being crushed to nothing. Below a tenth of its volume a barrier does:
+// Fixed corotated elasticity: psi = mu sum (s_i - 1)^2 + lambda/2 (J - 1)^2. It is finite at J = 0
+// and would allow tets to collapse. A barrier acts below a tenth of the rest volume:
 //     psi += (lambda + 2 mu) J0 b(J / J0),   b(r) = -(1 - r)^2 ln r,   r < 1,   J0 = 0.1.
 #pragma once
 
@@ -11,7 +11,8 @@
 namespace tack {
 
 struct FixedCorotated {
-  static constexpr double smallest_free = 0.1;  // J0: part of the volume below which the barrier acts
+  static constexpr double smallest_free =
+      0.1;  // J0: part of the volume below which the barrier acts
 
   Lame lame;
 
@@ -24,7 +25,8 @@ struct FixedCorotated {
     for (int i = 0; i < 3; ++i) squares += (s(i) - 1) * (s(i) - 1);
     Pack psi = lame.mu * squares + lame.lambda / 2 * growth * growth;
     const Pack r = (1 + growth) / smallest_free;
-    if (const PackMask crushed = r < 1; any(crushed)) psi = select(crushed, psi - barrier() * (1 - r) * (1 - r) * log(r), psi);
+    if (const PackMask crushed = r < 1; any(crushed))
+      psi = select(crushed, psi - barrier() * (1 - r) * (1 - r) * log(r), psi);
     return select(growth > -1, psi, infinity);
   }
 
@@ -49,18 +51,25 @@ struct FixedCorotated {
     return d;
   }
 
-  RootSample stretch_root(double s) const { return {std::sqrt(2 * lame.mu) * (s - 1), std::sqrt(2 * lame.mu)}; }
+  RootSample stretch_root(double s) const {
+    return {std::sqrt(2 * lame.mu) * (s - 1), std::sqrt(2 * lame.mu)};
+  }
   RootSample volume_root(double j) const {
     if (j >= smallest_free) return {std::sqrt(lame.lambda) * (j - 1), std::sqrt(lame.lambda)};
     const double r = j / smallest_free, rest = 1 - r, log_r = std::log(r);
-    const double root = -std::sqrt(lame.lambda * (j - 1) * (j - 1) - 2 * barrier() * rest * rest * log_r);
-    return {root, (lame.lambda * (j - 1) + barrier() / smallest_free * (2 * rest * log_r - rest * rest / r)) / root};
+    const double root =
+        -std::sqrt(lame.lambda * (j - 1) * (j - 1) - 2 * barrier() * rest * rest * log_r);
+    return {root, (lame.lambda * (j - 1) +
+                   barrier() / smallest_free * (2 * rest * log_r - rest * rest / r)) /
+                      root};
   }
 
-  // The barrier stays with the shape, at every point; parts of tets, which hardly weigh, are neo-Hookean, lest something inverts that nothing resists.
+  // The barrier stays with psi_s at every point. Parts of tets, which have little weight, are
+  // neo-Hookean, so that they resist inversion.
   auto split() const {
     const double negative = std::min(lame.lambda, 0.0);
-    return MaterialSplit<FixedCorotated, NeoHookean, QuadraticVolume>{{{lame.mu, negative}}, {{lame.mu, negative}}, {lame.lambda - negative}};
+    return MaterialSplit<FixedCorotated, NeoHookean, QuadraticVolume>{
+        {{lame.mu, negative}}, {{lame.mu, negative}}, {lame.lambda - negative}};
   }
 };
 

@@ -1,4 +1,4 @@
-// Elastic solids of tets that are taken together.
+// Elastic solids of grouped tets.
 #pragma once
 
 #include "energies/solid/composite_solid.hpp"
@@ -8,10 +8,13 @@
 namespace tack {
 
 template <SplitMaterial Material>
-std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material, const Body& body, const VecX& rest) {
-  if (body.elements == Elements::composite) return std::make_unique<CompositeSolid<Material>>(name, material, body, rest);
+std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material,
+                                         const Body& body, const VecX& rest) {
+  if (body.elements == Elements::composite)
+    return std::make_unique<CompositeSolid<Material>>(name, material, body, rest);
   const auto split = material.split();
-  return std::make_unique<PatchSolid<decltype(split.shape), decltype(split.volume)>>(name, split.shape, split.volume, body, rest);
+  return std::make_unique<PatchSolid<decltype(split.shape), decltype(split.volume)>>(
+      name, split.shape, split.volume, body, rest);
 }
 
 }  // namespace tack

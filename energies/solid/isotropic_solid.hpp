@@ -1,5 +1,6 @@
-// Base of isotropic solid energies: parameters, lumped mass, the term. An elastic material is
-// its density and derivatives, which it may split (material_split.hpp), and a TACK_REGISTER of IsotropicSolid<Material>.
+// Base of all isotropic solid energies: parameters, lumped mass and the term. An elastic material
+// is its density and derivatives, optionally with a split (material_split.hpp), and a TACK_REGISTER
+// of IsotropicSolid<Material>.
 #pragma once
 
 #include <limits>
@@ -43,10 +44,12 @@ class SolidEnergy : public Energy {
   double density_ = 1000;   // kg/m^3
 };
 
-// Term of tets that are grouped (Body::elements). Defined in grouped_solid.hpp, for a file of its own or that of a plugin's material: in the file of linear
-// ones the compiler would inline other functions, so that those round differently.
+// Term of grouped tets (Body::elements). Defined in grouped_solid.hpp, which a file of its own or
+// the material of a plugin includes: beside linear tets, the compiler would inline other functions,
+// and linear tets would round differently.
 template <SplitMaterial Material>
-std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material, const Body& body, const VecX& rest);
+std::unique_ptr<Term> make_grouped_solid(const std::string& name, const Material& material,
+                                         const Body& body, const VecX& rest);
 
 template <class Material>
 class IsotropicSolid : public SolidEnergy {

@@ -1,4 +1,5 @@
-// A solid of one elastic material that is also a sum of squares (solid_residuals.hpp). The material has
+// A solid of one elastic material that is also a sum of squares (solid_residuals.hpp). The material
+// has
 //   RootSample stretch_root(double s) const, volume_root(double j) const
 // beside what a SolidTerm asks for.
 #pragma once
@@ -17,7 +18,9 @@ class LeastSquaresSolid : public SolidTerm<Material>, public ResidualView {
   using SolidTerm<Material>::SolidTerm;
 
   // A negative lambda is no sum of squares.
-  const ResidualView* residual_view() const override { return this->material_.lame.lambda >= 0 ? this : nullptr; }
+  const ResidualView* residual_view() const override {
+    return this->material_.lame.lambda >= 0 ? this : nullptr;
+  }
 
   std::vector<ResidualBatch> residual_batches() const override {
     const StencilBatch tets = this->batches().front();
@@ -29,8 +32,8 @@ class LeastSquaresSolid : public SolidTerm<Material>, public ResidualView {
     for_each(this->count(), [&](int t) {
       const size_t at = static_cast<size_t>(t) * tet_residual_count;
       const TetRest<double> rest = this->rest_of(t);
-      if (!tet_residuals(this->material_, rest, deformation_gradient(rest, this->tets_[t], x), r + at,
-                         jacobian ? jacobian + 12 * at : nullptr))
+      if (!tet_residuals(this->material_, rest, deformation_gradient(rest, this->tets_[t], x),
+                         r + at, jacobian ? jacobian + 12 * at : nullptr))
         finite = false;
     });
     return finite;

@@ -27,7 +27,8 @@ struct NeoHookean {
       j = select(small, f.determinant(), j);
       log_j = select(small, log(j), log_j);
     }
-    const Pack psi = lame.mu * (h.squaredNorm() / 2 - higher + (growth - log_j)) + lame.lambda / 2 * log_j * log_j;
+    const Pack psi = lame.mu * (h.squaredNorm() / 2 - higher + (growth - log_j)) +
+                     lame.lambda / 2 * log_j * log_j;
     return select(j > 0, psi, infinity);
   }
 
@@ -67,7 +68,8 @@ struct NeoHookean {
   // A negative lambda stays with the shape: alone it would be no sum of squares.
   auto split() const {
     const NeoHookean shape{{lame.mu, std::min(lame.lambda, 0.0)}};
-    return MaterialSplit<NeoHookean, NeoHookean, LogVolume>{shape, shape, {std::max(lame.lambda, 0.0)}};
+    return MaterialSplit<NeoHookean, NeoHookean, LogVolume>{
+        shape, shape, {std::max(lame.lambda, 0.0)}};
   }
 };
 

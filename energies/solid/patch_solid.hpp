@@ -1,5 +1,5 @@
-// Tets with patches, of one elastic material that are also a sum of squares: those of its shape in each tet (solid_residuals.hpp), and
-// sqrt(V) g(J) of each patch, U = g^2 / 2.
+// Tets with patches, of one elastic material that are also a sum of squares: those of its shape in
+// each tet (solid_residuals.hpp), and sqrt(V) g(J) of each patch, U = g^2 / 2.
 #pragma once
 
 #include <atomic>
@@ -16,11 +16,14 @@ class PatchSolid : public PatchTerm<Shape, Volume>, public ResidualView {
   using PatchTerm<Shape, Volume>::PatchTerm;
 
   // A negative lambda, which stays with the shape, is no sum of squares.
-  const ResidualView* residual_view() const override { return this->material_.lame.lambda >= 0 ? this : nullptr; }
+  const ResidualView* residual_view() const override {
+    return this->material_.lame.lambda >= 0 ? this : nullptr;
+  }
 
   std::vector<ResidualBatch> residual_batches() const override {
     std::vector<ResidualBatch> all;
-    for (const StencilBatch& b : this->batches()) all.push_back({b.arity, all.empty() ? tet_residual_count : 1, b.count, b.vertices});
+    for (const StencilBatch& b : this->batches())
+      all.push_back({b.arity, all.empty() ? tet_residual_count : 1, b.count, b.vertices});
     return all;
   }
 
@@ -29,7 +32,8 @@ class PatchSolid : public PatchTerm<Shape, Volume>, public ResidualView {
     for_each(this->count(), [&](int t) {
       const size_t at = static_cast<size_t>(t) * tet_residual_count;
       const TetRest<double> rest = this->rest_of(t);
-      if (!tet_residuals(this->material_, rest, deformation_gradient(rest, this->tets_[t], x), r + at, jacobian ? jacobian + 12 * at : nullptr))
+      if (!tet_residuals(this->material_, rest, deformation_gradient(rest, this->tets_[t], x),
+                         r + at, jacobian ? jacobian + 12 * at : nullptr))
         finite = false;
     });
     if (!finite) return false;

@@ -1,5 +1,6 @@
-// Mean changes of volume over patches of tets (geometry/tets/tet_patches.hpp), J = v / V, and an energy V U(J) of each. Its Hessian is that of the
-// tets at pressures U' that are held, and V U'' times the square of dJ/dx: of rank one, and of all vertices of the patch.
+// Mean volume changes over patches of tets (geometry/tets/tet_patches.hpp), J = v / V, with an
+// energy V U(J) each. The Hessian is that of the tets at fixed pressures U', plus V U'' (dJ/dx)
+// (dJ/dx)^T, of rank one over all vertices of the patch.
 #pragma once
 
 #include <array>
@@ -12,7 +13,8 @@ namespace tack {
 
 class Patches {
  public:
-  // A body with its tets patch by patch, patches of as many vertices together; and the patch of each tet, from 0 on.
+  // A body with its tets patch by patch, patches of as many vertices together; and the patch of
+  // each tet, from 0 on.
   struct Sorted {
     Body body;
     std::vector<int> patch;
@@ -55,19 +57,23 @@ class Patches {
 template <class Volume>
 class PatchStencils final : public StencilRanges {
  public:
-  PatchStencils(const Patches& patches, const Patches::Run& run, const Volume& law) : patches_(patches), run_(run), law_(law) {}
+  PatchStencils(const Patches& patches, const Patches::Run& run, const Volume& law)
+      : patches_(patches), run_(run), law_(law) {}
 
-  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient, double* hessian) const override {
+  void range_derivatives(const VecX& x, Projection projection, int first, int last,
+                         double* gradient, double* hessian) const override {
     const int size = patches_.patch(run_.first).size;
     std::fill(gradient, gradient + 3 * static_cast<size_t>(size) * (last - first), 0.0);
     if (!hessian) return;
     std::array<double, 3 * largest_rank_one> slope;
     for (int p = run_.first + first; p < run_.first + last; ++p) {
-      const double bulk = projected(law_.at(patches_.growth(p, x)).bulk, projection) * patches_.patch(p).volume;
+      const double bulk =
+          projected(law_.at(patches_.growth(p, x)).bulk, projection) * patches_.patch(p).volume;
       patches_.derivative(p, x, slope.data());
       for (int a = 0; a < size; ++a)
         for (int b = 0; b <= a; ++b, hessian += 9)
-          Eigen::Map<Mat3>{hessian} = bulk * Eigen::Map<const Vec3>(&slope[3 * a]) * Eigen::Map<const Vec3>(&slope[3 * b]).transpose();
+          Eigen::Map<Mat3>{hessian} = bulk * Eigen::Map<const Vec3>(&slope[3 * a]) *
+                                      Eigen::Map<const Vec3>(&slope[3 * b]).transpose();
     }
   }
 

@@ -1,5 +1,5 @@
-// Isotropic hyperelasticity in principal stretches s (singular values of F), for several tets side by side.
-// Conventions of the derivatives follow Stomakhin et al. 2012 and Smith et al. 2019.
+// Isotropic hyperelasticity in principal stretches s (singular values of F), for several tets side
+// by side. Conventions of the derivatives follow Stomakhin et al. 2012 and Smith et al. 2019.
 #pragma once
 
 #include "framework/assembly/pack_projection.hpp"
@@ -14,7 +14,8 @@ struct PrincipalDerivatives {
 };
 
 // dP/dF in the principal frame F^ = diag(s): a 3x3 matrix on the diagonal entries, and for each
-// i != j a 2x2 matrix [same cross; cross same] on the entries (ij, ji). The diagonals of the latter are unused.
+// i != j a 2x2 matrix [same cross; cross same] on the entries (ij, ji). The diagonals of the latter
+// are unused.
 struct PrincipalHessian {
   PackMat3 diagonal;
   PackMat3 same;
@@ -24,7 +25,8 @@ struct PrincipalHessian {
 // Makes symmetric 3x3 matrices positive semi-definite; leaves definite ones alone.
 void project_diagonal(PackMat3& a, Projection projection);
 
-inline PrincipalHessian principal_hessian(const PackVec3& s, const PrincipalDerivatives& d, Projection projection) {
+inline PrincipalHessian principal_hessian(const PackVec3& s, const PrincipalDerivatives& d,
+                                          Projection projection) {
   PrincipalHessian h;
   h.diagonal = d.hessian;
   project_diagonal(h.diagonal, projection);

@@ -1,6 +1,8 @@
-// The stiffness of one sample of a deformation gradient F = U diag(s) V^T = sum_a x_a g_a^T, for several side by side:
+// The stiffness of one sample of a deformation gradient F = U diag(s) V^T = sum_a x_a g_a^T, for
+// several side by side:
 //     K_ab = sum_jl (g_a)_j dP_.j/dF_.l (g_b)_l,
-// from dP/dF in the principal frame. For stencils of many vertices: what depends on b alone is found once for all a.
+// from dP/dF in the principal frame. For stencils of many vertices: what depends on b alone is
+// found once for all a.
 #pragma once
 
 #include "energies/solid/principal.hpp"
@@ -25,13 +27,15 @@ class SampleStiffness {
         stretched += (h_.diagonal(j, k) * p(k)) * u_.col(k);
         if (k != j) crossed += (h_.cross(k, j) * p(k)) * u_.col(k);
       }
-      column_[j] = u_.col(j) * stretched.transpose() + crossed * u_.col(j).transpose() + p(j) * same_[j];
+      column_[j] =
+          u_.col(j) * stretched.transpose() + crossed * u_.col(j).transpose() + p(j) * same_[j];
     }
   }
 
   template <class Block>
   void add_to(Block& block, const PackVec3& a) const {
-    for (int i = 0; i < 9; ++i) block(i) += a(0) * column_[0](i) + a(1) * column_[1](i) + a(2) * column_[2](i);
+    for (int i = 0; i < 9; ++i)
+      block(i) += a(0) * column_[0](i) + a(1) * column_[1](i) + a(2) * column_[2](i);
   }
 
  private:

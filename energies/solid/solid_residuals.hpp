@@ -1,10 +1,10 @@
-// An isotropic energy as squares: for psi(s) = 1/2 sum_i g(s_i)^2 + 1/2 v(J)^2, with g rising through
-// g(1) = 0, the ten residuals of a tet are
+// An isotropic energy as squares: for psi(s) = 1/2 sum_i g(s_i)^2 + 1/2 v(J)^2, with g rising
+// through g(1) = 0, the ten residuals of a tet are
 //     sqrt(volume) (U diag(g(s)) V^T, v(J)),    F = U diag(s) V^T, J = det F.
-// The first nine are an isotropic function of F, as smooth as g: in the principal frame its derivative
-// is g'(s_i) on the diagonal, and for i != j the difference quotients (g_i - g_j)/(s_i - s_j) and
-// (g_i + g_j)/(s_i + s_j) on the symmetric and the antisymmetric part.
-// A material has  RootSample stretch_root(double s) const  for g and  volume_root(double j) const  for v.
+// The first nine are an isotropic function of F, as smooth as g: in the principal frame its
+// derivative is g'(s_i) on the diagonal, and for i != j the difference quotients (g_i - g_j)/(s_i -
+// s_j) and (g_i + g_j)/(s_i + s_j) on the symmetric and the antisymmetric part. A material has
+// RootSample stretch_root(double s) const  for g and  volume_root(double j) const  for v.
 #pragma once
 
 #include <cmath>
@@ -25,7 +25,8 @@ inline constexpr int tet_residual_count = 10;
 
 // r: 10; jacobian: 10 x 12, row-major, or null. False if the tet is inverted.
 template <class Material>
-bool tet_residuals(const Material& material, const TetRest<double>& rest, const Mat3& f, double* r, double* jacobian) {
+bool tet_residuals(const Material& material, const TetRest<double>& rest, const Mat3& f, double* r,
+                   double* jacobian) {
   if (!(f.determinant() > 0)) return false;
   const Svd3<double> svd = svd3(f);
   const Vec3& s = svd.s;

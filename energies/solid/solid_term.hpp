@@ -1,10 +1,10 @@
 // sum over tets of volume * psi(F), for an isotropic material given in principal stretches.
 // A material has
-//   Pack energy(const PackMat3& f) const;                             psi [J/m^3], infinite unless det F > 0
-//   PrincipalDerivatives derivatives(const PackVec3& stretches) const;
+//   Pack energy(const PackMat3& f) const;                             psi [J/m^3], infinite unless
+//   det F > 0 PrincipalDerivatives derivatives(const PackVec3& stretches) const;
 // or, where it differs from tet to tet, at(p): that of the tets pack_width * p on, one per lane.
-// Tets are computed pack_width at a time, one per lane. The Hessian is projected in the principal frame, in
-// closed form but for one 3x3 matrix.
+// Tets are computed pack_width at a time, one per lane. The Hessian is projected in the principal
+// frame, in closed form but for one 3x3 matrix.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,8 @@ template <class Material>
 class SolidTerm : public Term, public StencilRanges {
  public:
   SolidTerm(std::string name, const Material& material, const Body& body, const VecX& rest)
-      : Term(std::move(name)), material_(material), tets_(body.tets), rest_(packed(tet_rest_data(body, rest))) {}
+      : Term(std::move(name)), material_(material), tets_(body.tets),
+        rest_(packed(tet_rest_data(body, rest))) {}
 
   double value(const VecX& x) const override {
     return sum_chunks(count(), [&](int first, int last) {
@@ -30,7 +31,9 @@ class SolidTerm : public Term, public StencilRanges {
       for (int t = first; t < last; t += pack_width) {
         const int n = std::min(pack_width, last - t);
         const TetRest<Pack>& rest = rest_[t / pack_width];
-        const Pack energy = rest.volume * material(t / pack_width).energy(deformation_gradient(rest, &tets_[t], n, x));
+        const Pack energy =
+            rest.volume *
+            material(t / pack_width).energy(deformation_gradient(rest, &tets_[t], n, x));
         for (int l = 0; l < n; ++l) sum += energy[l];
       }
       return sum;
@@ -51,10 +54,11 @@ class SolidTerm : public Term, public StencilRanges {
 
   std::vector<const StencilRanges*> ranges() const override { return {this}; }
 
-  void range_derivatives(const VecX& x, Projection projection, int first, int last, double* gradient,
-                         double* hessian) const override {
+  void range_derivatives(const VecX& x, Projection projection, int first, int last,
+                         double* gradient, double* hessian) const override {
     for (int t = first; t < last; t += pack_width, gradient += 12 * pack_width) {
-      elements(material(t / pack_width), t, std::min(pack_width, last - t), x, projection, gradient, hessian);
+      elements(material(t / pack_width), t, std::min(pack_width, last - t), x, projection, gradient,
+               hessian);
       if (hessian) hessian += 90 * pack_width;
     }
   }
@@ -70,7 +74,8 @@ class SolidTerm : public Term, public StencilRanges {
       const int first = p * pack_width, n = std::min(pack_width, count() - first);
       if (n <= 0) return;
       const Svd3<Pack> svd = svd3(deformation_gradient(rest_[p], &tets_[first], n, x));
-      const PackVec3 principal = material(p).derivatives(svd.s).gradient.cwiseProduct(svd.s) / svd.s.prod();
+      const PackVec3 principal =
+          material(p).derivatives(svd.s).gradient.cwiseProduct(svd.s) / svd.s.prod();
       const PackMat3 sigma = svd.u * principal.asDiagonal() * svd.u.transpose();
       for (int l = 0; l < n; ++l) stress[first + l] = get_lane<3, 3>(sigma, l);
     }, chunk_size / pack_width);
@@ -85,7 +90,9 @@ class SolidTerm : public Term, public StencilRanges {
     const TetRest<Pack>& pack = rest_[t / pack_width];
     return {get_lane<3, 3>(pack.shape, t % pack_width), pack.volume[t % pack_width]};
   }
-  Mat3 deformation(int t, const VecX& x) const { return deformation_gradient(rest_of(t), tets_[t], x); }
+  Mat3 deformation(int t, const VecX& x) const {
+    return deformation_gradient(rest_of(t), tets_[t], x);
+  }
 
   decltype(auto) material(int pack) const {
     if constexpr (requires { material_.at(pack); }) return material_.at(pack);
@@ -94,7 +101,8 @@ class SolidTerm : public Term, public StencilRanges {
 
   // Slots of the tets first .. first + n, with their derivatives in principal stretches.
   template <class Lanes>
-  void elements(const Lanes& lanes, int first, int n, const VecX& x, Projection projection, double* gradient, double* hessian) const {
+  void elements(const Lanes& lanes, int first, int n, const VecX& x, Projection projection,
+                double* gradient, double* hessian) const {
     const TetRest<Pack>& rest = rest_[first / pack_width];
     const Svd3<Pack> svd = svd3(deformation_gradient(rest, &tets_[first], n, x));
     const PrincipalDerivatives d = lanes.derivatives(svd.s);
@@ -130,8 +138,8 @@ class SolidTerm : public Term, public StencilRanges {
   }
 
   // K_ab = volume U K^_ab U^T for a, b = 1..3; the rows and columns of vertex 0 make sums vanish.
-  static void blocks(const PackMat3& u, const PackMat3& shape, const PrincipalHessian& h, const Pack& volume,
-                     Pack* out) {
+  static void blocks(const PackMat3& u, const PackMat3& shape, const PrincipalHessian& h,
+                     const Pack& volume, Pack* out) {
     const auto slot = [&](int k) { return Eigen::Map<PackMat3>(out + 9 * k); };
     constexpr int lower[3][3] = {{2, -1, -1}, {4, 5, -1}, {7, 8, 9}};
     for (int a = 0; a < 3; ++a) {

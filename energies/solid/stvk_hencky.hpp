@@ -16,7 +16,8 @@ struct StvkHencky {
     const PackVec3 s = svd3(f).s;
     const PackVec3 e(log(s(0)), log(s(1)), log(s(2)));
     const Pack trace = e.sum();
-    return select(f.determinant() > 0, lame.mu * e.squaredNorm() + lame.lambda / 2 * trace * trace, infinity);
+    return select(f.determinant() > 0, lame.mu * e.squaredNorm() + lame.lambda / 2 * trace * trace,
+                  infinity);
   }
 
   PrincipalDerivatives derivatives(const PackVec3& s) const {
@@ -44,7 +45,8 @@ struct StvkHencky {
   // A negative lambda stays with the shape: alone it would be no sum of squares.
   auto split() const {
     const StvkHencky shape{{lame.mu, std::min(lame.lambda, 0.0)}};
-    return MaterialSplit<StvkHencky, StvkHencky, LogVolume>{shape, shape, {std::max(lame.lambda, 0.0)}};
+    return MaterialSplit<StvkHencky, StvkHencky, LogVolume>{
+        shape, shape, {std::max(lame.lambda, 0.0)}};
   }
 };
 

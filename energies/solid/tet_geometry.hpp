@@ -12,7 +12,8 @@ namespace tack {
 // T: double, or Pack for pack_width tets side by side.
 template <class T>
 struct TetRest {
-  Eigen::Matrix<T, 3, 3> shape;  // row a-1: grad N_a, a = 1, 2, 3 [1/m]; grad N_0 is minus their sum
+  Eigen::Matrix<T, 3, 3>
+      shape;  // row a-1: grad N_a, a = 1, 2, 3 [1/m]; grad N_0 is minus their sum
   T volume;                      // [m^3]
 };
 
@@ -24,7 +25,8 @@ inline Mat3 deformation_gradient(const TetRest<double>& rest, const Tet& tet, co
 }
 
 // The same of tets[0 .. count), count <= pack_width; further lanes repeat the last one.
-inline PackMat3 deformation_gradient(const TetRest<Pack>& rest, const Tet* tets, int count, const VecX& x) {
+inline PackMat3 deformation_gradient(const TetRest<Pack>& rest, const Tet* tets, int count,
+                                     const VecX& x) {
   PackMatrix<3, 4> corners;
   for (int l = 0; l < pack_width; ++l) {
     const Tet& tet = tets[l < count ? l : count - 1];
