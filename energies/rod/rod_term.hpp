@@ -7,7 +7,7 @@
 // agree at rest. If edges meet at an acute angle, one of them is reversed, so that the angle
 // between the tangents is at most a right angle. At a rest angle phi, curvature and twist change by
 // more than the relative rotation of the frames: by 1 / cos^2(phi / 2) per angle in the plane of
-// phi, by 1 / cos(phi / 2) across it. The stiffness is divided by these factors, so that small
+// phi, by 1 / cos(phi / 2) across it. The strains in P are divided by these factors, so that small
 // bending of a corner costs as much as of a straight rod.
 #pragma once
 

@@ -1,7 +1,7 @@
-// What keeps affine bodies rigid (Lan et al. 2022, Affine Body Dynamics, eq. 4):
+// Stiffness of affine bodies against strain (Lan et al. 2022, Affine Body Dynamics, eq. 4):
 //     P = sum over bodies of kappa/2 V |E|^2,   E = (A^T A - I) / 2,
-// A the linear part of the body's affine map, V its volume, kappa its stiffness [Pa]: a bar that is stretched by a
-// stress s gets the strain s / kappa.
+// A the linear part of the body's affine map, V its volume, kappa its stiffness [Pa]. A bar under
+// the stress s has the strain s / kappa.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace tack {
 
-// What the stiffness of a body keeps its strains below unless the scene gives it; beyond, a run warns.
+// Strain for which the default stiffness is chosen; a run warns if strains exceed it.
 inline constexpr double tolerated_affine_strain = 1e-4;
 
 class OrthogonalityTerm : public Term, public ResidualView {
@@ -22,16 +22,18 @@ class OrthogonalityTerm : public Term, public ResidualView {
   // rest: 3n [m]; volume [m^3]; stiffness [Pa].
   void add(const Tet& frame, const VecX& rest, double volume, double stiffness);
   bool empty() const { return frames_.empty(); }
-  // Bends the step p from the unknowns q of bodies that are free as a whole (bent_change.hpp), where turning them straight
-  // would cost more than `loss` [J]; their centroids go straight. False if there are none.
+  // Retracts the step p from the unknowns q onto rotations (bent_change.hpp), for bodies without
+  // fixed vertices whose strain energy under p would exceed `loss` [J]. Centroids move along p.
+  // Returns false if there are no such bodies.
   bool bend(const DofMap& dofs, const VecX& q, VecX& p, double loss) const;
-  // The largest principal strain of any body, by magnitude.
+  // Returns the principal strain of largest magnitude of all bodies.
   double largest_strain(const VecX& x) const;
 
   double value(const VecX& x) const override;
   bool share_energy(const VecX& x, const EnergyShare& share) const override;
   std::vector<StencilBatch> batches() const override;
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override;
 
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override;

@@ -1,6 +1,7 @@
-// Sums the terms of the potential into one gradient and one block matrix.
-// Every stencil writes its own slots; one gather then sums the slots of each target, and Hessians of ranged terms are
-// summed chunk by chunk before (local_sums.hpp). The maps of static terms are made once, those of dynamic terms whenever a configuration with other stencils is linearised.
+// Assembler: sums the terms of the potential into one gradient and one block matrix. Every stencil
+// writes its own slots, and one gather sums the slots of each target. Hessians of ranged terms are
+// summed by chunks first (local_sums.hpp). The gather maps of static terms are built once, those of
+// dynamic terms whenever their stencils have changed.
 #pragma once
 
 #include <memory>
@@ -22,18 +23,19 @@ class Assembler {
  public:
   Assembler(std::vector<const Term*> terms, const DofMap& dofs, PhaseClock& clock);
 
-  // Adds the gradients of the terms times their scales, in the unknowns (3m), to `gradient`.
+  // Adds scales * gradients of the terms to `gradient`, in the unknowns (3m).
   void add_gradient(const VecX& x, const TermScales& scales, VecX& gradient);
 
-  // The same, and matrix <- scales * Hessians + diag(block_mass) as requested.
+  // Adds scales * gradients to `gradient`; matrix <- scales * Hessians + diag(block_mass), as
+  // requested.
   void assemble(const VecX& x, const TermScales& scales, const HessianRequest& request,
                 const VecX& block_mass, VecX& gradient, BlockMatrix& matrix);
 
-  // Adds the stencils' gradients of the last evaluation, of terms that store energy, at every vertex,
-  // held ones included (3n) [N].
+  // Adds the stencil gradients of the last evaluation, of terms that store energy, at all vertices,
+  // fixed ones included (3n) [N].
   void add_last_gradients(VecX& gradient) const;
 
-  // The largest component of any stencil's force at the last evaluation [N].
+  // Returns the largest component of any stencil force at the last evaluation [N].
   double largest_stencil_force() const;
   // Calls act(vertices, largest, dynamic) for each stencil of the last evaluation: its vertices,
   // the largest component of its force [N], and whether its term is dynamic. Several threads call
@@ -54,7 +56,8 @@ class Assembler {
     size_t own_gradient_slots = 0;
     ReducedStencils reduced;
     GatherMap gradient_map, hessian_map;
-    std::vector<int> mapped;      // the batches that the maps are for: arity, count and vertices of each
+    std::vector<int>
+        mapped;  // the batches that the maps are for: arity, count and vertices of each
     bool hessian_mapped = false;  // whether the Hessian's map is made too
 
     double largest_force() const;
@@ -73,7 +76,8 @@ class Assembler {
   void number_parts();
   void locate_static_blocks();
   void add_linear(const VecX& x, const TermScales& scales, VecX& gradient) const;
-  void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request, GlobalModes& modes) const;
+  void gather_modes(const VecX& x, const TermScales& scales, const HessianRequest& request,
+                    GlobalModes& modes) const;
   void take_held_directions_out(VecX& gradient) const;
   void take_held_directions_out(BlockMatrix& matrix) const;
 
@@ -89,8 +93,8 @@ class Assembler {
   std::vector<int> ranged_positions_, static_positions_;  // in the matrix, of the targets of either
 };
 
-// Calls act(arity, count, vertices, slots) for each batch. The vertices are those that the slots
-// were placed for: a dynamic term may have other stencils by now.
+// Calls act(arity, count, vertices, slots) for each batch. `vertices` are those at the time when
+// the slots were placed; a dynamic term may have other stencils by now.
 template <class Act>
 void Assembler::Group::for_each_batch(const Act& act) const {
   const double* slots = gradient_slots.data();

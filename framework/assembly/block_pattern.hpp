@@ -1,6 +1,6 @@
-// The sparsity of the assembled Hessian: the union of what the static stencils touch (fixed for a
-// run) and what the dynamic ones (contact) touch. Blocks that contact needed recently stay in the
-// pattern as explicit zeros, so that a solver's symbolic analysis survives pairs that come and go.
+// Sparsity of the assembled Hessian: the union of the blocks of static stencils (fixed for a run)
+// and of dynamic stencils (contact). Blocks that contact used recently stay in the pattern as
+// explicit zeros, so that the symbolic analysis of a solver survives pairs that come and go.
 #pragma once
 
 #include <cstdint>
@@ -24,11 +24,12 @@ class BlockPattern {
   // Sorted unique keys of the static stencils; diagonal blocks are always added.
   BlockPattern(int columns, std::vector<BlockKey> static_keys);
 
-  // Makes sure that every dynamic key (sorted, unique) is in the matrix and finds their positions
-  // there. Returns true if its structure had to change.
-  bool cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix, std::vector<int>& positions);
+  // Adds missing dynamic keys (sorted, unique) to the matrix and finds their positions there.
+  // Returns true if the structure of the matrix changed.
+  bool cover(const std::vector<BlockKey>& dynamic_keys, BlockMatrix& matrix,
+             std::vector<int>& positions);
 
-  // Position in the matrix of the k-th static key.
+  // Returns the position in the matrix of static key k.
   const std::vector<int>& static_positions() const { return static_positions_; }
   const std::vector<BlockKey>& static_keys() const { return static_keys_; }
 

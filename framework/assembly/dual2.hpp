@@ -1,5 +1,6 @@
-// Second-order forward-mode number in one variable: value, first and second derivative. A law written
-// as one formula, `template <class T> T energy(const T& d) const`, gets exact derivatives from it.
+// Second-order forward-mode number in one variable: value, first and second derivative. A law
+// written as one formula, `template <class T> T energy(const T& d) const`, gets exact derivatives
+// from it.
 #pragma once
 
 #include <cmath>
@@ -14,7 +15,7 @@ struct Dual2 {
   Dual2(double value, double first, double second) : v(value), d1(first), d2(second) {}
   static Dual2 variable(double value) { return {value, 1.0, 0.0}; }
 
-  // f(*this), given f, f' and f'' at v.
+  // Returns f(*this), given f, f' and f'' at v.
   Dual2 chain(double f, double f1, double f2) const { return {f, f1 * d1, f2 * d1 * d1 + f1 * d2}; }
 };
 

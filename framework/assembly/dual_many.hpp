@@ -1,5 +1,6 @@
-// Forward-mode number in N variables: value and gradient, and with Curvature the Hessian, of which the lower triangle is kept by rows. A
-// formula of several vertices written as a template on its number type gets exact derivatives from it (formula_term.hpp).
+// Forward-mode number in N variables: value and gradient, and with Curvature the lower triangle of
+// the Hessian by rows. A formula of several vertices written as a template on its number type gets
+// exact derivatives from it (formula_term.hpp).
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +24,7 @@ struct DualMany {
     return x;
   }
 
-  // f(*this), given f, f' and f'' at v.
+  // Returns f(*this), given f, f' and f'' at v.
   DualMany chain(double f, double f1, double f2) const {
     DualMany y(f);
     for (int i = 0; i < N; ++i) y.d[i] = f1 * d[i];
@@ -69,7 +70,8 @@ struct DualMany {
     for (int i = 0; i < N; ++i) y.d[i] = a.d[i] * b.v + a.v * b.d[i];
     if constexpr (Curvature)
       for (int i = 0, k = 0; i < N; ++i)
-        for (int j = 0; j <= i; ++j, ++k) y.h[k] = a.h[k] * b.v + a.d[i] * b.d[j] + a.d[j] * b.d[i] + a.v * b.h[k];
+        for (int j = 0; j <= i; ++j, ++k)
+          y.h[k] = a.h[k] * b.v + a.d[i] * b.d[j] + a.d[j] * b.d[i] + a.v * b.h[k];
     return y;
   }
   friend DualMany reciprocal(const DualMany& a) {
@@ -86,12 +88,15 @@ struct DualMany {
   friend bool operator!=(const DualMany& a, const DualMany& b) { return a.v != b.v; }
 
   friend DualMany abs(const DualMany& a) { return a.v < 0 ? -a : a; }
-  // At 0, where the root has no slope, that of a constant: formulas ask for it where they are even in it.
+  // At 0, where the root has no derivative, the derivative is 0: formulas are even in such
+  // arguments.
   friend DualMany sqrt(const DualMany& a) {
     const double r = std::sqrt(a.v);
     return r > 0 ? a.chain(r, 0.5 / r, -0.25 / (r * a.v)) : DualMany();
   }
-  friend DualMany log(const DualMany& a) { return a.chain(std::log(a.v), 1 / a.v, -1 / (a.v * a.v)); }
+  friend DualMany log(const DualMany& a) {
+    return a.chain(std::log(a.v), 1 / a.v, -1 / (a.v * a.v));
+  }
   friend DualMany exp(const DualMany& a) {
     const double e = std::exp(a.v);
     return a.chain(e, e, e);
@@ -100,8 +105,12 @@ struct DualMany {
     const double f = std::pow(a.v, p);
     return a.chain(f, p * f / a.v, p * (p - 1) * f / (a.v * a.v));
   }
-  friend DualMany sin(const DualMany& a) { return a.chain(std::sin(a.v), std::cos(a.v), -std::sin(a.v)); }
-  friend DualMany cos(const DualMany& a) { return a.chain(std::cos(a.v), -std::sin(a.v), -std::cos(a.v)); }
+  friend DualMany sin(const DualMany& a) {
+    return a.chain(std::sin(a.v), std::cos(a.v), -std::sin(a.v));
+  }
+  friend DualMany cos(const DualMany& a) {
+    return a.chain(std::cos(a.v), -std::sin(a.v), -std::cos(a.v));
+  }
   friend DualMany tanh(const DualMany& a) {
     const double t = std::tanh(a.v), s = 1 - t * t;
     return a.chain(t, s, -2 * t * s);
@@ -110,7 +119,7 @@ struct DualMany {
     const double s = std::sqrt(1 - a.v * a.v);
     return a.chain(std::acos(a.v), -1 / s, -a.v / (s * s * s));
   }
-  // The angle of (x, y). By that of the quotient which is smaller, turned.
+  // Returns the angle of (x, y), from the smaller one of the quotients y/x and x/y.
   friend DualMany atan2(const DualMany& y, const DualMany& x) {
     const bool steep = std::abs(y.v) > std::abs(x.v);
     const DualMany q = steep ? x / y : y / x;
@@ -122,7 +131,7 @@ struct DualMany {
   }
 };
 
-// For what a formula decides by.
+// Returns the value of a number, for the branches of a formula.
 template <int N, bool Curvature>
 double value_of(const DualMany<N, Curvature>& x) {
   return x.v;
@@ -137,7 +146,15 @@ struct NumTraits<tack::DualMany<N, Curvature>> : NumTraits<double> {
   using Real = tack::DualMany<N, Curvature>;
   using NonInteger = Real;
   using Nested = Real;
-  enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = N, AddCost = N, MulCost = N * N };
+  enum {
+    IsComplex = 0,
+    IsInteger = 0,
+    IsSigned = 1,
+    RequireInitialization = 1,
+    ReadCost = N,
+    AddCost = N,
+    MulCost = N * N
+  };
 };
 
 template <int N, bool Curvature, class Operation>

@@ -1,4 +1,4 @@
-// A term whose stencils have one formula of their vertices, from which gradient, Hessian and projection follow:
+// Term with one formula per stencil. Gradient, Hessian and projection follow from the formula:
 //
 //   struct Rope : FormulaOf<2> {
 //     struct Data { double stiffness, length; };  // of a stencil: N/m, m
@@ -11,9 +11,10 @@
 //   auto term = std::make_unique<FormulaTerm<Rope>>("ropes");
 //   term->add({v, w}, {100, 0.2});
 //
-// The energy may not change as all its places are moved together: what is held to space has a vertex that is held (InteractionBuilder::fixed).
-// Forward differentiation costs about as many times the formula as it has variables squared: right for hundreds of stencils of any arity, and for
-// thousands of few vertices; what a whole mesh is made of has its derivatives by hand.
+// The energy must be invariant to a common translation of its positions. A formula relative to
+// space uses a fixed vertex (InteractionBuilder::fixed). Cost: forward differentiation takes about
+// (variables)^2 evaluations of the formula. It suits hundreds of stencils of any arity, or
+// thousands of stencils of few vertices. Elements of a whole mesh have derivatives by hand.
 #pragma once
 
 #include <algorithm>
@@ -29,10 +30,12 @@
 
 namespace tack {
 
-// Arity: the vertices of a stencil, of which the last `Numbers` are numbers (world/unknowns.hpp): x[k].x() is their way [m].
+// Arity: vertices of a stencil. The last `Numbers` of them are scalar dofs (scene/unknowns.hpp):
+// x[k].x() is the displacement of scalar k [m].
 template <int Arity, int Numbers = 0>
 struct FormulaOf {
-  static_assert(Arity >= 1 && Arity <= largest_arity, "core/term.hpp says how many vertices a stencil may have");
+  static_assert(Arity >= 1 && Arity <= largest_arity,
+                "core/term.hpp says how many vertices a stencil may have");
   static_assert(Numbers >= 0 && Numbers <= Arity);
   static constexpr int arity = Arity, numbers = Numbers;
   static constexpr bool stored = true;     // redefined where it stands for what a step dissipates
@@ -46,8 +49,9 @@ class FormulaTerm : public Term {
   static constexpr int arity = Formula::arity, numbers = Formula::numbers;
   using Data = typename Formula::Data;
 
-  // name: of its energy, as results have it.
-  explicit FormulaTerm(std::string name, Formula formula = {}) : Term(std::move(name)), formula_(std::move(formula)) {}
+  // name: of the energy in results.
+  explicit FormulaTerm(std::string name, Formula formula = {})
+      : Term(std::move(name)), formula_(std::move(formula)) {}
 
   void add(const std::array<int, arity>& vertices, Data data) {
     for (const int v : vertices) vertices_.push_back(v);
@@ -60,7 +64,8 @@ class FormulaTerm : public Term {
     return all;
   }
   const std::vector<Data>& data() const { return data_; }
-  // To be changed where a step begins, is lagged, or what was is remembered (step_participant.hpp).
+  // Data of the stencils. They may change only in begin_step, lag and remember
+  // (step_participant.hpp).
   std::vector<Data>& data() { return data_; }
   const Formula& formula() const { return formula_; }
   double energy(int s, const VecX& x) const { return energy(s, x, data_[s]); }  // J
@@ -77,7 +82,8 @@ class FormulaTerm : public Term {
     });
   }
   std::vector<StencilBatch> batches() const override { return {batch()}; }
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override {
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override {
     for_each(count(), [&](int s) {
       double* const slopes = gradient + 3 * arity * static_cast<size_t>(s);
       if (!hessian) return write<Dual<false>>(s, x, slopes, nullptr);
@@ -94,8 +100,10 @@ class FormulaTerm : public Term {
 
   StencilBatch batch() const { return {arity, count(), vertices_.data(), numbers}; }
 
-  // Which variable a coordinate of a vertex is; -1: none.
-  static constexpr int variable(int k, int i) { return k < places_count ? 3 * k + i : i == 0 ? 3 * places_count + k - places_count : -1; }
+  // Returns the variable of a coordinate of a vertex; -1: none.
+  static constexpr int variable(int k, int i) {
+    return k < places_count ? 3 * k + i : i == 0 ? 3 * places_count + k - places_count : -1;
+  }
 
   template <class T, class Make>
   typename Formula::template Places<T> places(int s, const VecX& x, const Make& make) const {
@@ -110,7 +118,8 @@ class FormulaTerm : public Term {
 
   template <class T>
   void write(int s, const VecX& x, double* gradient, double* hessian) const {
-    const T energy = formula_.energy(places<T>(s, x, [](double value, int i) { return T::variable(value, i); }), data_[s]);
+    const T energy = formula_.energy(
+        places<T>(s, x, [](double value, int i) { return T::variable(value, i); }), data_[s]);
     for (int k = 0; k < arity; ++k)
       for (int i = 0; i < 3; ++i) *gradient++ = variable(k, i) < 0 ? 0 : energy.d[variable(k, i)];
     if (!hessian) return;
@@ -118,7 +127,8 @@ class FormulaTerm : public Term {
       for (int l = 0; l <= k; ++l)
         for (int j = 0; j < 3; ++j)
           for (int i = 0; i < 3; ++i) {
-            const int a = std::max(variable(k, i), variable(l, j)), b = std::min(variable(k, i), variable(l, j));
+            const int a = std::max(variable(k, i), variable(l, j)),
+                      b = std::min(variable(k, i), variable(l, j));
             *hessian++ = b < 0 ? 0 : energy.h[a * (a + 1) / 2 + b];
           }
   }

@@ -1,6 +1,6 @@
-// Where stencil slots go: for each target (a gradient block or a Hessian block), the slots whose sum
-// it is, in a fixed order. Gathering is parallel over targets, without atomics, so the sums have the
-// same bits for any number of threads.
+// Gather map: for each target (a gradient block or a Hessian block), the slots whose sum it is, in
+// a fixed order. Gathering is parallel over targets, without atomics, so that sums have equal bits
+// for any number of threads.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace tack {
 
-// One batch of a term with the first of its slots.
+// One batch of a term and the position of its first slots.
 struct PlacedBatch {
   StencilBatch batch;
   int gradient_slot = 0;  // in 3-vectors
@@ -19,7 +19,8 @@ struct PlacedBatch {
   bool of_blocks = false;  // its `vertices` are unknown blocks
 };
 
-// Whether its slots are no blocks of the matrix: several unknowns move one of the stencil's vertices, or one moves several.
+// Returns true if the slots are no blocks of the matrix: several unknowns move a vertex of the
+// stencil, or one unknown moves several.
 bool needs_reduction(const StencilBatch& batch, int stencil, const DofMap& dofs);
 
 // Target k sums slots slot[start[k] .. start[k+1]).
@@ -31,7 +32,7 @@ struct GatherMap {
   int targets() const { return static_cast<int>(target.size()); }
 };
 
-// Stencils that need reduction are left out (reduced_stencils.hpp).
+// Skips stencils that need reduction (reduced_stencils.hpp).
 GatherMap gradient_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 GatherMap hessian_map(const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 

@@ -1,6 +1,6 @@
 // The incremental potential of one step (the paper, eq. 1):
 //     E(x) = 1/2 |x - x~|_M^2 + beta h^2 sum_i P_i(x),
-// as a function of the unknowns q. Contact may have a scale of its own in place of beta h^2. Quasi-static
+// as a function of the unknowns q. Contact may have its own scale instead of beta h^2. Quasi-static
 // steps have no inertia and a scale of 1.
 #pragma once
 
@@ -16,33 +16,36 @@ namespace tack {
 
 class IncrementalPotential : public Objective {
  public:
-  // mass: lumped, per vertex [kg]. `on_move`, if given, is told of every new configuration before the terms
-  // are evaluated there (contact finds its active pairs).
+  // mass: lumped, per vertex [kg]. on_move: optional, called with every new configuration before
+  // the terms are evaluated there (contact finds its active pairs).
   IncrementalPotential(std::vector<const Term*> terms, const DofMap& dofs, const VecX& mass,
                        PhaseClock& clock, std::function<void(const VecX& x)> on_move = {});
 
-  // Other masses from the next step on.
+  // Sets the masses from the next step on.
   void set_mass(const VecX& mass);
 
   // Starts a step: prediction x~ (3n), scales beta h^2 (or 1), inertia on or off, and the
   // configuration that holds the fixed vertices.
-  void begin_step(const VecX& x_start, const VecX& prediction, const TermScales& scales, bool inertia);
+  void begin_step(const VecX& x_start, const VecX& prediction, const TermScales& scales,
+                  bool inertia);
 
   const DofMap& dofs() const { return dofs_; }
   const VecX& configuration() const { return x_; }
   double scale() const { return scales_.body; }  // beta h^2, or 1
-  // What a term was at x if the step's first evaluation was there; nothing otherwise [J].
+  // Returns the value of a term at x if the first evaluation of the step was there; else nothing
+  // [J].
   std::optional<double> first_value(const Term* term, const VecX& x) const;
-  // Of all terms that store energy, held vertices included and linear terms left out, at x (3n) [N].
+  // Returns the gradient of all terms that store energy at x (3n) [N], fixed vertices included,
+  // linear terms excluded.
   VecX gradient_at_all_vertices(const VecX& x);
-  // The largest component of any stencil's force at the gradient that was evaluated last [N].
+  // Returns the largest component of any stencil force at the last evaluated gradient [N].
   double largest_stencil_force() const { return assembler_.largest_stencil_force(); }
-  // As those of the assembler; the stencil forces are those there.
+  // Forward to the assembler, with the stencil forces of that gradient.
   template <class Act>
   void for_each_stencil_force(const Act& act) const { assembler_.for_each_stencil_force(act); }
   template <class Act>
   void for_each_lasting_stencil(const Act& act) const { assembler_.for_each_lasting_stencil(act); }
-  // The largest component of the force of inertia on a block, at the present point [N].
+  // Returns the largest component of the inertial force of a block at the current point [N].
   double inertial_force(int block) const;
 
   int size() const override { return dofs_.size(); }
@@ -62,7 +65,8 @@ class IncrementalPotential : public Objective {
   MixedInertia mixed_inertia_;  // of vertices that several unknowns move
   std::vector<const Term*> terms_;
   const DofMap& dofs_;
-  VecX block_mass_, free_mass_;  // per block, of the vertices that it alone moves [kg]; block_mass_ is zero when quasi-static
+  VecX block_mass_, free_mass_;  // per block, of the vertices that it alone moves [kg]; block_mass_
+                                 // is zero when quasi-static
   std::function<void(const VecX&)> on_move_;
   PhaseClock& clock_;
   Assembler assembler_;

@@ -1,6 +1,7 @@
-// Hessians of lasting stencils, summed in two stages. The stencils of a chunk are neighbours in the mesh: their blocks
-// are added up while they are in the cache, and what a chunk leaves is a third of its slots or less. Then the sums of all
-// chunks are gathered, in their order: the same bits for any number of threads.
+// Hessians of lasting stencils, summed in two stages. (1) The stencils of a chunk are neighbours in
+// the mesh: their blocks are summed while they are in the cache, which leaves a third of the slots
+// or less. (2) The sums of all chunks are gathered in chunk order: equal bits for any number of
+// threads.
 #pragma once
 
 #include <vector>
@@ -12,19 +13,21 @@ namespace tack {
 class LocalSums {
  public:
   // The ranges of each batch of stencils.
-  void place(const std::vector<const StencilRanges*>& ranges, const std::vector<PlacedBatch>& batches,
-             const DofMap& dofs);
+  void place(const std::vector<const StencilRanges*>& ranges,
+             const std::vector<PlacedBatch>& batches, const DofMap& dofs);
 
-  // The blocks of the matrix that the stencils touch, sorted.
+  // Returns the blocks of the matrix that the stencils touch, sorted.
   const std::vector<BlockKey>& targets() const { return targets_; }
 
-  // Sums the Hessians, and writes all gradient slots. Stencils that touch an unknown block with a flag are clamped
-  // after `projection`, if flags are given.
-  void evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at, double* gradient_slots);
+  // Sums the Hessians and writes all gradient slots. With flags, stencils that touch a flagged
+  // block of unknowns are clamped after `projection`.
+  void evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
+                double* gradient_slots);
 
-  // The same, and how long it took, by batch [s]: the time of all, shared as their chunks took it.
-  std::vector<double> timed_evaluate(const VecX& x, Projection projection, const std::vector<char>* clamp_at,
-                                     double* gradient_slots);
+  // Does so and measures the time of each batch [s]: the total, divided in proportion to the times
+  // of its chunks.
+  std::vector<double> timed_evaluate(const VecX& x, Projection projection,
+                                     const std::vector<char>* clamp_at, double* gradient_slots);
 
   // Adds scale * sums to the matrix, where target k is at positions[k].
   void gather(double scale, const std::vector<int>& positions, BlockMatrix& matrix) const;
@@ -42,13 +45,14 @@ class LocalSums {
   };
 
   std::vector<BlockKey> number_sums(Chunk& chunk, const DofMap& dofs);
-  void evaluate(const Chunk& chunk, const VecX& x, Projection projection, const std::vector<char>* clamp_at,
-                double* gradient_slots);
+  void evaluate(const Chunk& chunk, const VecX& x, Projection projection,
+                const std::vector<char>* clamp_at, double* gradient_slots);
 
   const DofMap* dofs_ = nullptr;
   int batches_ = 0;
   std::vector<Chunk> chunks_;
-  std::vector<int> sum_of_;    // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
+  std::vector<int>
+      sum_of_;  // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
   std::vector<double> sums_;   // 9 each
   std::vector<BlockKey> targets_;
   std::vector<int> start_, source_;  // target k gathers sums_ source_[start_[k] .. start_[k+1])

@@ -1,6 +1,6 @@
-// The inertia of vertices that several unknowns move (DofMap::mixed), as a term in x:
+// Inertia of mixed vertices (DofMap::mixed: several unknowns move them), as a term in x:
 //     1/2 sum_v m_v |x_v - x~_v|^2 / scale,
-// where `scale` is what the potential multiplies its terms with.
+// where `scale` is the factor of terms in the potential.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace tack {
 
 class MixedInertia : public Term, public ResidualView {
  public:
-  // Of those that have a mass. mass: per vertex [kg].
+  // Includes mixed vertices with a mass. mass: per vertex [kg].
   MixedInertia(const VecX& mass, const DofMap& dofs);
   void set_mass(const VecX& mass);
   bool empty() const { return vertices_.empty(); }
@@ -22,7 +22,8 @@ class MixedInertia : public Term, public ResidualView {
 
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override;
 
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override;

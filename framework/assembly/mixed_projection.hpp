@@ -1,12 +1,13 @@
-// Projection of the Hessian of a stencil of places and numbers (StencilBatch) onto the positive semi-definite cone.
+// Projection of the Hessian of a stencil of positions and scalar dofs (StencilBatch) onto the
+// positive semi-definite cone.
 #pragma once
 
 #include "framework/core/projection.hpp"
 
 namespace tack {
 
-// The last `numbers` of its vertices are one number each, first of three. In what is orthogonal to translations of the others, in its slots
-// (core/term.hpp).
+// Projects in the space orthogonal to translations of the positions. The last `numbers` vertices
+// are scalar dofs, the first of three entries. Slots: core/term.hpp.
 void project_mixed_psd(int arity, int numbers, double* slots, Projection projection);
 
 }  // namespace tack

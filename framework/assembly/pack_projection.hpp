@@ -6,19 +6,20 @@
 
 namespace tack {
 
-// One eigenvalue of each under the policy.
+// Returns the projected eigenvalue of each matrix.
 inline Pack projected(const Pack& eigenvalue, Projection projection) {
   if (projection == Projection::none) return eigenvalue;
-  return select(eigenvalue < 0, projection == Projection::absolute ? -eigenvalue : Pack(0), eigenvalue);
+  return select(eigenvalue < 0, projection == Projection::absolute ? -eigenvalue : Pack(0),
+                eigenvalue);
 }
 
 namespace detail {
 
-// A <- J^T A J, V <- V J with the rotation J that makes A_pq vanish, where it is not negligible. False if it
-// is in all matrices.
+// A <- J^T A J, V <- V J with the rotation J that zeroes A_pq, where A_pq is not negligible.
+// Returns false if it is negligible in all matrices.
 template <int N>
-[[gnu::always_inline]] inline bool rotate_symmetric(PackMatrix<N, N>& a, PackMatrix<N, N>& v, const Pack& negligible,
-                                                    int p, int q) {
+[[gnu::always_inline]] inline bool rotate_symmetric(PackMatrix<N, N>& a, PackMatrix<N, N>& v,
+                                                    const Pack& negligible, int p, int q) {
   const PackMask turn = ~(a(p, q) * a(p, q) <= negligible);  // also where they are not numbers
   if (!any(turn)) return false;
   // tan of the angle: the smaller root of t^2 + (A_qq - A_pp) / A_pq t - 1 = 0
@@ -46,20 +47,23 @@ template <int N>
 
 }  // namespace detail
 
-// By cyclic Jacobi rotations, until off-diagonal entries are below round-off of each matrix. A matrix's result
-// does not depend on the others. What is not finite stays so; entries whose squares overflow count as such.
+// Cyclic Jacobi rotations until off-diagonal entries are below the round-off of each matrix. The
+// result of a matrix does not depend on the others. Matrices that are not finite stay so; entries
+// whose squares overflow count as not finite.
 template <int N>
 void project_psd(PackMatrix<N, N>& a, Projection projection) {
   if (projection == Projection::none) return;
   PackMatrix<N, N> v;
   for (int i = 0; i < N * N; ++i) v(i) = i % (N + 1) == 0 ? 1.0 : 0.0;
   const Pack size = a.squaredNorm();
-  const Pack negligible = 1e-34 * size + (size - size);  // the difference: no number if size is infinite
+  const Pack negligible =
+      1e-34 * size + (size - size);  // the difference: no number if size is infinite
   bool rotated = true;
   for (int sweep = 0; rotated && sweep < 12; ++sweep) {
     rotated = false;
     for (int p = 0; p < N; ++p)
-      for (int q = p + 1; q < N; ++q) rotated |= detail::rotate_symmetric<N>(a, v, negligible, p, q);
+      for (int q = p + 1; q < N; ++q)
+        rotated |= detail::rotate_symmetric<N>(a, v, negligible, p, q);
   }
   PackMatrix<N, N> scaled;
   for (int j = 0; j < N; ++j) {

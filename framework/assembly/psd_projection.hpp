@@ -1,6 +1,6 @@
-// Projection of a stencil's symmetric Hessian onto the positive semi-definite cone.
-// Translation-invariant stencils are projected in the 3(K-1) dimensions orthogonal to translations,
-// and an early Cholesky test leaves blocks alone that are definite there already.
+// Projection of the symmetric Hessian of a stencil onto the positive semi-definite cone.
+// Translation-invariant stencils are projected in the 3(K-1) dimensions orthogonal to translations;
+// an early Cholesky test skips matrices that are definite there already.
 #pragma once
 
 #include "framework/core/projection.hpp"
@@ -16,8 +16,8 @@ void project_psd(Eigen::Matrix<double, N, N>& hessian, Projection projection);
 template <int K>
 void project_stencil_psd(Eigen::Matrix<double, 3 * K, 3 * K>& hessian, Projection projection);
 
-// Of three vertices and two twists (StencilBatch): in the six dimensions of the vertices orthogonal to translations
-// and the two twists.
+// Stencils of three vertices and two twists (StencilBatch): in the six dimensions of the vertices
+// orthogonal to translations, plus the two twists.
 void project_twisted_psd(Eigen::Matrix<double, 15, 15>& hessian, Projection projection);
 
 }  // namespace tack

@@ -1,7 +1,7 @@
-// Stencils that touch vertices which several unknowns move, or several which one moves, as stencils of unknown blocks:
-// gradient W^T g, Hessian W^T K W. Those that touch the same blocks, as the contacts of two affine bodies do, make a
-// few of them together, so that what is gathered depends on the number of such pairs more than on that of their
-// contacts.
+// Reduced stencils: stencils that touch vertices moved by several unknowns, or several vertices
+// moved by one, as stencils of unknown blocks with gradient W^T g and Hessian W^T K W. Stencils
+// that touch equal sets of blocks (the contacts of two affine bodies) are merged into a few, so
+// that the number of gathered slots grows with the pairs of bodies rather than with their contacts.
 #pragma once
 
 #include <vector>
@@ -12,14 +12,16 @@ namespace tack {
 
 class ReducedStencils {
  public:
-  // Of those batches; own slots begin at gradient_slot and hessian_slot.
-  void place(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot, int hessian_slot);
+  // Reduces these batches. Own slots begin at gradient_slot and hessian_slot.
+  void place(const std::vector<PlacedBatch>& batches, const DofMap& dofs, int gradient_slot,
+             int hessian_slot);
   const std::vector<PlacedBatch>& batches() const { return batches_; }  // of blocks
   int gradient_end() const { return gradient_end_; }  // behind the last slot of its own
   int hessian_end() const { return hessian_end_; }
 
-  // Fills its slots from those of the stencils.
-  void reduce(double* gradient_slots, double* hessian_slots) const;  // hessian_slots: null, if they are not wanted
+  // Computes its slots from those of the stencils.
+  void reduce(double* gradient_slots,
+              double* hessian_slots) const;  // hessian_slots: null, if they are not wanted
 
  private:
   class RunFinder;

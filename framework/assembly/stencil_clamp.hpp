@@ -1,5 +1,5 @@
-// Projects Hessians of stencils in their slots (see Term) onto the positive semi-definite cone, in what every stencil feels: relative motion,
-// and numbers.
+// Projects Hessians of stencils in their slots (Term) onto the positive semi-definite cone, in the
+// space of relative motion and scalar dofs.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,12 @@
 
 namespace tack {
 
-// Those of the stencils first .. last - 1 of a batch that touch an unknown block with a flag. slots: of `first` and on.
-void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags, const DofMap& dofs,
-                    double* slots);
+// Clamps the stencils first .. last - 1 of a batch that touch a flagged block of unknowns. slots:
+// from those of `first` on.
+void clamp_stencils(const StencilBatch& batch, int first, int last, const std::vector<char>& flags,
+                    const DofMap& dofs, double* slots);
 
-// One Hessian, of a stencil of such a batch (whose vertices are not looked at).
+// Clamps one Hessian, of a stencil of such a batch (its vertices are not read).
 void project_slots(const StencilBatch& kind, double* slots, Projection projection);
 
 }  // namespace tack

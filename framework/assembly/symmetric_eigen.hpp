@@ -1,7 +1,7 @@
 // Eigenvalues and eigenvectors of a small symmetric matrix of fixed size: Householder reduction to
 // tridiagonal form, then implicit QL (Bowdler, Martin, Reinsch, Wilkinson 1968; EISPACK's tred2 and
-// tql2). Sums are taken in index order, so that the result has the same bits wherever the matrix lies
-// in memory; Eigen's SelfAdjointEigenSolver sums in an order that depends on the address.
+// tql2). Sums are taken in index order, so that the result has the same bits wherever the matrix
+// lies in memory; Eigen's SelfAdjointEigenSolver sums in an order that depends on the address.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,8 +26,9 @@ class SymmetricEigen {
   const Matrix& vectors() const { return v_; }   // columns, orthonormal
 
  private:
-  // Reflections i = N-1 ... 1, each scaled against underflow; d_ holds the reflection's vector while it
-  // acts, e_ the subdiagonal. Column i of v_ keeps the vector, d_(i) half its squared norm.
+  // Reflections i = N-1 ... 1, each scaled against underflow; d_ holds the reflection's vector
+  // while it acts, e_ the subdiagonal. Column i of v_ keeps the vector, d_(i) half its squared
+  // norm.
   void tridiagonalize() {
     for (int j = 0; j < N; ++j) d_(j) = v_(N - 1, j);
     for (int i = N - 1; i > 0; --i) {
@@ -104,7 +105,8 @@ class SymmetricEigen {
     v_(N - 1, N - 1) = 1;
   }
 
-  // QL with Wilkinson-like shifts; a handful of sweeps per eigenvalue, 60 when round-off never settles.
+  // QL with Wilkinson-like shifts; a handful of sweeps per eigenvalue, 60 when round-off never
+  // settles.
   void diagonalize() {
     constexpr double epsilon = 0x1p-52;
     for (int i = 1; i < N; ++i) e_(i - 1) = e_(i);

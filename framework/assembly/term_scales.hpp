@@ -1,5 +1,5 @@
-// What the terms of a potential are multiplied by: contact's (the dynamic terms) may differ from that of
-// the others, since integrators treat its forces in their own way.
+// Factors of the terms in a potential. The factor of dynamic terms (contact) may differ, because
+// integrators treat contact forces in their own way.
 #pragma once
 
 #include "framework/core/term.hpp"

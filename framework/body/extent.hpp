@@ -1,4 +1,4 @@
-// How large a body is.
+// Size of a body.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,10 +7,11 @@
 
 namespace tack {
 
-// The box around the vertices of its mesh; x: 3n [m].
+// Returns the box around the vertices of the mesh of a body; x: 3n [m].
 inline Eigen::AlignedBox3d extent_of(const Body& body, const VecX& x) {
   Eigen::AlignedBox3d box;
-  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v) box.extend(Vec3(vertex(x, v)));
+  for (int v = body.first_vertex; v < body.first_vertex + body.vertex_count; ++v)
+    box.extend(Vec3(vertex(x, v)));
   return box;
 }
 

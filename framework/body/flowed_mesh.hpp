@@ -1,5 +1,6 @@
-// The mesh of an object that was meshed anew while it flowed: other vertices and tets inside the same surface. What is stored of each
-// tet is where it would be without stress, which is no longer where anything was when the run began.
+// Mesh of an object that was remeshed while it flowed: new vertices and tets inside the old
+// surface. Each tet stores its stress-free shape, which after flow is no shape of the mesh at the
+// start.
 #pragma once
 
 #include <map>
@@ -12,7 +13,8 @@
 namespace tack {
 
 struct FlowedMesh {
-  Mesh mesh;  // vertices where their material was at rest, in the scene's place [m]; tets, positive where they are now
+  Mesh mesh;  // vertices where their material was at rest, in the scene's place [m]; tets, positive
+              // where they are now
   std::vector<Triangle> surface;          // in the order of the mesh that the run began with
   std::vector<TetReference> references;   // of each tet
 };

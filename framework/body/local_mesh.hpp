@@ -1,4 +1,4 @@
-// The mesh of a body as one of its own.
+// Mesh of a single body.
 #pragma once
 
 #include "framework/body/body.hpp"
@@ -6,7 +6,8 @@
 
 namespace tack {
 
-// In local vertex indices, with the positions of `rest` (3n); its triangles are those of its sheets.
+// Returns the mesh in local vertex indices, with the positions of `rest` (3n). Its triangles are
+// those of the sheets of the body.
 Mesh local_mesh(const Body& body, const VecX& rest);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// x -> turn x + shift: what a rigid motion makes of space.
+// Rigid motion x -> turn x + shift.
 #pragma once
 
 #include "geometry/types.hpp"
@@ -14,7 +14,9 @@ struct RigidMap {
   }
   Vec3 operator()(const Vec3& x) const { return turn * x + shift; }
   // First the other one, then this.
-  RigidMap operator*(const RigidMap& first) const { return {turn * first.turn, turn * first.shift + shift}; }
+  RigidMap operator*(const RigidMap& first) const {
+    return {turn * first.turn, turn * first.shift + shift};
+  }
   RigidMap inverse() const { return {turn.transpose(), -(turn.transpose() * shift)}; }
 };
 

@@ -1,4 +1,4 @@
-// A set of vertices of an object, by place at rest, tag or index.
+// Set of vertices of an object, by position at rest, tag or index.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ class Selection : public Component {
  public:
   static constexpr const char* kind_name = "selection";
   static constexpr const char* kind_doc = "Chooses vertices of an object.";
-  // The chosen vertices (global, ascending). Throws InputError, e.g. for an unknown tag.
+  // Returns the chosen vertices (global, ascending). Throws InputError, e.g. for an unknown tag.
   virtual std::vector<int> choose(const SelectionContext& context) const = 0;
 };
 

@@ -1,12 +1,13 @@
-// How the strength of bonds grows while surfaces are pressed together.
+// Growth of the strength of bonds while surfaces are pressed together.
 #pragma once
 
 #include "framework/law/bond_study.hpp"
 
 namespace tack {
 
-// Of bonds that are made on contact, under a tenth of the pressure, the pressure [Pa] and ten times that; of what parts over `far` [m]. Nothing
-// if they do not heal.
-void study_healing(const BondLaw& law, double pressure, double far, std::vector<HealingCurve>& curves, std::vector<LawFigure>& figures);
+// Appends the healing of bonds that form on contact, at 0.1, 1 and 10 times the pressure [Pa], for
+// bonds that part over `far` [m]. Empty if the bonds do not heal.
+void study_healing(const BondLaw& law, double pressure, double far,
+                   std::vector<HealingCurve>& curves, std::vector<LawFigure>& figures);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// A law of bonds by itself: what a bond does when it is parted along the normal, across and between, slowly and at speed, unloaded on the
-// way and loaded again; how long it has to be pressed for its strength; and its figures.
+// Study of a bond law alone: parting along the normal, tangentially and between, slowly and at
+// speed, with unloading and reloading; the time of pressing that full strength needs; key numbers.
 #pragma once
 
 #include "framework/bond/bond_curve.hpp"
@@ -15,7 +15,7 @@ struct BondPath {
   std::vector<BondPoint> points;
 };
 
-// The largest traction of what was pressed together for a time, when it is parted slowly.
+// Returns the largest traction of slow parting after a time of pressing.
 struct HealingCurve {
   double pressure;                                 // Pa
   std::vector<std::pair<double, double>> strength;  // over time [s, Pa]

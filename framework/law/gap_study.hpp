@@ -1,4 +1,4 @@
-// A law of the gap by itself: its curve, alone and with the barrier, and its figures.
+// Study of a traction-separation law alone: its curve, with and without barrier; key numbers.
 #pragma once
 
 #include "framework/law/studied_law.hpp"

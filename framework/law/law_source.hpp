@@ -1,4 +1,4 @@
-// The laws that `tack law` is asked for.
+// Laws for `tack law`.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,11 @@ namespace tack {
 struct LawSource {
   std::string file, type;              // a scene or a file of an adhesion; or the type of one
   std::vector<std::string> settings;   // "a.b=c": of the scene or of the adhesion
-  std::optional<double> contact_distance, barrier_stiffness, young;  // m, Pa, Pa; the first two not of a scene
+  std::optional<double> contact_distance, barrier_stiffness,
+      young;  // m, Pa, Pa; the first two not of a scene
 };
 
-// Of a scene, one of each law that its pairs have. Throws InputError with place and remedy.
+// Returns one of each law of the pairs of a scene. Throws InputError with place and remedy.
 std::vector<StudiedLaw> laws_of(const LawSource& source);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// Tables of a law by itself, as text of CSV files with a line of names; numbers in SI, read back to the same bits.
+// Tables of a law as CSV text with a header line; numbers in SI that read back to equal bits.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@ namespace tack {
 
 // gap,traction,energy,pair_traction,pair_energy; the last two with the barrier.
 std::string curves_table(const GapStudy& study);
-// path (slow, unloading, rate),angle [deg],speed (0: slowly),time,opening,slip,traction,shear,intensity,stored,dissipated
+// path (slow, unloading, rate),angle [deg],speed (0:
+// slowly),time,opening,slip,traction,shear,intensity,stored,dissipated
 std::string curves_table(const BondStudy& study);
 // pressure,time,strength
 std::string healing_table(const BondStudy& study);

@@ -1,4 +1,4 @@
-// A law of adhesion as the pair of surfaces that it is for has it: prepared, and the barrier that is with it.
+// Adhesion law as its pair of surfaces uses it: prepared, and with the barrier of the pair.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,8 @@ struct StudiedLaw {
   std::string name;  // "fang"; of a scene "fang of 'tape' - 'desk'"
   std::shared_ptr<const NormalAdhesion> gap;  // one of both
   std::shared_ptr<const BondLaw> bond;
-  PairLaw pair;                // what surfaces feel of their gap: barrier and adhesion, or beside bonds the barrier alone
+  PairLaw pair;  // what surfaces feel of their gap: barrier and adhesion, or beside bonds the
+                 // barrier alone
   double contact_distance = 0;  // m
   double young = 0;             // of the softer side [Pa]; 0: not known
 
@@ -24,10 +25,11 @@ struct StudiedLaw {
 
 struct StudySettings {
   std::optional<double> speed;     // that surfaces part at [m/s]
-  std::optional<double> pressure;  // that they are pressed together with [Pa]; the peak traction unless given
+  std::optional<double>
+      pressure;  // that they are pressed together with [Pa]; the peak traction unless given
 };
 
-// A number that a law is judged by.
+// A key number of a law.
 struct LawFigure {
   std::string name;  // of words; "peak traction"
   double value = 0;

@@ -1,7 +1,8 @@
-// A chamber with a filling that stores energy: a gas, a liquid. What leaves it takes energy along (dissipated_leak), what is pumped in brings some
-// (work_filling): of a step from V, t to V', t' with an amount m that becomes m' when it is kept
-//     work_filling      W(V', m, t') - W(V, m, t) and what it did to the surface, the integral of p dV by Simpson's rule,
-//     dissipated_leak   W(V', m, t') - W(V', m', t').
+// A chamber with a filling that stores energy: a gas, a liquid. What leaves it takes energy along
+// (dissipated_leak), what is pumped in brings some (work_filling): of a step from V, t to V', t'
+// with an amount m that becomes m' when it is kept
+//     work_filling      W(V', m, t') - W(V, m, t) and what it did to the surface, the integral of p
+//     dV by Simpson's rule, dissipated_leak   W(V', m, t') - W(V', m', t').
 #pragma once
 
 #include <functional>
@@ -12,9 +13,10 @@ namespace tack {
 
 class ChamberTerm : public VolumeTerm {
  public:
-  ChamberTerm(std::string label, OrientedSurface surface, const VecX& rest, const StoredFilling& filling);
+  ChamberTerm(std::string label, OrientedSurface surface, const VecX& rest,
+              const StoredFilling& filling);
 
-  // By what rate it leaks beside the filling's own, at x [1/s].
+  // Returns the leak rate at x beside that of the filling [1/s].
   void set_vent(std::function<double(const VecX& x)> rate) { vent_ = std::move(rate); }
 
   bool stores() const override { return true; }
@@ -25,7 +27,9 @@ class ChamberTerm : public VolumeTerm {
   void commit(const VecX& x, History& history) const override;
 
   std::vector<double> abrupt_times() const override { return filling_.corners(); }
-  double pressure(const VecX& x, double time) const override { return filling_.at(volume(x), at_rest_, amount_, time).pressure; }
+  double pressure(const VecX& x, double time) const override {
+    return filling_.at(volume(x), at_rest_, amount_, time).pressure;
+  }
   double target(double time) const override { return filling_.target(at_rest_, time); }
   double amount() const override;
 
@@ -33,8 +37,12 @@ class ChamberTerm : public VolumeTerm {
   VolumeSample sample(double volume, double part) const override;
 
  private:
-  double kept_time() const { return remembers_ ? kept_ : time(); }  // of the state that is remembered
-  double energy(double volume, double amount, double at) const { return filling_.at(volume, at_rest_, amount, at).energy; }
+  double kept_time() const {
+    return remembers_ ? kept_ : time();
+  }  // of the state that is remembered
+  double energy(double volume, double amount, double at) const {
+    return filling_.at(volume, at_rest_, amount, at).energy;
+  }
   double amount_after(const VecX& x) const;
   void flows(const VecX& x, double* amounts) const;
 

@@ -1,5 +1,5 @@
-// A load whose force depends on where bodies are, or how fast: a term of the step's potential, held in it where it has none. Its value is no energy that
-// bodies have; what it does to them is work.
+// Load whose force depends on positions or velocities: a term of the potential of the step. Forces
+// without a potential are lagged. The value is no stored energy; the load does work.
 #pragma once
 
 #include <vector>
@@ -18,14 +18,15 @@ class FollowingLoad : public Term, public ResidualView {
   void begin_step(const StepStart& start) override;
   virtual bool needs_velocities() const { return false; }
 
-  // For methods that want sums of squares, all of it is rest.
+  // Least squares: the whole potential is `rest`.
   const ResidualView* residual_view() const override { return this; }
   std::vector<ResidualBatch> residual_batches() const override { return {}; }
   bool residuals(const VecX&, double*, double*) const override { return true; }
 
-  // Adds its forces at x when a part of the step is over, 0 at its start and 1 at its end (3n) [N].
+  // Adds the forces at x at a fraction of the step, 0 at its start and 1 at its end (3n) [N].
   virtual void add_forces(const VecX& x, double part, VecX& forces) const = 0;
-  // Its work on what moves in a step that ends at x, along the straight way there by Simpson's rule: exact for pressures [J].
+  // Returns the work on everything that moves in a step that ends at x, along the linear
+  // trajectory, by Simpson's rule: exact for pressures [J].
   virtual double work(const VecX& x, const DofMap& dofs) const;
 
  protected:
@@ -33,7 +34,8 @@ class FollowingLoad : public Term, public ResidualView {
   const VecX& start() const { return start_; }  // of the step (3n) [m]
   double time() const { return time_; }         // of its start [s]
   double h() const { return h_; }               // its size [s]
-  // Velocities at its start (3n) [m/s] and at its end: zero, and of rate 0, where nothing has any, or none are needed.
+  // Velocities at the start (3n) [m/s] and at the end of the step; zero (rate 0) in quasi-static
+  // steps and for loads that need none.
   const VecX& before() const { return before_; }
   const EndVelocity& after() const { return after_; }
 

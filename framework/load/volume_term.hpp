@@ -1,11 +1,14 @@
-// What acts on a surface by the volume that it encloses: a potential W(V), of which every point of the surface feels the pressure p = -W'(V) along its
-// normal, whatever its shape (geometry/mesh/oriented_surface.hpp):
+// Potential W(V) of the volume V that a surface encloses. Every point of the surface feels the
+// pressure p = -W'(V) along its normal, for any shape (geometry/mesh/oriented_surface.hpp):
 //     gradient -p grad V,    Hessian -p grad^2 V + W'' grad V grad V^T.
-// The first part of the Hessian is of edges, and projected in closed form, the second a global mode.
+// The first summand of the Hessian belongs to edges and is projected in closed form, the second is
+// a global mode.
 //
-// A surface with a boundary encloses nothing. It takes pressures that do not depend on a volume: V is then that of the cone from a point that is held in the
-// step, whose gradient is the areas but along the boundary; where that is fixed, -p V is their potential. Along a boundary that moves what is missing
-// is held at the start of the step: there the force is that of the end of the step but for what the boundary's own edges turn or stretch in it.
+// A surface with a boundary encloses no volume and takes only pressures that do not depend on one.
+// V is then the volume of the cone from a point that is lagged; its gradient is the area except
+// along the boundary. If the boundary is fixed, -p V is the potential. Along a moving boundary, the
+// difference is lagged at the start of the step: the force there is that of the end of the step
+// except for the rotation and stretch of the boundary edges within the step.
 #pragma once
 
 #include <string>
@@ -24,7 +27,8 @@ struct VolumeSample {
 
 class VolumeTerm : public FollowingLoad, public GlobalModeSource {
  public:
-  // label: whose, in messages, probes and histories. With the gas on the side that the triangles' normals lead away from.
+  // label: name in messages, probes and histories. The gas is on the side that the normals of the
+  // triangles point away from.
   VolumeTerm(std::string name, std::string label, OrientedSurface surface)
       : FollowingLoad(std::move(name)), label_(std::move(label)), surface_(std::move(surface)) {
     for (const auto& e : surface_.edges()) ends_.insert(ends_.end(), {e.a, e.b});
@@ -32,16 +36,21 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   const std::string& label() const { return label_; }
   const OrientedSurface& surface() const { return surface_; }
 
-  // For probes, of a state that is kept.
+  // For probes, at an accepted state.
   double volume(const VecX& x) const { return surface_.volume(x, surface_.mean_place(x)); }  // m^3
   virtual double pressure(const VecX& x, double time) const = 0;  // what surfaces feel [Pa]
-  virtual double target(double time) const;  // the volume that is asked for [m^3]; not a number where none is
-  virtual double amount() const;  // of gas, as a part of what there was at rest; not a number where there is none
+  virtual double target(
+      double time) const;  // the volume that is asked for [m^3]; not a number where none is
+  virtual double amount()
+      const;  // of gas, as a part of what there was at rest; not a number where there is none
 
   void begin_step(const StepStart& start) override;
   double value(const VecX& x) const override;
-  std::vector<StencilBatch> batches() const override { return {{2, static_cast<int>(surface_.edges().size()), ends_.data()}}; }
-  void derivatives(const VecX& x, Projection projection, double* gradient, double* hessian) const override;
+  std::vector<StencilBatch> batches() const override {
+    return {{2, static_cast<int>(surface_.edges().size()), ends_.data()}};
+  }
+  void derivatives(const VecX& x, Projection projection, double* gradient,
+                   double* hessian) const override;
   void add_global_modes(const VecX& x, Projection projection, GlobalModes& modes) const override;
   void add_forces(const VecX& x, double part, VecX& forces) const override;
 
@@ -56,7 +65,8 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   OrientedSurface surface_;
   std::vector<int> ends_;
   Vec3 origin_ = Vec3::Zero();
-  std::vector<Vec3> rim_;  // what is held of boundaries, by edge; zero of others; empty if there are none
+  std::vector<Vec3>
+      rim_;  // what is held of boundaries, by edge; zero of others; empty if there are none
   double before_ = 0;      // of an open surface: its cone at the start of the step
 };
 

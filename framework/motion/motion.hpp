@@ -1,10 +1,13 @@
-// What an object's vertices are made to do: they are held, still or moving, during a time span, and
-// free before and after it. Held vertices own no unknowns; released ones keep their velocity.
-// Motions are counted from the anchor: where a vertex is when it is seized, its rest position if it
-// is held from the start. A step that begins or ends a span in its middle belongs to the side on
-// which more of it lies.
-// One with a carrier, another object, is told in the frame of that: what it does, then what the motion of that object does to
-// space (carried_motion.hpp).
+// Prescribed motion (Dirichlet condition) of vertices of an object, at rest or moving, during a
+// time span. Before and after the span the vertices are free. Fixed vertices own no unknowns;
+// released vertices keep their velocity.
+//   anchor      reference position of the motion: the position at the start of the span, or at rest
+//   if
+//               the span begins with the run
+//   partial     a step that contains the start or the end of a span belongs to the side that has
+//   the steps       larger share of it carrier     another object: the motion is given in its frame
+//   and followed by its rigid motion
+//               (carried_motion.hpp)
 #pragma once
 
 #include <limits>
@@ -29,22 +32,26 @@ class Motion : public Component {
   Motion(double from, double until) : from_(from), until_(until) {}
   void fields(Fields& f) override;
   const Selection& selection() const { return *select_; }
-  const std::string& carrier() const { return carrier_; }  // the object that it goes along with; empty: none
+  const std::string& carrier() const {
+    return carrier_;
+  }  // the object that it goes along with; empty: none
   double from() const { return from_; }                                                     // s
   double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
 
-  // Whether it holds its vertices in some directions only, and what projects onto those that it does.
+  // partial: true if the motion fixes only some directions; held_directions: the projection onto
+  // them.
   bool partial() const { return along_ || across_; }
   Mat3 held_directions() const;
 
-  // Writes where the vertices are at time t [s] into their rows of x; rest, anchor: 3n [m].
+  // Writes the prescribed positions at time t [s] into the rows of x; rest, anchor: 3n [m].
   virtual void place(std::span<const int> vertices, const VecX& rest, const VecX& anchor, double t,
                      VecX& x) const = 0;
-  // Beside from and until, the times at which it changes abruptly [s]: steps that adapt end there.
+  // Returns the times of discontinuities [s], beside `from` and `until`; adaptive steps end there.
   virtual std::vector<double> corners() const { return {}; }
   virtual bool moves() const { return true; }  // false: they stay at their anchor
   virtual bool rigid() const { return true; }  // distances between them do not change
-  // What it makes of space until time t [s], where it moves rigidly; else none, and it carries nothing.
+  // Returns the rigid map of space until time t [s]; nothing if the motion is not rigid, so that it
+  // carries no other motion.
   virtual std::optional<RigidMap> pose(double) const { return {}; }
 
  private:

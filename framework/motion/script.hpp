@@ -1,4 +1,4 @@
-// Who holds which vertices when: all motions of a scene.
+// All prescribed motions of a scene, by vertex and time span.
 #pragma once
 
 #include <map>
@@ -26,32 +26,34 @@ class Script {
 
   void grow(int more);  // vertices, behind the others
 
-  // Throws InputError if another motion holds one of the vertices at the same time: both whole, or both in directions
-  // that are not at right angles.
+  // Throws InputError if another motion fixes one of the vertices at the same time, unless both fix
+  // directions that are orthogonal to each other.
   void add(Hold hold);
-  // Once all motions are there: the vertex follows others, and is free, or moved, where one of them is.
+  // Once all motions are there: the vertex follows others, and is free, or moved, where one of them
+  // is.
   void follow(const Dependence& dependence);
-  // Of a vertex, some directions that no motion ever frees: a number has one (unknowns.hpp).
+  // Fixes directions of a vertex for the whole run: those of a scalar dof (unknowns.hpp).
   void hold_always(const HeldDirections& held) { always_held_.push_back(held); }
   const std::vector<HeldDirections>& always_held() const { return always_held_; }
   const std::vector<Hold>& holds() const { return holds_; }
   int vertex_count() const { return static_cast<int>(ever_free_.size()); }
 
-  // Which of the holds act at time t [s], and which vertices those leave free, in some directions at least.
+  // Return the motions active at time t [s], and the vertices that are free in some direction.
   std::vector<char> active(double t) const;
   std::vector<char> free(const std::vector<char>& active) const;
-  // Of the latter, those of which they hold some directions.
+  // Returns the vertices of which active motions fix some directions.
   std::vector<HeldDirections> held_directions(const std::vector<char>& active) const;
-  // Writes where the active holds have their vertices at time t into x; anchor, rest: 3n [m].
+  // Writes the positions prescribed by active motions at time t into x; anchor, rest: 3n [m].
   void place(const std::vector<char>& active, const VecX& rest, const VecX& anchor, double t,
              VecX& x) const;
 
   bool ever_held(int v) const { return ever_held_[v]; }
   bool moves(int v) const { return moves_[v]; }  // some hold moves it
   bool ever_free(int v) const { return ever_free_[v]; }
-  // Whether the vertex may ever be elsewhere than at its start.
+  // Returns true if the vertex may ever leave its initial position.
   bool may_move(int v) const { return ever_free_[v] || moves_[v]; }
-  // Vertices of one group (>= 0) never move against each other, throughout the run; -1: no such group.
+  // Vertices of one group (>= 0) never move against each other, throughout the run; -1: no such
+  // group.
   int rigid_group(int v) const { return rigid_group_[v]; }
 
  private:
@@ -61,7 +63,8 @@ class Script {
   std::vector<HeldDirections> always_held_;
   std::vector<char> ever_held_, ever_free_, moves_;
   std::vector<int> rigid_group_;
-  std::map<int, std::vector<std::pair<double, double>>> held_spans_;  // s: of vertices that are held whole for a while
+  std::map<int, std::vector<std::pair<double, double>>>
+      held_spans_;  // s: of vertices that are held whole for a while
 };
 
 }  // namespace tack

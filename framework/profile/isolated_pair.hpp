@@ -1,6 +1,6 @@
-// A pair of objects (or one with itself) cut out of a world and brought into contact alone, as at the end of a step:
-// what its search, its collision detection and its stencils take is measured, and thrown away. Nothing of the world
-// is touched.
+// Pair of objects (or one object with itself) cut out of a world, in contact alone at the end of a
+// step. Its search, collision detection and stencils are timed and discarded. The world is
+// unchanged.
 #pragma once
 
 #include <array>
@@ -11,10 +11,11 @@
 
 namespace tack {
 
-// What contact takes in a run or in a part of it [s].
+// Times of contact in a run or a phase of it [s].
 struct ContactSeconds {
   double broad_phase = 0, narrow_phase = 0, ccd = 0;
-  std::array<double, evaluation_count> normal{}, friction{};  // the stencils: value, gradient, Hessian
+  std::array<double, evaluation_count> normal{},
+      friction{};  // the stencils: value, gradient, Hessian
 
   // Calls act(part of first, the same part of second) for each part.
   template <class First, class Second, class Act>
@@ -34,7 +35,8 @@ struct ContactSeconds {
 
 struct IsolatedPair {
   PairCount count;         // as at the end of the step
-  ContactSeconds seconds;  // of one start of a step, the searches, one way to its end and one evaluation of each kind
+  ContactSeconds seconds;  // of one start of a step, the searches, one way to its end and one
+                           // evaluation of each kind
 };
 
 // `state`: after a step.

@@ -1,4 +1,5 @@
-// How many candidates and active stencils each pair of objects has at present. A pair (a, a) is an object with itself.
+// Current numbers of candidates and active stencils of each pair of objects. A pair (a, a) is an
+// object with itself.
 #pragma once
 
 #include <map>
@@ -23,6 +24,7 @@ struct PairCount {
 };
 
 // friction: may be null.
-std::map<ObjectIds, PairCount> count_pairs(const ContactSystem& contact, const FrictionTerm* friction);
+std::map<ObjectIds, PairCount> count_pairs(const ContactSystem& contact,
+                                           const FrictionTerm* friction);
 
 }  // namespace tack

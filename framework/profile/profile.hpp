@@ -1,5 +1,5 @@
-// What a run cost and why, as `tack profile` tells it: tables, and remarks on what to change. How each number comes
-// about: docs/profiling.md.
+// Profile of a run (`tack profile`): tables of its costs, and remarks on what to change. Origin of
+// each number: docs/profiling.md.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,8 @@ struct HardStep {
   int step = 0;
   double time = 0;  // at its end [s]
   int iterations = 0;
-  std::string blocker;  // what cut its most shortened Newton step: describe_blocker(); empty if nothing did
+  std::string
+      blocker;  // what cut its most shortened Newton step: describe_blocker(); empty if nothing did
 };
 
 struct LinearCost {
@@ -39,20 +40,21 @@ struct LinearCost {
   bool automatic = false;  // the scene left the choice to `auto`
 };
 
-// The steps that minimisers wanted to take, and how many of them contact or inversion cut to less than 0.9.
+// Steps that minimisers requested, and how many of them contact or inversion truncated below 0.9.
 struct StepCuts {
   long tried = 0, cut = 0;
   double left = 0;  // sum over those that were cut: the part of them that was allowed
 };
 
-// How near surfaces were to each other at the ends of steps in which they touched: the smallest distance as a part of contact's.
+// Distances of surfaces at the ends of steps with contact: the smallest distance over the contact
+// distance.
 struct Nearness {
   int steps = 0;
   double sum = 0;  // over these steps
   double mean() const { return steps > 0 ? sum / steps : 0; }
 };
 
-// How far contact reaches in an object's mesh.
+// Contact range relative to the mesh of an object.
 struct Reach {
   std::string object;
   double edge = 0;   // mean length of its surface's edges [m]
@@ -82,13 +84,14 @@ struct Profile {
   double phase(Phase phase) const { return phases[static_cast<int>(phase)]; }
 };
 
-// At most five, the most expensive first: what was measured, and which key to change.
+// Returns at most five remarks, the most expensive first: a measurement, and the key to change.
 std::vector<std::string> remarks_on(const Profile& profile);
 
-// All of it as text for a terminal.
+// Returns the profile as text for a terminal.
 std::string profile_tables(const Profile& profile);
 
-// All of it as a table with the columns table, row, quantity, value; the last one may hold text. Throws InputError when the file cannot be written.
+// Writes the profile as a table with the columns table, row, quantity, value; values may be text.
+// Throws InputError if the file cannot be written.
 void write_profile(const std::filesystem::path& path, const Profile& profile);
 
 }  // namespace tack

@@ -1,7 +1,8 @@
-// Watches a run and adds up what it costs. Terms are timed at every evaluation, phases by the run's own clock. What
-// contact took is shared among the pairs of objects in proportion to what each takes alone (isolated_pair.hpp),
-// at the end of a step when ten iterations have gone by since the last time. The run's state is only read: a
-// profiled run has the bits of another one. The time that all this takes is in no phase.
+// Profiler of a run. Terms are timed at every evaluation, phases by the clock of the run. The time
+// of contact is divided among the pairs of objects in proportion to their times alone
+// (isolated_pair.hpp), measured at the end of a step after ten or more iterations. The profiler
+// only reads the state: a profiled run has the bits of an unprofiled one. Its own time is in no
+// phase.
 #pragma once
 
 #include <map>
@@ -16,17 +17,18 @@ namespace tack {
 
 class Profiler {
  public:
-  // `solver`: as specified. All three must outlive it. contact_distance: the scene's [m]; 0: without contact.
+  // `solver`: as specified. All three must outlive it. contact_distance: the scene's [m]; 0:
+  // without contact.
   Profiler(const World& world, const Minimizer& solver, PhaseClock& clock, double contact_distance);
   ~Profiler() { clock_.time_terms(nullptr); }
   Profiler(const Profiler&) = delete;
   Profiler& operator=(const Profiler&) = delete;
 
-  // A minimiser wanted to step from x to x + p (3n), and the part `feasible` of it is allowed.
+  // Records a step from x to x + p (3n) of which the fraction `feasible` is allowed.
   void tried(const VecX& x, const VecX& p, double feasible);
-  // The state after an accepted step.
+  // Records the state after an accepted step.
   void step(const State& state, const StepReport& report);
-  // At the end of the run, whose contact system is moved; `state`: its last.
+  // Ends the profile; moves the contact system of the run. state: the last one.
   Profile finish(const State& state, const RunSummary& summary);
 
  private:

@@ -1,5 +1,6 @@
-// Hencky's strain of a deformation F as seen in space, ln(F F^T) / 2, and back. Stress and stored energy of an isotropic material know no
-// more of F, and where they are those of Hencky's strain, means of strains have the mean stress.
+// Hencky's strain of a deformation F as seen in space, ln(F F^T) / 2, and back. Stress and stored
+// energy of an isotropic material know no more of F, and where they are those of Hencky's strain,
+// means of strains have the mean stress.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -20,7 +21,7 @@ inline Mat3 hencky_strain(const Mat3& f) {
   return of_eigenvalues(f * f.transpose(), [](double square) { return std::log(square) / 2; });
 }
 
-// The stretch, without a rotation, that has it.
+// Returns the stretch, without a rotation, of a Hencky strain.
 inline Mat3 stretch_of(const Mat3& strain) {
   return of_eigenvalues(strain, [](double e) { return std::exp(e); });
 }

@@ -1,4 +1,4 @@
-// The tets of an object exchanged for better ones, where it is now.
+// Better tets for an object at its current positions.
 #pragma once
 
 #include <array>
@@ -26,6 +26,7 @@ struct NewElements {
 };
 
 // At x (3n), where the step ended that was kept last. goal: the mean ratio that is good enough.
-NewElements new_elements(int index, const Body& body, const ExchangeableTets& old, const VecX& rest, const VecX& x, double goal);
+NewElements new_elements(int index, const Body& body, const ExchangeableTets& old, const VecX& rest,
+                         const VecX& x, double goal);
 
 }  // namespace tack

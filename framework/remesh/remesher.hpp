@@ -1,4 +1,4 @@
-// Which objects' tets are exchanged after a step, and when it is tried again.
+// Remeshing after a step: which objects get new tets, and when the next attempt is made.
 #pragma once
 
 #include "framework/core/warning.hpp"
@@ -12,10 +12,12 @@ class Remesher {
  public:
   explicit Remesher(const SceneConfig& scene);
 
-  // Of the objects whose worst tet is below what they ask for, at a state that a step has ended with: better tets where there are any. What came of it is
-  // noted in the state's history, so that it is tried again only when the worst tet is worse by a fifth than what it was left with; `warn` is told of
-  // objects that are no better for it.
-  std::vector<NewElements> exchange(const World& world, State& state, const WarningFunction& warn) const;
+  // Returns better tets, where there are any, for objects whose worst tet is below their limit, at
+  // the end of a step. The result is stored in the history of the state: the next attempt is made
+  // when the worst tet is worse by a fifth than after this one. Calls `warn` for objects without
+  // improvement.
+  std::vector<NewElements> exchange(const World& world, State& state,
+                                    const WarningFunction& warn) const;
 
  private:
   const SceneConfig& scene_;

@@ -1,4 +1,4 @@
-// What is told of one exchange of an object's tets.
+// Report of one exchange of an object's tets.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ struct Remeshing {
   double time = 0;       // s
   double before = 0, after = 0;  // the lowest mean ratio of its tets
   int tets_before = 0, tets_after = 0;
-  double lost = 0;       // energy that was stored, of all objects exchanged after the step together [J]
+  double lost = 0;  // energy that was stored, of all objects exchanged after the step together [J]
   bool operator==(const Remeshing&) const = default;
 };
 

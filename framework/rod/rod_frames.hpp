@@ -1,11 +1,12 @@
-// Material frames of the edges of a rod: tangent t and two directors across it. Of an edge, the positions of its vertices give
-// t; what is left, the angle theta of the first director from a reference, is an unknown of its own (Bergou et al. 2008, Discrete
-// Elastic Rods). It is kept as a vertex that is in no mesh and has one coordinate that counts, the arc u = r theta [m] at the
-// radius of gyration r of the section: with the mass of the edge it has the edge's moment of inertia about t, and norms,
-// tolerances and integrators take it for a way like any other.
-//     The reference is the frame that was committed at the end of the last step, carried along by the smallest rotation that
-// takes its tangent to the present one (parallel transport in time; Bergou et al. 2010, Discrete Viscous Threads). So within
-// a step frames are a function of x alone, and u of a rod that turns about t at a rate w changes by r w.
+// Material frames of the edges of a rod: tangent t and two directors. The positions of the vertices
+// of an edge determine t; the angle theta of the first director from a reference is an unknown
+// (Bergou et al. 2008, Discrete Elastic Rods). It is stored as a vertex outside of all meshes,
+// whose first coordinate is the arc u = r theta [m], r the radius of gyration of the section. With
+// the mass of the edge it has the moment of inertia of the edge about t, and norms, tolerances and
+// integrators treat it as a displacement. The reference is the frame committed at the end of the
+// last step, parallel transported to the current tangent by the smallest rotation (Bergou et al.
+// 2010, Discrete Viscous Threads). Within a step frames are therefore functions of x alone. u of a
+// rod with the angular velocity w about t changes at the rate r w.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,27 +19,32 @@
 
 namespace tack {
 
-using Quaternion = Eigen::Quaterniond;  // of a frame: the images of x, y, z are t and the two directors
+using Quaternion =
+    Eigen::Quaterniond;  // of a frame: the images of x, y, z are t and the two directors
 
 class RodFrames : public StepParticipant {
  public:
-  // twists: the vertices (of x) whose first coordinates are the arcs u. directors: of each edge at rest, across it.
-  // name: of the history.
-  RodFrames(std::string name, std::vector<Edge> edges, std::vector<int> twists, const std::vector<Vec3>& directors, double radius,
-            const VecX& rest);
+  // twists: vertices (of x) whose first coordinates are the arcs u. directors: of each edge at
+  // rest, across the edge. name: of the history array.
+  RodFrames(std::string name, std::vector<Edge> edges, std::vector<int> twists,
+            const std::vector<Vec3>& directors, double radius, const VecX& rest);
 
   int count() const { return static_cast<int>(edges_.size()); }
   int find(const Edge& edge) const;  // its number; -1 if it is none of these
   const Edge& edge(int e) const { return edges_[e]; }
   std::span<const int> twists() const { return twists_; }  // consecutive
-  bool is_twist(int v) const { return !twists_.empty() && twists_.front() <= v && v <= twists_.back(); }
+  bool is_twist(int v) const {
+    return !twists_.empty() && twists_.front() <= v && v <= twists_.back();
+  }
   double radius() const { return radius_; }  // r [m]
 
   const Quaternion& committed(int e) const { return committed_[e]; }
   double angle(int e, const VecX& x) const { return x(3 * twists_[e]) / radius_; }  // theta
-  Vec3 tangent(int e, const VecX& x) const { return (vertex(x, edges_[e][1]) - vertex(x, edges_[e][0])).normalized(); }
+  Vec3 tangent(int e, const VecX& x) const {
+    return (vertex(x, edges_[e][1]) - vertex(x, edges_[e][0])).normalized();
+  }
   Vec3 director(int e, const VecX& x) const;  // the first one
-  // The angle at which the first director at x is closest to a vector; in (-pi, pi].
+  // Returns the angle at which the first director at x is closest to a vector, in (-pi, pi].
   double angle_to(int e, const VecX& x, const Vec3& vector) const;
 
   // The state from which the present step starts.

@@ -1,8 +1,9 @@
-// Meshes that take long to make, made once: kept by their recipe in this process, and in a folder for the next one.
+// Cache of meshes that take long to make, by recipe: in the process, and in a folder for later
+// ones.
 //
-// The recipe is what the scene says of the shape, with all that it holds, the bytes of the files that it reads, and this very
-// program, so that a mesh is made anew whenever it might come out in another way. Files that are damaged or of another recipe
-// are not used.
+// A recipe contains the scene entry of the shape with all components, the bytes of the files that
+// it reads, and the identity of this program, so that a mesh is made again whenever it could
+// differ. Files that are damaged or have another recipe are ignored.
 #pragma once
 
 #include <filesystem>
@@ -17,14 +18,14 @@ struct MadeMesh {
   std::vector<std::string> notes;  // ShapeSource::notes
 };
 
-// shape.make(), unless its recipe was made before. Throws what make() throws.
+// Returns the cached mesh, or else shape.make(). Throws the exceptions of make().
 std::shared_ptr<const MadeMesh> made(const ShapeSource& shape);
 
-// Where meshes are kept, made when there is one to keep; empty, as at the start: nowhere. A folder that cannot be written to is
-// none. Not while meshes are being made.
+// Sets the folder of the cache; it is created when needed. Empty (the default): no folder. A folder
+// that is not writable is ignored. Do not call this while meshes are being made.
 void keep_meshes_in(const std::filesystem::path& folder);
 
-// What the environment variable TACK_MESHES says ("none": nowhere), or `results/meshes`.
+// Returns the value of TACK_MESHES ("none": no folder), by default `results/meshes`.
 std::filesystem::path usual_mesh_folder();
 
 }  // namespace tack

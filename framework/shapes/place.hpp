@@ -1,4 +1,4 @@
-// Where and how a mesh stands: scaled, rotated, then moved.
+// Mesh placement: scaling, then rotation, then translation.
 #pragma once
 
 #include "framework/config/field.hpp"

@@ -1,4 +1,4 @@
-// A line in a plane, by its corners or by formulas, in cells: what shapes are swept from.
+// Line in a plane, by corners or by formulas, divided into cells: the profile of swept shapes.
 #pragma once
 
 #include <string>
@@ -14,10 +14,11 @@ struct ProfileConfig {
   bool closed = false;
   int cells = 16;
 
-  // `first`: what x is, "distance from the axis".
+  // first: meaning of x, "distance from the axis".
   void fields(Fields& f, const std::string& first);
 
-  // Its points [m]; of a closed one, the first follows the last. Throws InputError, beginning with `name`, for a formula that gives no place.
+  // Returns the points [m]; in a closed line, the first follows the last. Throws InputError, with a
+  // message that begins with `name`, for a formula without a finite value.
   std::vector<Vec2> points(const std::string& name) const;
 
  private:

@@ -1,4 +1,4 @@
-// Where an object's mesh comes from: a built-in shape, a file, or what is made of them.
+// Source of the mesh of an object: a built-in shape, a file, or a combination of them.
 #pragma once
 
 #include "framework/config/registry.hpp"
@@ -9,11 +9,16 @@ namespace tack {
 class ShapeSource : public Component {
  public:
   static constexpr const char* kind_name = "shape";
-  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
+  static constexpr const char* kind_doc =
+      "The mesh of an object: a built-in shape, a file, or what is made of them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
-  virtual bool reads_files() const { return false; }  // so that the parameters alone do not make the mesh
-  virtual std::vector<std::string> notes() const { return {}; }  // what there is to tell about the mesh, in lines
+  virtual bool reads_files() const {
+    return false;
+  }  // so that the parameters alone do not make the mesh
+  virtual std::vector<std::string> notes() const {
+    return {};
+  }  // what there is to tell about the mesh, in lines
 };
 
 }  // namespace tack
