@@ -4,8 +4,8 @@
 //     beta' = min(W - k beta, 0) / eta                              while p < 0,
 //     beta' = r max(p - beta p_0, 0) + min(W - C_T beta |u|^2, 0) / eta   else.
 // At a fixed opening beta overshoots from h > eta / k on, and is clamped to 0 from little more. In a step the force has no peak.
-// The dissipation is the energy that the update takes from the stored energy, k (beta^2 - beta'^2) / 2: so energy is conserved, and what
-// the integration makes up shows as a work of separation that is not W; where a bond grows while it is stretched it is below zero.
+// Dissipation: the decrease of the stored energy by the update, k (beta^2 - beta'^2) / 2. Energy is therefore conserved, and the error
+// of the integration appears as a work of separation other than W. Dissipation is negative where a bond grows while it is stretched.
 #include <algorithm>
 
 #include "energies/adhesion/rcc.hpp"

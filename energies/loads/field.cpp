@@ -134,7 +134,7 @@ class FieldTerm : public FollowingLoad {
  private:
   int count() const { return static_cast<int>(vertices_.size()); }
   Vec3 way(const VecX& x, int i) const { return vertex(x, vertices_[i]) - vertex(start(), vertices_[i]); }
-  // Force of the velocity, if the step ended there.
+  // Returns the change of velocity for a step that ends at x.
   Vec3 changed(const VecX& x, int i) const {
     const int v = vertices_[i];
     return after().rate * (vertex(x, v) - vertex(after().still, v)) - vertex(before(), v);

@@ -1,6 +1,6 @@
 // Wind and the drag of a medium on triangles. With u = n . (w - v), the speed of the medium w towards a triangle of normal n and velocity v, the triangle is pushed by
 //     1/2 rho c_d A |u| u n.
-// That is the pressure of modified Newtonian flow (Lees 1955): the stagnation pressure times c_d times the squared cosine of the incidence. A triangle of a sheet with a
+// The law is the pressure of modified Newtonian flow (Lees 1955): the stagnation pressure times c_d times the squared cosine of the incidence. A triangle of a sheet with a
 // boundary is pushed from either side, one of a solid or a closed sheet only from outside (u < 0 with n outwards): the lee carries no pressure, nor do the walls of
 // cavities. Over 1/2 rho c_d U^2 times the frontal area, the drag is 1 of a sheet or a face of a cuboid across the flow, 2/3 of a cylinder across it, 1/2 of a sphere.
 // One triangle does not shelter another.

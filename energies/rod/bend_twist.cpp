@@ -9,7 +9,7 @@ using Vec4 = Eigen::Vector4d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
-// Parallel transport of a frame as a function of its edge l.
+// Rotation of a transported frame as a function of its edge l.
 struct Carried {
   explicit Carried(const Vec3& l) : length(l.norm()), direction(l / length), s(length + l.x(), -l.z(), l.y()) {
     slope << direction.x() + 1, direction.y(), direction.z(), 0, 0, -1, 0, 1, 0;
@@ -101,7 +101,7 @@ struct BendTwist::Standing {
     }
     turn = next_to(std::atan2(q(1), q(0)), p.turn);
   }
-  // Of q by (first, second).
+  // Returns dq / d(first, second).
   Eigen::Matrix<double, 4, 6> jacobian(const BendTwist& bend) const {
     Eigen::Matrix<double, 4, 6> j;
     for (int k = 0; k < 4; ++k) {

@@ -23,7 +23,7 @@ namespace tack {
 
 class FanStencils final : public StencilRanges {
  public:
-  // Stencils of the fans first ... last - 1, which are of one shape.
+  // fans, c: `count` fans of one shape, with their stiffnesses.
   FanStencils(const HingeFan* fans, const FanMatrix* c, int count);
 
   StencilBatch batch() const { return {shape_.arity(), count_, vertices_.data()}; }

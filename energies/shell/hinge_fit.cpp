@@ -247,7 +247,7 @@ class Fit {
     return true;
   }
 
-  // Whether a Cholesky factorisation of C - low runs through.
+  // Returns true if C - low is positive definite: its Cholesky factorisation succeeds.
   static bool above(double low, FanMatrix a, int n) {
     for (int k = 0; k < n; ++k) {
       const double pivot = a(k, k) - low;

@@ -97,7 +97,7 @@ class MembraneTerm : public Term, public StencilRanges {
  protected:
   int count() const { return static_cast<int>(triangles_.size()); }
 
-  // Data of one triangle.
+  // Returns the rest data of one triangle.
   SheetRest<double> rest_of(int t) const {
     const SheetRest<Pack>& pack = rest_[t / pack_width];
     return {get_lane<2, 2>(pack.shape, t % pack_width), pack.volume[t % pack_width]};

@@ -46,7 +46,7 @@ struct NeoHookeanMembrane {
     const Pack area = s.prod(), log_area = log(area);
     const Pack z = 1 + across(log_area, area * area);
     const Pack pressure = -mu * z;  // lambda ln J - mu, where there is no stress across
-    // psi(s1, s2, ln s3): d2/dy2 = 2 mu z + lambda, d2/ds_i dy = lambda / s_i.
+    // Derivatives of psi(s1, s2, ln s3), y = ln s3: d2/dy2 = 2 mu z + lambda, d2/ds_i dy = lambda / s_i.
     const Pack condensed = lambda - lambda * lambda / (2 * mu * z + lambda);
     PlaneDerivatives d;
     PackVec2 inverse;

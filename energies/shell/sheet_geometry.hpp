@@ -36,7 +36,8 @@ inline Mat32 deformation_gradient(const SheetRest<double>& rest, const Triangle&
   return edges * rest.shape;
 }
 
-// The same of triangles[0 .. count), count <= pack_width; further lanes repeat the last one.
+// Returns the deformation gradients of triangles[0 .. count), count <= pack_width; further lanes
+// repeat the last one.
 inline PackMat32 deformation_gradient(const SheetRest<Pack>& rest, const Triangle* triangles,
                                       int count, const VecX& x) {
   PackMat3 corners;

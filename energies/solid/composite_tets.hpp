@@ -10,7 +10,7 @@ namespace tack {
 
 using CompositeNodes = PackMatrix<3, composite_nodes>;
 
-// Data of pack_width tets.
+// Values at the points of pack_width tets.
 struct CompositePoints {
   std::array<PackMat3, composite_points> f;
   Pack growth;  // mean J - 1
@@ -28,7 +28,7 @@ class CompositeTets {
   const std::vector<CompositeTet>& nodes() const { return nodes_; }
   const Pack& volume(int pack) const { return volume_[pack]; }
   double volume_of(int tet) const { return volume_[tet / pack_width][tet % pack_width]; }
-  // What of a tet's volume a sample's shape and part count for.
+  // Returns the weight of sample k in the energy, a fraction of the volume of a tet.
   static double weight(int k) {
     return k < composite_points ? (1 - share_of_parts) / composite_points
                                 : share_of_parts / composite_parts;
@@ -60,7 +60,7 @@ class CompositeTets {
   CompositeNodes at(int first, int n, const VecX& x) const;
   CompositePoints points(int pack, const CompositeNodes& x) const;
   PackMat3 part(int pack, int s, const CompositeNodes& x) const;
-  // Data of one sample of one tet.
+  // Returns the deformation gradient of one sample of one tet.
   Mat3 deformation(int tet, int k, const VecX& x) const;
 
  private:

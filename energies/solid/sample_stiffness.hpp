@@ -19,7 +19,7 @@ class SampleStiffness {
     }
   }
 
-  // Column of corner b, with p = V^T g_b times a weight: K_ab = sum_j (V^T g_a)_j column(j).
+  // Sets b, with p = V^T g_b times a weight: K_ab = sum_j (V^T g_a)_j column(j).
   void set(const PackVec3& p) {
     for (int j = 0; j < 3; ++j) {
       PackVec3 stretched = PackVec3::Zero(), crossed = PackVec3::Zero();

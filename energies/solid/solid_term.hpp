@@ -85,7 +85,7 @@ class SolidTerm : public Term, public StencilRanges {
  protected:
   int count() const { return static_cast<int>(tets_.size()); }
 
-  // Data of one tet.
+  // Returns the rest data of one tet.
   TetRest<double> rest_of(int t) const {
     const TetRest<Pack>& pack = rest_[t / pack_width];
     return {get_lane<3, 3>(pack.shape, t % pack_width), pack.volume[t % pack_width]};

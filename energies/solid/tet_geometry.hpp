@@ -24,7 +24,8 @@ inline Mat3 deformation_gradient(const TetRest<double>& rest, const Tet& tet, co
   return edges_of(tet, x) * rest.shape;
 }
 
-// The same of tets[0 .. count), count <= pack_width; further lanes repeat the last one.
+// Returns the deformation gradients of tets[0 .. count), count <= pack_width; further lanes repeat
+// the last one.
 inline PackMat3 deformation_gradient(const TetRest<Pack>& rest, const Tet* tets, int count,
                                      const VecX& x) {
   PackMatrix<3, 4> corners;

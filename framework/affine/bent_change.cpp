@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// Of a matrix with a positive determinant: its polar factor, by Newton's iteration with Higham's scaling (Higham 1986, Computing the
+// Returns the polar factor of a matrix with a positive determinant, by Newton's iteration with Higham's scaling (Higham 1986, Computing the
 // Polar Decomposition, with Applications).
 Mat3 rotation_of(const Mat3& m) {
   constexpr int most = 30;

@@ -57,7 +57,7 @@ bool OrthogonalityTerm::bend(const DofMap& dofs, const VecX& q, VecX& p, double 
     if (!bend_change(a, change)) return;
     const Mat3 beyond = strain_of(a + straight) - strain_of(a + change);
     if (bodies_[b].modulus / 2 * beyond.squaredNorm() <= loss) return;
-    // What A gains acts on the corners at rest, about their centroid.
+    // The change of A acts on the corners at rest, relative to their centroid.
     const Mat3 edges = bodies_[b].shape.inverse();
     const Vec3 first = -edges.rowwise().sum() / 4;
     for (int i = 0; i < 4; ++i) {

@@ -39,7 +39,7 @@ void expand(double* y, int stride) {
   y[0] = sum;
 }
 
-// Whether a Cholesky factorisation of the lower triangle runs through.
+// Returns true if the Cholesky factorisation of the lower triangle succeeds.
 template <int N>
 bool positive_definite(Eigen::Matrix<double, N, N> a) {
   for (int k = 0; k < N; ++k) {

@@ -15,7 +15,7 @@
 namespace tack {
 namespace {
 
-// Of a shape of that area, the part of what a ball of the area encloses that counts as nothing.
+// Enclosed volume that counts as zero, as a fraction of the volume of a ball of equal area.
 constexpr double next_to_nothing = 1e-9;
 
 struct Chosen {
@@ -110,7 +110,7 @@ std::vector<Triangle> slits_between(const std::vector<Triangle>& triangles, cons
   return slits;
 }
 
-// Whether the faces of solids among them are as they are given, 1, all turned, -1, or there are none, 0.
+// Returns the orientation of the faces of solids among the triangles: 1 as given, -1 all reversed, 0 without such faces.
 int sense(const std::vector<Triangle>& triangles, const std::set<Triangle>& faces, const std::string& who) {
   int found = 0;
   for (const Triangle& t : triangles) {

@@ -47,7 +47,7 @@ struct ChamberSurface {
 // enclosed.
 ChamberSurface chamber_surface(const std::vector<ChamberPart>& parts, const VecX& rest,
                                const std::string& who);
-// Of an object, likewise.
+// Returns the region of the boundary that the selected triangles of one object form.
 ChamberPart chamber_part(const Selection& selection, const SelectionContext& context);
 
 }  // namespace tack

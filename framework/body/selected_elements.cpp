@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Of tets of which each eight are one: those all of whose corners are chosen.
+// Keeps the composite tets (eight tets each) all of whose corners are chosen.
 template <class Out>
 void keep_whole(std::vector<Tet>& parts, const Out& out) {
   const std::vector<CompositeTet> all = composite_tets_of(parts);

@@ -21,7 +21,7 @@ class Selection : public Component {
   virtual std::vector<int> choose(const SelectionContext& context) const = 0;
 };
 
-// The same, with an InputError if there are none.
+// Returns the chosen vertices (global, ascending). Throws InputError if there are none.
 std::vector<int> select(const Selection& selection, const SelectionContext& context);
 
 }  // namespace tack

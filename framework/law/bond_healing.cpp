@@ -22,7 +22,7 @@ std::vector<BondStep> pressed(double time, double pressure) {
 
 double intensity_after(const BondLaw& law, double time, double pressure) { return follow_bond(law, pressed(time, pressure), true).back().intensity; }
 
-// Of bonds that were pressed for a time: parted so slowly that viscosity does not tell, if the law lets it.
+// Returns the strength of bonds that were pressed for a time, parted too slowly for viscosity to count, if the law permits.
 double strength_after(const BondLaw& law, double time, double pressure, double far) {
   std::vector<BondStep> way = pressed(time, pressure);
   const bool any_step = !std::isfinite(law.longest_step());

@@ -11,7 +11,8 @@ struct Fall {
   double way() const { return to - from; }
 };
 
-// Of a traction by opening, ascending; both 0 of what never falls so far.
+// Returns the fall of a traction; both openings are 0 if it never falls that far. traction: pairs
+// of opening and traction, openings ascending.
 Fall fall_of(const std::vector<std::pair<double, double>>& traction);
 
 // Appends the process zone (Hillerborg et al. 1976), which sets the mesh size, and displacement of

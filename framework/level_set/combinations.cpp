@@ -8,7 +8,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-// Of several, from the first to the last.
+// Combination of several level sets, from the first to the last.
 class Combination : public LevelSet {
  public:
   void fields(Fields& f) override {

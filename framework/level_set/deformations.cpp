@@ -46,7 +46,7 @@ class TwistLevelSet : public Deformation {
  protected:
   void prepare_deformation() override {
     for (const Vec3& corner : corners(inner_)) radius_ = std::max(radius_, std::hypot(corner.x(), corner.z()));
-    // Of the singular values of a shear by rate * radius, within which the body lies.
+    // Singular values of a shear by rate * radius; the body lies within the radius.
     const double shear = std::abs(rate_) * radius_;
     steepness_ = shear / 2 + std::sqrt(1 + shear * shear / 4);
   }

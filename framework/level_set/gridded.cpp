@@ -13,7 +13,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-// What is given by another's surface and distances from it, up to reach() [m].
+// Level set defined by the surface of another one and distances from it, up to reach() [m].
 class Gridded : public DerivedLevelSet {
  public:
   void prepare(double voxel) override {

@@ -31,7 +31,7 @@ class LevelSet : public Component {
   void evaluate(std::span<const Vec3> points, std::span<double> values) const;
 
  protected:
-  // The same before it was put in its place.
+  // Returns the box before placement.
   virtual Eigen::AlignedBox3d own_bounds() const = 0;
   virtual void own_values(std::span<const Vec3> points, std::span<double> values) const = 0;
 

@@ -55,7 +55,7 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   void add_forces(const VecX& x, double part, VecX& forces) const override;
 
  protected:
-  // Of the step that was begun, when a part of it is over.
+  // Returns the potential and its derivatives at the fraction `part` of the current step.
   virtual VolumeSample sample(double volume, double part) const = 0;
 
  private:

@@ -30,8 +30,8 @@ class SteadyMotion : public Motion {
     f.optional_number("duration", duration_, units::time, doc).positive();
   }
   bool ends() const { return duration_ || until() < std::numeric_limits<double>::infinity(); }
-  // What a speed, or else a whole way, amounts to at time t. Without a duration it goes on to the end of
-  // the last step, which may lie a little after `until`, so that what is released is as fast as it was.
+  // Returns the displacement at time t, from a speed or a total displacement. Without a duration the motion
+  // continues to the end of the last step, which may lie a little after `until`, so that released vertices keep their speed.
   template <class T>
   T way(const std::optional<T>& speed, const std::optional<T>& whole, double t) const {
     double s = std::max(t - from(), 0.0);

@@ -32,7 +32,7 @@ bool contradict(const Motion& a, const Motion& b) {
   return !a.partial() || (a.held_directions() * b.held_directions()).norm() > round_off;
 }
 
-// Whether the spans leave no time free from 0 on.
+// Returns true if the spans cover all times from 0 on.
 bool cover_all(std::vector<std::pair<double, double>> spans) {
   std::sort(spans.begin(), spans.end());
   double reach = 0;

@@ -9,7 +9,7 @@ class Counter {
  public:
   explicit Counter(const CollisionMesh& mesh) : mesh_(mesh) {}
 
-  // Of the objects of two vertices (global).
+  // Returns the counts of the objects of two vertices (global).
   PairCount& of(int v, int w) { return of_objects(std::minmax({mesh_.vertex_object[v], mesh_.vertex_object[w]})); }
   // Neighbours in a list are mostly of the same pair.
   PairCount& of_objects(const ObjectIds& pair) {

@@ -34,7 +34,7 @@ class Text {
     row.erase(row.find_last_not_of(' ') + 1);
     text_ += row + "\n";
   }
-  // Of names that may be long, the columns that they get.
+  // Returns the column width for names that may be long.
   template <class Rows, class Name>
   static size_t width_of(const Rows& rows, size_t least, const Name& name) {
     for (size_t i = 0; i < std::min(rows.size(), most_rows); ++i) least = std::max(least, name(rows[i]).size());

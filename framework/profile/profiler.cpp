@@ -68,7 +68,7 @@ void Profiler::keep_if_hard(const StepReport& report) {
   if (hardest_.size() > kept_steps) hardest_.pop_back();
 }
 
-// Of the run so far.
+// Returns the times of contact in the run so far.
 ContactSeconds Profiler::contact_seconds() const {
   ContactSeconds sum;
   const PhaseClock::Seconds& phases = clock_.seconds();

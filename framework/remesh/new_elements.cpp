@@ -41,7 +41,7 @@ Within within(const Vec3& point, const std::vector<int>& among, const std::vecto
   return best;
 }
 
-// What the tets that went handed on to those that came.
+// Data transferred from old tets to new tets.
 struct Exchange {
   std::vector<int> gone;         // numbers of the old ones
   std::vector<TetContent> made;  // of the new ones, in their order
