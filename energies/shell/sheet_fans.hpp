@@ -29,12 +29,12 @@ struct FanShape {
   int ring() const { return closed ? hinges : hinges + 2; }
   int arity() const { return 1 + ring(); }
   int triangles() const { return closed ? hinges : hinges + 1; }
-  // Of hinge i, among the fan's vertices, of which the first is that in the middle: where it ends,
-  // and the apexes of its sides. To the left lies the later one.
+  // Return the end of hinge i and the apexes of its sides, as indices into the vertices of the fan
+  // (0: the centre). The left side is the later triangle.
   int tip(int i) const { return closed ? 1 + i : 2 + i; }
   int left(int i) const { return closed ? 1 + (i + 1) % hinges : 3 + i; }
   int right(int i) const { return closed ? 1 + (i + hinges - 1) % hinges : 1 + i; }
-  // Among its triangles.
+  // Return the sides of hinge i, as indices into the triangles of the fan.
   int left_triangle(int i) const { return closed ? i : i + 1; }
   int right_triangle(int i) const { return closed ? (i + hinges - 1) % hinges : i; }
 

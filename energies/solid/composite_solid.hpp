@@ -1,6 +1,6 @@
-// Composite tets of one elastic material that are also a sum of squares: those of its shape at each
-// point and of what stands for it in each part (solid_residuals.hpp), and sqrt(V) g(J) of the mean
-// J, U = g^2 / 2.
+// Composite tets of one elastic material, as a sum of squares: the residuals of psi_s at each point
+// and of its substitute in each part (solid_residuals.hpp), and sqrt(V) g(J) of the mean J,
+// U = g^2 / 2.
 #pragma once
 
 #include <atomic>

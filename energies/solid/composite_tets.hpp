@@ -34,8 +34,8 @@ class CompositeTets {
                                 : share_of_parts / composite_parts;
   }
 
-  // Of sample k: the gradients of corners 1 to 3, as rows, or those times what a material
-  // remembers.
+  // Returns the gradients of corners 1 to 3 at sample k, as rows, times the history matrix of the
+  // material, if there is one.
   const PackMat3& shape(int pack, int k) const {
     return turned_.empty() ? shape_[pack] : turned_[composite_samples * pack + k];
   }

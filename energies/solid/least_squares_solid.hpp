@@ -1,7 +1,6 @@
-// A solid of one elastic material that is also a sum of squares (solid_residuals.hpp). The material
-// has
+// Solid of one elastic material as a sum of squares (solid_residuals.hpp). The material has
 //   RootSample stretch_root(double s) const, volume_root(double j) const
-// beside what a SolidTerm asks for.
+// in addition to the members that SolidTerm requires.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,5 @@
-// Tets with patches, of one elastic material that are also a sum of squares: those of its shape in
-// each tet (solid_residuals.hpp), and sqrt(V) g(J) of each patch, U = g^2 / 2.
+// Tets with patches, of one elastic material, as a sum of squares: the residuals of psi_s in each
+// tet (solid_residuals.hpp), and sqrt(V) g(J) of each patch, U = g^2 / 2.
 #pragma once
 
 #include <atomic>

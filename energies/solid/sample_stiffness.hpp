@@ -1,8 +1,8 @@
-// The stiffness of one sample of a deformation gradient F = U diag(s) V^T = sum_a x_a g_a^T, for
-// several side by side:
+// Stiffness of one sample of a deformation gradient F = U diag(s) V^T = sum_a x_a g_a^T, for
+// several samples side by side:
 //     K_ab = sum_jl (g_a)_j dP_.j/dF_.l (g_b)_l,
-// from dP/dF in the principal frame. For stencils of many vertices: what depends on b alone is
-// found once for all a.
+// from dP/dF in the principal frame. For stencils of many vertices: quantities of b alone
+// are computed once for all a.
 #pragma once
 
 #include "energies/solid/principal.hpp"

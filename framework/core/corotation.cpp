@@ -7,9 +7,9 @@
 namespace tack {
 namespace {
 
-constexpr double undetermined = 1e-10;  // of the largest eigenvalue of A: what is less has no turn
+constexpr double undetermined = 1e-10;  // eigenvalues of A below this fraction of the largest one: no rotation
 
-// The inverse of a symmetric matrix, by absolute eigenvalues, but 0 along eigenvectors of small ones.
+// Returns the inverse of a symmetric matrix by absolute eigenvalues, 0 along eigenvectors of small ones.
 Mat3 inverse_of(const Mat3& a) {
   const double size = a.cwiseAbs().maxCoeff();
   if (size == 0) return Mat3::Zero();
@@ -24,13 +24,14 @@ Mat3 inverse_of(const Mat3& a) {
   return inverse;
 }
 
-// sum s_i x y_i of S = sum y_i s_i^T.
+// Returns sum s_i x y_i, given S = sum y_i s_i^T.
 Vec3 moment_of(const Mat3& s) { return {s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(1, 0) - s(0, 1)}; }
 
 // tr(S) I - S, symmetric.
 Mat3 resistance_of(const Mat3& s) { return s.trace() * Mat3::Identity() - (s + s.transpose()) / 2; }
 
-// The rotation R for which S = R^T S_0 is symmetric, with the largest trace; from none, by Newton's method. An isotropic stencil takes one step.
+// Returns the rotation R for which S = R^T S_0 is symmetric with the largest trace. Newton's method from the identity; an
+// isotropic stencil takes one step.
 Mat3 rotation_of(const Mat3& s_0) {
   constexpr int most_steps = 30;
   constexpr double exact = 1e-15;
@@ -45,7 +46,7 @@ Mat3 rotation_of(const Mat3& s_0) {
   return r;
 }
 
-// Takes the mean of the places from them, and returns it.
+// Subtracts the mean of the positions and returns it.
 Vec3 centre(int places, Corotation::Column& x) {
   Vec3 mean = Vec3::Zero();
   for (int i = 0; i < places; ++i) mean += x.segment<3>(3 * i);
@@ -133,7 +134,7 @@ Corotation::Square Corotation::hessian(const Square& k, const Column& f) const {
       }
       for (int i = 0; i < places_; ++i) h.block<3, 1>(3 * i, column) += (translation_ * sum - mean) * share;
     }
-  // Numbers are not turned: their columns are those of K, whose forces on places follow as any.
+  // Scalar dofs are not rotated: their columns are those of K; forces on positions are rotated as usual.
   for (Eigen::Index column = 3 * places_; column < h.cols(); ++column) h.col(column) = gradient(Column(k.col(column)));
   return (h + h.transpose()) / 2;
 }

@@ -12,7 +12,7 @@
 namespace tack {
 namespace {
 
-// Puts the record where the first of its name is, and takes all others of it out, after calling drop(record) for each.
+// Replaces the first record of the name and erases the others. Calls drop(record) for each old record.
 template <class Record, class Drop>
 void put_in_place(std::vector<Record>& records, Record record, const char* what, const Drop& drop) {
   const auto named = [&](const Record& r) { return r.name == record.name; };

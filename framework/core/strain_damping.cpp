@@ -1,4 +1,4 @@
-// Damping of the rate of strain (damping_terms.hpp): by stencils without their rotation, and by strains that a term offers.
+// Damping of the strain rate (damping_terms.hpp): by stencils without their rotation, and by the strains of a StrainView.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,14 +28,14 @@ size_t slots_of(const std::vector<StencilBatch>& batches, int (*per_stencil)(int
   return slots;
 }
 
-// Where the vertices of stencil s of the batch are.
+// Returns the positions of the vertices of stencil s of the batch.
 Column places(const VecX& x, const StencilBatch& b, int s) {
   Column at(3 * b.arity);
   for (int i = 0; i < b.arity; ++i) at.segment<3>(3 * i) = vertex(x, b.vertices[b.arity * static_cast<size_t>(s) + i]);
   return at;
 }
 
-// The matrix of which the blocks are the lower triangle, by rows.
+// Returns the symmetric matrix whose lower triangle, by rows, is given by blocks.
 Square matrix_of(const double* blocks, int arity) {
   Square k(3 * arity, 3 * arity);
   for (int i = 0; i < arity; ++i)
@@ -166,8 +166,8 @@ class CorotatedDamping : public DampingTerm {
   double beta_;
   std::vector<StencilBatch> batches_;
   std::vector<double> blocks_;    // beta K of each stencil, in the Hessian's slots [kg/s]
-  std::vector<double> gradient_;  // not used, but written
-  std::vector<double> still_;     // of each stencil, from where its displacements count, in the gradient's slots [m]
+  std::vector<double> gradient_;  // written, not read
+  std::vector<double> still_;     // reference of the displacements of each stencil, in gradient slots [m]
   std::vector<char> translates_;  // of each stencil: it resists translation
 };
 
@@ -183,7 +183,7 @@ class StrainViewDamping : public DampingTerm {
     DampingTerm::begin_step(start);
     from_ = view_.strains(start.x);
     still_ = from_;
-    // A small part of the way has the strains' derivative along it.
+    // A small fraction of the displacement gives the derivative of the strains along it.
     constexpr double part = 1.0 / 64;
     const VecX way = part * (velocity_.still - start.x);
     if (!way.isZero(0)) still_ += (view_.strains(start.x + way) - view_.strains(start.x - way)) / (2 * part);

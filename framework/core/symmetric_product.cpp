@@ -19,7 +19,7 @@ void SymmetricProduct::index(const BlockMatrix& matrix) {
   sum_of_.resize(matrix.row.size());
   sum_start_.assign(1, 0);
   std::vector<std::pair<int, int>> outside;  // row, sum
-  std::vector<int> place(columns_, -1);      // of a row's sum in the present run
+  std::vector<int> place(columns_, -1);      // index of the sum of a row in the current run
   for (int first = 0; first < columns_; first += run_length) {
     const int last = std::min(first + run_length, columns_);
     const size_t before = outside.size();

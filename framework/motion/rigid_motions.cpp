@@ -1,4 +1,4 @@
-// Motions that keep the shape of what they hold: translate, rotate, hinge, keyframes.
+// Rigid prescribed motions: translate, rotate, hinge, keyframes.
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace {
 
 Mat3 turned(double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 
-// How fast a way from one frame to the next begins and ends.
+// Speed at the start and the end of the path between two frames.
 enum class Easing { linear, smooth };
 
 void easing_field(Fields& f, Easing& easing) {

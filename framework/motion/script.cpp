@@ -14,7 +14,7 @@ bool at_the_same_time(const Motion& a, const Motion& b) {
   return a.from() < b.until() && b.from() < a.until();
 }
 
-// The squares of distances have to remain numbers.
+// Throws SimulationError for positions that are not finite or whose squared distances may overflow.
 void check_places(const std::vector<int>& vertices, double t, const VecX& x) {
   constexpr double furthest = 1e100;  // m
   for (const int v : vertices) {
@@ -25,7 +25,8 @@ void check_places(const std::vector<int>& vertices, double t, const VecX& x) {
   }
 }
 
-// Two motions of the same vertices: a whole one has precedence over partial ones.
+// Returns true if two motions of a vertex contradict each other: both fix all directions, or both fix some that are not
+// orthogonal. A motion of all directions has precedence over one of some directions.
 bool contradict(const Motion& a, const Motion& b) {
   constexpr double round_off = 1e-9;
   if (a.partial() != b.partial()) return false;
