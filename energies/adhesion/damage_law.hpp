@@ -69,8 +69,8 @@ class DamageLawOf : public BondLawOf<Law> {
   double viscosity_ = 0;                   // eta [J s/m^2]
 
  private:
-  static constexpr double least_opening =
-      1e-3;  // from which a mixity counts, over the opening at D = 1/2
+  // Opening from which a mixity counts, over the opening at D = 1/2
+  static constexpr double least_opening = 1e-3;
 
   struct Reached {
     double damage;

@@ -13,8 +13,9 @@ namespace tack {
 std::vector<Edge> nearest_ends(const std::vector<int>& from, const std::vector<int>& to,
                                const VecX& rest, const std::string& who);
 
+// M
 inline double length_of(const Edge& ends, const VecX& x) {
   return (vertex(x, ends[0]) - vertex(x, ends[1])).norm();
-}  // m
+}
 
 }  // namespace tack

@@ -117,9 +117,10 @@ struct VonMises {
   }
 
  private:
+  // Returns d stress / d plastic strain [Pa]
   double slope() const {
     return viscosity > 0 ? hardening + viscosity / h : hardening;
-  }  // d stress / d plastic strain [Pa]
+  }
   double bulk() const { return lame.lambda + 2 * lame.mu / 3; }
 };
 

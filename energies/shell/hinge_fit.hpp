@@ -28,8 +28,8 @@
 
 namespace tack {
 
-using FanMatrix =
-    Eigen::Matrix<double, most_hinges, most_hinges>;  // entries beyond the hinges of a fan: unused
+// Entries beyond the hinges of a fan: unused
+using FanMatrix = Eigen::Matrix<double, most_hinges, most_hinges>;
 
 struct FittedFans {
   std::vector<HingeFan> fans;

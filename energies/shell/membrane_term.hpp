@@ -105,8 +105,8 @@ class MembraneTerm : public Term, public StencilRanges {
 
   Material material_;
   std::vector<Triangle> triangles_;
-  std::vector<SheetRest<Pack>>
-      rest_;  // of pack_width triangles each; the last lanes repeat the last triangle
+  // Rest data of pack_width triangles each; the last lanes repeat the last triangle
+  std::vector<SheetRest<Pack>> rest_;
 
  private:
   static_assert(chunk_size % pack_width == 0 && grain % pack_width == 0);

@@ -21,8 +21,8 @@ inline constexpr int composite_samples = composite_points + composite_parts;
 struct CompositeTable {
   using Row = std::array<double, 3>;
   std::array<std::array<Row, composite_nodes>, composite_points> point;  // c_ka
-  std::array<std::array<Row, 4>, composite_parts>
-      part;  // of the corners of parts; other nodes do not count
+  // Constants of the corners of parts; other nodes do not count
+  std::array<std::array<Row, 4>, composite_parts> part;
 };
 
 const CompositeTable& composite_table();

@@ -11,8 +11,8 @@
 namespace tack {
 
 struct FixedCorotated {
-  static constexpr double smallest_free =
-      0.1;  // J0: part of the volume below which the barrier acts
+  // J0: part of the volume below which the barrier acts
+  static constexpr double smallest_free = 0.1;
 
   Lame lame;
 

@@ -12,8 +12,8 @@ namespace tack {
 // T: double, or Pack for pack_width tets side by side.
 template <class T>
 struct TetRest {
-  Eigen::Matrix<T, 3, 3>
-      shape;  // row a-1: grad N_a, a = 1, 2, 3 [1/m]; grad N_0 is minus their sum
+  // Row a-1: grad N_a, a = 1, 2, 3 [1/m]; grad N_0 is minus their sum
+  Eigen::Matrix<T, 3, 3> shape;
   T volume;                      // [m^3]
 };
 

@@ -56,8 +56,8 @@ class Assembler {
     size_t own_gradient_slots = 0;
     ReducedStencils reduced;
     GatherMap gradient_map, hessian_map;
-    std::vector<int>
-        mapped;  // the batches that the maps are for: arity, count and vertices of each
+    // The batches that the maps are for: arity, count and vertices of each
+    std::vector<int> mapped;
     bool hessian_mapped = false;  // whether the Hessian's map is made too
 
     double largest_force() const;

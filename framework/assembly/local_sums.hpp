@@ -51,8 +51,8 @@ class LocalSums {
   const DofMap* dofs_ = nullptr;
   int batches_ = 0;
   std::vector<Chunk> chunks_;
-  std::vector<int>
-      sum_of_;  // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
+  // 2 * sum of the chunk + (1 if the block is to be transposed); -1: it is held
+  std::vector<int> sum_of_;
   std::vector<double> sums_;   // 9 each
   std::vector<BlockKey> targets_;
   std::vector<int> start_, source_;  // target k gathers sums_ source_[start_[k] .. start_[k+1])

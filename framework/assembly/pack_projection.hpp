@@ -56,8 +56,8 @@ void project_psd(PackMatrix<N, N>& a, Projection projection) {
   PackMatrix<N, N> v;
   for (int i = 0; i < N * N; ++i) v(i) = i % (N + 1) == 0 ? 1.0 : 0.0;
   const Pack size = a.squaredNorm();
-  const Pack negligible =
-      1e-34 * size + (size - size);  // the difference: no number if size is infinite
+  // The difference is not a number if size is infinite
+  const Pack negligible = 1e-34 * size + (size - size);
   bool rotated = true;
   for (int sweep = 0; rotated && sweep < 12; ++sweep) {
     rotated = false;

@@ -20,8 +20,8 @@ class ReducedStencils {
   int hessian_end() const { return hessian_end_; }
 
   // Computes its slots from those of the stencils.
-  void reduce(double* gradient_slots,
-              double* hessian_slots) const;  // hessian_slots: null, if they are not wanted
+  // hessian_slots: null if Hessians are not needed.
+  void reduce(double* gradient_slots, double* hessian_slots) const;
 
  private:
   class RunFinder;

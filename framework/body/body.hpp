@@ -27,34 +27,34 @@ struct Body {
   int first_vertex = 0;
   int vertex_count = 0;
   bool movable = true;  // some vertex is free at some time
-  int energy =
-      0;  // which of its energies is made, from 0: what terms that remember are told apart by
+  // Index of the energy that is being made, from 0; it distinguishes the history of terms
+  int energy = 0;
   std::map<std::string, std::vector<int>> tags;  // groups of the mesh, vertex indices from 0
   std::vector<Tet> tets;
-  std::vector<TetReference>
-      references;  // of the tets, if it was meshed anew as it flowed (flowed_mesh.hpp); else empty
+  // Rest data of the tets after remeshing with flow (flowed_mesh.hpp); else empty
+  std::vector<TetReference> references;
   bool flows = false;  // it may be meshed anew: vertices inside have no lasting numbers
   Elements elements = Elements::linear;  // composite: each eight of the tets are one
-  std::vector<Triangle>
-      triangles;  // the surface: outward oriented around tets, then those of `sheet`
-  std::vector<Triangle>
-      sheet;  // explicit triangles of the mesh that are no faces of its tets: shells
+  // The surface: outward oriented around tets, then those of `sheet`
+  std::vector<Triangle> triangles;
+  // Explicit triangles of the mesh that are no faces of its tets: shells
+  std::vector<Triangle> sheet;
   double thickness = 0;             // of the sheet [m]; 0: none is given
   std::vector<Edge> edges;          // rods: explicit edges of the mesh
   std::vector<int> points;          // particles: explicit points of the mesh
   std::optional<RodSection> section;  // of the edges
   double radius = 0;                  // of the points [m]; 0: none
   std::shared_ptr<RodFrames> rod;     // of edges with a twist; null without (rod/rod_frames.hpp)
-  std::vector<int>
-      frame;  // of an affine body: the four vertices that all of it follows (affine/frame.hpp)
+  // The four frame vertices of an affine body (affine/frame.hpp)
+  std::vector<int> frame;
   double volume = 0;       // of an affine body [m^3]
   double stiffness = 0;    // likewise [Pa]
   // Finer contact surface (refined_surface.hpp): its vertices outside of the mesh and its
   // triangles; else empty.
   std::vector<int> surface_vertices;
   std::vector<Triangle> surface_triangles;
-  std::vector<int>
-      extra_vertices;  // of its that are in no mesh, ascending: of its frame, surface and twists
+  // Vertices outside of the mesh, ascending: frame, surface and twists
+  std::vector<int> extra_vertices;
   MeshDigest digest;              // of the mesh before it was placed
   bool from_file = false;         // the mesh was read from a file, or processed
   std::vector<std::string> notes;       // what processing the mesh had to tell

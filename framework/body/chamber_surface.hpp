@@ -38,8 +38,8 @@ struct ChamberPart {
 // Boundary of a chamber, with normals that point out of it.
 struct ChamberSurface {
   std::vector<Triangle> triangles;
-  std::vector<Triangle>
-      slits;  // of them, those that are of no part: they close the slits between parts
+  // The triangles that close the slits between parts
+  std::vector<Triangle> slits;
 };
 
 // Returns the closed boundary. Regions with open edges are joined, nearest edge loop to nearest.

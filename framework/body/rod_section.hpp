@@ -22,8 +22,8 @@ struct RodSection {
   double area() const;              // A [m^2]
   double moment_across() const;     // I1 [m^4]: about the width, of bending towards `normal`
   double moment_along() const;      // I2 [m^4]: about the height, of bending across it
-  double torsion_constant()
-      const;  // J [m^4]; of a rectangle by its series (Timoshenko and Goodier, section 109)
+  // Returns J [m^4]; for a rectangle by its series (Timoshenko and Goodier, section 109)
+  double torsion_constant() const;
   // Returns the radius of gyration: all mass there has the polar moment I1 + I2 [m].
   double radius_of_gyration() const;
 };

@@ -12,9 +12,10 @@ class LinearTerm : public Term, public ResidualView {
   using Term::Term;
 
   void set_force(VecX force) { force_ = std::move(force); }              // N, 3n
+  // Sets the configuration of zero potential (3n) [m]
   void set_reference(VecX reference) {
     reference_ = std::move(reference);
-  }  // where it is zero [m], 3n
+  }
   const VecX& force() const { return force_; }
   const VecX& reference() const { return reference_; }
 

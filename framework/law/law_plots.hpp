@@ -1,8 +1,10 @@
 // Plots of a law, by name:
 //   traction, energy      over the gap, alone and with the barrier; over the opening, in each
-//   direction, and what is stored and dissipated intensity             of bonds that remember: over
-//   the opening unloading, unloading_45, unloading_across   loaded, unloaded and loaded again rate
-//   slowly and at three speeds healing               strength by the time of pressing
+//                         direction, with stored and dissipated energy
+//   intensity             over the opening, for bonds with history variables
+//   unloading, unloading_45, unloading_across   loading, unloading and reloading
+//   rate                  slow and at three speeds
+//   healing               strength by the time of pressing
 #pragma once
 
 #include <map>

@@ -25,8 +25,8 @@ struct StudiedLaw {
 
 struct StudySettings {
   std::optional<double> speed;     // that surfaces part at [m/s]
-  std::optional<double>
-      pressure;  // that they are pressed together with [Pa]; the peak traction unless given
+  // Pressure on the surfaces [Pa]; the peak traction unless given
+  std::optional<double> pressure;
 };
 
 // A key number of a law.

@@ -1,8 +1,8 @@
-// A chamber with a filling that stores energy: a gas, a liquid. What leaves it takes energy along
-// (dissipated_leak), what is pumped in brings some (work_filling): of a step from V, t to V', t'
-// with an amount m that becomes m' when it is kept
-//     work_filling      W(V', m, t') - W(V, m, t) and what it did to the surface, the integral of p
-//     dV by Simpson's rule, dissipated_leak   W(V', m, t') - W(V', m', t').
+// Chamber with a filling that stores energy: a gas, a liquid. A step from V, t to V', t', with an
+// amount m that becomes m' when the step is accepted, has the energy flows
+//     work_filling      W(V', m, t') - W(V, m, t) plus the work on the surface, the integral of p dV
+//                       by Simpson's rule
+//     dissipated_leak   W(V', m, t') - W(V', m', t')
 #pragma once
 
 #include <functional>
@@ -37,9 +37,10 @@ class ChamberTerm : public VolumeTerm {
   VolumeSample sample(double volume, double part) const override;
 
  private:
+  // Returns a value of the stored state
   double kept_time() const {
     return remembers_ ? kept_ : time();
-  }  // of the state that is remembered
+  }
   double energy(double volume, double amount, double at) const {
     return filling_.at(volume, at_rest_, amount, at).energy;
   }

@@ -33,9 +33,10 @@ class StoredFilling : public Filling {
   virtual double after(double volume, double volume_at_rest, double amount, double time, double h,
                        double vented) const = 0;
   virtual bool is_gas() const = 0;
+  // Returns the times of discontinuities [s]
   virtual std::vector<double> corners() const {
     return {};
-  }  // times at which it changes abruptly [s]
+  }
   std::unique_ptr<VolumeTerm> make_term(std::string label, OrientedSurface surface,
                                         const VecX& rest) const override;
 };

@@ -39,10 +39,10 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   // For probes, at an accepted state.
   double volume(const VecX& x) const { return surface_.volume(x, surface_.mean_place(x)); }  // m^3
   virtual double pressure(const VecX& x, double time) const = 0;  // what surfaces feel [Pa]
-  virtual double target(
-      double time) const;  // the volume that is asked for [m^3]; not a number where none is
-  virtual double amount()
-      const;  // of gas, as a part of what there was at rest; not a number where there is none
+  // Returns the target volume [m^3]; NaN without one
+  virtual double target(double time) const;
+  // Of gas, as a part of what there was at rest; not a number where there is none
+  virtual double amount() const;
 
   void begin_step(const StepStart& start) override;
   double value(const VecX& x) const override;
@@ -65,8 +65,8 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   OrientedSurface surface_;
   std::vector<int> ends_;
   Vec3 origin_ = Vec3::Zero();
-  std::vector<Vec3>
-      rim_;  // what is held of boundaries, by edge; zero of others; empty if there are none
+  // What is held of boundaries, by edge; zero of others; empty if there are none
+  std::vector<Vec3> rim_;
   double before_ = 0;      // of an open surface: its cone at the start of the step
 };
 

@@ -32,9 +32,10 @@ class Motion : public Component {
   Motion(double from, double until) : from_(from), until_(until) {}
   void fields(Fields& f) override;
   const Selection& selection() const { return *select_; }
+  // Returns the carrier object; empty: none
   const std::string& carrier() const {
     return carrier_;
-  }  // the object that it goes along with; empty: none
+  }
   double from() const { return from_; }                                                     // s
   double until() const { return until_.value_or(std::numeric_limits<double>::infinity()); }  // s
 

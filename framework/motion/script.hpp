@@ -63,8 +63,8 @@ class Script {
   std::vector<HeldDirections> always_held_;
   std::vector<char> ever_held_, ever_free_, moves_;
   std::vector<int> rigid_group_;
-  std::map<int, std::vector<std::pair<double, double>>>
-      held_spans_;  // s: of vertices that are held whole for a while
+  // s: of vertices that are held whole for a while
+  std::map<int, std::vector<std::pair<double, double>>> held_spans_;
 };
 
 }  // namespace tack

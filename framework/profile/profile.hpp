@@ -30,8 +30,8 @@ struct HardStep {
   int step = 0;
   double time = 0;  // at its end [s]
   int iterations = 0;
-  std::string
-      blocker;  // what cut its most shortened Newton step: describe_blocker(); empty if nothing did
+  // What cut its most shortened Newton step: describe_blocker(); empty if nothing did
+  std::string blocker;
 };
 
 struct LinearCost {

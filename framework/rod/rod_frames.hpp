@@ -19,8 +19,8 @@
 
 namespace tack {
 
-using Quaternion =
-    Eigen::Quaterniond;  // of a frame: the images of x, y, z are t and the two directors
+// Of a frame: the images of x, y, z are t and the two directors
+using Quaternion = Eigen::Quaterniond;
 
 class RodFrames : public StepParticipant {
  public:

@@ -13,12 +13,10 @@ class ShapeSource : public Component {
       "The mesh of an object: a built-in shape, a file, or what is made of them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
-  virtual bool reads_files() const {
-    return false;
-  }  // so that the parameters alone do not make the mesh
-  virtual std::vector<std::string> notes() const {
-    return {};
-  }  // what there is to tell about the mesh, in lines
+  // Returns true if the mesh depends on files beside the parameters.
+  virtual bool reads_files() const { return false; }
+  // Returns remarks about the mesh, one per line.
+  virtual std::vector<std::string> notes() const { return {}; }
 };
 
 }  // namespace tack
