@@ -13,7 +13,7 @@ namespace tack {
 std::vector<Edge> nearest_ends(const std::vector<int>& from, const std::vector<int>& to,
                                const VecX& rest, const std::string& who);
 
-// M
+// Returns the length of a pair [m].
 inline double length_of(const Edge& ends, const VecX& x) {
   return (vertex(x, ends[0]) - vertex(x, ends[1])).norm();
 }

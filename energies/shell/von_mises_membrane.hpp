@@ -1,14 +1,13 @@
 // Von Mises plasticity of a membrane in plane stress, in Hencky strain e = ln s of the trial
-// deformation F Fp^-1, Fp that of the start of the step; for several triangles side by side. In the
-// numbers (p, q) = (e1 + e2, (e1 - e2) / sqrt 3) the elastic density and the length of an isochoric
-// flow are
-//     1/2 (A p^2 + B q^2),  A = mu + lambda,  B = 3 mu,      g = |(p', q')|, the equivalent strain
-//     of the flow,
+// deformation F Fp^-1, Fp that of the start of the step; for several triangles side by side.
+// With (p, q) = (e1 + e2, (e1 - e2) / sqrt 3), the elastic density and the equivalent strain of an
+// isochoric flow are
+//     1/2 (A p^2 + B q^2),   g = |(p', q')|,   A = mu + lambda,   B = 3 mu,
 // lambda = E nu / (1 - nu^2), and the stress conjugate to them, t = (A p, B q), has von Mises'
 // stress as its length. So the least of elastic energy and plastic work over all plastic flows (the
 // augmented density),
-//     psi = min_f  1/2 (A (p - p')^2 + B (q - q')^2) + Y g + H/2 g^2,    Y = sigma_y + H a,   a the
-//     accumulated strain,
+//     psi = min_f  1/2 (A (p - p')^2 + B (q - q')^2) + Y g + H/2 g^2,
+//     Y = sigma_y + H a,   a the accumulated strain,
 // is a projection onto a circle in a metric of two numbers, where the length g solves
 //     (A p)^2 / ((A + H) g + Y)^2 + (B q)^2 / ((B + H) g + Y)^2 = 1,
 // which is convex and falls in g: Newton's method from 0 does not overshoot. The stress is the

@@ -1,7 +1,7 @@
 // sum over tets of volume * psi(F), for an isotropic material given in principal stretches.
 // A material has
-//   Pack energy(const PackMat3& f) const;                             psi [J/m^3], infinite unless
-//   det F > 0 PrincipalDerivatives derivatives(const PackVec3& stretches) const;
+//   Pack energy(const PackMat3& f) const;    psi [J/m^3], infinite unless det F > 0
+//   PrincipalDerivatives derivatives(const PackVec3& stretches) const;
 // or, where it differs from tet to tet, at(p): that of the tets pack_width * p on, one per lane.
 // Tets are computed pack_width at a time, one per lane. The Hessian is projected in the principal
 // frame, in closed form but for one 3x3 matrix.

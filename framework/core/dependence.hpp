@@ -1,5 +1,5 @@
-// Multi-point constraints: the position of a dependent vertex v is x_v = sum_k w_k x_k, sum_k w_k
-// = 1.
+// Multi-point constraints: the position of a dependent vertex v is
+//     x_v = sum_k w_k x_k,   sum_k w_k = 1.
 //   dependent vertex            depends on
 //   of an affine body           the four vertices of its frame
 //   attached to an element      the corners of the element

@@ -37,7 +37,7 @@ class ChamberTerm : public VolumeTerm {
   VolumeSample sample(double volume, double part) const override;
 
  private:
-  // Returns a value of the stored state
+  // Returns the time of the stored state [s]
   double kept_time() const {
     return remembers_ ? kept_ : time();
   }

@@ -1,13 +1,12 @@
 // Prescribed motion (Dirichlet condition) of vertices of an object, at rest or moving, during a
 // time span. Before and after the span the vertices are free. Fixed vertices own no unknowns;
 // released vertices keep their velocity.
-//   anchor      reference position of the motion: the position at the start of the span, or at rest
-//   if
-//               the span begins with the run
-//   partial     a step that contains the start or the end of a span belongs to the side that has
-//   the steps       larger share of it carrier     another object: the motion is given in its frame
-//   and followed by its rigid motion
-//               (carried_motion.hpp)
+//   anchor         reference position of the motion: the position at the start of the span, or at
+//                  rest if the span begins with the run
+//   partial steps  a step that contains the start or the end of a span belongs to the side that
+//                  has the larger share of it
+//   carrier        another object: the motion is given in its frame and followed by its rigid
+//                  motion (carried_motion.hpp)
 #pragma once
 
 #include <limits>
