@@ -6,8 +6,8 @@
 // one per lane. Triangles are computed pack_width at a time, one per lane, and projected in the
 // principal frame.
 //
-// Fibres of stiffness E_f along d, in the plane of each triangle at rest, add  E_f/2 e^2,  e = (|F
-// d|^2 - 1) / 2.
+// Fibres of stiffness E_f along d, in the plane of each triangle at rest, add
+//   E_f/2 e^2,   e = (|F d|^2 - 1) / 2.
 #pragma once
 
 #include <algorithm>

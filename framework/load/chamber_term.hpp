@@ -1,7 +1,7 @@
 // Chamber with a filling that stores energy: a gas, a liquid. A step from V, t to V', t', with an
 // amount m that becomes m' when the step is accepted, has the energy flows
-//     work_filling      W(V', m, t') - W(V, m, t) plus the work on the surface, the integral of p dV
-//                       by Simpson's rule
+//     work_filling      W(V', m, t') - W(V, m, t) plus the work on the surface, the integral of p
+//                       dV by Simpson's rule
 //     dissipated_leak   W(V', m, t') - W(V', m', t')
 #pragma once
 
