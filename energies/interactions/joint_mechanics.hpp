@@ -1,4 +1,4 @@
-// Scene keys of the forces along the coordinate of a joint, and their terms.
+// The keys of what acts along the coordinate of a joint, and its terms.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,12 +15,12 @@
 
 namespace tack {
 
-// Names and widths: angles and torques of a hinge, displacements and forces of a slider.
+// A hinge has angles and torques, a slider displacements and forces.
 struct JointUnits {
   Unit value, rate, effort, damping;
   const char* what;    // "angle"
   const char* effort_key;  // "torque"
-  double soft, soft_rate, margin;  // default widths: servo; friction and motors; limits
+  double soft, soft_rate, margin;  // usual widths of a servo, of friction and motors, of limits
 };
 
 struct JointMotor {
@@ -32,10 +32,9 @@ template <const JointUnits& U>
 struct MotorKeys : JointMotor {
   MotorKeys() { soft = U.soft_rate; }
   void fields(Fields& f) {
-    f.schedule("speed", target, U.rate, "the rate that it drives at, over time").required();
-    f.number(U.effort_key, most, U.effort, "what it exerts at most").required().positive();
-    f.number("within", soft, U.rate, "how far off the rate is where it exerts all of that")
-        .positive();
+    f.schedule("speed", target, U.rate, "target rate over time").required();
+    f.number(U.effort_key, most, U.effort, "largest magnitude").required().positive();
+    f.number("within", soft, U.rate, "rate error at which the motor saturates").positive();
   }
 };
 
@@ -53,9 +52,8 @@ template <const JointUnits& U>
 struct FrictionKeys {
   double most = 0, soft = U.soft_rate;
   void fields(Fields& f) {
-    f.number(U.effort_key, most, U.effort, "by which it resists motion, dry").required().positive();
-    f.number("eps", soft, U.rate, "rate below which it resists less, and what stands creeps")
-        .positive();
+    f.number(U.effort_key, most, U.effort, "magnitude of the dry friction").required().positive();
+    f.number("eps", soft, U.rate, "rate below which friction is regularised: a joint at rest creeps").positive();
   }
 };
 
@@ -64,17 +62,12 @@ struct LimitKeys {
   std::optional<double> low, high, effort;
   double margin = U.margin;
   void fields(Fields& f) {
-    f.optional_number("low", low, U.value, "the least");
-    f.optional_number("high", high, U.value, "the most");
-    f.number("margin", margin, U.value, "how near a limit is where it begins to resist").positive();
-    f.optional_number(
-         U.effort_key, effort, U.effort,
-         "what it exerts at half of the margin, without end towards the limit; unless given, as much as bodies so stiff are made for")
-        .positive();
-    f.check("low", [this] {
-      return low && high && *low >= *high ? std::string("is not below `high`; exchange them")
-                                          : std::string();
-    });
+    f.optional_number("low", low, U.value, "lower limit");
+    f.optional_number("high", high, U.value, "upper limit");
+    f.number("margin", margin, U.value, "distance to a limit at which resistance begins").positive();
+    f.optional_number(U.effort_key, effort, U.effort, "magnitude at half of the margin; it diverges at the limit; unless given, derived from the "
+                                                      "stiffness of the bodies").positive();
+    f.check("low", [this] { return low && high && *low >= *high ? std::string("is not below `high`; exchange them") : std::string(); });
   }
 };
 
@@ -95,43 +88,34 @@ struct MechanicsKeys {
     f.optional_object("servo", servo, "position motor");
   }
 
-  // effort: default force of limits at half of their margin.
-  void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices,
-             double effort) const {
-    const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(
-        vertices, start, builder.remembers(U.what, 1, 1));
+  // effort: what limits exert at half of their margin unless told.
+  void build(InteractionBuilder& builder, const std::array<int, Coordinate::arity>& vertices, double effort) const {
+    const auto coordinate = std::make_shared<JointCoordinate<Coordinate>>(vertices, start, builder.remembers(U.what, 1, 1));
     auto limit = std::make_unique<JointLimitTerm<Coordinate>>(coordinate);
     if (limits) {
-      constexpr double infinite = std::numeric_limits<double>::infinity(),
-                       at_half = 1.1931471805599453;  // 1/2 + ln 2
+      constexpr double infinite = std::numeric_limits<double>::infinity(), at_half = 1.1931471805599453;  // 1/2 + ln 2
       const double low = limits->low.value_or(-infinite), high = limits->high.value_or(infinite);
       if (!(low < start && start < high))
-        throw InputError(fmt::format(
-            "joint '{}' starts at {:.6g} {}, not between its limits, {:.6g} and {:.6g}; change these, or `start`",
-            builder.name(), start, U.value.si, low, high));
-      limit->limit(low, high, limits->margin,
-                   limits->effort.value_or(effort) / (limits->margin * at_half));
+        throw InputError(fmt::format("joint '{}' starts at {:.6g} {}, not between its limits, {:.6g} and {:.6g}; change these, or `start`", builder.name(), start,
+                                     U.value.si, low, high));
+      limit->limit(low, high, limits->margin, limits->effort.value_or(effort) / (limits->margin * at_half));
     }
     builder.add(std::move(limit));
     if (!friction && damping == 0 && !motor && !servo) return;
     auto drive = std::make_unique<JointDriveTerm<Coordinate>>(coordinate);
-    if (friction || damping > 0)
-      drive->drive(DriveKind::friction, friction ? friction->most : 0,
-                   friction ? friction->soft : 1, damping, 0.0);
+    if (friction || damping > 0) drive->drive(DriveKind::friction, friction ? friction->most : 0, friction ? friction->soft : 1, damping, 0.0);
     if (motor) drive->drive(DriveKind::motor, motor->most, motor->soft, 0, motor->target);
     if (servo) drive->drive(DriveKind::servo, servo->most, servo->soft, 0, servo->target);
     builder.add(std::move(drive));
   }
 };
 
-// Probes of the coordinate, and of the forces of motor and servo along it.
+// Probes of the coordinate, and of what motor and servo exert along it.
 template <class Coordinate, const JointUnits& U>
 class CoordinateProbe : public OfInteraction<JointLimitTerm<Coordinate>, Probe> {
  public:
   Unit unit() const override { return U.value; }
-  std::vector<double> sample(const World&, const State& state) override {
-    return {this->term().coordinate().at(state.x)};
-  }
+  std::vector<double> sample(const World&, const State& state) override { return {this->term().coordinate().at(state.x)}; }
 };
 
 template <class Coordinate, const JointUnits& U>
@@ -139,8 +123,7 @@ class DriveProbe : public OfInteraction<JointDriveTerm<Coordinate>, Probe> {
  public:
   Unit unit() const override { return U.effort; }
   std::vector<double> sample(const World&, const State& state) override {
-    return {this->term().exerted(DriveKind::motor, state.x) +
-            this->term().exerted(DriveKind::servo, state.x)};
+    return {this->term().exerted(DriveKind::motor, state.x) + this->term().exerted(DriveKind::servo, state.x)};
   }
 };
 

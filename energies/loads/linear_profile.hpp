@@ -1,4 +1,4 @@
-// Variation of a load in time and space.
+// How a load varies in time and space.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,7 @@
 
 namespace tack {
 
-// factor(X, t) = ramp(t) (constant + slope s), s = axis . (X - centre) at rest, or |s| if
-// symmetric.
+// factor(X, t) = ramp(t) (constant + slope s), s = axis . (X - centre) at rest, or |s| if symmetric.
 struct LoadProfile {
   Schedule ramp = 1.0;
   double constant = 1;
@@ -19,12 +18,11 @@ struct LoadProfile {
 
   void fields(Fields& f) {
     f.schedule("ramp", ramp, units::none, "factor over time: a number or [[t, factor], ...]");
-    f.number("constant", constant, units::none, "part of the load that is the same everywhere");
-    f.number("slope", slope, units::curvature, "part that grows linearly along the axis");
-    f.vector("axis", axis, units::none, "direction of the linear part");
-    f.vector("centre", centre, units::length, "where the linear part is zero");
-    f.flag("symmetric", symmetric,
-           "the linear part grows with the distance from the centre on both sides");
+    f.number("constant", constant, units::none, "uniform term of the load");
+    f.number("slope", slope, units::curvature, "slope of the linear term along the axis");
+    f.vector("axis", axis, units::none, "direction of the linear term");
+    f.vector("centre", centre, units::length, "point at which the linear term is zero");
+    f.flag("symmetric", symmetric, "the linear term grows with the distance from the centre on both sides");
     f.check("axis", [this]() -> std::string { return axis.norm() > 0 ? "" : "must not be zero"; });
   }
 

@@ -1,6 +1,5 @@
-// Level sets: bodies as functions that are negative inside, with a magnitude of at most the
-// distance to the surface. Components of the `level_set` shape of a scene; combinations and
-// deformations contain others. Lengths in metres.
+// Bodies by what is inside: a function that is negative there, of the size of the distance to the surface or less. Parts of a
+// scene's `level_set` shape; what combines or deforms others holds them. Lengths in metres.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,24 +13,21 @@ namespace tack {
 class LevelSet : public Component {
  public:
   static constexpr const char* kind_name = "level_set";
-  static constexpr const char* kind_doc =
-      "A body by its signed distances: one of a simple form, or made of others.";
+  static constexpr const char* kind_doc = "A body given by signed distances: a primitive, or a combination of others.";
 
   void fields(Fields& f) override;  // `place`, last; derived classes begin with theirs
 
-  // Prepares grids, with voxels of the given size [m]. Call it before the functions below. Throws
-  // InputError.
+  // Puts in order what needs grids, with voxels of that size [m]; before the functions below. Throws InputError.
   virtual void prepare(double voxel);
 
-  // Returns a box that contains the body; infinite for an infinite body, empty for an empty one.
+  // What lies outside of it is outside of the body; infinite where the body is. Empty: nothing is inside.
   Eigen::AlignedBox3d bounds() const;
 
-  // Evaluates the function at each point: negative inside, slope at most 1. Throws Interrupted on
-  // request.
+  // At each point: negative inside, nowhere steeper than 1. Throws Interrupted if that is asked for.
   void evaluate(std::span<const Vec3> points, std::span<double> values) const;
 
  protected:
-  // Returns the box before placement.
+  // The same before it was put in its place.
   virtual Eigen::AlignedBox3d own_bounds() const = 0;
   virtual void own_values(std::span<const Vec3> points, std::span<double> values) const = 0;
 
@@ -39,7 +35,7 @@ class LevelSet : public Component {
   PlaceConfig place_;
 };
 
-// Base of level sets that contain another one.
+// What has another in it.
 class DerivedLevelSet : public LevelSet {
  public:
   void fields(Fields& f) override;  // `of`
@@ -53,18 +49,15 @@ class DerivedLevelSet : public LevelSet {
 };
 
 inline Eigen::AlignedBox3d everywhere() {
-  return {Vec3::Constant(-std::numeric_limits<double>::infinity()),
-          Vec3::Constant(std::numeric_limits<double>::infinity())};
+  return {Vec3::Constant(-std::numeric_limits<double>::infinity()), Vec3::Constant(std::numeric_limits<double>::infinity())};
 }
-inline bool finite(const Eigen::AlignedBox3d& box) {
-  return box.isEmpty() || (box.min().allFinite() && box.max().allFinite());
-}
-// Returns the box enlarged equally on all sides.
+inline bool finite(const Eigen::AlignedBox3d& box) { return box.isEmpty() || (box.min().allFinite() && box.max().allFinite()); }
+// Wider by as much on every side.
 inline Eigen::AlignedBox3d widened(const Eigen::AlignedBox3d& box, double by) {
   if (box.isEmpty()) return box;
   return {box.min().array() - by, box.max().array() + by};
 }
-// Returns the corners of a finite box.
+// The corners of a finite box.
 std::array<Vec3, 8> corners(const Eigen::AlignedBox3d& box);
 
 }  // namespace tack

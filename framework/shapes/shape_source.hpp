@@ -1,4 +1,4 @@
-// Source of the mesh of an object: a built-in shape, a file, or a combination of them.
+// Where an object's mesh comes from: a built-in shape, a file, or what is made of them.
 #pragma once
 
 #include "framework/config/registry.hpp"
@@ -9,14 +9,11 @@ namespace tack {
 class ShapeSource : public Component {
  public:
   static constexpr const char* kind_name = "shape";
-  static constexpr const char* kind_doc =
-      "The mesh of an object: a built-in shape, a file, or what is made of them.";
+  static constexpr const char* kind_doc = "The mesh of an object: a built-in shape, a file, or a mesh derived from them.";
   virtual Mesh make() const = 0;  // throws InputError
   virtual bool costly() const { return false; }  // to be kept once it is made (made_mesh.hpp)
-  // Returns true if the mesh depends on files beside the parameters.
-  virtual bool reads_files() const { return false; }
-  // Returns remarks about the mesh, one per line.
-  virtual std::vector<std::string> notes() const { return {}; }
+  virtual bool reads_files() const { return false; }  // so that the parameters alone do not make the mesh
+  virtual std::vector<std::string> notes() const { return {}; }  // what there is to tell about the mesh, in lines
 };
 
 }  // namespace tack
