@@ -29,7 +29,7 @@ struct ContactRow {
   double mu;
   int object, opposite;                // object of the point, and object of the feature
   Vec3 force;  // force on the point: of the last step, once solved of this step [N]
-  int held;  // index in HeldContacts::points (own = 1) or ::edges; -1: none
+  int held;  // index in HeldContacts::points (own = 1) or HeldContacts::edges; -1: none
 
   Vec3 moved(const VecX& way) const {  // way: displacements (3n) [m]
     Vec3 sum = Vec3::Zero();
