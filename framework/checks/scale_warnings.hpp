@@ -13,9 +13,7 @@
 //     scale, of the extreme body    scenes   as it is: range    median   doubted   doubted at 1000
 //     distance / side, contact      190      3e-6 .. 0.1        0.01     1         170
 //     rho g L / E, gravity, solid   100      1e-7 .. 0.16       0.01     0         98
-//
-// Choice of the first bound:
-//
+//     ------
 //     bound of distance / side      1e-5     3e-5     1e-4     3e-4
 //     doubted at 1000, of 190       66       170      178      186
 //     as it is, any size            4        7        9        14
