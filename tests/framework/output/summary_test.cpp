@@ -89,7 +89,7 @@ TEST_CASE("summary.json has exactly the documented keys") {
   CHECK(keys == std::vector<std::string>{"adhesion", "commit", "converged_steps", "dofs", "energy", "error",
                                          "expect", "failed_solves", "intersections",
                                          "inverted_tets", "linear_solver", "lowest_quality", "max_affine_strain",
-                                         "max_contacts", "max_unbalanced_force", "min_distance", "min_gap", "name",
+                                         "max_contacts", "max_unbalanced_force", "meeting_groups", "min_distance", "min_gap", "name",
                                          "phases", "provenance", "remeshings", "repeated_steps", "status", "step_size", "stepper", "steps", "stiffness", "threads", "totals",
                                          "unbalanced_steps", "unconverged_lags", "version", "wall_seconds", "warnings"});
   CHECK(json["expect"] == nlohmann::json::array());

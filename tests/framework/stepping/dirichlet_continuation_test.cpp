@@ -72,7 +72,7 @@ TEST_CASE("rollers stay in their places while prescribed motion is continued") {
       "  pairs:\n"
       "    - between: [{{object: up, select: {{type: formula, where: x > 0.029999}}}}, {{object: lo, select: {{type: formula, where: x > 0.029999}}}}]\n"
       "      bond_distance: 0.078 mm\n"
-      "      adhesion: {{type: bilinear, peak_traction: 0.5 MPa, work_of_adhesion: 5, tangential_strength: 0.5 MPa, tangential_work: 10}}\n"
+      "      adhesion: {{type: bilinear, peak_traction: 0.5 MPa, work_of_adhesion: 5, tangential_strength: 0.5 MPa, mixed_mode: benzeggagh_kenane, tangential_work: 10}}\n"
       "    - {{between: [up, up], contact: false}}\n"
       "    - {{between: [lo, lo], contact: false}}\n",
       strip));
