@@ -1,4 +1,4 @@
-// Python classes and functions for recorded runs and their reports.
+// Python classes of recorded runs and their reports.
 #pragma once
 
 #include <pybind11/pybind11.h>

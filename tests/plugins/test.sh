@@ -95,7 +95,7 @@ refused() {
 cp "$scratch/guide/mine/build/libmine.so" other_headers.so
 sed -i -E 's/headers [0-9a-f]{16}/headers 0000000000000000/' other_headers.so
 cp other_headers.so other_version.so
-sed -i -E 's/tack 0\.1\.0/tack 9.1.0/' other_version.so
+sed -i -E 's/tack 1\.0\.0/tack 9.0.0/' other_version.so
 head -c 2000 other_version.so >cut.so
 echo "no library" >text.so
 refused missing.so "there is no library '$scratch/elsewhere/missing.so'; build the plugin, or correct the path"
@@ -103,7 +103,7 @@ refused text.so "is no shared library, or a damaged one"
 refused cut.so "is no shared library, or a damaged one"
 refused "$HOME/tack-1.0/lib/tack/libtack_meshing.so" "is no plugin of tack; link it with .* tack::plugin"
 refused other_headers.so "another tack: it was built for headers 0000000000000000, this program is headers [0-9a-f]{16}; build it anew"
-refused other_version.so "another tack: it was built for tack 9\.1\.0, this program is tack 0\.1\.0; build it anew"
+refused other_version.so "another tack: it was built for tack 9\.0\.0, this program is tack 1\.0\.0; build it anew"
 refused build/libchecked.so "another tack: it was built for _GLIBCXX_DEBUG 1, this program is _GLIBCXX_DEBUG 0"
 refused build/libnothing.so "registers no component; write TACK_REGISTER"
 refused build/libtaken.so "probe 'gap' is registered in framework/probes/positions.cpp and again in .*taken.cpp; choose another name"

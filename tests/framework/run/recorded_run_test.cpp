@@ -1,6 +1,7 @@
 // A run from a program of one's own: no command line, no exit codes.
 #include "framework/run/recorded_run.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -94,4 +95,24 @@ TEST_CASE("what goes on from a state has the bits of what went there", "[run]") 
   second.step();
   CHECK(whole.state().time > middle.time);
   CHECK((whole.state().x == second.state().x && whole.state().v == second.state().v));
+}
+
+TEST_CASE("the summary of a run names the objects of each energy group", "[run]") {
+  std::string text = tiny_scene_with("energies:", "velocity: [0, -1, 0]\n    energies:");
+  const size_t objects = text.find("objects:\n") + std::string("objects:\n").size();
+  text.insert(objects, "  - {name: afar, shape: {type: box, size: [1, 1, 1]}, place: {translate: [1000, 0, 0]}, body: {type: affine, density: 1000}}\n");
+  const TemporaryFolder folder;
+  RunSettings settings;
+  settings.output = (folder.path() / "results").string();
+  settings.steps = 3;
+  std::ostringstream told;
+  RecordedRun run(parse_experiment(text, "tiny.yaml"), settings, {}, told, {});
+  run.execute();
+  const auto summary = read_json(folder.path() / "results/summary.json");
+  INFO(told.str() << summary["energy"]);
+  std::vector<std::string> named;
+  for (const auto& group : summary["energy"]["groups"])
+    for (const auto& object : group["objects"]) named.push_back(object.get<std::string>());
+  CHECK(summary["energy"]["groups"].size() == 2);
+  CHECK(std::count(named.begin(), named.end(), "afar") == 1);
 }

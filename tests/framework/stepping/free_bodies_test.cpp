@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "framework/checks/equilibrium_check.hpp"
+#include "framework/run/equilibrium_check.hpp"
 #include "framework/stepping/stepper.hpp"
 #include "geometry/errors.hpp"
 #include "tests/support/program.hpp"

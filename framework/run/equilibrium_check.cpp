@@ -1,4 +1,4 @@
-#include "framework/checks/equilibrium_check.hpp"
+#include "framework/run/equilibrium_check.hpp"
 
 #include <fmt/format.h>
 
