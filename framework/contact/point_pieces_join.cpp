@@ -34,9 +34,9 @@ PointPieces joined_pieces(const std::vector<PointPieces>& chunks) {
   for_each(static_cast<int>(chunks.size()), [&](int c) {
     const PointPieces& chunk = chunks[c];
     const PlaceOfPieces& at = places[c];
-    const auto shift = [](size_t by, int& begin, int& end) {
-      begin += static_cast<int>(by);
-      end += static_cast<int>(by);
+    const auto shift = [](size_t by, int& first, int& last) {
+      first += static_cast<int>(by);
+      last += static_cast<int>(by);
     };
     for (size_t i = 0; i < chunk.pieces.size(); ++i) {
       PointPiece& p = all.pieces[at.piece + i] = chunk.pieces[i];

@@ -14,10 +14,10 @@ void Experiment::fields(Fields& f) {
                                          "replace any number, and formulas see them in SI. A parameter may be an "
                                          "expression of others").write = [this] {
     Value as_written = Value::map(), kept = Value::map(), root = Value::map();
-    for (const auto& [name, quantity] : parameters) as_written.set(name, Value::scalar(quantity.written));
+    for (const auto& [key, quantity] : parameters) as_written.set(key, Value::scalar(quantity.written));
     root.set("parameters", as_written);
     const Parameters all = Parameters::of(root);
-    for (const auto& [name, quantity] : parameters) kept.set(name, Value::scalar(all.like(name, quantity.si)));
+    for (const auto& [key, quantity] : parameters) kept.set(key, Value::scalar(all.like(key, quantity.si)));
     return kept;
   };
   f.object("time", time, "time stepping");

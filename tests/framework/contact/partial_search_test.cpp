@@ -36,10 +36,10 @@ const std::string heap =
 template <class Stencils>
 void check_same(const Stencils& found, const Stencils& wanted) {
   const auto rows = [](const Stencils& all) {
-    std::vector<std::tuple<int, decltype(all[0].vertices), double>> rows;
-    for (const auto& s : all) rows.emplace_back(s.law, s.vertices, s.weight);
-    std::sort(rows.begin(), rows.end());
-    return rows;
+    std::vector<std::tuple<int, decltype(all[0].vertices), double>> sorted;
+    for (const auto& s : all) sorted.emplace_back(s.law, s.vertices, s.weight);
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
   };
   CHECK(rows(found) == rows(wanted));
 }

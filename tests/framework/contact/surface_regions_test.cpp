@@ -22,10 +22,10 @@ constexpr double gap = 0.8e-3;  // m
 // Two plates of 2 x 2 cm in units of `unit`, one above the other; the upper one is shifted along x.
 struct Plates {
   std::array<int, 2> cells = {4, 4};
-  std::string pairs;
+  std::string pairs = {};
   double unit = 1, shift = 0, height = gap;
   std::string shape = "box";  // or sheet
-  std::string more;           // of the upper one
+  std::string more = {};      // of the upper one
 
   std::string yaml() const {
     const auto plate = [&](const char* name, int n, double x, double y, const std::string& rest) {
