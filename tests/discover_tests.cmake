@@ -3,6 +3,7 @@
 #   cmake -D PROGRAM=... -D OUTPUT=... -D TIMEOUT=... -D ENVIRONMENT=... -P discover_tests.cmake
 # An entry whose name matches nothing fails (--warn NoTests) instead of passing with no test run. Those with the tag [nightly]
 # have that label, and "case", as labels are otherwise what programs of their own have.
+cmake_policy(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --list-test-names-only OUTPUT_VARIABLE NAMES RESULT_VARIABLE RESULT)
 if(NOT RESULT MATCHES "^[1-9]")  # the number of test cases, as far as an exit code holds it
   message(FATAL_ERROR "${PROGRAM} --list-test-names-only: ${RESULT}\n${NAMES}")
