@@ -1,4 +1,4 @@
-// Of a minimisation over these unknowns of a world: its affine bodies turn without being strained.
+// Retraction of minimiser steps: lets the affine bodies of a world turn without strain.
 #pragma once
 
 #include "framework/affine/orthogonality_term.hpp"

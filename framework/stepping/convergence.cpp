@@ -11,7 +11,8 @@ namespace tack {
 
 namespace {
 
-// Of each block; of one without inertia as of the lightest that has some, or else as of what the lightest moves.
+// Returns the mass of each block by which it is judged [kg]: its own; of a block without inertia
+// the lightest mass of the others, or, if no block has mass, the lightest in `moved`.
 VecX masses_to_judge_by(VecX mass, const VecX& moved) {
   double lightest = std::numeric_limits<double>::infinity();
   for (const double m : mass)
@@ -52,7 +53,7 @@ void Convergence::take_unknowns(const IncrementalPotential& potential) {
   const DofMap& dofs = world_.dofs;
   mass_ = masses_to_judge_by(dofs.own_masses(world_.mass), dofs.block_masses(world_.mass));
   groups_.begin_unknowns(world_, potential, rounding_);
-  // Of e = H^-1 r, M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.
+  // With e = H^-1 r and M >= diag(mass): |w . e|^2 <= sum_b w_b^2 / m_b times r . M^-1 r.
   smallest_mass_ = mass_.size() > 0 ? mass_.minCoeff() : 0;
   for_each_mixed([&](int v) {
     double sum = 0;
@@ -61,7 +62,7 @@ void Convergence::take_unknowns(const IncrementalPotential& potential) {
   });
 }
 
-// Of the vertices' ways, whatever moves them [m].
+// Returns the largest displacement of any vertex, whatever moves it [m].
 double Convergence::largest_way(const VecX& p) const {
   double largest = p.lpNorm<Eigen::Infinity>();
   for_each_mixed([&](int v) {

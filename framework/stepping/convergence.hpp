@@ -1,15 +1,16 @@
-// When the minimisation of a step may end. Two things must hold:
+// Convergence criterion of the minimisation of a step. It has two conditions:
 //
-// - The stopping norm (Stopping in framework/core/minimizer.hpp) is below its tolerance, whatever a direction
-//   that was solved for by iterations may still miss. One that leaves the residual r = -g - H p misses e = H^-1 r;
-//   where stencils are made positive semi-definite, H >= M, and for every unknown i
-//       |e_i| <= sqrt(r . M^-1 r / m_i).
-// - Forces balance. Where a contact or an element is very stiff, a large force moves nothing far, and a norm
-//   of velocities is blind to it. The residual force at a block must be a small fraction of the
-//   reference force: the largest force of inertia, loads or elements in its contact group
-//   (force_groups.hpp). Contact forces are no measure: they may be wrong themselves. A floor keeps
-//   the round-off of bodies without stress out of it.
-// Scales of forces belong to groups of unknowns: what a body does not touch changes nothing for it.
+// - The stopping norm (Stopping in framework/core/minimizer.hpp) is below its tolerance, including
+//   the error of a direction that an iterative linear solver found. The residual r = -g - H p
+//   leaves the error e = H^-1 r; with stencils made positive semi-definite H >= M, and for every
+//       unknown i |e_i| <= sqrt(r . M^-1 r / m_i).
+// - Forces balance. Where a contact or an element is very stiff, a large force moves nothing far,
+//   and a norm of velocities is blind to it. The residual force at a block must be a small fraction
+//   of the reference force: the largest force of inertia, loads or elements in its contact group
+//   (force_groups.hpp). Contact forces are no reference: they may be wrong themselves. A floor
+//   keeps out the round-off of bodies without stress.
+//
+// The reference force belongs to a contact group: bodies that do not touch it do not change it.
 // The velocity tolerance is one for the scene: a tiny bystander costs the others at most a fifth of
 // their iterations (docs/solvers.md).
 #pragma once

@@ -68,8 +68,8 @@ struct DirichletContinuation::Pull {
     refused = too_weak = false;
   }
 
-  // What is taken of a step of which a part is feasible: nothing where a shorter pull gives a better one, as the pulled vertices' own step
-  // is among the longest.
+  // Returns the fraction of a step to take if `feasible` of it is feasible: 0 if a shorter pull
+  // gives a better step, because the pulled vertices' own step is among the longest.
   double take(double feasible, double own_step, double longest_step) {
     if (own_step * far_longer < longest_step) return feasible;
     cut = std::min(cut, feasible);

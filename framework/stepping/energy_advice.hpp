@@ -1,4 +1,5 @@
-// Why energy was made or lost, and what cures that; of time integration, TimeIntegrator::energy_advice knows.
+// Advice on energy that a step gained or lost numerically. TimeIntegrator::energy_advice covers the
+// part of time integration.
 #pragma once
 
 namespace tack {

@@ -18,8 +18,9 @@ namespace {
 
 constexpr double tolerated_gain = 0.01;   // of the energy at play
 constexpr double tolerated_loss = 0.005;  // of it, in a step
-// What has moved little so far may be next to nothing of what is going to: energy that has grown is told early only if it
-// is that part of what is at play in as many steps on end.
+// Growth that is warned of during the run: at least `growth` of the reference energy, in
+// `growing_steps` consecutive steps. Fewer steps do not count: the energy that has moved so far may
+// be next to nothing of the energy that is going to move.
 constexpr double growth = 0.1;
 constexpr int growing_steps = 16;
 
@@ -39,8 +40,9 @@ EnergyAccount account_of(const EnergyBalance::Energies& energies) {
 
 double stored(const EnergyAccount& a) { return a.kinetic + a.gravity + a.elastic + a.contact; }
 
-// Calls act(term, record) for each energy of contact. What a term publishes adds up to its value, so that it comes once, with a null record;
-// of what a stepper has replaced, and of what is left beside it, each record comes, with a null term.
+// Calls act(term, record) for each energy of contact. The records of a term add up to its value, so
+// that the term comes once, with a null record. Energies that a stepper has replaced, and those
+// left beside them, come record by record, with a null term.
 template <class Act>
 void for_each_contact(const Records& records, const Act& act) {
   const Term* last = nullptr;
@@ -70,14 +72,14 @@ std::array<double, 2> all_ballistic_energies(const World& world, const State& st
 EnergyBalance::EnergyBalance(const World& world, const Minimizer& solver)
     : world_(world), solver_(solver), groups_(world, solver.velocity_tolerance()) {}
 
-// Where contact is.
+// Returns the energy of contact at x [J]; contact must be at x.
 double EnergyBalance::contact_at(const VecX& x) const {
   double sum = 0;
   for_each_contact(world_.records, [&](const Term* term, const EnergyRecord* record) { sum += term ? term->value(x) : record->value(x); });
   return sum;
 }
 
-// As a rule the potential was evaluated there anyway. Leaves contact at `end`.
+// Usually known from the first evaluation of the potential. Leaves contact at `end`.
 double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
                                        const IncrementalPotential& potential) const {
   if (contact_) return *contact_;
@@ -95,7 +97,8 @@ double EnergyBalance::contact_at_start(const VecX& start, const VecX& end,
   return sum;
 }
 
-// Of all that is stored in objects and between them, at every vertex. `potential`, if given, may have most of it already.
+// Adds the gradient of all energies stored in objects and between them, at every vertex. If given,
+// `potential` may already hold most of it.
 void EnergyBalance::add_stored_gradient(const VecX& x, VecX& gradient, IncrementalPotential* potential) const {
   const Records& records = world_.records;
   std::vector<const Term*> terms;
@@ -112,7 +115,7 @@ void EnergyBalance::add_stored_gradient(const VecX& x, VecX& gradient, Increment
   }
 }
 
-// The first step of all: what later ones know from the step before.
+// Sets the account of the run's first state; later steps take it from the step before.
 void EnergyBalance::open(const State& state) {
   start_.open = true;
   start_.contact = *contact_;
@@ -260,7 +263,7 @@ EnergyFlows EnergyBalance::close(State& state, const Energies& energies, double 
   return flows;
 }
 
-// What velocities that are off by the solver's tolerance may change the energy by [J].
+// Returns by how much velocity errors of the solver's tolerance may change the energy [J].
 double EnergyBalance::solver_noise() const {
   const double off = solver_.velocity_tolerance();
   return world_.mass.sum() * off * off;
@@ -273,10 +276,12 @@ bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
   account.unexplained -= flows.numerics + flows.areas + jerk_;
   account.lowest = std::min(account.lowest, account.unexplained);
   account.bottom = std::min(account.bottom, account.unexplained);
-  // What has just set out has next to nothing that it could lose; and what comes and goes, as Newmark's energy of vibrations does, is not lost.
+  // A scene that has just set out has next to no energy to lose; and energy that comes and goes, as
+  // Newmark's energy of vibrations does, is not lost.
   const double at_play = account.at_play.most();
   lost_ = 2 * start_.kinetic >= at_play && lowest - account.unexplained > tolerated_loss * at_play + flows.noise;
-  // What friction and damping took, which is at play as well, is known to first order of the step only.
+  // Dissipation by friction and damping, part of the reference energy, is known to first order
+  // only.
   if (account.unexplained - account.lowest <= tolerated_gain * at_play + flows.noise) return false;
   account.lowest = account.unexplained;
   return true;

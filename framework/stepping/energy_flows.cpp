@@ -4,7 +4,7 @@
 
 namespace tack {
 
-// What of it is told so far counts tangential adhesion and bonds with friction (the probe of energies).
+// Tangential adhesion and bonds count as friction in the total so far (the probe of energies).
 EnergyFlows::EnergyFlows()
     : published{{"work_rim", FlowKind::within, ""},
                 {"work_healing", FlowKind::fed, ""},

@@ -1,4 +1,4 @@
-// What became of the energy in one step [J] (energy_balance.hpp).
+// Energy flows of one step [J] (energy_balance.hpp).
 #pragma once
 
 #include <string>
@@ -17,11 +17,12 @@ struct GroupFlow {
 };
 
 struct EnergyFlows {
-  // Columns of files: that every scene has, and what else terms publish; what is fed and what is within come first.
+  // A column of files: the flows that every scene has, then others that terms publish. Flows fed in
+  // and flows within the energy come before dissipated ones.
   struct Published {
     std::string column;
     FlowKind kind;
-    std::string account;  // of what is dissipated: under which name it counts among all that was so far
+    std::string account;  // of a dissipated flow: name of the running total that it counts in
     double amount = 0;
   };
 
@@ -44,7 +45,7 @@ struct EnergyFlows {
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
   bool gained = false;      // energy has grown noticeably, and nothing put it in
 
-  // Of what was made of energy, whether areas of contact made more than time integration.
+  // Returns whether re-evaluated contact areas made more energy than time integration.
   bool made_by_areas() const { return areas < numerics; }
 
   double of(std::string_view column) const;  // published; 0 of one that is not there

@@ -1,4 +1,5 @@
-// How far unknowns may move: by all step filters, and remembering what was tried last, for messages.
+// Feasible step sizes: how far the unknowns may move by all step filters. Remembers the last trial
+// for messages.
 #pragma once
 
 #include <functional>
@@ -14,15 +15,15 @@ namespace tack {
 
 class FeasibleSteps {
  public:
-  // The filters that have something to watch in the world. check: is shown every state that a step is asked for
-  // from; may be null.
+  // Collects the filters that have something to watch in the world. check: sees every state from
+  // which a step is requested; may be null.
   FeasibleSteps(World& world, PhaseClock& clock, IterateCheck* check = nullptr);
 
   // The largest t in (0, 1] such that x + s p (3n) is feasible for s in [0, t]. Throws OutOfTime.
   double largest(const VecX& x, const VecX& p);
   // The same of a step that a minimiser wants to take, of which the observer is told.
   double largest_tried(const VecX& x, const VecX& p);
-  // Of unknowns of the potential, whose configuration holds the rest.
+  // q and p: unknowns of the potential, whose configuration supplies all other vertices.
   double largest_tried(const StepPotential& potential, const VecX& q, const VecX& p);
   // Nothing has been tried yet.
   void reset() { x_.resize(0); }

@@ -1,4 +1,5 @@
-// What friction that lags by a step was given and owes of the normal impulses between two objects (lagged_impulses.hpp).
+// Account of friction that lags by a step, for two objects: the normal impulses that friction was
+// applied with, and those it still owes (lagged_impulses.hpp).
 #pragma once
 
 #include <array>
@@ -12,10 +13,10 @@ struct FrictionAccount {
   double owed = 0;    // before the impulse of the last step counts [N s]
   double normal = 0;  // impulse of the step before that [N s]
   double given = 0;   // to friction in the last step, over mu [N s]
-  double calm_force = 0, calm_time = 0;  // the normal force within a quarter of which it has stayed [N], and for how long [s]
+  double calm_force = 0, calm_time = 0;  // steady normal force [N] and its duration [s]
   bool settling = false;  // friction is still the one of the first normal forces, which no step has found
-  // Since the contact was made: sums of what was given, and of normal impulses but that of the last step, and the largest of
-  // those [N s]; whether it was told that they differ.
+  // Since the contact was made [N s]: sum of impulses applied to friction, sum of normal impulses
+  // without that of the last step, and the largest of these. told: their difference was warned of.
   double all_given = 0, all_normal = 0, largest = 0;
   bool told = false;
 };

@@ -1,11 +1,11 @@
-// The balance of energy (energy_balance.hpp) of each group of bodies that have nothing to do with
-// the others. In the sum over a scene, a heavy body that bounces would hide what a small one loses.
-// Groups are the meeting groups of the world, joined where
+// Energy balance (energy_balance.hpp) of each group of bodies that do not interact with the others.
+// In the sum over a scene, a heavy body that bounces would hide the losses of a small one. Groups
+// are the meeting groups of the world, joined where
 //   - a body that a motion moves may touch, or is attached to, several of them: its work is theirs,
 //   - a term has stencils of several of them, and does not tell their energies apart
 //     (Term::share_energy, FlowRecord::shares).
-// What areas of contact and the integrator lose is one sum here. A group whose contact has ended in
-// another group has no account of its own from then on.
+// Losses by contact areas and by the integrator are one sum here. A group whose contact has ended
+// in another group has no account of its own from then on.
 #pragma once
 
 #include <array>

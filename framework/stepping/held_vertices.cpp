@@ -16,8 +16,8 @@ Vec3 centre(const VecX& x, const std::vector<int>& vertices) {
   return sum / static_cast<double>(vertices.size());
 }
 
-// Whether the vertices, which keep their distances, turn further: half way between a and b a body that turns
-// by an angle w is as wide as cos(w/2) across the axis.
+// Returns whether the vertices, which keep their distances, turn by more than a quarter: half way
+// between a and b, a body that turns by an angle w is as wide as cos(w/2) across the axis.
 bool more_than_a_quarter(const std::vector<int>& vertices, const VecX& a, const VecX& b) {
   constexpr double narrow = 0.7;
   const Vec3 centre_a = centre(a, vertices), centre_b = centre(b, vertices);
@@ -37,7 +37,7 @@ void check_followed(const Script::Hold& hold, int v, const VecX& placed, const V
                                     "affinely; move its vertices rigidly, or hold fewer of them", hold.name, v, off));
 }
 
-// What is held on both sides of joints has to move as these say.
+// Throws SimulationError unless vertices fixed on both sides of a joint move as the joint says.
 void check_joints(const std::vector<Joint>& joints, const VecX& x) {
   constexpr double tolerance = 1e-6;  // of how far the object's anchors are apart, or from the origin
   for (const Joint& joint : joints) {

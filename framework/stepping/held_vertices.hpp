@@ -1,6 +1,5 @@
-// Which vertices are held in the present step, and from where their motions count; and which follow others.
-// What a step that is rolled back seized or released is forgotten with it: anchors become those of
-// the state when the step is committed.
+// Fixed vertices of the present step, the origins of their motions, and dependent vertices. A step
+// that is rolled back changes none of them: anchors become those of the state at commit.
 #pragma once
 
 #include <vector>
@@ -17,8 +16,8 @@ class HeldVertices {
   HeldVertices(const Script& script, const MultiPointConstraints& bindings, const VecX& rest)
       : script_(script), bindings_(bindings), rest_(rest) {}
 
-  // Makes the holds and ties at time `middle`, that of the step, the present ones; false if they are already.
-  // Vertices that were not held in the step before are held where they are in the state.
+  // Activates the holds and ties at `middle`, the middle of the step; returns false if they were
+  // active already. Vertices that become fixed stay at their positions in the state.
   bool change(const State& state, double middle);
   void commit(State& state);
 
@@ -27,14 +26,14 @@ class HeldVertices {
   const std::vector<int>& vertices() const { return held_; }  // that none moves, ascending
   // By the last change: that have unknowns of their own, and none moved them before it.
   const std::vector<int>& released() const { return released_; }
-  // Whether some of the held vertices may be elsewhere at another time.
+  // Returns whether some of the held vertices may be elsewhere at another time.
   bool may_move() const;
-  // Writes where they are at time t into their rows of x; what depends on them follows. Throws SimulationError if an
-  // affine body would have to deform otherwise.
+  // Writes the positions of the held vertices at time t, and of those that depend on them, into x
+  // (3n). Throws SimulationError if an affine body would have to deform otherwise than affinely.
   void place(double t, VecX& x) const;
-  // Into how many equal parts the time from t to t + h has to be cut so that nothing that is moved rigidly
-  // turns by more than a quarter in any: the straight ways of a half turn cross in the axis, those of a
-  // quarter neither intersect nor invert what turns. A power of two, at most 64.
+  // Returns the number of equal substeps from t to t + h in which no rigid motion turns by more
+  // than a quarter: the linear trajectories of a half turn cross in the axis, those of a quarter
+  // neither intersect nor invert the body. A power of two, at most 64.
   int straight_parts(double t, double h) const;
 
  private:

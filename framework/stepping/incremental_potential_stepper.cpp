@@ -29,7 +29,7 @@ constexpr const char* loosen =
     "refine time.step, loosen solver.tolerance or raise solver.max_iterations (or solver.time_limit)";
 constexpr const char* leave_room = "leave room for what the script pushes";
 
-// What it has while a run lasts.
+// State of the stepper for one run.
 class Minimization {
  public:
   Minimization(const StepperContext& context, const StepObservers& observers);
@@ -122,8 +122,8 @@ bool Minimization::start(const Step& step, const VecX* guess, Attempt& attempt, 
   return true;
 }
 
-// Where the motion would go with the acceleration of the last step, as far as nothing lets go on the way, as far as that is feasible, and if
-// it is better than staying: minimisers start closer to the solution.
+// Returns the start of the minimisation: the motion with the acceleration of the last step, as far
+// as nothing lets go and it is feasible, if that is better than staying at rest.
 VecX Minimization::first_guess(const Step& step) {
   VecX q, p, drift;
   world_.dofs.gather(step.state.x, q);

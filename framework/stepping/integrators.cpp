@@ -10,14 +10,15 @@ namespace {
 // on Newmark's correction is gone, and BDF2 forgets its history.
 constexpr double newmark_change = 0.25, bdf2_change = 0.25;
 
-// From one end of a step to the other: 0, nothing has changed, to 1, contact was made, lost or changed by `whole` of it.
+// Returns the change of contact over a step: 0 (none) to 1 (made, lost, or changed by `whole` of
+// it).
 double contact_change(const VecX& before, const VecX& contact, double whole) {
   if (contact.size() == 0 || before.size() == 0) return 0;
   const double now = whole * contact.lpNorm<Eigen::Infinity>();
   const double change = (contact - before).lpNorm<Eigen::Infinity>();
   return change < now ? change / now : (change > 0 ? 1 : 0);
 }
-// Of the last step.
+// Returns the change of contact over the last step.
 double contact_change(const State& s, double whole) { return contact_change(s.contact_before, s.contact, whole); }
 
 std::string makes_energy(bool contact) {
@@ -83,7 +84,8 @@ class Bdf2 : public TimeIntegrator {
     }
     return {3 / (2 * h), (4 * s.x - s.x_before) / 3};
   }
-  // Of h^3/6 times the third derivative it misses k, and the parabola of the last velocity and acceleration all, on the other side.
+  // The formula misses k times h^3/6 x''', and the parabola of the last velocity and acceleration
+  // misses h^3/6 x''' with the opposite sign.
   LocalError local_error(const State& old, const VecX& x, const VecX& contact, double h) const override {
     if (!has_history(old, h)) return euler_.local_error(old, x, contact, h);
     const double w = step_ratio(old, h), k = (1 + w) * (1 + w) / (w * (1 + 2 * w));
@@ -123,13 +125,14 @@ class Newmark : public TimeIntegrator {
     return {std::move(x), h * h / 4, h * h / 2};
   }
   void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v, VecX& a) const override {
-    // Of M (x' - x~) = h^2/4 f_i' + h^2/2 f_c'.
+    // From M (x' - x~) = h^2/4 f_i' + h^2/2 f_c'.
     a = 4 / (h * h) * (x - predict(old, h).x);
     if (contact.size() > 0) a -= contact;
     v = 2 / h * (x - old.x) - old.v;
   }
   EndVelocity end_velocity(const State& s, double h) const override { return {2 / h, s.x + h / 2 * s.v}; }
-  // That of the trapezoidal rule; and of contact that was made or lost it is not known when in the step it acted.
+  // Error of the trapezoidal rule. Contact that was made or lost acted at an unknown time of the
+  // step.
   LocalError local_error(const State& old, const VecX& x, const VecX& contact, double h) const override {
     VecX v, a;
     update(old, x, contact, h, v, a);
@@ -173,8 +176,8 @@ class QuasiStatic : public TimeIntegrator {
   void update(const State& old, const VecX&, const VecX&, double, VecX& v, VecX& a) const override {
     v = a = VecX::Zero(old.x.size());
   }
-  // Where an equilibrium is, is no matter of h, but the way on which friction, flow and bonds come there is: it is straight in each step, and
-  // off by about half of what it turns aside.
+  // The equilibrium itself does not depend on h, but the path of friction, plastic flow and bonds
+  // to it does: it is linear in each step, and its error is about half of its deviation.
   LocalError local_error(const State& old, const VecX& x, const VecX&, double h) const override {
     if (old.h_before == 0) return {VecX::Zero(x.size()), 2};
     return {0.5 * (x - old.x - h / old.h_before * (old.x - old.x_before)), 2};

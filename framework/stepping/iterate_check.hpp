@@ -1,6 +1,7 @@
-// solver.check_iterates: every state that a solve passes through is checked exactly, independently of the
-// step filters. A minimiser cannot move without asking how far it may go from where it is, so looking there
-// misses no accepted state of any minimiser, walk or guess, whatever it does in between.
+// Exact check of every state that a solve passes through, independent of the step filters
+// (solver.check_iterates). A minimiser cannot move without asking how far it may go from its
+// present state. Checking at that request misses no accepted state of any minimiser or initial
+// guess.
 #pragma once
 
 #include <string>
@@ -14,10 +15,10 @@ class IterateCheck {
  public:
   IterateCheck(const World& world, PhaseClock& clock) : world_(world), clock_(clock) {}
 
-  // What the states that follow belong to: "the minimisation" of step 3.
+  // Names the step and stage of the states that follow: "the minimisation" of step 3.
   void begin(int step, const std::string& stage);
-  // Throws SimulationError, with step, stage, iteration and what is wrong, unless x (3n) is feasible. The
-  // first state of a stage is iteration 0; the same one again is no new iteration.
+  // Throws SimulationError with step, stage, iteration and the fault unless x (3n) is feasible. The
+  // first state of a stage is iteration 0; repeating a state is no new iteration.
   void at(const VecX& x);
 
  private:
@@ -28,8 +29,8 @@ class IterateCheck {
   VecX last_;
 };
 
-// "tet (1, 2, 3, 4) of 'ball' is inverted", "edge (1, 2) of 'ball' meets triangle (0, 1, 2) of 'plate'"; ""
-// if x (3n) is feasible. By exact predicates.
+// Returns "" if x (3n) is feasible by exact predicates, or the fault: "tet (1, 2, 3, 4) of 'ball'
+// is inverted", "edge (1, 2) of 'ball' meets triangle (0, 1, 2) of 'plate'".
 std::string describe_infeasibility(const World& world, const VecX& x);
 
 }  // namespace tack

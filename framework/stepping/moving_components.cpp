@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Those that moved too far against each other, for overlap_pairs.
+// Filter for overlap_pairs: components whose relative displacement is too large.
 struct Passing {
   const MovingComponents& parts;
   const CollidingObjects& colliding;
@@ -70,7 +70,7 @@ void MovingComponents::move(const VecX& x, const VecX& y) {
   }
 }
 
-// Whether anything may have moved that far against anything else.
+// Returns false if no component can have moved that far against another.
 bool MovingComponents::anything_moves(double fraction, double least) const {
   Aabb ways;
   double smallest = std::numeric_limits<double>::infinity();

@@ -12,7 +12,7 @@
 namespace tack {
 namespace {
 
-// Those that have candidates with object a, ascending.
+// Returns the objects that have candidates with object a, ascending.
 std::vector<int> objects_near(const ContactSystem& contact, int a) {
   const CollisionMesh& mesh = contact.surface().mesh;
   const Candidates& c = contact.candidates();

@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// Of the way that free vertices may move along with scripted ones: the last bit would leave no gap.
+// Largest fraction of the feasible step of free vertices that is used: the rest would leave no gap.
 constexpr double most_of_it = 0.9;
 
 }  // namespace

@@ -2,14 +2,14 @@
 //     e = max over bodies of  sqrt(sum m |e_i|^2 / sum m)  [m],  i the vertices of the body that move, r = e / time.adaptive.error;
 // masses (of a body without mass, its vertices) make it a mean over the body whatever its mesh, and the largest of all bodies hides none behind others.
 //
-// - r > 1: the step leaves no trace and is repeated, smaller. Of an impact the error falls with h and not with h^p, so that from the second
-//   time on p is what the last two have shown.
+// - r > 1: the step leaves no trace and is repeated, smaller. The error of an impact falls with h
+//   and not with h^p, so that from the second time on p is the power that the last two have shown.
 // - Otherwise the next step has h (0.7 / r)^(0.85/p) (r_before / 0.7)^(0.2/p), at most twice and at least half of h, and h itself if that is
 //   near: a PI controller (Gustafsson 1991; Hairer and Wanner 1996, IV.2).
 // - Until the time at which a repeated, or a failed, step would have ended nothing grows: what was met there is still ahead.
 // - Where larger steps made or lost energy for good, steps stay below that for a while (State::h_cap).
-// - What changes abruptly when (the script, loads), the end, and what is to be written when, are ends of steps: from two steps away on, the
-//   rest is divided evenly.
+// - Abrupt changes of the prescribed motion or of loads, the end of the run, and times of output
+//   are ends of steps: from two steps before such a time the rest is divided evenly.
 #pragma once
 
 #include <functional>
@@ -28,12 +28,12 @@ class StepControl {
 
   // Beside the world's own: the first time after t at which a step has to end [s].
   void stop_at(std::function<double(double t)> next) { next_ = std::move(next); }
-  // Of the next step [s].
+  // Returns the size of the next step [s].
   double size(const State& state) const;
 
   // The error [m] of a step of size h from the state to x, about which the following is.
   double measure(const TimeIntegrator& integrator, const State& state, const VecX& x, const VecX& contact, double h);
-  // Whether it is too large; then the state has the size of the next try.
+  // Returns whether the error is too large; then sets the size of the next try in the state.
   bool repeats(State& state, double h);
   bool too_large() const { return ratio_ > 1; }  // although it is kept, as no smaller step is allowed
   // The step is kept, and the state at its end.

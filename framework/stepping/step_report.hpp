@@ -1,4 +1,4 @@
-// What is known of one accepted time step; a row of steps.csv.
+// Report of one accepted time step; a row of steps.csv.
 #pragma once
 
 #include <optional>
@@ -28,8 +28,8 @@ struct StepReport {
   double tolerated_force = 0;   // the largest that may be [N]
   int contacts = 0;         // active stencils
   int candidates = 0;
-  double min_distance = 0;  // between any two primitives that may touch [m]; infinity if none are near
-  double min_gap = 0;       // likewise of different objects
+  double min_distance = 0;  // between primitives that may touch [m]; infinity if none are near
+  double min_gap = 0;       // between primitives of different objects [m]
   int broad_phase_builds = 0;
   std::vector<NamedEnergy> energies;  // by name, and kinetic
   EnergyFlows flows;

@@ -1,7 +1,7 @@
-// How one step of a world is solved. The time loop (time_stepper.hpp) opens a step, has it attempted, asks for the
-// verdict, and keeps what it gets or rolls back and tries half of it; velocities are the integrator's, of the
-// positions. A stepper knows nothing of that, and the loop nothing of how a step is solved: whether by minimisation
-// or not, and whether what it gives may interpenetrate.
+// Stepper: solves one step of a world. The time loop (time_stepper.hpp) opens a step, has it
+// attempted, asks for the verdict, and either keeps the result or rolls back and tries half of the
+// step. The integrator derives velocities from positions. The two are independent: the loop does
+// not know how a step is solved, by minimisation or otherwise, nor whether results interpenetrate.
 #pragma once
 
 #include <functional>
@@ -22,7 +22,7 @@ struct SceneConfig;
 struct TimeConfig;
 struct World;
 
-// What a run has, for its whole length.
+// Context of a stepper for the whole run.
 struct StepperContext {
   World& world;
   const SceneConfig& scene;
@@ -31,8 +31,8 @@ struct StepperContext {
   PhaseClock& clock;
 };
 
-// A step that is to be solved. All that take part have been told of it (framework/core/step_participant.hpp), and
-// world.dofs has its unknowns.
+// A step that is to be solved. All participants have begun it
+// (framework/core/step_participant.hpp), and world.dofs has its unknowns.
 struct Step {
   const State& state;  // where it starts
   double h;            // s
@@ -40,18 +40,19 @@ struct Step {
   VecX places;  // 3n [m]: where it starts, and what the script moves where it ends
   const HeldVertices& held;
   StepPotential& potential;  // its incremental potential, begun at `places`
-  LaggedImpulses* impulses = nullptr;  // what friction is given, if it lags by a step; null: nobody has to know
+  LaggedImpulses* impulses = nullptr;  // of friction, if it lags by a step; may be null
 
   bool scripted() const { return places != state.x; }  // whether the script moves anything in it
 };
 
-// What became of a step, before it is judged and kept. Numbers that mean nothing to a stepper stay as they are.
+// Result of a solve, before it is judged and kept. Steppers leave numbers that they do not have.
 struct Attempt {
   MinimizerResult result;  // counts over all lag iterations
   VecX x;                  // 3n [m]; `places` to begin with
   std::string failure = "";  // why the scripted vertices could not be moved
   int lag_iterations = 0;
-  // The solves before the last: where they ended, what lags was taken anew (3n), and the gradient that was left there, in the unknowns.
+  // The solves before the last: their end, where lagged forces were updated (3n), and the remaining
+  // gradient, in the unknowns.
   struct Solved {
     VecX x, gradient;
   };
@@ -68,13 +69,13 @@ struct Verdict {
   int intersections = 0, inverted_tets = 0;  // that were found: for records
   int parts = 2;           // into how many the step is cut if it is refused; a power of two
   std::string told = "";   // what is doubtful of an attempt that may be kept: a warning
-  bool tolerable = false;  // of the smallest steps that are tried, it may be kept all the same: what is wrong is warned of
+  bool tolerable = false;  // may be kept at the smallest step size, with a warning
 };
 
-// Who is told of what while a step is solved.
+// Observers of a solve.
 struct StepObservers {
-  MinimizerProblem::Observer minimizer, walk;  // every iteration; `walk`: of those that walk scripted vertices
-  // Every step from x to x + p (3n) that a minimiser wants to take, and the part of it that is feasible.
+  MinimizerProblem::Observer minimizer, walk;  // every iteration; `walk`: of the continuation
+  // Every step from x to x + p (3n) that a minimiser requests, and its feasible fraction.
   std::function<void(const VecX& x, const VecX& p, double feasible)> steps;
   bool true_residuals = false;  // MinimizerProblem::true_residuals
 };
@@ -86,18 +87,19 @@ class Stepper : public Component {
 
   // Throws InputError for a world that it cannot step. Asked when a scene is loaded.
   virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/, const TimeConfig& /*time*/) const {}
-  // What it tells of its steps beside what all do: its attempts' figures, or before the first of them 0.
+  // Returns the stepper's own metrics: those of its attempts, or, before the first attempt, zeros.
   virtual std::vector<StepFigure> figures() const { return {}; }
-  // Once, before anything below.
+  // Called once, before all functions below.
   virtual void prepare(const StepperContext& context) = 0;
   // A step is about to be opened; new_unknowns: those of the world are others than before.
   virtual void begin(bool /*new_unknowns*/) {}
-  // Solves it, or says in the attempt that it could not: halves may follow. Whatever is to be kept has scripted
-  // vertices at their places, and all that take part at attempt.x (move_to). `guess`: null, or a start (3n) with the
-  // scripted vertices at their places, as feasible as the stepper needs it. May throw OutOfTime, for which the loop
-  // sets the result's status, and SimulationError, which ends the run.
+  // Solves the step, or says in the attempt that it could not; smaller steps may follow. In a
+  // result that may be kept, vertices with prescribed motion are at their target positions, and all
+  // participants are at attempt.x (move_to). guess: null, or a start (3n) with those vertices at
+  // their target positions, as feasible as the stepper needs it. May throw OutOfTime, for which the
+  // loop sets the status of the result, and SimulationError, which ends the run.
   virtual void attempt(const Step& step, const VecX* guess, Attempt& attempt) = 0;
-  // Asked of every attempt but interrupted ones, also of what OutOfTime has cut short.
+  // Judges an attempt, also one cut short by OutOfTime, but not an interrupted one.
   virtual Verdict verdict(const Attempt& attempt) = 0;
   // The latest attempt is kept: writes what the next step is to know beside where everything is.
   virtual void commit(History& /*history*/) const {}

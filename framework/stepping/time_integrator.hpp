@@ -25,11 +25,12 @@ class TimeIntegrator : public Component {
     TermScales scales() const { return {scale, contact_scale}; }
   };
   virtual Prediction predict(const State& state, double h) const = 0;
-  // Velocities and accelerations from the new positions; time and history are the caller's. contact:
-  // what State::contact will be.
+  // Returns velocities and accelerations for the new positions x (3n); the caller sets time and
+  // history. contact: the value that State::contact will have.
   virtual void update(const State& old, const VecX& x, const VecX& contact, double h, VecX& v,
                       VecX& a) const = 0;
-  // By how far the end x of a step is off, an estimate from a formula of another order (3n) [m], and the power of h with which that falls.
+  // Estimated error of the end x of a step (3n) [m], from a formula of another order, and the power
+  // of h with which it falls.
   struct LocalError {
     VecX x;
     int power;
@@ -37,16 +38,17 @@ class TimeIntegrator : public Component {
   virtual LocalError local_error(const State& old, const VecX& x, const VecX& /*contact*/, double h) const {
     return {0.5 * (x - old.x - h * old.v), 2};
   }
-  // What update() makes of velocities; meaningless without inertia.
+  // Velocity at the end of a step as update() computes it; meaningless without inertia.
   virtual EndVelocity end_velocity(const State& state, double h) const { return {1 / h, state.x}; }
-  // Whether it uses State::contact; it stays empty otherwise.
+  // Returns whether the integrator uses State::contact, which stays empty otherwise.
   virtual bool follows_contact() const { return false; }
-  // What repeats a step in which energy has grown noticeably, and nothing put it in (energy_balance.hpp);
-  // null: the step is kept.
+  // Integrator that repeats a step in which energy has grown noticeably without a source
+  // (energy_balance.hpp); null: the step is kept.
   virtual const TimeIntegrator* fallback() const { return nullptr; }
-  // Whether it brings to rest what nothing drives.
+  // Returns whether the integrator brings undriven motion to rest.
   virtual bool damps() const { return false; }
-  // Why it made or lost energy, mostly in steps with contact or without, and what cures that.
+  // Advice on a numerical gain (`made`) or loss of energy, mostly in steps with `contact` or
+  // without.
   virtual std::string energy_advice(bool /*made*/, bool /*contact*/) const { return "refine time.step"; }
   // Corrects them for vertices that do not follow from forces, if the above carries velocities over
   // from step to step.

@@ -114,7 +114,7 @@ void TimeStepper::lag_impulses(Step& step) {
   step.impulses = &*impulses_;
 }
 
-// Whether something asks for them in a step.
+// Returns whether any term or load needs velocities in a step.
 bool TimeStepper::velocities_matter() const {
   const auto& elastic = world_.elastic_terms;
   const auto& loads = world_.following_loads;
@@ -168,7 +168,7 @@ void TimeStepper::check_wall_limit(const std::string& wrong) const {
                                     wrong.empty() ? "" : "; " + wrong));
 }
 
-// As of held vertices, in the directions in which vertices are held.
+// Treats the held directions of partly held vertices like those of held vertices.
 void TimeStepper::update_held_directions(const VecX& x, double h, VecX& v, VecX& a) const {
   if (world_.dofs.held_blocks().empty()) return;
   std::vector<int> vertices;
@@ -260,11 +260,11 @@ bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   return true;
 }
 
-// Where energy is to be kept, no steps are smaller for its sake than this [s].
+// Smallest size of steps that are refined to conserve energy [s].
 double TimeStepper::smallest_refined() const { return time_.step * std::pow(0.5, std::min(most_refinements, time_.max_halvings)); }
 
-// Whether the smallest steps are short enough for the impact in the present one, of size h: the fastest vertex crosses the
-// range of contact in two or more of them. Others would be smaller for nothing.
+// Returns whether the smallest steps resolve the impact in the present step of size h: the fastest
+// vertex crosses the contact range in at least two of them. Otherwise smaller steps would not help.
 bool TimeStepper::resolves_impact(double h) const {
   return 2 * (state_.x - state_.x_before).lpNorm<Eigen::Infinity>() * smallest_refined() / h <= scene_.contact->contact_distance;
 }
@@ -280,17 +280,17 @@ void TimeStepper::refine(double h, bool lasting) {
   state_.calm_steps = 0;
 }
 
-// What halves are parts of [s].
+// Size of the step that substeps divide [s].
 double TimeStepper::whole_step() const { return control_ ? begun_ : time_.step; }
 
 double TimeStepper::smallest_tried() const {
   return (control_ ? std::max(begun_, time_.smallest_step()) : time_.step) * std::pow(0.5, time_.max_halvings);
 }
 
-// Whether what is wrong is kept and told of, because no smaller steps are tried.
+// Returns whether a faulty result is kept with a warning, because no smaller steps are tried.
 bool TimeStepper::tolerates(double h, const Verdict& verdict) const { return verdict.tolerable && h < smallest_tried() * (1 + 1e-9); }
 
-// After an attempt of size h that was refused.
+// Rolls back a refused attempt of size h and requests a smaller step.
 void TimeStepper::halve(double h, const Verdict& verdict) {
   if (h < smallest_tried() * (1 + 1e-9))
     throw SimulationError(fmt::format("step {} at t = {} s failed with h = {} s ({}); {}", state_.step + 1, state_.time, h,
@@ -303,7 +303,7 @@ void TimeStepper::halve(double h, const Verdict& verdict) {
                      state_.time, verdict.wrong, state_.h_next, std::lround(whole_step() / state_.h_next)), "halved step"});
 }
 
-// Whether an attempt of size h is repeated with a smaller one, as its error is too large.
+// Returns whether an attempt of size h is repeated with a smaller step because of its error.
 bool TimeStepper::off_by_too_much(const Attempt& attempt, double h) {
   if (!control_) return false;
   VecX contact;

@@ -36,7 +36,8 @@ struct SolvedStep {
 
 class TimeStepper {
  public:
-  // Goes on from world.start, with a stepper of its own. `warn` is told of failed solves and whatever else is doubtful.
+  // Continues from world.start with its own stepper. `warn` receives failed solves and other
+  // warnings.
   TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver, PhaseClock& clock,
               WarningFunction warn);
 
@@ -51,21 +52,23 @@ class TimeStepper {
   const State& state() const { return state_; }
   double next_step_size() const;  // that advance() tries first [s]
 
-  // The parts of advance(), for those who study single steps. Begins the step from now to now + h, which is good
-  // until another one is opened or this one committed.
+  // The stages of advance(), for studies of single steps. Begins the step from now to now + h,
+  // valid until another one is opened or this one committed.
   Step open(double h);
-  // Opens and solves it; `guess`: its start (3n), feasible and with the scripted vertices at their places.
+  // Opens and solves a step. guess: its start (3n), feasible and with prescribed vertices at their
+  // target positions.
   Attempt solve(double h, const VecX* guess = nullptr);
   std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
   // The incremental potential of the latest step over beta h^2, at x (3n) [J].
   double potential_at(const VecX& x);
   void observe(StepObservers observers) { stepper_->observe(std::move(observers)); }
-  // Who is told of each step before it is kept. Some are undone after that, and repeated.
+  // Receives each step before it is kept. Some are undone after that, and repeated.
   using SolvedObserver = std::function<void(const SolvedStep&)>;
   void observe_solved(SolvedObserver solved) { solved_ = std::move(solved); }
 
-  // For those who follow steps that were solved elsewhere (framework/sensitivity): open(), then follow() instead of commit().
+  // For studies of steps that were solved elsewhere (framework/sensitivity): open(), then follow()
+  // instead of commit().
   void damp(bool damped) { integrator_ = damped ? time_.integrator->fallback() : time_.integrator.get(); }
   // The names of the groups of EnergyFlows::groups, once a step has begun.
   const std::vector<std::string>& energy_groups() const { return balance_.group_names(); }

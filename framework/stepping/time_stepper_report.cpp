@@ -1,4 +1,4 @@
-// What the time loop tells of the steps that it keeps: a row of numbers, and warnings.
+// Report of accepted steps: a row of numbers, and warnings.
 #include <fmt/format.h>
 
 #include <limits>
@@ -45,7 +45,7 @@ StepReport TimeStepper::report(const Attempt& attempt, double h) const {
   return r;
 }
 
-// Those that a stiff potential holds, as bodies that are held on both sides need.
+// Warns of play in joints that a stiff potential holds, as joints between fixed bodies need.
 void TimeStepper::warn_of_joints() {
   constexpr double tolerated = 1e-3;  // of the size of the object
   for (const Joint& joint : world_.bindings.joints()) {

@@ -35,7 +35,7 @@ std::array<Vec3, N> moved(std::array<Vec3, N> at, const std::array<Vec3, N>& way
   return at;
 }
 
-// Where the step starts, all of its way, and the part of it that is looked at.
+// Start and displacement of the step, and the fraction of it that is examined.
 struct Stage {
   const VecX& x;
   const VecX& way;
@@ -49,12 +49,13 @@ Vec3 mean(const std::array<Vec3, N>& ways) {
   return sum / static_cast<double>(N);
 }
 
-// On what part of their way whatever two parts meet is passed, and by how much they have to go on from there [m].
+// Criterion of tunnelling for two components: they meet before the relative displacement reaches
+// `approach`, and go on by `rest` [m].
 struct Pass {
   double approach = 0, rest = 0;
 };
 
-// Whether two primitives meet in the stage, and pass.
+// Returns whether two primitives meet in the stage, and tunnel.
 template <size_t A, size_t B>
 bool meet(const std::array<int, A>& va, const std::array<int, B>& vb, const Stage& stage, const Pass& pass) {
   const double way = (mean(corners(stage.way, va)) - mean(corners(stage.way, vb))).norm(), approach = std::min(pass.approach, way - pass.rest);
@@ -88,7 +89,7 @@ struct TunnellingCheck::Search {
 
   const double least;                             // the size of what has none [m]
 
-  // What they go on by is what is tolerated. Approach 0: they are not looked at.
+  // Criterion for two components; approach 0 if they are not examined.
   Pass pass(int part, int other) const {
     if (!std::binary_search(pairs.begin(), pairs.end(), std::array{std::min(part, other), std::max(part, other)})) return {};
     const MovingComponent &a = parts[part], &b = parts[other];
