@@ -3,7 +3,8 @@
 // - The stopping norm (Stopping in framework/core/minimizer.hpp) is below its tolerance, including
 //   the error of a direction that an iterative linear solver found. The residual r = -g - H p
 //   leaves the error e = H^-1 r; with stencils made positive semi-definite H >= M, and for every
-//       unknown i |e_i| <= sqrt(r . M^-1 r / m_i).
+//   unknown i
+//       |e_i| <= sqrt(r . M^-1 r / m_i).
 // - Forces balance. Where a contact or an element is very stiff, a large force moves nothing far,
 //   and a norm of velocities is blind to it. The residual force at a block must be a small fraction
 //   of the reference force: the largest force of inertia, loads or elements in its contact group

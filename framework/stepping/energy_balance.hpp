@@ -1,7 +1,6 @@
 // Energy balance of each step. Let E be the kinetic energy and gravity of the free vertices plus
 // all elastic and contact energies. A step changes it by
-//     E' - E = loads + script + healing - friction - adhesion - plastic - damping - areas -
-//     numerics.
+//   E' - E = loads + script + healing - friction - adhesion - plastic - damping - areas - numerics.
 //
 //   loads     work of external loads, with the mean of their forces at both ends
 //   script    work of the prescribed motion: the mean of the elastic and contact forces at both

@@ -32,7 +32,7 @@ struct EnergyFlows {
   double loads = 0, script = 0;       // work done from outside
   std::vector<Published> published;
   double areas = 0, numerics = 0;     // dissipated
-  double jerk = 0;     // by how much the script's work is more with its forces at the end of the step, with which implicit steps begin
+  double jerk = 0;     // work_script with the forces at the end of the step, less `script`
   double noise = 0;    // what the solver's tolerance may change it by
   // The most that has moved in the run so far (core/energy_at_play.hpp), with the kinetic energy of
   // this step, less that of bodies that fly as wholes while nothing but gravity acts on them.
@@ -40,8 +40,8 @@ struct EnergyFlows {
   double moving = 0;   // its kinetic part
   // Contact at the step's start or end, or energy stored between objects at its end.
   bool in_contact = false;
-  bool damped = false;      // done again by the integrator's fallback, because energy would have grown
-  bool refined = false;     // smaller than the scene's step, because a larger one made or lost energy
+  bool damped = false;      // repeated with the fallback integrator, because energy would have grown
+  bool refined = false;     // shorter than the scene's step, to conserve energy
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
   bool gained = false;      // energy has grown noticeably, and nothing put it in
 

@@ -14,14 +14,14 @@ struct FrictionAccount {
   double normal = 0;  // impulse of the step before that [N s]
   double given = 0;   // to friction in the last step, over mu [N s]
   double calm_force = 0, calm_time = 0;  // steady normal force [N] and its duration [s]
-  bool settling = false;  // friction is still the one of the first normal forces, which no step has found
+  bool settling = false;  // start-up: friction by normal forces that no step has found
   // Since the contact was made [N s]: sum of impulses applied to friction, sum of normal impulses
   // without that of the last step, and the largest of these. told: their difference was warned of.
   double all_given = 0, all_normal = 0, largest = 0;
   bool told = false;
 };
 
-using FrictionAccounts = std::map<std::array<int, 2>, FrictionAccount>;  // by the two objects, ascending
+using FrictionAccounts = std::map<std::array<int, 2>, FrictionAccount>;  // by object pair, ascending
 
 // Not of any object: a scene that starts from another one's state owes nothing.
 inline constexpr const char* owed_friction_name = "owed friction";

@@ -11,9 +11,8 @@
 //
 //   s = 0   lasting contact: keeps its force, whatever the size of steps. Its force stayed within a
 //           quarter for at least four times the next step, or it existed when the run began.
-//   s = 1   contact that comes or goes: gets the impulse that is owed. Its force was steady for
-//     less
-//           than twice the next step.
+//   s = 1   contact that comes or goes: gets the impulse that is owed. Its force was steady
+//           for less than twice the next step.
 //   between: linear.
 //
 // Start-up: no step has found the forces at the start of a run, and a body placed inside a barrier

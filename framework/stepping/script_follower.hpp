@@ -1,5 +1,7 @@
-// Brings scripted vertices to their places at the end of a step, before the minimisation: the straight way if nothing
-// is in it and nothing lets go on it (predicted_motion.hpp), a walk otherwise (dirichlet_continuation.hpp).
+// Follows a prescribed motion: brings its vertices to their target positions at the end of a step,
+// before the minimisation. They move along linear trajectories if nothing is in the way and no bond
+// or adhesion lets go (predicted_motion.hpp), otherwise by Dirichlet continuation
+// (dirichlet_continuation.hpp).
 #pragma once
 
 #include <optional>
@@ -15,11 +17,12 @@ class ScriptFollower {
   ScriptFollower(World& world, const Minimizer& like, PhaseClock& clock, FeasibleSteps& steps)
       : world_(world), like_(like), clock_(clock), steps_(steps) {}
 
-  // Other vertices are held now.
+  // Called when other vertices are fixed.
   void reset() { walk_.reset(); }
 
-  // From the step's state to a feasible start of it with the scripted vertices at their places, to which they are
-  // moved in parts that turn nothing too far. The step's potential is begun anew at the places. check: may be null.
+  // Moves the prescribed vertices from the state of the step to their target positions, in substeps
+  // that rotate nothing too far. Returns a feasible start of the step, and begins the potential of
+  // the step anew there. check: may be null.
   DirichletContinuation::Result follow(const Step& step, IterateCheck* check, const MinimizerProblem::Observer& observer);
 
  private:

@@ -1,13 +1,18 @@
-// Sizes of steps that follow an error (time.adaptive). Each step is measured by a formula of another order (TimeIntegrator::local_error):
-//     e = max over bodies of  sqrt(sum m |e_i|^2 / sum m)  [m],  i the vertices of the body that move, r = e / time.adaptive.error;
-// masses (of a body without mass, its vertices) make it a mean over the body whatever its mesh, and the largest of all bodies hides none behind others.
+// Step size control by an error (time.adaptive). A formula of another order measures each step
+// (TimeIntegrator::local_error):
+//     e = max over bodies of sqrt(sum m |e_i|^2 / sum m)  [m],  i: the moving vertices of the body,
+//     r = e / time.adaptive.error.
+// Masses (for a body without mass: vertices) make e a mean over the body, whatever its mesh. The
+// maximum over bodies keeps a large body from hiding a small one.
 //
 // - r > 1: the step leaves no trace and is repeated, smaller. The error of an impact falls with h
 //   and not with h^p, so that from the second time on p is the power that the last two have shown.
-// - Otherwise the next step has h (0.7 / r)^(0.85/p) (r_before / 0.7)^(0.2/p), at most twice and at least half of h, and h itself if that is
-//   near: a PI controller (Gustafsson 1991; Hairer and Wanner 1996, IV.2).
-// - Until the time at which a repeated, or a failed, step would have ended nothing grows: what was met there is still ahead.
-// - Where larger steps made or lost energy for good, steps stay below that for a while (State::h_cap).
+// - Otherwise the next step is h (0.7 / r)^(0.85/p) (r_before / 0.7)^(0.2/p), between h/2 and 2 h,
+//   and h itself if that is near: a PI controller (Gustafsson 1991; Hairer and Wanner 1996, IV.2).
+// - Steps do not grow until the time at which a repeated or failed step would have ended: its cause
+//   is still ahead.
+// - Where larger steps persistently made or lost energy, steps stay smaller for a while
+//   (State::h_cap).
 // - Abrupt changes of the prescribed motion or of loads, the end of the run, and times of output
 //   are ends of steps: from two steps before such a time the rest is divided evenly.
 #pragma once
@@ -20,25 +25,27 @@
 
 namespace tack {
 
-inline constexpr int calm_enough = 64;  // steps (whole ones), after which larger ones are tried again
+inline constexpr int calm_enough = 64;  // whole steps, after which larger ones are tried
 
 class StepControl {
  public:
   StepControl(const World& world, const TimeConfig& time);
 
-  // Beside the world's own: the first time after t at which a step has to end [s].
+  // Sets the first time after t at which a step has to end [s], in addition to the world's own
+  // times.
   void stop_at(std::function<double(double t)> next) { next_ = std::move(next); }
   // Returns the size of the next step [s].
   double size(const State& state) const;
 
-  // The error [m] of a step of size h from the state to x, about which the following is.
+  // Returns the error [m] of a step of size h from the state to x; the functions below refer to it.
   double measure(const TimeIntegrator& integrator, const State& state, const VecX& x, const VecX& contact, double h);
   // Returns whether the error is too large; then sets the size of the next try in the state.
   bool repeats(State& state, double h);
-  bool too_large() const { return ratio_ > 1; }  // although it is kept, as no smaller step is allowed
-  // The step is kept, and the state at its end.
+  bool too_large() const { return ratio_ > 1; }  // no smaller step is allowed
+  // Updates the state at the end of a step that is kept.
   void kept(State& state, double h);
-  // It failed, or made or lost energy, and is repeated with h_next; lasting: larger steps will do so again.
+  // Updates the state for a step that failed, or made or lost energy, and is repeated with h_next.
+  // lasting: larger steps will do so again.
   void refined(State& state, double h, bool lasting);
 
  private:

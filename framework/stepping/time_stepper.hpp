@@ -118,7 +118,7 @@ class TimeStepper {
   std::vector<const Term*> dynamic_terms_;  // empty if the integrator does not follow their forces
   std::unique_ptr<Stepper> stepper_;
   std::optional<StepControl> control_;  // if steps adapt
-  int halvings_ = 0, repeats_ = 0;      // of the present step: after failed solves, and for its error
+  int halvings_ = 0, repeats_ = 0;      // of the present step: failed solves, too large errors
   double begun_ = 0;                    // s: the size that was to be tried, before halves
   double error_ = 0;                    // m: of the latest attempt, if steps adapt
   struct Found {
