@@ -83,7 +83,8 @@ std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& 
 std::vector<BondPoint> part_slowly(const BondLaw& law, double angle, int points) {
   const double scale = scale_of(law);
   if (!(scale > 0) || !std::isfinite(scale)) return {};
-  // Ever wider, until the pull has risen and gone; of what is brittle and stiff, ever narrower as well.
+  // Widens the path until the traction has risen and gone; for brittle, stiff laws it also narrows
+  // it.
   double far = scale;
   for (; far < widest * scale; far *= 2) {
     const auto curve = pull_bond(law, {far}, angle, 400);

@@ -1,4 +1,4 @@
-// A bond law by itself: what a bond does on a way that is prescribed, step by step.
+// Response of a bond law alone: a bond on a prescribed path, step by step.
 #pragma once
 
 #include <vector>
@@ -16,20 +16,22 @@ struct BondPoint {
   double dissipated = 0;  // since the beginning [J/m^2]
 };
 
-// A point of a way: there at that time, under that pressure of a barrier.
+// A point of a path: opening and slip at a time, under a barrier pressure.
 struct BondStep {
   double time, opening, slip, pressure = 0;  // s, m, m, Pa
 };
 
-// The states at the ends of the steps of a new bond, which has gone from where it does no more.
+// Returns the states of a new bond at the ends of the steps; the path ends where the bond is gone.
 std::vector<BondPoint> follow_bond(const BondLaw& law, const std::vector<BondStep>& way, bool on_contact = false);
 
-// Pulled straight to each of the turns in turn, from where it was made (m; along the normal with angle 0, across with pi/2 or between
-// [rad]), in about so many equal steps. At a speed [m/s]; with 0 so slowly that viscosity resists next to nothing. A law that is integrated
-// gets as many steps between as it needs.
+// Pulls a new bond straight to each of the turning points, in about `points` equal steps. turns:
+// distances from where it was made [m]; angle: 0 along the normal, pi/2 tangential [rad]; speed:
+// [m/s], 0 for so slow that viscosity hardly resists. Laws that are integrated get substeps as
+// needed.
 std::vector<BondPoint> pull_bond(const BondLaw& law, const std::vector<double>& turns, double angle, int points, double speed = 0);
 
-// Parted slowly in that direction, until next to nothing holds any more. Empty if nothing ever does.
+// Separates a bond slowly in that direction until hardly any traction is left. Empty if it never
+// fails.
 std::vector<BondPoint> part_slowly(const BondLaw& law, double angle = 0, int points = 2000);
 
 }  // namespace tack

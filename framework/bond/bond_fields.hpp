@@ -1,13 +1,13 @@
-// What bonds are like at the vertices that they hang on, on either side.
+// Bond intensity and bond traction as fields over the vertices of both sides.
 #pragma once
 
 #include "framework/bond/bond_term.hpp"
 
 namespace tack {
 
-// Their mean intensity, by area, of so many vertices; not a number where there is none.
+// Returns the area-weighted mean intensity of the bonds per vertex; NaN at vertices without bonds.
 VecX bond_intensities(const BondTerm& bonds, Eigen::Index vertices);
-// The magnitude of their force per area [Pa]; 0 where there is none.
+// Returns the magnitude of the bond force per area at each vertex [Pa]; 0 without bonds.
 VecX bond_tractions(const BondTerm& bonds, const VecX& x);
 
 }  // namespace tack

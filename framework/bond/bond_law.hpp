@@ -14,19 +14,22 @@
 // they heal at gaps at which they did not bond.
 // The formula of a law is evaluated at d >= 0 alone.
 //
-// To add one, derive from BondLawOf<MyLaw>, list the parameters in fields(), give the peak and the work, say what is remembered, and
+// To add one, derive from BondLawOf<MyLaw>, list the parameters in fields(), give the peak and the
+// work, and define the history variables:
 //     struct Memory { double damage = 0; };  // of a new bond; doubles only
 //     template <class T> T energy(const T& d, const T& s, const Memory& m, double h) const;
 //     Memory after(const Memory& m, const BondPlace& at) const;  // a step that ends there
-//     double loss(const Memory& before, const Memory& after, const BondPlace& at) const;  // what that dissipated [J/m^2]
-//     bool gone(const Memory& m, const BondPlace& at) const;     // whether it is a bond no longer
-// (without memory, `struct Memory {};`, the energy is enough) and, where that is not all,
-//     Memory begin(bool on_contact) const;                       // of a new bond: at the start of a run, or when surfaces met
-//     Memory heal(const Memory& m, const BondPlace& at) const;   // what a pressure makes of it, after the step
+//     // Dissipation of the step [J/m^2].
+//     double loss(const Memory& before, const Memory& after, const BondPlace& at) const;
+//     bool gone(const Memory& m, const BondPlace& at) const;     // whether the bond has failed
+// Without history, `struct Memory {};` and the energy are enough. Optional:
+//     // A new bond: at the start of a run, or (on_contact) when surfaces met.
+//     Memory begin(bool on_contact) const;
+//     Memory heal(const Memory& m, const BondPlace& at) const;   // by pressure, after the step
 //     // The fraction of opening and slip that healing leaves; else 1.
 //     double kept(const Memory& before, const Memory& healed) const;
-//     double intensity(const Memory& m) const;                   // of a whole bond 1, of one without strength 0: for records
-// then TACK_REGISTER it in the same file, as an AdhesionLaw.
+//     double intensity(const Memory& m) const;  // for records: 1 intact, 0 without strength
+// Then TACK_REGISTER it in the same file, as an AdhesionLaw.
 #pragma once
 
 #include <algorithm>
@@ -53,10 +56,10 @@ struct BondSample {
   double by_dd = 0, by_ds = 0, by_ss = 0;
 };
 
-// What a step did to a bond, per area [J/m^2].
+// Effect of a step on a bond, per area [J/m^2].
 struct BondChange {
   double dissipated = 0;
-  double healed = 0;  // what healing took from what is stored; below zero, what it put in
+  double healed = 0;  // energy that healing took from the bond; below zero: put in
   double kept = 1;    // fraction of opening and slip left: what has healed is unstressed
   bool gone = false;
 };
@@ -64,23 +67,26 @@ struct BondChange {
 class BondLaw : public AdhesionLaw {
  public:
   virtual std::unique_ptr<BondLaw> clone() const = 0;
-  // Whether bonds are made, unless the pair says, whenever surfaces meet, and not at the start of a run alone.
+  // Returns whether bonds form whenever surfaces meet, not only at the start of a run; pairs may
+  // override it.
   virtual bool bonds_on_contact() const { return false; }
   // Returns whether a bond resists d < 0, surfaces closer than when they bonded. If not, the
   // barrier alone does.
   virtual bool resists_pressing() const { return true; }
-  // Of what is not the minimum over a step but integrated: steps have to be shorter [s].
+  // Longest step size for laws that are integrated rather than minimised over the step [s].
   virtual double longest_step() const { return std::numeric_limits<double>::infinity(); }
 
-  // A memory is so many numbers.
+  // Number of history variables.
   virtual int width() const = 0;
   virtual void fresh(bool on_contact, double* memory) const = 0;
-  // Adds phi and its derivatives of n bonds, their memories one after the other.
+  // Adds phi and its derivatives for n bonds; `memory` holds their history variables one after the
+  // other.
   virtual void add_samples(int n, const double* d, const double* s, const double* memory, double h, BondSample* out) const = 0;
   virtual void add_values(int n, const double* d, const double* s, const double* memory, double h, double* out) const = 0;
-  // 1 of a whole bond, 0 of one without strength.
+  // Returns 1 for an intact bond, 0 for one without strength.
   virtual double intensity_of(const double* memory) const = 0;
-  // What the memory becomes by a step, healing after it; of a bond that is gone, what it stored is dissipated.
+  // Advances the history variables by a step, then heals. A bond that fails dissipates its stored
+  // energy.
   virtual BondChange advance(const BondPlace& at, double* memory) const = 0;
 
   BondSample at(double d, double s, const double* memory, double h) const {

@@ -110,7 +110,7 @@ bool BondList::read(const History& history) {
       Bond bond;
       const double* entry = &array.values[static_cast<size_t>(i) * array.width];
       place(bond, entry, array.keys[i]);
-      // Of pairs that bond otherwise here, nothing is remembered.
+      // History of pairs that bond by another law here is skipped.
       if (bond.rule < 0 || table_->rules()[bond.rule].type != type) continue;
       if (array.width != place_width + table_->rules()[bond.rule].law->width())
         throw InputError(fmt::format("bonds of the law '{}' are remembered by {} numbers, and it has {}; it is another law of that name: begin the run anew", type,

@@ -1,6 +1,7 @@
-// The bonds of a configuration with what they remember, and how they stand in a history: an array for each type of law, an entry for
-// each bond with the key (vertex of the place, object of the anchor), and in it where the bond is, as it is the same on the same
-// meshes in another scene, and its memory.
+// The bonds of a configuration with their history variables, and their storage in a history: one
+// array per type of law, one entry per bond. The key of an entry is (vertex of the site, object of
+// the anchor). The entry holds the position of the bond on the meshes, valid in another scene with
+// the same meshes, and its history variables.
 #pragma once
 
 #include <vector>
@@ -17,7 +18,7 @@ class BondList {
   // Both must outlive it.
   BondList(const ContactSurface& surface, const PairTable& pairs, const BondTable& table);
 
-  // Those of 4 vertices before those of 6; of either, one rule after the other.
+  // Bonds of 4 vertices before bonds of 6; each of these sorted by rule.
   const std::vector<Bond>& bonds() const { return bonds_; }
   std::vector<Bond>& bonds() { return bonds_; }
   double* memory(int bond) { return memory_.data() + memory_at_[bond]; }
@@ -28,10 +29,10 @@ class BondList {
   // Returns a list of the same scene without bonds, with room for as many.
   BondList none() const;
   void add(const Bond& bond, const double* memory);
-  // After the last add().
+  // To be called after the last add().
   void sort();
-  // Sets them to what is remembered: whether anything is, of a run that has begun to bond. Throws InputError for a history of
-  // another scene.
+  // Sets the bonds to those of the history. Returns whether it has any, that is, whether the run
+  // has begun to bond. Throws InputError for a history of another scene.
   bool read(const History& history);
   void write(History& history) const;
   // Pairs that are bonded (a < b), ascending.

@@ -38,7 +38,7 @@ void add_triangles(const ContactSystem& system, const BondTable& table, std::vec
   }
 }
 
-// Of the triangles at all these vertices, the one that faces the normal most; -1: none.
+// Returns the triangle at all these vertices that faces the normal most; -1: none.
 int triangle_at(const SurfaceTopology& topology, const LaggedSurface& held, const CollisionMesh& mesh, std::span<const int> vertices, const Vec3& normal) {
   int found = -1;
   double most = 0;

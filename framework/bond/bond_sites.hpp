@@ -1,7 +1,9 @@
-// Where bonds can be made at the start of a step, and the bonds that are: what of a surface lies opposite another is taken triangle by
-// triangle. One that is covered has three places, at the points of Gauss' rule, one that is covered in part those of its samples
-// (contact/surface_overlap.hpp). Rods, particles, and a surface that meets itself have a place at each of their vertices that touches
-// (contact/contact_points.hpp).
+// Bond sites: places where bonds can be made at the start of a step, triangle by triangle of the
+// overlap of two surfaces.
+//   - Overlapping triangle: three sites, at its Gauss points.
+//   - Partly overlapping triangle: its samples (contact/surface_overlap.hpp).
+//   - Rods, particles, and a surface that meets itself: each vertex in contact
+//     (contact/contact_points.hpp).
 #pragma once
 
 #include <optional>
@@ -20,13 +22,15 @@ struct BondSite {
   int anchor;    // the triangle opposite; -1: the closest one
   int object;    // opposite
   double area;   // m^2
-  bool whole;    // whether the triangle is covered all over
+  bool whole;    // whether the triangle overlaps as a whole
 };
 
-// Of the pairs that bond; the system has begun the step at x, and is there. barriers: the repulsive part of each law of its pairs.
+// Returns the sites of all pairs that bond. The system must have begun the step at x, and be there.
+// barriers: the barrier of each law of its pairs.
 std::vector<BondSite> bond_sites(const ContactSystem& system, const BondTable& table, const std::vector<PairLaw>& barriers, const VecX& x);
 
-// The bond that is made there at x; none if the two are farther apart than bonds are when they are made.
+// Returns the bond made at a site at x; none if the surfaces are farther apart than the bonding
+// distance.
 std::optional<Bond> make_bond(const BondSite& site, const ContactSystem& system, const BondTable& table, const VecX& x);
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// Which pairs of objects bond, by which law and when. Over classes of objects, as PairTable.
+// Bond table: which pairs of objects bond, by which law and when. Indexed by classes of objects,
+// like PairTable.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +18,15 @@ namespace tack {
 struct BondRule {
   std::shared_ptr<const BondLaw> law;  // prepared
   std::string type;                    // that it is registered by
-  bool on_contact = false;             // bonds are made whenever surfaces meet, else at the start of a run alone
+  bool on_contact = false;             // whenever surfaces meet, else at the start of a run
   double distance = 0;                 // to bond, surfaces are no farther apart than this [m]
-  bool from_touching = false;          // bonds are unstressed where the surfaces touch, else as they bonded
+  bool from_touching = false;          // unstressed: where the surfaces touch, else as they bonded
   PairLaw barrier;                     // that presses where bonds may heal
 };
 
 class BondTable {
  public:
-  // offsets: of each object's contact surface from its mesh [m].
+  // offsets: of the contact surface of each object from its mesh [m].
   BondTable(ObjectClasses classes, std::vector<double> offsets)
       : classes_(std::move(classes)), offsets_(std::move(offsets)), rule_(classes_.entries(), -1) {}
 
@@ -34,14 +35,15 @@ class BondTable {
     return static_cast<int>(rules_.size()) - 1;
   }
   void set(int a, int b, int rule) { rule_[classes_.index(a, b)] = rule_[classes_.index(b, a)] = rule; }
-  // Of the parts of two objects (PairTable::part), in their order.
+  // Sets the rules of the regions of two objects (PairTable::part), in their order.
   void set_parts(int a, int b, const std::vector<int>& rules) {
     of_parts_.resize(classes_.entries());
     of_parts_[classes_.index(a, b)] = of_parts_[classes_.index(b, a)] = rules;
   }
-  // -1: the two do not bond there; part -1: what is in none.
+  // Returns the rule of a region of two objects, -1: they do not bond there. part: -1 for no
+  // region.
   int between(int a, int b, int part) const { return part < 0 ? rule_[classes_.index(a, b)] : of_parts_[classes_.index(a, b)][part]; }
-  // Whether the two do anywhere.
+  // Returns whether the two objects bond in any region.
   bool bonds(int a, int b) const {
     if (rule_[classes_.index(a, b)] >= 0) return true;
     if (of_parts_.empty()) return false;
@@ -60,7 +62,7 @@ class BondTable {
   std::vector<std::vector<int>> of_parts_;  // empty without any
 };
 
-// Of a bond whose objects, triangle or first vertex, and anchor are known; -1: the two do not bond there.
+// Returns the rule of a bond, given its objects, triangle or first vertex, and anchor; -1: none.
 inline int rule_of(const Bond& bond, const BondTable& table, const PairTable& pairs, const CollisionMesh& mesh) {
   const Triangle& anchor = mesh.triangles[bond.anchor];
   return table.between(bond.a, bond.b, bond.triangle < 0 ? pairs.part(bond.a, bond.b, std::array{bond.vertices[0]}, anchor)

@@ -105,8 +105,8 @@ void BondTerm::begin_step(const StepStart& start) {
   pressures_.clear();
 }
 
-// A place that bonds is not to bond again while it does, also if what is covered has changed since: a triangle in which there are
-// bonds makes no other ones, but for what is left of its points of Gauss' rule.
+// A site that bonds does not bond again, even if the overlap has changed since: a triangle with
+// bonds makes no others, except at its remaining Gauss points.
 void BondTerm::make_bonds(const VecX& x) {
   unbonded_.clear();
   const bool any_on_contact = std::any_of(table_.rules().begin(), table_.rules().end(), [](const BondRule& r) { return r.on_contact; });
@@ -123,7 +123,7 @@ void BondTerm::make_bonds(const VecX& x) {
   };
   std::erase_if(sites, [&](const BondSite& site) {
     const int a = object[site.vertex];
-    // Which rule holds among parts is known with the triangle opposite.
+    // The rule among regions depends on the opposite triangle, which is not known yet.
     if (!system_.pairs().has_parts(a, site.object) && !may_bond(table_.between(a, site.object, -1), a, site.object)) return true;
     const auto here = bonded.find(whose(site.triangle, site.vertex, site.object));
     if (here == bonded.end()) return false;

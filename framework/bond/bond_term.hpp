@@ -1,13 +1,14 @@
 // The potential of bonds, P = sum_k w_k phi(d_k, |u_k|^2; m_k, h) (bond.hpp, bond_law.hpp), with
-//     gradient by x_i:  w B_i^T f,  f = phi_d n + 2 phi_s u,          Hessian block (i, j):  w B_i^T H B_j,
+//     gradient by x_i:       w B_i^T f,    f = phi_d n + 2 phi_s u,
+//     Hessian block (i, j):  w B_i^T H B_j,
 //     B_i = c_i I + v_i n_S^T  for a vertex i of the side S,
 //     H = phi_dd n n^T + 2 phi_ds (n u^T + u n^T) + 4 phi_ss u u^T + 2 phi_s (I - n n^T),
 // which is projected in closed form: 2x2 in the plane of n and u, and 2 phi_s across it. The levers
 // of each side S add terms with the factor l_S (f . n_S) to the Hessian. At d < 0 bonds press
 // (bond_law.hpp), beside the barrier. Friction counts the pressure of the barrier alone.
-// One term covers both directions, as both change the same memory.
-// Bonds are history: a step begins with those that are remembered and the new ones that the start of the step allows, and what it
-// made of them is remembered when it is kept.
+// One term covers both directions, as both change the same history variables.
+// Bonds are history: a step begins with the stored bonds and the new ones that its start allows;
+// the resulting bonds are stored when the step is kept.
 #pragma once
 
 #include "framework/bond/bond_list.hpp"
@@ -18,7 +19,7 @@ namespace tack {
 
 class BondTerm : public Term {
  public:
-  // Both must outlive it, and be told of steps before it.
+  // Both must outlive the term, and begin steps before it.
   BondTerm(ContactSystem& system, const ContactTerm& normal, BondTable table);
 
   void remember(const History& history) override;
@@ -27,7 +28,7 @@ class BondTerm : public Term {
   void lag(const VecX& x) override;
   void commit(const VecX& x, History& history) const override;
 
-  // Between steps, of what is stored.
+  // Returns the stored energy if no step is open.
   double value(const VecX& x) const override;
   std::vector<StencilBatch> batches() const override;
   bool dynamic() const override { return true; }
@@ -35,15 +36,17 @@ class BondTerm : public Term {
   void mark_letting_go(const VecX& from, const VecX& to,
                        std::vector<char>& vertices) const override;
 
-  // What presses at each bond of the list in this step [Pa], of a stepper that knows it; otherwise it is the barrier.
+  // Sets the contact pressure at each bond of the list in this step [Pa], for steppers that know
+  // it; otherwise the barrier gives it.
   void press(std::vector<double> pressures) { pressures_ = std::move(pressures); }
 
-  // Of the step to x: what debonding dissipates, and what healing takes from what is stored (below zero: puts in) [J].
+  // Energies of the step to x [J]: dissipation by debonding; energy that healing takes from the
+  // bonds (below zero: puts in).
   struct Changes {
     double dissipated = 0, healed = 0;
   };
   Changes changes(const VecX& x) const;
-  // The same by bonds: what they dissipate, and what healing takes.
+  // Calls `share` for each bond with its dissipation and healing.
   void share_changes(const VecX& x, const EnergyShare& share) const;
   bool share_energy(const VecX& x, const EnergyShare& share) const override;
   void publish(Records& records) const override;
@@ -51,24 +54,24 @@ class BondTerm : public Term {
   // Returns the force of each bond of the list on its place [N]. The opposite force acts on the
   // anchor. Forces that press belong to the barrier, all others to adhesion.
   std::vector<Vec3> pulls(const VecX& x, LawTerm part = LawTerm::all) const;
-  // The forces of bonds on every vertex (3n) [N]; with a pair, of its bonds only.
+  // Returns the bond forces on every vertex (3n) [N]; with a pair, of its bonds only.
   VecX forces(const VecX& x, LawTerm part, std::optional<ObjectPair> only = std::nullopt) const;
-  // As ContactTerm::compressions: below zero where bonds pull.
+  // Returns forces like ContactTerm::compressions; below zero where bonds pull.
   VecX compressions(const VecX& x, LawTerm part) const;
-  // That object b exerts on object a [N].
+  // Returns the force of object b on object a [N].
   Vec3 force_between(const VecX& x, LawTerm part, ObjectPair pair) const;
 
   const BondList& list() const { return list_; }
-  // Of each bond of the list.
+  // Returns the opening of each bond of the list.
   std::vector<Opening> openings(const VecX& x) const;
-  // The rules by which bonds are made at the start of a run and none was, of its first step.
+  // Rules that should have made bonds at the start of the run, but made none in its first step.
   const std::vector<int>& unbonded() const { return unbonded_; }
   const BondTable& table() const { return table_; }
   const BondLaw& law_of(int bond) const { return *table_.rules()[list_.bonds()[bond].rule].law; }
   double intensity(int bond) const { return law_of(bond).intensity_of(list_.memory(bond)); }
 
  private:
-  // Bonds of one rule and one number of vertices, a few.
+  // A few bonds of one rule with equal numbers of vertices.
   struct Block {
     int first, last;
   };
@@ -78,7 +81,7 @@ class BondTerm : public Term {
   void frame_at(const VecX& x) const;
   void make_bonds(const VecX& x);
   BondPlace place_of(int bond, const VecX& x) const;
-  // What the step to x makes of a bond and, in its place, of its memory.
+  // Returns the effect of the step to x on a bond, and advances its history variables in `memory`.
   BondChange advance(int bond, const VecX& x, std::vector<double>& memory) const;
   bool slid_off(const Bond& bond, const VecX& x) const;
 

@@ -1,5 +1,7 @@
-// Bonds that a motion takes past the peak of their traction. The traction is taken along the opening (d, u) of the bond, lambda its length:
-//     d phi / d lambda,   d^2 phi / d lambda^2   with d = lambda cos(theta), |u| = lambda sin(theta).
+// Bonds that a motion takes past the peak of their traction. The traction is taken along the
+// opening (d, u) of the bond, with length lambda:
+//     d phi / d lambda,   d^2 phi / d lambda^2   with d = lambda cos(theta), |u| = lambda
+//     sin(theta).
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -40,7 +40,7 @@ struct EnergyFlows {
   double moving = 0;   // its kinetic part
   // Contact at the step's start or end, or energy stored between objects at its end.
   bool in_contact = false;
-  bool damped = false;      // repeated with the fallback integrator, because energy would have grown
+  bool damped = false;      // repeated with the fallback integrator to avoid a gain
   bool refined = false;     // shorter than the scene's step, to conserve energy
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
   bool gained = false;      // energy has grown noticeably, and nothing put it in

@@ -21,7 +21,7 @@ struct FrictionAccount {
   bool told = false;
 };
 
-using FrictionAccounts = std::map<std::array<int, 2>, FrictionAccount>;  // by object pair, ascending
+using FrictionAccounts = std::map<std::array<int, 2>, FrictionAccount>;  // by object pair
 
 // Not of any object: a scene that starts from another one's state owes nothing.
 inline constexpr const char* owed_friction_name = "owed friction";

@@ -59,7 +59,7 @@ struct Attempt {
   std::vector<Solved> before = {};
   double friction_residual = 0;
   bool lag_converged = true;
-  double unbalanced_force = 0, tolerated_force = 0;  // force residual at a vertex, and its limit [N]
+  double unbalanced_force = 0, tolerated_force = 0;  // force residual and its limit [N]
   std::vector<StepFigure> figures = {};  // the stepper's own
 };
 
