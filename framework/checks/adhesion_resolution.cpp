@@ -19,7 +19,8 @@ namespace {
 constexpr double tolerated_change = 0.25;  // of the range
 constexpr double most_of_it = 0.5;            // of the impulse
 
-// By how much the gap changes across a triangle, the way to the other surface being n; 0 if it looks elsewhere [m].
+// Returns the change of the gap across a triangle [m], n pointing to the other surface; 0 if the
+// triangle faces elsewhere.
 double gap_change_across(const std::array<Vec3, 3>& t, bool two_sided, const Vec3& n, double& facing) {
   const Vec3 twice = (t[1] - t[0]).cross(t[2] - t[0]);
   const double area = twice.norm(), cosine = twice.dot(n) / area;

@@ -1,8 +1,11 @@
-// Whether adhesion acted where elements are too large for it: a traction that is known at points is integrated well only if the gap hardly
-// changes from one point to the next. Across an element of size h whose face and the way to the other surface enclose an angle theta, it
-// changes by h sin(theta). More than a quarter of the range is too much: plates that are tilted by 5 degrees, with cells of half a range over
-// tan(5 degrees), pull with 0.81 to 1.21 of what they should, depending on where their vertices happen to be (at a quarter: 0.95 to 1.08); the tips of ridges that
-// cross, between two vertices, do not pull at all. Unlike the curvature of a surface (resolution.hpp) that is known from the run alone.
+// Warnings about adhesion on elements that are too large for it. A traction sampled at points is
+// integrated well only if the gap hardly changes from one point to the next. Across an element of
+// size h, whose face is at an angle theta to the other surface, the gap changes by h sin(theta).
+// The limit is a quarter of the range. Plates tilted by 5 degrees pull with this fraction of the
+// exact force, depending on the positions of their vertices:
+//     gap change across a cell   range / 2: 0.81 to 1.21    range / 4: 0.95 to 1.08
+// Tips of ridges that cross between two vertices do not pull at all. Only the run shows this,
+// unlike the curvature of a surface (resolution.hpp).
 #pragma once
 
 #include <string>
@@ -19,9 +22,10 @@ class AdhesionResolution {
  public:
   AdhesionResolution(const SceneConfig& scene, const World& world);
 
-  // At the end of a step of size h [s], at x (3n), where contact is.
+  // Examines the end of a step of size h [s] at x (3n), where contact must be.
   void look(const VecX& x, double h);
-  // What to tell in the end: of each law, if more than half of what it pulled with was where elements are too large.
+  // Returns a warning for each law that applied more than half of its impulse on too large
+  // elements.
   std::vector<std::string> coarse() const;
 
  private:

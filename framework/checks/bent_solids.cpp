@@ -28,7 +28,7 @@ constexpr const char* of_patches = "with 1, 2, 4, 8 cells across a bar bends by 
 
 const char* by_cells(const Body& body) { return body.elements == Elements::patches ? of_patches : of_linear; }
 
-// Of what is filled with tets: triangles of its own have none.
+// Returns the thickness of the solid part of a body: triangles of its own have none.
 double thickness_of(const Body& body, const VecX& rest) {
   Thickness thickness;
   for (size_t i = 0; i + body.sheet.size() < body.triangles.size(); ++i) thickness.add(corners(rest, body.triangles[i]));

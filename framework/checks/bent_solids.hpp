@@ -1,7 +1,11 @@
-// Slender bodies of few linear tets across, which resist bending too much: with 1, 2, 4, 8 cells over its thickness a bar bends by
-// 0.22, 0.50, 0.79, 0.93 of what it should at a Poisson's ratio of 0.3, by 0.04, 0.10, 0.29, 0.58 at 0.49; composite tets (Elements) do not. Whether a body bends
-// shows in the run: over a patch that is some thicknesses wide, the strain of bending has no mean, that of stretching, shearing or
-// pressing all of it is its mean. What is left of the mean square without the squares of the means of patches is the share of bending.
+// Warnings about slender bodies of few linear tets across, which resist bending too much. A bar
+// with 1, 2, 4, 8 cells over its thickness bends by this fraction of the exact deflection:
+//     Poisson's ratio 0.3    0.22, 0.50, 0.79, 0.93
+//     Poisson's ratio 0.49   0.04, 0.10, 0.29, 0.58
+// Composite tets (Elements) do not lock. Only the run shows whether a body bends: over a patch that
+// is a few thicknesses wide, the strain of bending has zero mean, that of stretching, shearing and
+// compression is its mean. The share of bending is the mean square strain less the squared means of
+// the patches.
 #pragma once
 
 #include <string>
@@ -19,9 +23,10 @@ class SlenderSolid {
  public:
   SlenderSolid(int number, const Body& of, const VecX& rest, double across, int most_cells);
 
-  // At x (3n).
+  // Examines the strain at x (3n).
   void look(const VecX& x);
-  // The largest mean square of strain that had no mean, of the sum of this and the largest that had; 0 if hardly anything strained it.
+  // Returns the largest bending part of the mean square strain, over the sum of this part and the
+  // largest remaining part; 0 if there is hardly any strain.
   double share_of_bending() const;
 
   int body;          // of the world
@@ -33,8 +38,8 @@ class SlenderSolid {
 
   std::vector<Tet> tets_;
   std::vector<Mat3> from_rest_;  // per tet: the inverse of its edges at rest [1/m]
-  std::vector<double> volume_;   // likewise [m^3]
-  std::vector<int> patch_;       // likewise
+  std::vector<double> volume_;   // per tet [m^3]
+  std::vector<int> patch_;       // per tet
   int patches_ = 0;
   double stretched_ = 0, bent_ = 0;  // the largest mean squares so far
 };
@@ -43,11 +48,12 @@ class BentSolids {
  public:
   BentSolids(const SceneConfig& scene, const World& world);
 
-  // What to expect of those that there are, a line each: before a run it is not known whether they bend.
+  // Returns a line for each slender body: before a run it is not known whether the body bends.
   std::vector<std::string> expected() const;
-  // At x (3n), after every step.
+  // Examines the strain at x (3n); called after every step.
   void look(const VecX& x);
-  // Of those whose strain was bending, a warning each: once all is seen, because whatever vibrates bends as well.
+  // Returns a warning for each body that was strained by bending. Called at the end, because
+  // vibrating bodies bend as well.
   std::vector<std::string> bent() const;
 
  private:

@@ -102,7 +102,7 @@ void check_derivatives(const BondLaw& law, const std::vector<Pulled>& all, Of of
     check.wrong.push_back(fmt::format("{}: {}, off by {:.1e} of it", law.type(), what, study.error));
 }
 
-// What viscosity dissipates is in the potential by half.
+// Dissipation by viscosity appears in the potential by half.
 void check_energy(const BondLaw& law, const std::vector<Pulled>& all, LawCheck& check) {
   double worst = 0, taken_there = 0, booked_there = 0;
   for (const Pulled& p : all) {

@@ -1,5 +1,6 @@
-// Whether a law of bonds is what a step takes it for: a potential with the derivatives that it states, of which what a step takes is stored or
-// dissipated, with the peak and the work that it states.
+// Check of a bond law against the assumptions of a step: it is a potential with the derivatives
+// that it states; a step stores or dissipates all energy that it takes; peak and work are as
+// stated.
 #pragma once
 
 #include "framework/bond/bond_law.hpp"
@@ -7,7 +8,7 @@
 
 namespace tack {
 
-// Prepared. The lines begin with its name.
+// Checks a law that is prepared. The lines begin with the name of the law.
 LawCheck check_law(const BondLaw& law);
 
 }  // namespace tack

@@ -16,13 +16,15 @@ namespace tack {
 namespace {
 
 constexpr double tolerated_softness = 0.05;  // of the approach
-// Of the distance that would do if surfaces gave way by as much with it. They give way by less, because they press over a smaller zone.
+// Recommended contact distance over the one that would suffice if surfaces deformed equally with
+// it. They deform less, because they press over a smaller zone.
 constexpr double safe = 0.6;
 constexpr double of_flattening = 7.6;        // approach over flattening
 constexpr double least_curved = 0.02;        // of the barrier's distance
 constexpr size_t fewest_points = 12;
 constexpr double narrowest = 1e-3;  // the extent of a zone across, over that along, squared: less is a line
-// The mean of heights over their root of the mean square: 0.85 of a sphere or a cylinder; less of what is flat, with a part that was folded over.
+// Least mean of heights over their root mean square: 0.85 for a sphere or a cylinder, less for a
+// flat zone with a folded edge.
 constexpr double evenly = 0.7;
 
 struct Plane {
@@ -53,7 +55,7 @@ Plane nearest_plane(const std::vector<PressedPoint>& points, const Place& place)
   return plane;
 }
 
-// Of one of the two surfaces, both seen from the same side: that to which `way` points now.
+// Best-fit planes of one of the two surfaces, both seen from the side to which `way` points now.
 struct Planes {
   Plane rest, now;
 
@@ -68,7 +70,8 @@ struct Planes {
   bool wide() const { return rest.wide && now.wide; }
 };
 
-// What has elastic tets alone can be soft; other surfaces keep their shape if they are held or those of affine bodies.
+// Returns whether a body is soft: only bodies of elastic tets are. Other surfaces keep their shape
+// if they are fixed or affine.
 bool is_soft(const ObjectConfig& object, const Body& body) {
   return !body.tets.empty() && body.sheet.empty() && body.movable && body.frame.empty() &&
          std::any_of(object.energies.begin(), object.energies.end(), [](const auto& energy) { return energy->poisson().has_value(); });

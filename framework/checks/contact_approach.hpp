@@ -1,12 +1,16 @@
-// Whether the barrier took much of what curved bodies were pressed together by. Where curved elastic surfaces meet, as in Hertz' contact, how far
-// they approach each other decides on the force, and on the area that touches. In a barrier they do so by a part of contact.distance
-// before they carry the same pressure: as if both were softer. How much that is, against what the surfaces gave way by, the run alone knows:
-//  * the barrier's approach: the mean of contact.distance less the gap, weighted with the force;
-//  * that of the surfaces: 7.6 times by how much they lost of their shape towards each other where they press, root of the mean square. Of a
-//    sphere of radius R in contact over a radius a that is the height (a^2 / 2 R) (r / a)^2 over its best plane, and a^2 / R its approach.
-// That is a result where forces are in balance, in quasi-static runs: what moves is led by its inertia, and touches many things by next to nothing.
-// Surfaces that are flat where they meet are not looked at, whatever the barrier does: it shifts them, and changes no force. Neither is
-// what adheres, for which the law between surfaces is stated, nor what has no tets, or too few points in contact to have a shape.
+// Warnings about barriers that took much of the approach of curved bodies. Where curved elastic
+// surfaces meet, as in Hertz contact, their approach determines the force and the contact area. A
+// barrier approaches by a fraction of contact.distance before it carries the pressure, as if both
+// bodies were softer. Only the run shows the share:
+//  * Approach of the barrier: the mean of contact.distance less the gap, weighted with the force.
+//  * Approach of the surfaces: 7.6 times the root mean square of their loss of height towards each
+//    other where they press. For a sphere of radius R in contact over a radius a, the height over
+//    the best plane is (a^2 / 2 R) (r / a)^2, and the approach is a^2 / R.
+// Valid where forces balance, in quasi-static runs: moving bodies are led by their inertia, and
+// touch many others slightly. Not examined are
+//  * surfaces that are flat where they meet: the barrier shifts them, and changes no force,
+//  * surfaces that adhere: their law is stated between surfaces,
+//  * bodies without tets, and contacts with too few points to have a shape.
 #pragma once
 
 #include <map>
@@ -21,16 +25,17 @@ namespace tack {
 struct SceneConfig;
 struct World;
 
-// A place where two surfaces press each other: on each, at rest and now [m], and how much [N].
+// A point where two surfaces press: its position on each, at rest and now [m], and the force [N].
 struct PressedPoint {
   std::array<Vec3, 2> rest, now;
   double force;
 };
 
-// All weighted with the forces. Heights are those over the plane nearest to all points of a surface, at rest or now.
+// A contact zone. Means are weighted with the forces; heights are over the best-fit plane of the
+// points of a surface, at rest or now.
 struct PressedZone {
   double gap = 0;        // the mean of it now [m]
-  double curved = 0;     // of the one surface at rest over the other, root of the mean square [m]; 0: flat, or not known
+  double curved = 0;     // rest height difference, root mean square [m]; 0: flat or unknown
   double flattened = 0;  // by how much that has changed [m]
 };
 PressedZone pressed_zone(const std::vector<PressedPoint>& points);
@@ -39,9 +44,9 @@ class ContactApproach {
  public:
   ContactApproach(const SceneConfig& scene, const World& world);
 
-  // At the end of a step, at x (3n), where contact is.
+  // Examines the end of a step at x (3n), where contact must be.
   void look(const VecX& x);
-  // What to tell in the end: of each two objects, of when they pressed each other most.
+  // Returns a warning for each pair of objects, judged at the time of their largest force.
   std::vector<std::string> soft() const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 // Relative errors that are let pass: a single entry that is off by some percent stays above.
 constexpr double gradient_tolerance = 1e-6, hessian_tolerance = 1e-5;
-// Of the local lengths: how far the states that are looked at are from the start.
+// Distances of the examined states from the start, over the local lengths.
 constexpr double distances[] = {3e-2, 1e-3};
 constexpr int directions = 2;  // at each
 
@@ -60,7 +60,8 @@ class TermStudy {
     std::vector<VecX> moved, products;
     double step = DifferenceStudy::first_step;
     for (int k = 0; k < DifferenceStudy::steps; ++k, step /= DifferenceStudy::ratio) {
-      // As far as floating point goes, which near small gaps and far from the origin is not 2 step d.
+      // The floating-point displacement differs from 2 step d near small gaps and far from the
+      // origin.
       const VecX up = q + step * direction, down = q - step * direction;
       moved.push_back(up - down);
       products.emplace_back();

@@ -1,5 +1,5 @@
-// Whether gradient and Hessian of every term of the potential are those of its value, next to the start
-// of a scene.
+// Checks the gradient and Hessian of every term of the potential against differences of its value,
+// near the start of a scene.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ namespace tack {
 
 struct DerivativeCheck {
   std::string term;  // the worst of those of this name
-  // The value's differences against the gradient, relative to the root of the sum of the squares of its
-  // parts; the gradient's against the Hessian, relative to the sum of the absolute parts of a row.
+  // gradient: differences of the value, relative to the root of the sum of squares of its parts;
+  // hessian: differences of the gradient, relative to the sum of absolute values of a row.
   DifferenceStudy gradient, hessian;
 
   bool wrong() const { return gradient.wrong || hessian.wrong; }
-  // False where value and gradient are zero all around: nothing was checked.
+  // Returns false where value and gradient are zero all around: nothing was checked.
   bool in_play() const { return gradient.scale > 0 || hessian.scale > 0; }
 };
 
-// Along fixed pseudo-random directions from two states close to the start, within 3% and 0.1% of the local
-// lengths (local_lengths.hpp), as in a step of size h [s]: surfaces that touch slip.
+// Checks along fixed pseudo-random directions from two states near the start, within 3% and 0.1% of
+// the local lengths (local_lengths.hpp), as in a step of size h [s]: touching surfaces slip.
 std::vector<DerivativeCheck> check_derivatives(World& world, double h, PhaseClock& clock);
 
 }  // namespace tack

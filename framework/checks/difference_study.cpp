@@ -15,8 +15,9 @@ struct Limit {
   double value = 0, spread = 0;
 };
 
-// Of component i over the window in which its errors are least: a wrong derivative has none with small ones,
-// while beyond a kink of the second derivative, or below rounding, right ones have large ones too.
+// Returns the limit of component i over the window of its smallest errors: a wrong derivative has
+// no small errors, while beyond a kink of the second derivative, or below rounding, right ones have
+// large errors too.
 Limit limit_of(const std::vector<VecX>& extrapolated, Eigen::Index i) {
   Limit best;
   double least = std::numeric_limits<double>::infinity();

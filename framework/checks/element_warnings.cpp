@@ -17,7 +17,7 @@ constexpr double largest_poisson = 0.45;
 constexpr int least_edges = 32;  // of a full turn
 constexpr double corner = 75 * std::numbers::pi / 180;  // between edges: not a part of a curve
 
-// Of what a body's linear tets are made of, the largest; 0 without any.
+// Returns the largest Poisson's ratio of a body of linear tets; 0 for other bodies.
 double poisson_of(const ObjectConfig& object, const Body& body) {
   double largest = 0;
   if (body.tets.empty() || body.elements != Elements::linear || !body.frame.empty() || !body.movable) return largest;
@@ -30,7 +30,8 @@ bool twists(const ObjectConfig& object) {
   return std::any_of(object.energies.begin(), object.energies.end(), [](const auto& energy) { return energy->twists(); });
 }
 
-// By how much most edges of a rod turn against the next, if that is what a curve does; 0 if most go straight on [rad].
+// Returns the angle by which most edges of a rod turn against the next [rad], if the rod is a
+// curve; 0 if most go straight on.
 double turn_of(const Body& body, const VecX& rest) {
   std::unordered_map<int, std::array<int, 2>> ends;  // of the edges at a vertex: their other ends
   std::unordered_map<int, int> edges;

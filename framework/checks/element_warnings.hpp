@@ -1,7 +1,9 @@
-// What the elements of a scene cannot do, whatever becomes of it: sentences with the object, the figure and a remedy. Known before
-// the run. Nothing of it is an error.
-//  * Linear tets lock in volume: with Poisson's ratio near 1/2, the six tets of a cell would have to keep their volumes one by one.
-//  * A rod that is curved at rest is a polygon; a pinched ring of 16, 32, 64 edges is 1.10, 1.02, 1.005 times as stiff as a round one.
+// Warnings about limits of the elements of a scene, known before the run: sentences with the
+// object, the number and a remedy. None is an error.
+//  * Linear tets lock in volume: with Poisson's ratio near 1/2, each of the six tets of a cell
+//    would have to keep its volume.
+//  * A rod that is curved at rest is a polygon: a pinched ring of 16, 32, 64 edges is 1.10, 1.02,
+//    1.005 times as stiff as a round one.
 #pragma once
 
 #include <string>

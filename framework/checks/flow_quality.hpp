@@ -1,8 +1,8 @@
-// Whether the elements of solids that flow plastically still have a shape. Large flow flattens and stretches them for good, and what was a good mesh
-// at rest is none any more: flat elements are stiff where they should bend and slow where solvers have to take them, and steps are cut by those that
-// are about to invert. Of each tet that has flowed, the quality is its mean ratio now, over that which it had at rest:
-//     q, 1 for a regular tet and 0 for a flat one (geometry/tets/mean_ratio.hpp).
-// Elastic strains are small beside such flow, so that this is the shape that it would have without stress.
+// Quality of tets that flow plastically. Large flow flattens and stretches elements for good: flat
+// elements are too stiff in bending, slow down solvers, and truncate steps when they are about to
+// invert. The quality of a tet that has flowed is its mean ratio q now, over q at rest:
+//     q = 1 for a regular tet, 0 for a flat one (geometry/tets/mean_ratio.hpp).
+// Elastic strains are small against such flow, so that this is nearly the shape without stress.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,13 @@ namespace tack {
 
 class FlowQuality {
  public:
-  // Of all whose terms publish the plastic strain of tets.
+  // Examines all objects whose terms publish the plastic strain of tets.
   explicit FlowQuality(const World& world);
 
-  // At the configuration x at a time [s]; between steps.
+  // Examines the configuration x (3n) at a time [s]; called between steps.
   void look(const VecX& x, double time);
   std::optional<double> lowest() const { return lowest_; }  // that was seen
-  // A line for each object whose lowest quality is too low.
+  // Returns a line for each object whose lowest quality is too low.
   std::vector<std::string> poor() const;
 
  private:

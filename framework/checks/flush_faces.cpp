@@ -59,7 +59,7 @@ class FlushFaces {
     return &pairs.laws()[law];
   }
 
-  // Whether the surface of a body fills the upper or lower side of its box across the axis.
+  // Returns whether the surface of a body fills the upper or lower side of its box across the axis.
   bool fills(int body, int axis, bool upper) const {
     const Eigen::AlignedBox3d& box = boxes_[body];
     const double level = upper ? box.max()(axis) : box.min()(axis);

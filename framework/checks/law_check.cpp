@@ -108,7 +108,7 @@ void check_statements(const NormalAdhesion& law, LawCheck& check) {
   compare("a work of adhesion", "J/m^2", law.work_of_adhesion(), law.at(law.range() * (1 - 1e-9)).value - law.at(law.range() * 1e-9).value);
 }
 
-// Of a pair: whether the barrier leaves what the adhesion promises.
+// Checks whether the barrier of a pair leaves the peak of its adhesion.
 void check_peak(const NormalAdhesion& law, const PairLaw& pair, LawCheck& check) {
   double contact_distance = 0, felt = 0;
   for (const auto& part : pair.laws())

@@ -1,5 +1,5 @@
-// Whether the laws of a scene's contact are what contact takes them for: functions that end smoothly at their range, with the derivatives
-// and totals that they state, and a peak that surfaces can feel.
+// Check of contact laws against the assumptions of contact: functions that end smoothly at their
+// range, with the stated derivatives and totals, and a peak that surfaces can feel.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ struct World;
 
 struct LawCheck {
   std::vector<std::string> wrong;     // derivatives that are not those of the values
-  std::vector<std::string> notes;     // what laws say of themselves
-  std::vector<std::string> doubtful;  // what a simulation can go on with, but does not give what the law promises
+  std::vector<std::string> notes;     // remarks of the laws themselves
+  std::vector<std::string> doubtful;  // usable, but not as the law promises
 };
 
-// Of one law by itself, over its whole range. The lines begin with its name.
+// Checks one law over its whole range. The lines begin with its name.
 LawCheck check_law(const NormalLaw& law);
 
-// Of those of a pair, and whether the barrier lets surfaces feel the peak of the adhesion.
+// Checks the laws of a pair, and whether the barrier lets surfaces feel the peak of the adhesion.
 LawCheck check_pair(const PairLaw& pair);
 
-// Of all laws of adhesive pairs, of the first pair of each kind.
+// Checks all laws of adhesive pairs, by the first pair of each kind.
 LawCheck check_laws(const World& world);
 
 }  // namespace tack

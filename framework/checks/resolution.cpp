@@ -65,7 +65,7 @@ std::vector<SurfaceMeasure> measure(const ContactSurface& surface, size_t object
   return all;
 }
 
-// Of the mesh, whatever surface contact sees [m].
+// Returns the element size of the mesh, whatever surface contact sees [m].
 double element_size(const Body& body, const VecX& rest) {
   double area = 0;
   for (const Triangle& t : body.triangles) {
@@ -81,9 +81,10 @@ double young_of(const ObjectConfig& object) {
   return 0;
 }
 
-// Two objects that press on each other at the start are squeezed if this fraction of their forces is balanced by others of the pair, and the
-// forces are more than the weight of the lighter one. They are thrown apart if the barrier's energy lifts that one by so many contact distances:
-// what is put down to rest has less than one.
+// Two objects that press on each other at the start are squeezed if this fraction of their forces
+// is balanced by others of the pair, and the forces exceed the weight of the lighter one. They are
+// thrown apart if the energy of the barrier lifts the lighter one by that many contact distances;
+// an object put down to rest has less than one.
 constexpr double squeezed_fraction = 0.5, thrown_distances = 10;
 constexpr double standard_gravity = 9.81;  // m/s^2, of these weights
 
@@ -160,7 +161,8 @@ class Warnings {
     }
   }
 
-  // Of a sheet or a rod where it bends most easily, per width [N m]; 0 for what does not resist bending.
+  // Returns the bending stiffness of a sheet or a rod in its softest direction, per width [N m]; 0
+  // for objects that do not resist bending.
   double bending_stiffness(int i) const {
     double least = 0;
     for (const auto& energy : scene_.objects[i].energies)

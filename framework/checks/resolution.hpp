@@ -1,12 +1,13 @@
-// What the meshes of a scene are too coarse, or its ranges too long for: sentences with the objects, the sizes
-// and a remedy. Nothing of it is an error: the run goes on.
-//  * An adhesive interface lets go over a process zone of about E W / sigma^2 (W: work of adhesion, sigma: peak
-//    traction, E: the softer Young's modulus; Hillerborg et al. 1976). Elements that are larger let go at once,
-//    too late.
-//  * Across one element of a curved surface, whose faces turn by an angle theta from one to the next, the gap
-//    changes by about h theta / 2 (h: edge). It should be small against the range.
-//  * A contact distance above the elements, or a range above the thickness of a body, reaches its other parts.
-//  * A body alone should have no contact forces at the start.
+// Warnings about meshes that are too coarse, or ranges that are too long: sentences with the
+// objects, the sizes and a remedy. None is an error: the run goes on.
+//  * An adhesive interface fails over a process zone of about E W / sigma^2 (W: work of adhesion,
+//    sigma: peak traction, E: the softer Young's modulus; Hillerborg et al. 1976). Larger elements
+//    fail all at once, too late.
+//  * Across one element of a curved surface, whose faces turn by an angle theta from one to the
+//    next, the gap changes by about h theta / 2 (h: edge). This should be small against the range.
+//  * A contact distance above the element size, or a range above the thickness of a body, reaches
+//    other parts of the body.
+//  * A single body should have no contact forces at the start.
 //  * Two bodies that start within the contact distance press at once. A warning is printed if that
 //    squeezes one of them from opposite sides, as in a fit narrower than the distance, or throws it
 //    off.

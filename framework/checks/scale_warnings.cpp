@@ -17,7 +17,8 @@ namespace {
 // Contact distance over the middle side of a body's box, below which a warning is printed: the study
 // in the header.
 constexpr double least_distance_part = 3e-5;
-// Millimetres that were read as metres: a thousandth of what is smaller would be less than a millimetre [m]. Contact distances of nanometres belong to such bodies.
+// Smallest middle side that is doubted [m]: a thousandth of a smaller body would be less than a
+// millimetre, a size to which contact distances of nanometres belong.
 constexpr double smallest_doubted = 1;
 
 double mass_of(const World& world, int body) {
