@@ -9,7 +9,7 @@
 
 namespace tack {
 
-// What a law may know about the pair of objects that it is used for.
+// Properties of a pair of objects that a law may depend on.
 struct PairMaterials {
   double contact_distance = 0;  // dhat_b of the paper [m]
   double softer_young = 0;      // the smaller Young's modulus of the two sides [Pa]; 0 if neither has one
@@ -17,7 +17,7 @@ struct PairMaterials {
   double softer_stiffness = 0;  // as softer_young, an affine body having a hundredth of its stiffness [Pa]; 0: as that
 };
 
-// What a law of adhesion is, for lists of them.
+// Traits of an adhesion law, for lists of laws.
 struct AdhesionTraits {
   bool reversible = true;   // what has come apart and comes back adheres as before
   bool remembers = false;   // its traction depends on what was
@@ -36,7 +36,8 @@ class AdhesionLaw : public Component {
   virtual double peak_traction() const = 0;     // the largest along the normal [Pa]
   virtual double work_of_adhesion() const = 0;  // to part what adheres along the normal [J/m^2]
   virtual AdhesionTraits traits() const { return {}; }
-  // What there is to say of the law as it was prepared, a line; "": nothing. And what makes it worth less than it seems.
+  // note: a remark on the prepared law, one line, or "". doubts: reasons why the law is worth less
+  // than it seems.
   virtual std::string note() const { return ""; }
   virtual std::vector<std::string> doubts() const { return {}; }
   std::string traits_text() const override {

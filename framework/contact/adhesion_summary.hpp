@@ -1,4 +1,4 @@
-// What the laws between two objects add up to, barrier and adhesion together.
+// Summary of the laws between two objects, barrier and adhesion together.
 #pragma once
 
 #include <array>

@@ -233,7 +233,7 @@ std::vector<TriangleWeight>& CodimensionalViewer::look(int vertex_index, std::sp
   nearest_.assign(n, never);
   int used = 0;
   for (const int j : leaders_) {
-    // Those that follow are too far away to lead what is led already.
+    // All further leaders are too far away for triangles that have one already.
     if (seen_[j].away > (1 + as_near) * *std::max_element(nearest_.begin(), nearest_.end())) break;
     ways_.resize(std::max<size_t>(ways_.size(), static_cast<size_t>(n) * (used + 1)));
     double* way = &ways_[static_cast<size_t>(n) * used++];

@@ -46,7 +46,7 @@ struct ContactPoint {
   PointKind kind() const { return own == 1 ? PointKind::vertex : own == 3 ? PointKind::sample : PointKind::edges; }
   std::array<int, 2> objects() const { return {std::min(object, opposite), std::max(object, opposite)}; }
   bool between(int a, int b) const { return (object == a && opposite == b) || (object == b && opposite == a); }
-  // How far the point has moved from start to x, seen from what it faces [m].
+  // Returns the displacement of the point from start to x, relative to the opposite point [m].
   Vec3 moved(const VecX& x, const VecX& start) const {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < K; ++i) sum += coefficients[i] * (vertex(x, vertices[i]) - vertex(start, vertices[i]));
@@ -65,7 +65,8 @@ struct ContactPointsRequest {
 };
 ContactPoints contact_points(const ContactPointsRequest& request);
 
-// Which laws of a table stand for an area, of all pairs or between two objects: those of guards do not. Per law.
+// Returns, per law of a table, whether it acts over an area, in any pair or between two objects;
+// laws of safety barriers do not.
 std::vector<char> laws_of_area(const PairTable& pairs);
 std::vector<char> laws_of_area(const PairTable& pairs, int a, int b);
 

@@ -23,7 +23,8 @@ struct Feature {
 
   int arity() const { return own + 1 + (vertices[1] >= 0) + (vertices[2] >= 0); }
 };
-// Where it counts, by which features are sorted: (own, point, object, law), then the number of the feature. Vertices before samples.
+// Sort key of features: (own, point, object, law), then the number of the feature. Vertices come
+// before samples.
 using Place = std::array<int, 5>;
 
 // c: the point, then the corners of the feature, which are the vertices of the stencil from `first` on.

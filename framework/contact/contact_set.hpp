@@ -26,7 +26,7 @@ struct ContactStencil {
 template <int K>
 using ContactStencils = std::vector<ContactStencil<K>>;  // sorted by law
 
-// Of a point inside a triangle: the vertices of that triangle lead.
+// Stencil of a point inside a triangle: the vertices of that triangle come first.
 template <int K>
 struct SampleStencil {
   std::array<int, K> vertices;  // global; the first three those of the point's triangle
@@ -55,7 +55,7 @@ struct ContactSet {
   }
 };
 
-// What contact knows of the surfaces for the whole run.
+// Constant properties of the contact surfaces, valid for the whole run.
 struct ContactSurface {
   CollisionMesh mesh;
   std::vector<double> edge_area;        // per edge of the mesh [m^2]

@@ -22,7 +22,7 @@ const std::string sides_name = "contact/integrating_sides";
 // In older states: two objects each; per pair of objects, whether the first integrates.
 const std::string turned_sides_name = "contact/turned_sides", former_sides_name = "contact/sides";
 
-// Of the edges that may move [m]; 0 without any.
+// Returns the mean length of the edges that may move [m]; 0 without any.
 double mean_edge_of(const ContactSurface& surface) {
   double length = 0;
   int movable = 0;
@@ -82,7 +82,8 @@ void ContactSystem::remember(const History& history) {
   std::sort(turned_before_->begin(), turned_before_->end());
 }
 
-// Of shares, those towards triangles that are near now: others are not known to whoever goes on from here.
+// Stores only weights towards triangles within range at x: a run that continues from here does not
+// know others.
 void ContactSystem::commit(const VecX& x, History& history) const {
   LaggedWeights shares;
   for (const LaggedWeight& s : narrow_phase_->held_shares()) {

@@ -42,8 +42,7 @@ class ContactSystem : public StepParticipant {
   void commit(const VecX& x, History& history) const override;
   // Starts a time step at x: areas, orientations and integration sides are taken there and held.
   void begin_step(const StepStart& start) override;
-  // Of the present step: what of each surface lies opposite another, and the surfaces as they were
-  // at its start.
+  // Overlaps of the surfaces in the present step, and the surfaces at its start.
   const SurfaceOverlap& overlap() const;
   const LaggedSurface& held() const;
   // These pairs (ascending) keep the sides that integrate, from the next step on.

@@ -1,5 +1,5 @@
-// What each stencil of contact stores and each contact point dissipates (Term::share_energy): asked
-// for once in a step, of scenes with several groups of bodies.
+// Energy stored by each contact stencil and dissipated at each contact point (Term::share_energy):
+// needed once per step, in scenes with several groups of bodies.
 #include <cmath>
 
 #include "framework/contact/friction_term.hpp"

@@ -1,10 +1,12 @@
-// What a point of a surface sees of another surface, or of its own: the triangles that face it, and that it
-// faces, as pieces of about one direction. A point in a corner sees two or three; one of a thin body does not
-// see its own far side, nor through it.
+// View of a point on a surface: the triangles of another surface, or of its own, that face the
+// point and that the point faces, grouped into patches of similar normals. A point in a corner sees
+// two or three patches; a point of a thin body sees neither its own far side nor anything through
+// it.
 //
-// A triangle faces a point that is in front of it, by its outward normal (a sheet turns the side to it on which
-// the point is). On the point's own object it has to be well in front: neighbours on a slightly hollow surface
-// are no other side. All is judged by the surfaces as the step found them (lagged_surface.hpp).
+// A triangle faces a point that is in front of it, by its outward normal (a sheet turns the side to
+// it on which the point is). On the point's own object the point has to be well in front:
+// neighbours on a slightly hollow surface are not opposite. The surfaces are those at the start of
+// the step (lagged_surface.hpp).
 #pragma once
 
 #include <array>
@@ -31,7 +33,8 @@ struct FacingView {
   int count = 0;
   std::array<SeenPiece, most> pieces;
 
-  // Of a triangle with this normal towards the point: the first piece that it belongs to; -1: none.
+  // Returns the first patch that a triangle with this normal towards the point belongs to; -1:
+  // none.
   int piece_of(const Vec3& normal) const;
 };
 
@@ -48,7 +51,7 @@ class FacingViewer {
  public:
   FacingViewer(const CollisionMesh& mesh, const LaggedSurface& held) : mesh_(mesh), held_(held) {}
 
-  // What is looked at from now on is a part that ends at its seams; null: all of a surface.
+  // Restricts the view to a region, which ends at its interfaces; null: the whole surface.
   void look_at(const SurfaceRegion* part) { part_ = part; }
 
   Viewpoint vertex_view(int vertex_index) const;

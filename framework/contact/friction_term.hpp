@@ -35,13 +35,13 @@ class FrictionTerm : public Term, public ResidualView {
   // no points, as nothing slides in it.
   bool lags() const override { return true; }
   void lag(const VecX& x) override { take(h_ > 0 ? lagged_at(x) : ContactPoints()); }
-  // What lag(x) would hold.
+  // Returns the contact points that lag(x) would take.
   ContactPoints lagged_at(const VecX& x) const;
   // Holds `now` between these objects, and nothing else anew.
   using Objects = std::array<int, 2>;  // two, ascending
   void hold(const ContactPoints& now, const std::set<Objects>& between);
-  // What holding `now` would change: the largest difference of a vertex's force at x, over the largest
-  // force.
+  // Returns the residual of the lagged forces: the largest change of a vertex's force at x if `now`
+  // were taken, over the largest force.
   double residual(const VecX& x, const ContactPoints& now) const;
   double residual(const VecX& x) const { return residual(x, lagged_at(x)); }
   // The sums of the normal forces of each two objects that rub [N].
@@ -94,7 +94,7 @@ class FrictionTerm : public Term, public ResidualView {
   double h_ = 0;              // s
   ContactSpins spins_;
   ContactPoints points_;   // all of them
-  // Where something may turn: those at which nothing does, and the others.
+  // If something may turn: contact points at which nothing turns, and the others.
   ContactPoints sliding_;
   std::vector<RollingGroup> rolling_;
   mutable std::array<std::vector<int>, contact_arity_count> batch_vertices_;

@@ -1,9 +1,11 @@
-// Which side of each pair of objects carries the pressure in a step. Where the scene leaves it open, it is the
-// one whose points capture more area: those that lie opposite the other surface. A cube on a wide ground is
-// integrated on the cube: all of its points see the ground, whereas of the ground's some lie beyond the
-// cube's rim. Where both capture about as much, it is the one with the finer surface there. The side of the step
-// before is kept while it captures nearly as much: with the side, the contact energy changes by a little that
-// nobody did.
+// Integration side of each pair of objects in a step: the side that carries the pressure. Where the
+// scene leaves it open, it is
+//  1. the side with the larger overlap area: a cube on a wide ground is integrated on the cube, as
+//     all of its points are opposite the ground, whereas some of the ground's lie past the cube's
+//     boundary;
+//  2. if the areas are about equal, the side with the finer surface there.
+// The side of the last step is kept while its overlap is nearly as large: a change of side changes
+// the contact energy a little, without any work.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +18,8 @@
 
 namespace tack {
 
-// How far beyond the rim of the other surface a point may lie to count as opposite to it, relative to the root of
-// the area that it stands for.
+// Largest distance past the boundary of the other surface at which a point still counts as
+// opposite, relative to the root of the area that it stands for.
 inline constexpr double rim_slack = 0.02;
 
 class IntegrationSides {
@@ -31,7 +33,7 @@ class IntegrationSides {
     double area = 0;  // m^2
     int triangles = 0;
   };
-  // What the points of a capture of b.
+  // Overlap of the points of a with object b.
   Capture& capture(int a, int b) {
     auto& both = captures_[std::minmax(a, b)];
     return a < b ? both.first : both.second;
@@ -39,13 +41,13 @@ class IntegrationSides {
   void clear() { captures_.clear(); }
   // From the captures, and the sides of the step before, for the pairs that are left open.
   void choose();
-  // Of the pairs that are left open, those whose coarser side integrates (PairTable::finer). To go on from, empty: from
-  // none.
+  // Pairs left open by the scene whose coarser side integrates (PairTable::finer). Without a step
+  // before to continue from, there are none.
   const Pairs& turned() const { return turned_; }
   void set_before(std::optional<Pairs> before) { before_ = std::move(before); }
   // These keep their sides, whatever they capture: what their areas have become lasts longer than a step (framework/bond).
   void hold(Pairs pairs) { held_ = std::move(pairs); }
-  // Whether the points of a do, against b.
+  // Returns whether the points of a integrate against b.
   bool integrates(int a, int b) const {
     if (!pairs_.point(a, b).automatic) return pairs_.presses(a, b);
     return pairs_.finer(a, b) != holds(turned_, std::minmax(a, b));

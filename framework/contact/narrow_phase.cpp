@@ -15,14 +15,14 @@
 namespace tack {
 namespace {
 
-// Whether any is marked; nothing is marked: all are.
+// Returns whether any vertex is marked; an empty list marks all.
 bool any_of(const std::vector<char>& marked, std::span<const int> vertices) {
   return marked.empty() || std::any_of(vertices.begin(), vertices.end(), [&](int v) { return marked[v] != 0; });
 }
 
 using Found = ContactSet;  // of one chunk, without thresholds; chunks are joined in order
 
-// What looks for the stencils of points and of samples.
+// Base of the searches for stencils of points and of samples.
 class StencilSearch {
  protected:
   StencilSearch(const CollisionMesh& mesh, const PairTable& pairs, const FreeVertices& free, const VecX& x,
@@ -129,7 +129,7 @@ const PairRole& edge_role(const CollisionMesh& mesh, const PairTable& pairs, con
   return pairs.edge(object, other, pairs.part(object, other, a, b));
 }
 
-// Of two edges. One without width has none, and counts for nothing here.
+// Returns the area of a pair of edges. An edge without width has no area, and does not count here.
 double shared_area(double a, double b, double most_uneven) {
   const auto [least, most] = std::minmax(a, b);
   return least > 0 ? least + std::min(most, most_uneven * least) : most;
@@ -156,7 +156,7 @@ void search_edges(const ContactSurface& surface, const PairTable& pairs, const C
   }
 }
 
-// Where rods cross, with the area that they have in common.
+// Finds the stencils of crossing rods, weighted with the area of their overlap.
 void search_crossings(const ContactSurface& surface, const PairTable& pairs, const std::vector<RodOverlaps::Crossing>& crossings,
                       const std::vector<char>& free, const VecX& x, Found& found) {
   const CollisionMesh& mesh = surface.mesh;

@@ -42,7 +42,7 @@ class NarrowPhase {
   // IntegrationSides::turned, and those of the step before the next.
   const IntegrationSides::Pairs& turned_sides() const { return sides_.turned(); }
   void set_turned_before(std::optional<IntegrationSides::Pairs> turned) { sides_.set_before(std::move(turned)); }
-  // Of rods and particles: what they have of their areas in this step, and what they had in the step before the next.
+  // Lagged weights of rods and particles in this step, and in the step before the next one.
   const LaggedWeights& held_shares() const { return pieces_.held; }
   const LaggedWeights& shares_before() const { return shares_before_; }
   void set_shares_before(LaggedWeights shares) { shares_before_ = std::move(shares); }

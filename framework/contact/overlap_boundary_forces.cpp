@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// Of the barycentric coordinates of a triangle, in its plane [1/m].
+// Returns the gradients of the barycentric coordinates of a triangle, in its plane [1/m].
 std::array<Vec3, 3> slopes(const std::array<Vec3, 3>& t) {
   const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
   const Vec3 over = normal / normal.squaredNorm();

@@ -39,8 +39,8 @@ struct PairRole {
   int law = -1;          // index into the laws; -1: no interaction
   double share = 0;      // factor on the tributary area of the point (or edge pair)
   double range = 0;      // of the law [m]
-  // Whether the point carries contact pressure: then its weight is the projected area of what faces
-  // the other surface.
+  // The point carries contact pressure: its weight is its projected tributary area towards the
+  // other surface.
   bool facing = false;
   int safety_barrier = -1;          // law of safety-barrier pairs; -1: none
   double safety_barrier_range = 0;  // m

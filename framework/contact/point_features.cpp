@@ -132,7 +132,8 @@ const std::vector<PointFeature>& PointFeatures::reduce(const VecX& x, const Vec3
   return features_;
 }
 
-// Of the triangles that meet somewhere, each tied to one that is in the tree already.
+// Returns the weight of the heaviest tree over triangles that meet in an edge or a vertex. Each
+// step ties one more triangle to the tree.
 double PointFeatures::heaviest_tree(std::span<const CornerUse> uses, std::span<const TriangleWeight> shares) {
   const auto tie = [&](const CornerUse& a, const CornerUse& b) {
     const TriangleWeight &s = shares[a.triangle], &t = shares[b.triangle];

@@ -20,7 +20,7 @@ constexpr double little = 0.1;  // of the area of a rod or particle: what has le
 // Makes the pieces of one chunk of groups.
 class PieceMaker {
  public:
-  // Of groups in ascending order.
+  // Makes the pieces of groups in ascending order.
   PieceMaker(const PieceRequest& r, const EarlierPieces* earlier)
       : r_(r), mesh_(r.surface.mesh), earlier_(earlier), viewer_(mesh_, r.held), thin_viewer_(mesh_, r.held), views_(r.views),
         later_views_(r.later_views), earlier_groups_(earlier ? earlier->groups.groups : r.groups.groups) {}
@@ -102,7 +102,7 @@ class PieceMaker {
   double whole(int point) const {
     return r_.held.whole(point) + (topology().thin(point) ? r_.held.thin(point) : 0);
   }
-  // Of a side that presses, or of one that only guards.
+  // Returns the safety barrier of a side that carries pressure, or the law of one that does not.
   static Guard guard_of(const PairRole& role) {
     if (role.facing) return {role.safety_barrier, role.safety_barrier_range};
     return {role.law, role.range};
@@ -110,7 +110,7 @@ class PieceMaker {
   int triangle(int i) const { return r_.candidates.point_triangle[i][1]; }
   int rod(int i) const { return r_.candidates.point_edge[i][1]; }
   int particle(int i) const { return r_.groups.particles[i][1]; }
-  // Whether the pair may come within a range [m] while the candidates hold.
+  // Returns whether the pair may come within a range [m] while the candidates are valid.
   bool reaches(int i, double range) const { return r_.candidates.distance_bounds.point_triangle[i] < range; }
 
   // Within one object the law is the one that presses from rest on.
@@ -173,7 +173,7 @@ class PieceMaker {
     return within_object(group) && rest_neighbours(r_.surface, std::array{group.point}, vertices, range);
   }
 
-  // Of the rods and particles of the group, those that are within reach.
+  // Lists the rods and particles of the group that are within range.
   void list_rods(const PointGroup& group, double range) {
     for (int i = group.edge_begin; i < group.edge_end; ++i)
       if (r_.candidates.distance_bounds.point_edge[i] < range && !neighbours(group, mesh_.edges[rod(i)], range))
@@ -181,7 +181,8 @@ class PieceMaker {
     for (int i = group.other_begin; i < group.other_end; ++i) out_.others.push_back(particle(i));
   }
 
-  // What a vertex of a surface has no part in: the rod or particle integrates.
+  // Adds the pieces of rods and particles. They integrate, so that vertices of surfaces carry none
+  // of that pressure.
   void add_rods_and_particles(const PointGroup& group, const PairRole& role) {
     const PairRole& thin = r_.pairs.thin(mesh_.vertex_object[group.point], group.object, part_);
     const double presses = topology().thin(group.point) ? thin_area(group) : 0;
@@ -206,15 +207,16 @@ class PieceMaker {
     return M_PI / 2 * smaller * smaller;
   }
 
-  // Of a point whose cells have area a, opposite cells of area b: b^4 / (a^4 + b^4). Uniform meshes count the overlap
-  // once together, the finer one nearly all of it; a coarse point, which may stand for more than the overlap, little.
+  // Returns the weight of a point whose cells have area a, opposite cells of area b: b^4 / (a^4 +
+  // b^4). Uniform meshes count the overlap once together, a finer mesh nearly all of it. A coarse
+  // point, which may stand for more than the overlap, counts little.
   double share(const PairRole& role, int point, const SeenPiece& piece) const {
     if (!role.by_size) return role.share;
     const double own = r_.held.cell(point, piece.normal), opposite = piece.cell;
     return opposite > 0 ? 1 / (1 + std::pow(own / opposite, 4)) : 0;
   }
 
-  // What the point covers nothing of, or lies beyond the rim of, is only guarded against.
+  // Returns the pressure area; 0 past the overlap boundary, where the safety barrier alone acts.
   static double pressure_area(const SeenPiece& piece, const PairRole& role, double part) {
     return role.by_size && piece.beyond > rim_slack * std::sqrt(piece.area) ? 0 : part * piece.area;
   }
@@ -247,7 +249,8 @@ class PieceMaker {
     for (int k = 0; k < view.count; ++k) {
       const PairRole& here = role_towards(group, view.pieces[k]);
       add_piece(group, {here.law, here.range, areas[k]}, k);
-      // What presses little must not come through, either.
+      // The safety barrier acts with the remaining weight, so that points of little pressure do not
+      // penetrate.
       const double rest = role.by_size ? (1 - parts[k]) * r_.held.whole(group.point) : 0;
       if (guard.law >= 0 && rest > 0) add_piece(group, {guard.law, guard.range, rest}, k);
     }
@@ -260,7 +263,8 @@ class PieceMaker {
     end();
   }
 
-  // What a vertex has of rods and particles. Where it has little of its area towards something, it guards.
+  // Adds the pieces of a vertex of a rod, or of a particle. The safety barrier acts towards
+  // triangles for which its weight is small.
   void add_thin(const PointGroup& group, const PairRole& role) {
     const PairRole& pressure = r_.pairs.thin(mesh_.vertex_object[group.point], group.object, part_);
     const double area = r_.held.thin(group.point);
@@ -280,9 +284,11 @@ class PieceMaker {
       return 1 - part * part * (3 - 2 * part);
     });
   }
-  // Where a point is near in several places, these share what it has in about one direction: around a rod, of shadow w, there is
-  // room for pi w, around a particle for four of its cross-sections. Each place f has N_f = sum_g m_g max(0, u_f . u_g) beside it, of
-  // unit vectors u to the point and multiplicities m that fade in the outer half of the range; the mean of N_f divides.
+  // Normalises the weights where a point is close to a surface at several positions of similar
+  // direction. A rod of projected width w has room for pi w around it, a particle for four of its
+  // cross-sections. Position f has N_f = sum_g m_g max(0, u_f . u_g), with unit vectors u to the
+  // point and multiplicities m that fade in the outer half of the range; weights are divided by the
+  // mean N_f.
   void share_out(int point, double range, std::vector<TriangleWeight>& shares) {
     const VecX& x = r_.held.x();
     const Vec3 p = vertex(x, point);

@@ -57,7 +57,8 @@ struct PieceRequest {
   const std::vector<GroupView>& later_views;  // likewise, of those that came later; all that integrate are in one of them
   const LaggedWeights& shares_before;           // of the step before
 };
-// What was made in this step from other candidates, and what has changed in them: the pieces of all other groups are the same.
+// Pieces made in this step from earlier candidates, and the changes since: all other groups keep
+// their pieces.
 struct EarlierPieces {
   const PointGroups& groups;
   const PointPieces& pieces;

@@ -6,7 +6,7 @@
 namespace tack {
 namespace {
 
-// Where the parts of each chunk begin.
+// Offsets of a chunk's lists in the joined lists.
 struct PlaceOfPieces {
   size_t piece = 0, group = 0, triangle = 0, share = 0, edge = 0, other = 0, held = 0;
 

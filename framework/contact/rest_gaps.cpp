@@ -17,7 +17,8 @@ constexpr double level_ratio = 0.98;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How close to itself an object is of interest: of barriers, and of rods, whose pairs adhere only where they press [m].
+// Returns the search radius of an object for itself [m]: that of its barriers, and of rods, whose
+// pairs adhere only where they press.
 double own_reach(const ContactSurface& surface, const PairTable& pairs, int object) {
   double reach = 0;
   const auto add = [&](int law) {

@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// Whether two primitives (global vertices) of one object are closer than range [m] at rest.
+// Returns whether two primitives (global vertices) of one object are closer than range [m] at rest.
 template <size_t A, size_t B>
 bool close_at_rest(const ContactSurface& surface, const std::array<int, A>& a,
                    const std::array<int, B>& b, double range) {

@@ -32,7 +32,7 @@ struct Polygon {
   void add(const Vec2& c) { corners[count++] = c; }
 };
 
-// What lies on the side of a line where along.dot(p) <= limit.
+// Returns the part of a polygon on the side of a line where along.dot(p) <= limit.
 Polygon cut(const Polygon& polygon, const Vec2& along, double limit) {
   Polygon kept;
   for (int i = 0; i < polygon.count; ++i) {
@@ -88,7 +88,7 @@ double area_of(const Polygon& p, Vec2& centre) {
   return std::abs(twice) / 2;
 }
 
-// Of two edges.
+// Nearest points of two edges.
 struct Nearest {
   Vec3 first, second;
   double distance;
@@ -133,8 +133,8 @@ RodOverlaps::RodOverlaps(const ContactSurface& surface, const PairTable& pairs) 
   longest_overlap_ = 2 * *std::max_element(surface.rod_width.begin(), surface.rod_width.end()) / parallel;
 }
 
-// Whether no edge beside this one comes nearer to a point of the other rod than this one does; at a vertex, the first of its edges
-// counts for all.
+// Returns whether this edge is the nearest one of its rod to a point of the other rod; at a vertex,
+// the first of its edges counts for all.
 bool RodOverlaps::closest_of_rod(int edge, const Vec3& opposite, double distance, const LaggedSurface& held) const {
   for (const int end : surface_.mesh.edges[edge]) {
     if ((vertex(held.x(), end) - opposite).norm() > (1 + same_point) * distance) continue;

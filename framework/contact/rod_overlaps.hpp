@@ -1,10 +1,12 @@
-// Where two rods lie over each other, at the start of a step: the area that the shadows of two of their edges have in
-// common, seen along the shortest way between the two. Each shadow is a rectangle, as long as the edge and as wide as the
-// rod, so that the parts of crossing rods add up to the parallelogram w_1 w_2 / sin(theta), and those of parallel rods to
-// the length over which they lie side by side times the smaller width, whatever the meshes.
-// Rods that cross carry this area, all of it, by the pair of edges that holds the closest points, which move along with
-// them: elsewhere in the parallelogram the axes are farther apart than the rods, which are as wide as they are. Those that are nearly
-// parallel have no single closest points: the vertices of both carry half of it each. In between, both carry a part.
+// Overlap area of two rods at the start of a step: the common area of the projections of two of
+// their edges along their shortest connection. Each projection is a rectangle, as long as the edge
+// and as wide as the rod. Sums over edges do not depend on the meshes:
+//   crossing rods   the parallelogram w_1 w_2 / sin(theta)
+//   parallel rods   the length over which they lie side by side times the smaller width
+// Crossing rods carry all of this area by the pair of edges with the closest points, which move
+// along with them: elsewhere in the parallelogram the axes are farther apart than the rods, which
+// are as wide as they are. Nearly parallel rods have no unique closest points: the vertices of both
+// carry half of the area each. In between, both carry a part.
 #pragma once
 
 #include <array>
@@ -31,11 +33,11 @@ class RodOverlaps {
 
   RodOverlaps(const ContactSurface& surface, const PairTable& pairs);
 
-  // Of the pairs of edges (into candidates) of rods, by the surfaces as they are held.
+  // Finds the overlaps of candidate pairs of rod edges on the lagged surfaces.
   void find(const Candidates& candidates, const LaggedSurface& held);
 
   const std::vector<Crossing>& crossings() const { return crossings_; }
-  // What a vertex of a rod carries towards the rods of another object [m^2].
+  // Returns the overlap area of a rod vertex with the rods of another object [m^2].
   double area(int vertex, int object) const;
 
  private:

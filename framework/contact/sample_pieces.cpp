@@ -11,7 +11,7 @@ namespace {
 
 constexpr int chunk = 64;
 
-// Of samples next to each other; those inside one triangle ask once what is near that.
+// Finder for consecutive samples; samples inside one triangle share a search.
 class PieceFinder {
  public:
   PieceFinder(const CollisionMesh& mesh, const LaggedSurface& held, const BroadPhase& broad_phase)
@@ -49,7 +49,7 @@ class PieceFinder {
   std::vector<int> near_;
 };
 
-// Of the samples of these numbers: one list a chunk, and how many triangles each has.
+// Pieces of some samples: one list of triangles per chunk, and the number of triangles per sample.
 struct FoundPieces {
   std::vector<std::vector<int>> triangles;
   std::vector<int> count;

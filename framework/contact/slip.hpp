@@ -36,8 +36,8 @@ struct Slip {
   // T H T^T with H = E'' along u and E'/y across, projected.
   Mat3 curvature(const SlipSample& s, Projection projection) const {
     const double across = projected(s.slope_over_y, projection);
-    // Where E'/y falls with y, y^2/2 times it lies above E: a step with the exact curvature, which is
-    // zero for whole friction, overshoots from sliding into sticking.
+    // If E'/y falls with y, the quadratic E'/y y^2/2 lies above E: a step with the exact curvature,
+    // which is zero for whole friction, overshoots from sliding into sticking.
     const double along = projection == Projection::majorize ? across : projected(s.curvature, projection);
     // Without slip both eigenvalues are equal, and any direction will do.
     const Vec3 direction = y > 0 ? Vec3(c.tangents * (u / y)) : Vec3(c.tangents.col(0));

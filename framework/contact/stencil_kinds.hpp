@@ -34,7 +34,7 @@ inline constexpr bool is_sample = false;
 template <class Point>
 inline constexpr bool is_sample<SampleKind<Point>> = true;
 
-// What a stencil is once the points inside triangles are taken for vertices.
+// Kind of a stencil with the points inside triangles replaced by vertices.
 template <class Kind>
 struct PointKindOf {
   using type = Kind;

@@ -12,9 +12,10 @@
 namespace tack {
 namespace {
 
-// How far beyond the rim a corner may lie, relative to the root of its triangle's area: rounding, when meshes agree. More where its own
-// surface ends, too, and the rim can uncover nothing else: plates of one size that contract a little differently would be
-// divided all along their rims.
+// Largest distance of a corner past the overlap boundary, relative to the root of its triangle's
+// area: rounding, when meshes agree. Larger where the corner's own surface ends too, and the
+// boundary cannot uncover anything else: plates of one size that contract slightly differently
+// would be subdivided all along their boundaries.
 constexpr double on_the_rim = 1e-6, on_both_rims = 1e-3;
 // Triangles larger than the reach give their area to their corners where the gap changes by no more than this part of the range from one to
 // another, and what these face is parallel to them.
@@ -31,7 +32,7 @@ int find_view(const std::vector<GroupView>& views, int point, int object) {
 
 }  // namespace
 
-// What a chunk of triangles adds: shares of area for the corners' views, and samples.
+// Results of a chunk of triangles: area shares for the views of the corners, and samples.
 struct SurfaceOverlap::Found {
   struct Share {
     Corner corner;
@@ -52,7 +53,7 @@ struct SurfaceOverlap::Found {
   }
 };
 
-// What lies opposite some triangles.
+// An object opposite some triangles, and where to collect the results of its chunks.
 struct SurfaceOverlap::Opposite {
   int object;
   Aabb reached;  // where it may be seen from
@@ -97,7 +98,8 @@ bool SurfaceOverlap::covered(const std::vector<GroupView>& views, int triangle, 
   });
 }
 
-// Whether the same holds between all of a triangle that is covered at its corners and what lies opposite, and for the corners, which get its area.
+// Returns whether one law holds between a whole overlapping triangle and the opposite surface, and
+// for its corners, which get its area.
 bool SurfaceOverlap::one_law(const std::vector<GroupView>& views, int triangle, int object, const std::array<Corner, 3>& at) const {
   const CollisionMesh& mesh = surface_.mesh;
   const Triangle& own = mesh.triangles[triangle];
@@ -139,7 +141,7 @@ void SurfaceOverlap::capture(const std::vector<GroupView>& views, IntegrationSid
   sides.choose();
 }
 
-// Of a triangle that is covered at its corners.
+// Adds the area of a triangle that overlaps at its corners.
 void SurfaceOverlap::take_covered(int triangle, double reach, bool bonds, const std::array<Corner, 3>& at,
                             const std::vector<GroupView>& views, Found& found) const {
   double area_of_all = 0;
@@ -155,7 +157,7 @@ void SurfaceOverlap::take_covered(int triangle, double reach, bool bonds, const 
   if (bonds && close_by) found.parts.whole.push_back({triangle, area_of_all});
 }
 
-// Of a triangle that is covered at its corners.
+// Returns whether the gap over a triangle that overlaps at its corners is uniform.
 bool SurfaceOverlap::even_gap(int triangle, const std::array<Corner, 3>& at, const std::vector<GroupView>& views, double range) const {
   double low = std::numeric_limits<double>::infinity(), high = 0;
   bool level = true;

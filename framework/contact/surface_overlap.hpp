@@ -61,7 +61,7 @@ class SurfaceOverlap {
   const std::vector<ContactSample>& samples() const { return samples_; }
   // Overlap facets of each pair of objects that has any.
   const std::vector<OverlapFacets>& parts() const { return parts_; }
-  // Whether any pair of objects wants overlap areas.
+  // Returns whether any pair of objects wants overlap areas.
   bool wanted() const { return wanted_; }
   // Returns the projected tributary area of a vertex from triangles whose overlap with an object is
   // not known: those farther than twice the range at the start of the step. Overlap of the other

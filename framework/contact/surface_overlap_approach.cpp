@@ -1,4 +1,5 @@
-// Of what waits (surface_overlap.hpp): who has come near, and what is then divided.
+// Deferred subdivision (surface_overlap.hpp): finds the triangles that have come near, and divides
+// them.
 #include <algorithm>
 #include <limits>
 
@@ -24,8 +25,8 @@ void SurfaceOverlap::add_waiting(int a, int b, std::span<const Waiting> some, co
   pair.end = static_cast<int>(waiting_.size());
 }
 
-// How vertices have moved since the step began. Points of two triangles have come nearer by no more than the largest difference of
-// how their corners have moved, and so of boxes around these.
+// Displacements since the start of the step. The points of two triangles have approached by no more
+// than the largest difference of the displacements of their corners, bounded by their AABBs.
 class SurfaceOverlap::Moves {
  public:
   Moves(const VecX& x, const VecX& start) : moved_(x - start) {}

@@ -1,6 +1,7 @@
-// What never changes of the surfaces: the triangles and rods at each vertex, and which edges and vertices of a
-// triangle are smooth, that is, where the surface goes on beyond them without a crease. An edge is smooth if
-// exactly two triangles meet there at less than 40 degrees at rest; a vertex is, if all its edges are.
+// Topology of the surfaces, constant through the run: the triangles and rods at each vertex, and
+// which edges and vertices of a triangle are smooth, so that the surface continues beyond them
+// without a crease. An edge is smooth if exactly two triangles meet there at less than 40 degrees
+// at rest; a vertex is smooth if all its edges are.
 #pragma once
 
 #include <array>
@@ -39,12 +40,12 @@ class SurfaceTopology {
   }
   // The radius of a particle; 0 for other vertices [m].
   double particle_radius(int vertex_index) const { return radius_.empty() ? 0 : radius_[vertex_index]; }
-  // Whether the vertex is of a rod, or a particle.
+  // Returns whether the vertex belongs to a rod, or is a particle.
   bool thin(int vertex_index) const { return !rods_at(vertex_index).empty() || particle_radius(vertex_index) > 0; }
   bool smooth_vertex(int vertex_index) const { return smooth_vertex_[vertex_index] != 0; }
   // Edge i of a triangle: from its corner i to the next.
   bool smooth_edge(int triangle, int i) const { return (smooth_edges_[triangle] >> i & 1) != 0; }
-  // Whether the triangle is of a sheet, which has two sides.
+  // Returns whether the triangle belongs to a sheet, which has two sides.
   bool two_sided(int triangle) const { return two_sided_[triangle] != 0; }
 
  private:

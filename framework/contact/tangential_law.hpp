@@ -10,7 +10,7 @@ namespace tack {
 
 enum class TangentialPart { all, friction, adhesion };
 
-// What two objects exert on each other along their surfaces.
+// Tangential laws between two objects.
 struct TangentialLaw {
   double mu = 0;             // coefficient of friction
   double eps_v = 1e-3;       // sliding speed from which friction is whole [m/s]

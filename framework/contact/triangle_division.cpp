@@ -20,7 +20,8 @@ const Corners whole = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
 
 Corners middles_of(const Corners& c) { return {(c[0] + c[1]) / 2, (c[1] + c[2]) / 2, (c[2] + c[0]) / 2}; }
 
-// Of corners, or of what is seen from there, and the middles of sides.
+// Returns the four children of a triangle from its corners c, or the views from them, and those of
+// the midpoints m of its sides.
 template <class T>
 std::array<std::array<T, 3>, 4> children_of(const std::array<T, 3>& c, const std::array<T, 3>& m) {
   return {{{c[0], m[0], m[2]}, {m[0], c[1], m[1]}, {m[2], m[1], c[2]}, {m[1], m[2], m[0]}}};
@@ -100,7 +101,7 @@ std::vector<int> TriangleDivision::those_near(const Corners& c, const std::vecto
   return kept;
 }
 
-// Whether nothing between the three corners can be covered.
+// Returns whether nothing between the three corners can overlap.
 bool TriangleDivision::hopeless(const Look& seen, double size) const {
   return std::all_of(seen.from.begin(), seen.from.end(), [&](const Seen& s) {
     return s.any ? s.beyond > 2 * size : 2 * size < reach_;

@@ -22,7 +22,8 @@ class TriangleDivision {
     double away;  // of all that is near it, out of range by so much [m]
   };
   static constexpr int all = -1;  // cells of a triangle
-  // How often a triangle of that area is divided into four until cells have about this size [m^2, m].
+  // Returns the number of subdivisions into four after which cells of a triangle of that area [m^2]
+  // have about this size [m].
   static int depth_of(double area, double size);
   struct What {
     int triangle, object;

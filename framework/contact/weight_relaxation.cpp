@@ -20,7 +20,7 @@ constexpr int width = 10;
 
 LaggedWeight::Values values_of(const TriangleWeight& s) { return {s.share, s.normal.x(), s.normal.y(), s.normal.z()}; }
 
-// Of triangles of one object, which follow each other.
+// Returns the first triangle of an object; its triangles are consecutive.
 int first_triangle(const CollisionMesh& mesh, int object) {
   const auto of_earlier = [&](const Triangle& t) { return mesh.vertex_object[t[0]] < object; };
   return static_cast<int>(std::partition_point(mesh.triangles.begin(), mesh.triangles.end(), of_earlier) - mesh.triangles.begin());
