@@ -1,6 +1,6 @@
-// What frames can hold of what terms publish (FieldRecord). Registered beside the term, so that scenes can name it in output.fields
-// before there is a world:
-//   TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "Of bonds: 1 where all are whole.", "");
+// Fields that terms publish (FieldRecord) and that frames can hold. They are registered beside
+// their terms, so that scenes can name them in output.fields before there is a world:
+//   TACK_REGISTER(PublishedField, BondIntensity, "bond_intensity", "Mean intensity.", "");
 #pragma once
 
 #include "framework/config/registry.hpp"
@@ -14,7 +14,7 @@ class PublishedField : public Component {
 
   virtual const char* unit() const { return ""; }
   virtual bool of_elements() const { return false; }  // else of vertices
-  virtual int components() const { return 1; }        // of elements: 1, 3, or 6 of a symmetric tensor (xx, yy, zz, xy, yz, xz)
+  virtual int components() const { return 1; }        // of elements: 1, 3 or 6 (xx, yy, zz, xy, ...)
 };
 
 }  // namespace tack

@@ -33,7 +33,7 @@ void LevelSet::evaluate(std::span<const Vec3> points, std::span<double> values) 
   own.reserve(points.size());
   for (const Vec3& p : points) own.push_back(back * p);
   own_values(own, values);
-  // Where factors differ, that of the axis along which distances shrink most is safe.
+  // With different factors, the smallest one gives a lower bound of the distance.
   const double factor = place_.scale.cwiseAbs().minCoeff();
   if (factor != 1)
     for (double& value : values) value *= factor;

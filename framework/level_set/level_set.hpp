@@ -1,5 +1,6 @@
-// Bodies by what is inside: a function that is negative there, of the size of the distance to the surface or less. Parts of a
-// scene's `level_set` shape; what combines or deforms others holds them. Lengths in metres.
+// Level set: a body as a function that is negative inside. Its absolute value is a lower bound of
+// the distance to the surface. Level sets make up a scene's `level_set` shape; those that combine
+// or deform others own them. Lengths in metres.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,13 +18,15 @@ class LevelSet : public Component {
 
   void fields(Fields& f) override;  // `place`, last; derived classes begin with theirs
 
-  // Puts in order what needs grids, with voxels of that size [m]; before the functions below. Throws InputError.
+  // Prepares level sets that need grids, with voxels of that size [m]; call before the functions
+  // below. Throws InputError.
   virtual void prepare(double voxel);
 
-  // What lies outside of it is outside of the body; infinite where the body is. Empty: nothing is inside.
+  // Returns a box that contains the body; infinite if the body is. Empty: nothing is inside.
   Eigen::AlignedBox3d bounds() const;
 
-  // At each point: negative inside, nowhere steeper than 1. Throws Interrupted if that is asked for.
+  // Evaluates at each point: negative inside, nowhere steeper than 1. Throws Interrupted on
+  // request.
   void evaluate(std::span<const Vec3> points, std::span<double> values) const;
 
  protected:
@@ -35,7 +38,7 @@ class LevelSet : public Component {
   PlaceConfig place_;
 };
 
-// What has another in it.
+// Level set that modifies another one, which it owns.
 class DerivedLevelSet : public LevelSet {
  public:
   void fields(Fields& f) override;  // `of`

@@ -41,7 +41,7 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   virtual double pressure(const VecX& x, double time) const = 0;  // what surfaces feel [Pa]
   // Returns the target volume [m^3]; NaN without one
   virtual double target(double time) const;
-  // Of gas, as a part of what there was at rest; not a number where there is none
+  // Returns the amount of gas over that at rest; NaN without gas.
   virtual double amount() const;
 
   void begin_step(const StepStart& start) override;
@@ -65,7 +65,7 @@ class VolumeTerm : public FollowingLoad, public GlobalModeSource {
   OrientedSurface surface_;
   std::vector<int> ends_;
   Vec3 origin_ = Vec3::Zero();
-  // What is held of boundaries, by edge; zero of others; empty if there are none
+  // Lagged (a - origin) x (b - origin) / 6 of boundary edges; zero for others; empty without any
   std::vector<Vec3> rim_;
   double before_ = 0;      // of an open surface: its cone at the start of the step
 };

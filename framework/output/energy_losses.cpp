@@ -71,7 +71,7 @@ std::vector<Warning> EnergyLosses::told(const TimeIntegrator& rule, const std::v
   if (by_groups) {
     for (size_t g = 0; g < groups.size(); ++g) {
       const std::string whose = " of " + group_names[g];
-      // What areas took of all is more than they can have taken of the group.
+      // Areas of all contact changed the energy by more than they can have in the group.
       const bool areas_count = std::max(areas.lost, areas.made) > tolerated * groups[g].at_play;
       const char* what = areas_count ? "time integration and areas of contact" : "time integration";
       look(groups[g].integrator, groups[g], whose, true, what, of_rule);

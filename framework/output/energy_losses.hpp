@@ -1,7 +1,7 @@
-// The energy that a run made or lost and that no physics accounts for: why, how much, and when. Told at its end, if it is
-// noticeable against the most that was at play in the run: early on, next to nothing is.
-// Where bodies are in groups that have nothing to do with each other (stepping/group_balance.hpp),
-// each group is judged by what was at play in it.
+// Numerical energy gains and losses of a run: cause, amount and time. Reported at the end of the
+// run, if they are noticeable against its reference energy; early in a run that is nearly zero.
+// Groups of bodies that do not interact (stepping/group_balance.hpp) are judged by their own
+// reference energies.
 #pragma once
 
 #include <array>
@@ -17,20 +17,21 @@ namespace tack {
 
 struct EnergyLosses {
   static constexpr double tolerated = 0.03;  // of what is at play
-  // Integrators that damp bring to rest what a script or load moves slowly, jumps included, as it is meant to be. What they lose
-  // is told where this part or more of what is at play is motion.
+  // Damping integrators bring slow prescribed motion and loading to rest, jumps included, as
+  // intended. Their losses are reported if at least this fraction of the reference energy is
+  // motion.
   static constexpr double motion = 0.25;
 
-  // Of dissipated_numerics and dissipated_areas.
+  // Sums of dissipated_numerics or dissipated_areas of one cause.
   struct Cause {
     double lost = 0, made = 0;      // the most that was in any stretch of steps [J]
     double losing = 0, making = 0;  // in the stretch up to now [J]
-    double sum = 0, in_contact = 0;  // of what was lost less what was made, in all steps and those with contact [J]
+    double sum = 0, in_contact = 0;  // lost less made [J]: in all steps, and in those with contact
     TimeHistogram when;             // the same over time
 
     void add(const StepReport& report, double dissipated, double jerk, bool contact);
   };
-  // Of a group of bodies.
+  // Losses of a group of bodies.
   struct Group {
     Cause integrator, repeated;         // areas of contact count with them
     double at_play = 0, moving = 0, noise = 0;
@@ -43,7 +44,7 @@ struct EnergyLosses {
   Cause repeated;    // implicit Euler, in steps that were done again with it
 
   double at_play = 0, moving = 0;  // J (core/energy_at_play.hpp); its kinetic part
-  double noise = 0;    // what the solver's tolerance may have changed it by, squared and summed up [J^2]
+  double noise = 0;    // changes by solver tolerance, squared and summed [J^2]
   std::vector<Group> groups;  // empty: all bodies are one group
 
   void add(const StepReport& report);

@@ -30,7 +30,7 @@ struct HardStep {
   int step = 0;
   double time = 0;  // at its end [s]
   int iterations = 0;
-  // What cut its most shortened Newton step: describe_blocker(); empty if nothing did
+  // Cause of its most truncated Newton step: describe_blocker(); empty if none was truncated
   std::string blocker;
 };
 

@@ -19,7 +19,7 @@
 
 namespace tack {
 
-// Of a frame: the images of x, y, z are t and the two directors
+// Rotation of a frame: the images of x, y, z are t and the two directors
 using Quaternion = Eigen::Quaterniond;
 
 class RodFrames : public StepParticipant {

@@ -1,6 +1,7 @@
-// Whether the first step of a run without inertia has an equilibrium (stepping/free_bodies.hpp): a
-// body that nothing holds ends the run, and `tack check` finds it before.
-// Loads are those of the first step; a load that lifts a body off later is found in the run.
+// Checks that the first step of a run without inertia has an equilibrium
+// (stepping/free_bodies.hpp): a body that nothing holds ends the run, and `tack check` finds it in
+// advance. Loads are those of the first step; a load that lifts a body off later is found in the
+// run.
 #pragma once
 
 #include <string>
