@@ -16,7 +16,8 @@ namespace {
 
 const std::string prefix = "contact/bonds/", begun_name = "contact/bonds_begun";
 
-// triangle (of the object; -1: the vertex of the key), u, v; triangle of the anchor, u, v; area, rest; lever and side of either surface
+// Place of a bond: triangle (of the object; -1: the vertex of the key), u, v; triangle of the
+// anchor, u, v; area, rest; lever and side of either surface.
 constexpr int place_width = 12;
 
 std::array<int, 2> key_of(const Bond& bond) { return {bond.vertices[0], bond.b}; }

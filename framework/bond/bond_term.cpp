@@ -26,7 +26,8 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
   if (projection != Projection::none) {
     const double mean = (nn + tt) / 2, half = (nn - tt) / 2, radius = std::hypot(half, nt);
     const double high = projected(mean + radius, projection), low = projected(mean - radius, projection);
-    // f(A) of a symmetric 2x2 matrix: the mean of f at both eigenvalues, and half their difference along A's deviator.
+    // f(A) of a symmetric 2x2 matrix: the mean of f at both eigenvalues, and half their difference
+    // along the deviator of A.
     const double spread = radius > 0 ? (high - low) / (2 * radius) : 0, middle = (high + low) / 2;
     nn = middle + spread * half, tt = middle - spread * half, nt *= spread;
   }
@@ -34,8 +35,9 @@ Mat3 curvature(const BondSample& s, const Bond& bond, const Opening& o, Projecti
          across * (Mat3::Identity() - n * n.transpose());
 }
 
-// B_v^T H B_w with B_v = c_v I + (M g_v) n_S^T, and the work of the traction on levers that turn: l_S (t . n_S) times the
-// second derivative of -(1 - q/2 - q^2/8) by the tilt, which is positive definite.
+// Writes B_v^T H B_w with B_v = c_v I + (M g_v) n_S^T, and the work of the traction on levers that
+// turn: l_S (t . n_S) times the second derivative of -(1 - q/2 - q^2/8) by the tilt, which is
+// positive definite.
 void write_blocks(const Bond& bond, const Opening& o, const Mat3& h, const Vec3& traction, Projection projection, double* out) {
   const std::array<Mat3, 2> turn = {turn_of(bond, o, 0), turn_of(bond, o, 1)};
   const std::array<Mat3, 2> bend = {h * turn[0], h * turn[1]};

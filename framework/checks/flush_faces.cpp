@@ -48,7 +48,8 @@ class FlushFaces {
     return !is_guided(body) && (world_.gravity(axis) != 0 || !scene_.objects[body].loads.empty());
   }
 
-  // The law of two bodies without anything that acts along their surfaces or pulls; null: there is none.
+  // Returns the law of two bodies if it neither acts along their surfaces nor pulls; null
+  // otherwise.
   const PairLaw* slippery(int a, int b) const {
     const PairTable& pairs = world_.contact->pairs();
     if (pairs.has_parts(a, b)) return nullptr;

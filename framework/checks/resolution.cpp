@@ -259,7 +259,8 @@ class Warnings {
     return mass;
   }
 
-  // One warning of a kind is enough for an object, however many it adheres to, and for all copies of one (fill.hpp).
+  // One warning of a kind is enough for an object, however many others it adheres to, and for all
+  // of its copies (fill.hpp).
   bool first_time(int object, const char* kind) { return told_.emplace(object, kind).second; }
 
   void tell(int object, const char* kind, std::string line) { lines_.tell(scene_.objects[object], kind, std::move(line)); }

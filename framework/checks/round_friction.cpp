@@ -24,7 +24,8 @@ std::vector<char> led_vertices(const World& world) {
   return led;
 }
 
-// Returns the vertices of each connected component of the edges, in the order of their smallest vertices.
+// Returns the vertices of each connected component of the edges, ordered by their smallest
+// vertices.
 std::vector<std::vector<int>> components_of(const std::vector<Edge>& edges) {
   int end = 0;
   for (const auto& [a, b] : edges) end = std::max({end, a + 1, b + 1});
@@ -48,7 +49,8 @@ std::vector<std::vector<int>> components_of(const std::vector<Edge>& edges) {
   return components;
 }
 
-// The largest coefficient of friction of two objects, wherever they touch; 0 if they are in no contact.
+// Returns the largest coefficient of friction of two objects, wherever they touch; 0 without
+// contact.
 double friction_between(const PairTable& pairs, int a, int b) {
   double mu = 0;
   const auto take = [&](const PairRole& role) {

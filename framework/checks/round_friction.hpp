@@ -2,9 +2,10 @@
 // their centre lines and centres unless they roll (setup/spins.hpp): they stick on a slope where a
 // cylinder or a ball rolls. A warning names the object, what it can rub on, the coefficient of
 // friction and the remedy.
-//     A rod is meant if its section is circular and no vertex of its connected component is held
-// throughout or attached; a particle is meant if it is not held throughout or attached. Partners
-// are all objects that are in contact with it with mu > 0.
+// A warning is due for
+//   - a rod of circular section with no vertex of its connected component always fixed or attached,
+//   - a particle that is not always fixed or attached,
+// with every object that is in contact with it with mu > 0.
 #pragma once
 
 #include <string>

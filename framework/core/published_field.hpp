@@ -14,7 +14,8 @@ class PublishedField : public Component {
 
   virtual const char* unit() const { return ""; }
   virtual bool of_elements() const { return false; }  // else of vertices
-  virtual int components() const { return 1; }        // of elements: 1, 3 or 6 (xx, yy, zz, xy, ...)
+  // Components of a field of elements: 1, 3, or 6 of a symmetric tensor (xx, yy, zz, xy, yz, xz).
+  virtual int components() const { return 1; }
 };
 
 }  // namespace tack

@@ -27,31 +27,33 @@ namespace tack {
 
 class Convergence {
  public:
-  // whole_step: of the scene [s]; substeps tolerate no larger forces.
+  // whole_step: step size of the scene [s]; substeps tolerate no larger forces.
   Convergence(const World& world, const Minimizer& solver, double whole_step);
 
-  // The unknowns of the next step are others than before, or of another potential.
+  // Called when the next step has other unknowns, or another potential.
   void begin_unknowns() { unknowns_known_ = false; }
-  // A step of size h that the potential has begun.
+  // Starts a step of size h that the potential has begun.
   void begin_step(const IncrementalPotential& potential, double h, bool inertia);
 
   Stopping stopping() const { return inertia_ ? solver_.stopping() : Stopping::force; }
   // Returns the norm of a direction p, given the gradient where p starts; converged when not above
   // 1. Throws FreeBody where a step without inertia has no equilibrium (free_bodies.hpp).
   double norm(const VecX& p, const VecX& gradient);
-  // By how much the norm of the exact direction may exceed that of one that leaves the residual r.
+  // Returns an upper bound of the increase of the norm from a direction that leaves the residual r
+  // to the exact one.
   double direction_error(const VecX& r) const;
 
   struct Balance {
-    // At the block that is farthest from balance: the largest component of the residual force, and
-    // what is tolerated of it [N].
+    // Largest component of the residual force at the block that is farthest from balance, and its
+    // limit [N].
     double unbalanced = 0, tolerated = 0;
   };
-  // At the potential's present point; the gradient is its. In units of what is tolerated.
+  // Returns the residual force over its limit at the present point of the potential; gradient:
+  // there.
   double imbalance(const VecX& gradient);
-  const Balance& balance() const { return balance_; }  // what was found last in this step
+  const Balance& balance() const { return balance_; }  // last result of this step
 
-  // Has the minimisation judged by all that.
+  // Sets these criteria for a minimisation.
   void judge(MinimizerProblem& problem);
 
  private:
@@ -71,7 +73,7 @@ class Convergence {
   double h_ = 0;
   bool inertia_ = true;
   VecX mass_;                 // of each block [kg]
-  double smallest_mass_ = 0;  // likewise, or what a vertex that several move has of theirs
+  double smallest_mass_ = 0;  // of all blocks and mixed vertices [kg]
   VecX rounding_;             // rounding_forces(); empty where the scene gives a floor
   ForceGroups groups_;
   std::vector<Balance> worst_of_chunk_;  // of blocks

@@ -26,7 +26,8 @@ double largest_row(const VecX& a, const VecX& b, const std::vector<int>& vertice
   return largest;
 }
 
-// While they walk, vertices of one rigid group are unknowns of their own. Other bodies stay rigid, affine ones too.
+// During the continuation, vertices of one rigid group are unknowns of their own. Other bodies stay
+// rigid, affine ones too.
 class DissolvedGroups {
  public:
   DissolvedGroups(ContactSystem* contact, const std::vector<int>& moving) : contact_(contact) {
@@ -78,7 +79,8 @@ struct DirichletContinuation::Pull {
     return 0;
   }
 
-  // Below 1 when this minimisation need not go on. remaining: to where it is pulled; left: of all [m].
+  // Returns a number below 1 if this minimisation may stop. remaining: distance to its targets;
+  // left: distance to the final targets [m].
   double norm(double remaining, double left, double next_step) {
     if (left < 0.99 * best) best = left, since_best = 0;
     stuck = ++since_best > patience;
@@ -113,7 +115,8 @@ void DirichletContinuation::prepare(const VecX& x, const VecX& places) {
   potential_.emplace(world_, clock_, world_.terms, dofs_, world_.mass);
 }
 
-// Rollers that do not move keep their directions; those of pulled vertices are free, but for directions that no motion frees.
+// Rollers that do not move keep their directions. Pulled vertices are free, except in directions
+// that no motion frees.
 std::vector<HeldDirections> DirichletContinuation::held_directions() const {
   std::vector<HeldDirections> held;
   const auto pulled = [&](int v) { return std::binary_search(moving_.begin(), moving_.end(), v); };

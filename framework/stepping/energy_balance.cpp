@@ -269,8 +269,8 @@ double EnergyBalance::solver_noise() const {
   return world_.mass.sum() * off * off;
 }
 
-// Growth counts from the lowest point, so that what was lost before is no credit. A script that starts with a
-// jerk acts with the force of the end of the step, and that is no gain.
+// Growth counts from the lowest point, so that earlier losses are no credit. A prescribed motion
+// that starts with a jerk acts with the force of the end of the step, and that is no gain.
 bool EnergyBalance::watch(EnergyAccount& account, const EnergyFlows& flows) {
   const double lowest = account.lowest;
   account.unexplained -= flows.numerics + flows.areas + jerk_;

@@ -82,9 +82,9 @@ class EnergyBalance {
   const Minimizer& solver_;
   GroupBalance groups_;
   EnergyAccount start_;         // of the state that the step starts from
-  double released_ = 0;         // J: the energy that a change of who is held brought along
+  double released_ = 0;         // J: energy brought by released or fixed vertices
   std::optional<double> contact_;  // J: contact at the start, with the step's areas, if known
-  EnergyFlows taken_;  // what end() found to be dissipated
+  EnergyFlows taken_;  // dissipation found by end()
   double jerk_ = 0;  // J: EnergyFlows::jerk
   std::string warning_;
   bool lost_ = false;

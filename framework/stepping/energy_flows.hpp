@@ -11,7 +11,7 @@ namespace tack {
 
 // The same for a group of bodies (group_balance.hpp), of what the balance of a group can tell.
 struct GroupFlow {
-  double numerics = 0;  // what areas of contact and the integrator lost; below zero: made
+  double numerics = 0;  // lost by contact areas and integrator; below zero: made
   double jerk = 0, noise = 0, at_play = 0, moving = 0;
   bool in_contact = false, met_another = false;
 };
@@ -26,35 +26,35 @@ struct EnergyFlows {
     double amount = 0;
   };
 
-  EnergyFlows();  // of those that every scene has
+  EnergyFlows();  // the flows that every scene has
   explicit EnergyFlows(const Records& records);
 
   double loads = 0, script = 0;       // work done from outside
   std::vector<Published> published;
   double areas = 0, numerics = 0;     // dissipated
   double jerk = 0;     // work_script with the forces at the end of the step, less `script`
-  double noise = 0;    // what the solver's tolerance may change it by
-  // The most that has moved in the run so far (core/energy_at_play.hpp), with the kinetic energy of
-  // this step, less that of bodies that fly as wholes while nothing but gravity acts on them.
+  double noise = 0;    // possible change by the solver's tolerance
+  // Reference energy: the largest moved energy of the run so far (core/energy_at_play.hpp), with
+  // the kinetic energy of this step, less that of bodies in free flight.
   double at_play = 0;
   double moving = 0;   // its kinetic part
-  // Contact at the step's start or end, or energy stored between objects at its end.
+  // Whether there is contact at the start or end of the step, or energy between objects at its end.
   bool in_contact = false;
   bool damped = false;      // repeated with the fallback integrator to avoid a gain
   bool refined = false;     // shorter than the scene's step, to conserve energy
   std::vector<GroupFlow> groups;  // of the step alone; empty: all bodies are one group
-  bool gained = false;      // energy has grown noticeably, and nothing put it in
+  bool gained = false;      // noticeable numerical gain
 
   // Returns whether re-evaluated contact areas made more energy than time integration.
   bool made_by_areas() const { return areas < numerics; }
 
-  double of(std::string_view column) const;  // published; 0 of one that is not there
-  // The same, which is there from now on: of that kind if it was not.
+  double of(std::string_view column) const;  // of a published flow; 0 if there is none
+  // Returns a reference to a published flow, and adds one of that kind if there is none.
   double& amount(const std::string& column, FlowKind kind = FlowKind::dissipated);
   double sum(FlowKind kind) const;
 
   EnergyFlows& operator+=(const EnergyFlows& o);
-  // Calls act(column, number) for each, in the order of the files.
+  // Calls act(column, amount) for each flow, in the order of the files.
   template <class Flows, class Act>
   static void for_each(Flows&& flows, const Act& act) {
     act("work_loads", flows.loads);

@@ -21,13 +21,13 @@ class FeasibleSteps {
 
   // The largest t in (0, 1] such that x + s p (3n) is feasible for s in [0, t]. Throws OutOfTime.
   double largest(const VecX& x, const VecX& p);
-  // The same of a step that a minimiser wants to take, of which the observer is told.
+  // Returns largest() for a step that a minimiser requests, and notifies the observer.
   double largest_tried(const VecX& x, const VecX& p);
   // q and p: unknowns of the potential, whose configuration supplies all other vertices.
   double largest_tried(const StepPotential& potential, const VecX& q, const VecX& p);
-  // Nothing has been tried yet.
+  // Forgets the last trial.
   void reset() { x_.resize(0); }
-  // "; the last step was ..." about what cut the one that was tried last, or "".
+  // Returns "; the last step was ..." with the primitive that truncated the last trial, or "".
   std::string blocker() const;
 
   using Observer = std::function<void(const VecX& x, const VecX& p, double feasible)>;

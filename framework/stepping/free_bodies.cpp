@@ -66,7 +66,8 @@ std::string text_of(const Vec3& a) {
   return fmt::format("({:.4g}, {:.4g}, {:.4g})", component(0), component(1), component(2));
 }
 
-// Returns whether a ray from the centre of `moving` along `direction` hits `other`, inflated by half the size of `moving`.
+// Returns whether a ray from the centre of `moving` along `direction` hits `other`, inflated by
+// half the size of `moving`.
 bool lies_ahead(const Eigen::AlignedBox3d& moving, const Vec3& direction, const Eigen::AlignedBox3d& other) {
   const Vec3 centre = moving.center(), half = moving.sizes() / 2;
   double first = 0, last = std::numeric_limits<double>::infinity();

@@ -23,7 +23,8 @@ struct FrictionAccount {
 
 using FrictionAccounts = std::map<std::array<int, 2>, FrictionAccount>;  // by object pair
 
-// Not of any object: a scene that starts from another one's state owes nothing.
+// Name in histories. It contains no object: a scene that starts from the state of another owes
+// nothing.
 inline constexpr const char* owed_friction_name = "owed friction";
 
 FrictionAccounts accounts_of(const History& history);

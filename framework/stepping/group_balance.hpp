@@ -31,13 +31,13 @@ class GroupBalance {
   bool needs_contact(const State& state) const;
   // Starts a step from `state`. Finds the groups at the first call.
   void begin(const State& state);
-  // The step ends at x, where the terms still hold what they held in it.
+  // Ends the step at x; the terms must still be in the state of the step.
   void end(const VecX& x);
-  // Work on a vertex: of loads, and of the motion that moves it with the mean of the forces, or
-  // with those at the end of the step [J].
+  // Adds work on a vertex [J]: of loads; and of the motion that moves it, with the mean of the
+  // forces and with those at the end of the step.
   void add_load_work(int vertex, double work);
   void add_script_work(int vertex, double work, double at_end);
-  // The step to `state` of size h is kept: sets the accounts in `state`.
+  // Keeps the step to `state` of size h: sets the accounts in `state`.
   std::vector<GroupFlow> close(State& state, double h);
 
  private:
@@ -60,9 +60,9 @@ class GroupBalance {
   mutable std::vector<char> met_another_;
 };
 
-// The kinetic energies of a body at the start and the end of a step of size h, of its motion as a
-// whole, if nothing but gravity acts on it: no vertex is held, and its mean velocity changes by
-// g h to within `tolerance` [m/s]. Zero otherwise.
+// Returns the kinetic energies of the motion of a body as a whole at the start and the end of a
+// step of size h, if nothing but gravity acts on it: no vertex is fixed, and its mean velocity
+// changes by g h to within `tolerance` [m/s]. Zeros otherwise.
 std::array<double, 2> ballistic_energies(const World& world, int body, const State& state,
                                          double h, double tolerance);
 

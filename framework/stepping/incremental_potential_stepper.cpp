@@ -1,7 +1,8 @@
-// The step as a minimisation of its incremental potential, from a feasible start along feasible ways
-// (the paper, eq. 1; Li et al. 2020, Incremental Potential Contact).
-// Scripted vertices are at their places at the end of every step: they are moved there together with
-// the first guess of the others if that is free, and walk there otherwise (script_follower.hpp).
+// Incremental potential stepper: solves a step as a minimisation of its incremental potential, from
+// a feasible start by feasible steps (the paper, eq. 1; Li et al. 2020, Incremental Potential
+// Contact). Vertices with a prescribed motion are at their target positions at the end of every
+// step: they move there together with the first guess of the others if the path is free, and by
+// Dirichlet continuation otherwise (script_follower.hpp).
 #include <fmt/format.h>
 
 #include <optional>
@@ -103,7 +104,8 @@ void Minimization::attempt(const Step& step, const VecX* guess, Attempt& attempt
   }
 }
 
-// A feasible q with the scripted vertices at their places; false if they do not get there.
+// Finds a feasible q with the prescribed vertices at their target positions; returns false if they
+// do not get there.
 bool Minimization::start(const Step& step, const VecX* guess, Attempt& attempt, VecX& q) {
   if (guess) {
     world_.dofs.gather(*guess, q);

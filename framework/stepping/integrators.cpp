@@ -28,7 +28,8 @@ std::string makes_energy(bool contact) {
 
 bool same_step(const State& s, double h) { return s.h_before > 0 && std::abs(s.h_before - h) <= 1e-12 * h; }
 
-// h over the size of the step before, where a formula looks back over both: 1, or what steps that adapt have. 0: it may not.
+// Returns h over the size of the step before, if a formula may look back over both: 1, or the ratio
+// of adaptive steps. Returns 0 if it may not.
 double step_ratio(const State& s, double h) {
   if (same_step(s, h)) return 1;
   return s.adapts && s.h_before > 0 ? h / s.h_before : 0;

@@ -51,7 +51,7 @@ class LaggedImpulses {
   struct Difference {
     std::array<int, 2> objects;
     double given, normal;  // N s
-    int others;            // of which the same is to be told
+    int others;            // number of further such pairs
   };
   const std::optional<Difference>& difference() const { return difference_; }
 

@@ -18,7 +18,8 @@ std::vector<char> letting_go(const World& world, const VecX& from, const VecX& t
   return marked;
 }
 
-// Returns the group of objects of each vertex. Bodies whose vertices depend on those of others move as one group with them.
+// Returns the group of objects of each vertex. Bodies whose vertices depend on those of others move
+// as one group with them.
 std::vector<int> groups_of_vertices(const World& world) {
   const int bodies = static_cast<int>(world.bodies.size());
   DisjointSets sets(bodies + 1);

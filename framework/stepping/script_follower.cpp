@@ -38,8 +38,10 @@ DirichletContinuation::Result ScriptFollower::follow(const Step& step, IterateCh
   return result;
 }
 
-// From x to where the scripted vertices are at their places: the straight way with the free ones moving along as predicted; a walk if that is
-// blocked or takes bonds or adhesion past their peaks. Where these let go on a walk as well, they are being torn off, and it may be straight.
+// Moves from x to the target positions of the prescribed vertices. The trajectory is linear, with
+// the free vertices moving as predicted. If that is blocked, or takes bonds or adhesion past their
+// peaks, it is a Dirichlet continuation. If these let go in the continuation too, they are being
+// torn off, and the trajectory may be linear.
 DirichletContinuation::Result ScriptFollower::move(const VecX& x, const VecX& places, const Along* along, const Way& way) {
   const VecX none = VecX::Zero(world_.dofs.size());
   const PredictedMotion predicted = predicted_motion(world_, x, places - x, along ? along->full : none, along ? along->drift : none);
@@ -55,7 +57,8 @@ DirichletContinuation::Result ScriptFollower::move(const VecX& x, const VecX& pl
   return straight;
 }
 
-// With the free vertices moving along one of these ways as far as they may, or not at all, whichever is best; without x if that is blocked.
+// Moves along linear trajectories, with the free vertices on the best of these paths as far as is
+// feasible, or at rest. The result has no x if that is blocked.
 DirichletContinuation::Result ScriptFollower::go_straight(const VecX& x, const VecX& places, const std::vector<VecX>& ways, StepPotential& potential) {
   const VecX scripted = places - x;
   VecX q;

@@ -23,9 +23,9 @@ struct StepReport {
   std::optional<double> error;  // m: of the step, if sizes follow it (step_control.hpp)
   MinimizerResult solve;
   bool converged = false;
-  double affine_strain = 0;     // the largest of any affine body
-  double unbalanced_force = 0;  // the largest that is left at a vertex [N]
-  double tolerated_force = 0;   // the largest that may be [N]
+  double affine_strain = 0;     // largest strain of any affine body
+  double unbalanced_force = 0;  // largest force residual at a vertex [N]
+  double tolerated_force = 0;   // its limit [N]
   int contacts = 0;         // active stencils
   int candidates = 0;
   double min_distance = 0;  // between primitives that may touch [m]; infinity if none are near
@@ -33,8 +33,8 @@ struct StepReport {
   int broad_phase_builds = 0;
   std::vector<NamedEnergy> energies;  // by name, and kinetic
   EnergyFlows flows;
-  int lag_iterations = 0;        // solves with tangential forces of their own; 0 without friction
-  double friction_residual = 0;  // what tangential forces would change by, relative to the largest
+  int lag_iterations = 0;        // solves with updated tangential forces; 0 without friction
+  double friction_residual = 0;  // change by a further update, relative to the largest force
   bool lag_converged = true;     // false: contact.lagging.until was not reached
   std::vector<StepFigure> figures;  // of the stepper
   // Found by the exact check in this step's solves; a solve that has any is rolled back.

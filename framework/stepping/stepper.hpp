@@ -37,19 +37,19 @@ struct Step {
   const State& state;  // where it starts
   double h;            // s
   TimeIntegrator::Prediction prediction;
-  VecX places;  // 3n [m]: where it starts, and what the script moves where it ends
+  VecX places;  // 3n [m]: start, with prescribed vertices at their targets
   const HeldVertices& held;
   StepPotential& potential;  // its incremental potential, begun at `places`
   LaggedImpulses* impulses = nullptr;  // of friction, if it lags by a step; may be null
 
-  bool scripted() const { return places != state.x; }  // whether the script moves anything in it
+  bool scripted() const { return places != state.x; }  // whether a motion moves vertices
 };
 
 // Result of a solve, before it is judged and kept. Steppers leave numbers that they do not have.
 struct Attempt {
   MinimizerResult result;  // counts over all lag iterations
   VecX x;                  // 3n [m]; `places` to begin with
-  std::string failure = "";  // why the scripted vertices could not be moved
+  std::string failure = "";  // why prescribed vertices could not be moved
   int lag_iterations = 0;
   // The solves before the last: their end, where lagged forces were updated (3n), and the remaining
   // gradient, in the unknowns.
@@ -66,9 +66,9 @@ struct Attempt {
 struct Verdict {
   std::string wrong;   // "" if the attempt may be kept
   std::string remedy;  // what users can do about it
-  int intersections = 0, inverted_tets = 0;  // that were found: for records
-  int parts = 2;           // into how many the step is cut if it is refused; a power of two
-  std::string told = "";   // what is doubtful of an attempt that may be kept: a warning
+  int intersections = 0, inverted_tets = 0;  // found, for records
+  int parts = 2;           // substeps if it is refused; a power of two
+  std::string told = "";   // warning about an attempt that may be kept
   bool tolerable = false;  // may be kept at the smallest step size, with a warning
 };
 
@@ -85,13 +85,13 @@ class Stepper : public Component {
   static constexpr const char* kind_name = "stepper";
   static constexpr const char* kind_doc = "Solves a time step.";
 
-  // Throws InputError for a world that it cannot step. Asked when a scene is loaded.
+  // Throws InputError for a world that it cannot step. Called when a scene is loaded.
   virtual void admit(const World& /*world*/, const SceneConfig& /*scene*/, const TimeConfig& /*time*/) const {}
   // Returns the stepper's own metrics: those of its attempts, or, before the first attempt, zeros.
   virtual std::vector<StepFigure> figures() const { return {}; }
   // Called once, before all functions below.
   virtual void prepare(const StepperContext& context) = 0;
-  // A step is about to be opened; new_unknowns: those of the world are others than before.
+  // Called before a step is opened. new_unknowns: the unknowns of the world have changed.
   virtual void begin(bool /*new_unknowns*/) {}
   // Solves the step, or says in the attempt that it could not; smaller steps may follow. In a
   // result that may be kept, vertices with prescribed motion are at their target positions, and all
@@ -101,9 +101,9 @@ class Stepper : public Component {
   virtual void attempt(const Step& step, const VecX* guess, Attempt& attempt) = 0;
   // Judges an attempt, also one cut short by OutOfTime, but not an interrupted one.
   virtual Verdict verdict(const Attempt& attempt) = 0;
-  // The latest attempt is kept: writes what the next step is to know beside where everything is.
+  // Called when the latest attempt is kept: stores history for the next step, other than positions.
   virtual void commit(History& /*history*/) const {}
-  // Bodies are put elsewhere, by no step: erases what commit() has written.
+  // Called when bodies are moved by no step: erases the history that commit() stored.
   virtual void forget(History& /*history*/) const {}
 
   void observe(StepObservers observers) { observers_ = std::move(observers); }

@@ -73,7 +73,8 @@ TimeStepper::TimeStepper(World& world, const SceneConfig& scene, const TimeConfi
   begin_records();
 }
 
-// Begins a step of no length at the state, so that terms can be asked for forces, energies and fields there before the first step is opened.
+// Begins a step of zero length at the state, so that terms have forces, energies and fields there
+// before the first step is opened.
 void TimeStepper::begin_records() {
   const bool inertia = integrator_->predict(state_, time_.step).inertia;
   const EndVelocity now{1 / time_.step, inertia ? VecX(state_.x - time_.step * state_.v) : state_.x};
@@ -223,7 +224,8 @@ bool TimeStepper::finished() const {
   return state_.time >= time_.duration - 1e-9 * time_.step;
 }
 
-// Commits the attempt; false if it was undone because energy has grown or been lost, and smaller steps or another integrator do it again.
+// Commits the attempt. Returns false if it was undone because energy was gained or lost, and
+// smaller steps or another integrator repeat it.
 bool TimeStepper::keep(const Attempt& attempt, double h, StepReport& r) {
   const DeadlineSuspension suspension(clock_, time_);
   const double end = (state_.whole_steps + 1) * time_.step;
@@ -269,8 +271,8 @@ bool TimeStepper::resolves_impact(double h) const {
   return 2 * (state_.x - state_.x_before).lpNorm<Eigen::Infinity>() * smallest_refined() / h <= scene_.contact->contact_distance;
 }
 
-// After a step of size h that made or lost energy. An impact passes. A rotation that is too fast for the step lasts: the steps that
-// follow are smaller, too.
+// Requests smaller steps after one of size h that made or lost energy. An impact passes. A rotation
+// that is too fast for the step lasts: then the steps that follow are smaller, too.
 void TimeStepper::refine(double h, bool lasting) {
   state_.h_next = h / 2;
   refined_ = true;

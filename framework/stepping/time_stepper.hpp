@@ -23,15 +23,15 @@ namespace tack {
 
 struct SceneConfig;
 
-// A step that is solved and about to be kept: all that take part still hold what they hold in it.
+// A solved step that is about to be kept; all participants are still in the state of the step.
 struct SolvedStep {
   const State& start;
   double h;  // s
   const TimeIntegrator& integrator;
-  bool damped;  // that is the fallback of the scene's
+  bool damped;  // whether that is the fallback of the scene's
   const Attempt& attempt;
   StepPotential& potential;
-  int unknowns;  // how many times those have changed since the beginning
+  int unknowns;  // number of changes of the unknowns so far
 };
 
 class TimeStepper {
@@ -41,16 +41,16 @@ class TimeStepper {
   TimeStepper(World& world, const SceneConfig& scene, const TimeConfig& time, Minimizer& solver, PhaseClock& clock,
               WarningFunction warn);
 
-  // One accepted step. Throws SimulationError when no step small enough succeeds.
+  // Advances by one accepted step. Throws SimulationError when no step small enough succeeds.
   StepReport advance();
-  // Steps that adapt end there, too: the first time after t [s].
+  // Sets further times at which adaptive steps end: next(t) is the first one after t [s].
   void stop_at(std::function<double(double t)> next) {
     if (control_) control_->stop_at(std::move(next));
   }
   bool finished() const;
   bool interrupted() const { return interrupted_; }
   const State& state() const { return state_; }
-  double next_step_size() const;  // that advance() tries first [s]
+  double next_step_size() const;  // the size that advance() tries first [s]
 
   // The stages of advance(), for studies of single steps. Begins the step from now to now + h,
   // valid until another one is opened or this one committed.
@@ -60,7 +60,7 @@ class TimeStepper {
   Attempt solve(double h, const VecX* guess = nullptr);
   std::string verdict(const Attempt& attempt);  // "" if the attempt may be kept
   void commit(const VecX& x, double h);
-  // The incremental potential of the latest step over beta h^2, at x (3n) [J].
+  // Returns the incremental potential of the latest step over beta h^2, at x (3n) [J].
   double potential_at(const VecX& x);
   void observe(StepObservers observers) { stepper_->observe(std::move(observers)); }
   // Receives each step before it is kept. Some are undone after that, and repeated.
@@ -70,11 +70,11 @@ class TimeStepper {
   // For studies of steps that were solved elsewhere (framework/sensitivity): open(), then follow()
   // instead of commit().
   void damp(bool damped) { integrator_ = damped ? time_.integrator->fallback() : time_.integrator.get(); }
-  // The names of the groups of EnergyFlows::groups, once a step has begun.
+  // Returns the names of the groups of EnergyFlows::groups, known once a step has begun.
   const std::vector<std::string>& energy_groups() const { return balance_.group_names(); }
-  void keep_account(bool kept) { accounts_ = kept; }  // of energy
-  void follow(const VecX& x, double h);  // all that take part must be at x
-  void set_state(State state);           // another one at the same time, of the same holds
+  void keep_account(bool kept) { accounts_ = kept; }  // energy account
+  void follow(const VecX& x, double h);  // all participants must be at x
+  void set_state(State state);           // another state with equal time and holds
 
  private:
   Verdict judge(const Attempt& attempt);
@@ -119,15 +119,15 @@ class TimeStepper {
   std::unique_ptr<Stepper> stepper_;
   std::optional<StepControl> control_;  // if steps adapt
   int halvings_ = 0, repeats_ = 0;      // of the present step: failed solves, too large errors
-  double begun_ = 0;                    // s: the size that was to be tried, before halves
+  double begun_ = 0;                    // s: size to be tried first, before any halving
   double error_ = 0;                    // m: of the latest attempt, if steps adapt
   struct Found {
     int intersections = 0, inverted_tets = 0;
   } found_;  // by the stepper, in the solves of the present step
   bool interrupted_ = false;
-  bool refined_ = false;  // the present steps are small for the sake of energy
+  bool refined_ = false;  // the present steps are short to conserve energy
   bool accounts_ = true;
-  int unknowns_ = 0;  // changes of them
+  int unknowns_ = 0;  // number of changes of the unknowns
   SolvedObserver solved_;
 };
 

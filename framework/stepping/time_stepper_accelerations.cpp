@@ -1,4 +1,5 @@
-// Accelerations that no step has given: of states that begin, of vertices that are released, and those by dynamic terms.
+// Accelerations that no step has computed: of initial states, of released vertices, and those by
+// dynamic terms.
 #include "framework/contact/contact_history.hpp"
 #include "framework/core/damping_terms.hpp"
 #include "framework/core/term_gradient.hpp"
@@ -9,7 +10,8 @@
 
 namespace tack {
 
-// Starts from a state that follows from no step: erases the history that steps have left. Accelerations have to be set.
+// Starts from a state that follows from no step: erases the history that steps have left.
+// Accelerations have to be set afterwards.
 void TimeStepper::begin_anew() {
   state_.a = VecX::Zero(state_.x.size());
   state_.history.erase(owed_friction_name);
@@ -17,7 +19,7 @@ void TimeStepper::begin_anew() {
   stepper_->forget(state_.history);
 }
 
-// M^-1 times the forces: what Newmark's step and the first guess of vertices without a past build on.
+// Returns M^-1 times the forces, for Newmark's step and the first guess of vertices without a past.
 void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) {
   if (vertices.empty() || !integrator_->predict(state_, time_.step).inertia) return;
   for (LinearTerm* term : {static_cast<LinearTerm*>(&world_.gravity_term), static_cast<LinearTerm*>(&world_.load_term)})
@@ -43,7 +45,8 @@ void TimeStepper::set_accelerations(double t, const std::vector<int>& vertices) 
   world_.dofs.follow(state_.contact);
 }
 
-// By forces on the unknowns. Joints couple their masses; without them the diagonal of W^T M W is what counts.
+// Returns the accelerations by forces on the unknowns. Joints couple their masses; without joints
+// the diagonal of W^T M W is used.
 VecX TimeStepper::accelerations_by(const VecX& force) const {
   if (!world_.bindings.joints().empty()) return divide_by_mass(world_.dofs, world_.mass, force);
   const VecX mass = world_.dofs.block_masses(world_.mass);
@@ -53,7 +56,8 @@ VecX TimeStepper::accelerations_by(const VecX& force) const {
   return a;
 }
 
-// Returns the accelerations of all moving vertices by the dynamic terms (3n), which must have been told of x (move_to).
+// Returns the accelerations of all moving vertices by the dynamic terms (3n), which must be at x
+// (move_to).
 VecX TimeStepper::dynamic_accelerations(const VecX& x) const {
   const DofMap& dofs = world_.dofs;
   VecX force = VecX::Zero(x.size());
