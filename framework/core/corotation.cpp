@@ -30,8 +30,8 @@ Vec3 moment_of(const Mat3& s) { return {s(2, 1) - s(1, 2), s(0, 2) - s(2, 0), s(
 // tr(S) I - S, symmetric.
 Mat3 resistance_of(const Mat3& s) { return s.trace() * Mat3::Identity() - (s + s.transpose()) / 2; }
 
-// Returns the rotation R for which S = R^T S_0 is symmetric with the largest trace. Newton's method from the identity; an
-// isotropic stencil takes one step.
+// Returns the rotation R for which S = R^T S_0 is symmetric with the largest trace. Newton's method
+// from the identity; an isotropic stencil takes one step.
 Mat3 rotation_of(const Mat3& s_0) {
   constexpr int most_steps = 30;
   constexpr double exact = 1e-15;

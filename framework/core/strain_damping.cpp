@@ -1,4 +1,5 @@
-// Damping of the strain rate (damping_terms.hpp): by stencils without their rotation, and by the strains of a StrainView.
+// Damping of the strain rate (damping_terms.hpp): by stencils without their rotation, and by the
+// strains of a StrainView.
 #include <fmt/format.h>
 
 #include <algorithm>

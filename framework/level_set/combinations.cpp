@@ -1,4 +1,5 @@
-// Level sets of several others: unions, intersections, differences, sharp or blended, and arrays of one.
+// Level sets of several others: unions, intersections, differences, sharp or blended, and arrays of
+// one.
 #include "framework/config/field.hpp"
 #include "framework/level_set/level_set.hpp"
 #include "geometry/level_set/distance_formulas.hpp"

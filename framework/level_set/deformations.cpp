@@ -11,7 +11,8 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-// Values of the other at the places that points come from, divided by how much steeper that makes them.
+// Deformation of another level set: its values at the original positions, divided by the steepness
+// of the map.
 class Deformation : public DerivedLevelSet {
  public:
   void prepare(double voxel) override {
@@ -52,7 +53,8 @@ class TwistLevelSet : public Deformation {
   }
   Box own_bounds() const override { return {Vec3(-radius_, inner_.min().y(), -radius_), Vec3(radius_, inner_.max().y(), radius_)}; }
   Vec3 origin(const Vec3& p) const override {
-    // Further out the twist would be steeper: there, what is nearest within the cylinder that holds the body.
+    // The twist would be steeper further out: there, the nearest point of the cylinder that holds
+    // the body counts.
     const double radius = std::hypot(p.x(), p.z()), factor = radius > radius_ ? radius_ / radius : 1;
     return Eigen::AngleAxisd(-rate_ * p.y(), Vec3::UnitY()) * Vec3(factor * p.x(), p.y(), factor * p.z());
   }
@@ -96,7 +98,8 @@ class BendLevelSet : public Deformation {
   }
   void own_values(std::span<const Vec3> points, std::span<double> values) const override {
     Deformation::own_values(points, values);
-    // The other way round the circle; and nearer to the centre than all of the body, the distance to what lies there.
+    // The other way round the circle; and, nearer to the centre than all of the body, the distance
+    // to the points there.
     std::vector<Vec3> around;
     around.reserve(points.size());
     for (const Vec3& p : points) {

@@ -1,4 +1,5 @@
-// Level sets that need distances proper, which are found on a grid: offsets and shells of others, and meshes.
+// Level sets that need exact distances, which are computed on a grid: offsets and shells of others,
+// and meshes.
 #include <fmt/format.h>
 
 #include "framework/config/field.hpp"

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-// Blocks (a, a), (b, a), (b, b) of the Hessian that couples a with b by f [w]_x. Its eigenvalues are +-f |w|, twice, and zero.
+// Blocks (a, a), (b, a), (b, b) of the Hessian that couples a with b by f [w]_x. Its eigenvalues
+// are +-f |w|, twice, and zero.
 void write_hessian(double f, const Vec3& w, Projection projection, double* blocks) {
   const double size = w.norm(), part = projection == Projection::none ? 0 : projection == Projection::absolute ? 1 : 0.5;
   Mat3 own = Mat3::Zero();

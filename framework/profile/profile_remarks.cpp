@@ -111,7 +111,8 @@ class Remarks {
         percent(double(c.cut), double(c.tried)), c.tried, c.left / double(c.cut), remedy_of_cuts());
   }
 
-  // A barrier that is too soft lets surfaces meet before it pushes; one that is too stiff for what it stops acts like a wall within its distance.
+  // A barrier that is too soft lets surfaces meet before it pushes; one that is too stiff acts like
+  // a wall within its distance.
   std::string remedy_of_cuts() const {
     const double near = p_.nearness.mean(), its = double(p_.iterations) / std::max(p_.steps, 1);
     const std::string measured = fmt::format("surfaces end their steps {:.2g} of `contact.distance` apart", near);

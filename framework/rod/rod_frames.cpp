@@ -30,7 +30,8 @@ int RodFrames::find(const Edge& edge) const {
   return at != by_vertices_.end() && at->first == ascending(edge) ? at->second : -1;
 }
 
-// In the committed frame, the rotation from x to the direction of l is that of the quaternion 1 + l_x, (0, -l_z, l_y).
+// In the committed frame, the rotation from x to the direction of l is that of the quaternion
+// 1 + l_x, (0, -l_z, l_y).
 Quaternion RodFrames::reference(int e, const VecX& x) const {
   const Vec3 l = committed_[e].conjugate() * tangent(e, x);
   return (committed_[e] * Quaternion(1 + l.x(), 0, -l.z(), l.y())).normalized();

@@ -178,8 +178,8 @@ double EnergyBalance::load_work(const State& state, const VecX& way, double h) {
   return work;
 }
 
-// Vertices that several unknowns move hand their inertia and weight on to held ones, too, and what is held in some
-// directions has its own.
+// Adds inertia and weight of fixed vertices: vertices that several unknowns move pass theirs on to
+// fixed ones, too, and partly fixed vertices have their own.
 void EnergyBalance::add_inertia_and_weight(const State& state, VecX& gradient) const {
   for (const int v : world_.dofs.dependents())
     if (world_.dofs.mixed(v)) vertex(gradient, v) += world_.mass(v) * (vertex(state.a, v) - world_.gravity);

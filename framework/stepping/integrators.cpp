@@ -5,9 +5,10 @@
 namespace tack {
 namespace {
 
-// Contact stands for all dynamic terms here: friction, bonds and those of plugins are followed as it is (State::contact).
-// Contact is smooth while its accelerations change by less than a part of the largest in a step: from there
-// on Newmark's correction is gone, and BDF2 forgets its history.
+// Contact stands for all dynamic terms here: friction, bonds and those of plugins follow the same
+// rule (State::contact). Contact is smooth while its accelerations change by less than this
+// fraction of the largest one in a step. From there on Newmark's correction is gone, and BDF2 drops
+// its history.
 constexpr double newmark_change = 0.25, bdf2_change = 0.25;
 
 // Returns the change of contact over a step: 0 (none) to 1 (made, lost, or changed by `whole` of
@@ -49,12 +50,15 @@ class ImplicitEuler : public TimeIntegrator {
   }
 };
 
-// Second-order backward differences. Velocities before an impact say nothing about those after it, and
-// differences across it would give energy back that the impact has taken. So steps that follow one in
-// which contact was not smooth, the first step, and the first after a change of h are implicit Euler, which
-// leaves the global order at two. Where steps adapt, and their sizes change all the time, it is the formula of two sizes
-// instead, with w the ratio of this one to the last, stable up to w = 1 + sqrt 2:
-//     h v' = (1 + 2 w) / (1 + w) x' - (1 + w) x + w^2 / (1 + w) x_before,  and so a' of the velocities.
+// Second-order backward differences. Velocities before an impact say nothing about those after it,
+// and differences across it would give back energy that the impact has taken. Implicit Euler, which
+// leaves the global order at two, therefore solves
+//   - steps that follow one in which contact was not smooth,
+//   - the first step, and the first one after a change of h.
+// Adaptive steps, whose sizes always change, use the formula of two sizes, with w the ratio of this
+// size to the last, stable up to w = 1 + sqrt 2:
+//     h v' = (1 + 2 w) / (1 + w) x' - (1 + w) x + w^2 / (1 + w) x_before,
+// and the same formula for a' of the velocities.
 class Bdf2 : public TimeIntegrator {
  public:
   Prediction predict(const State& s, double h) const override {
@@ -111,13 +115,15 @@ class Bdf2 : public TimeIntegrator {
 
 // Newmark with beta = 1/4, gamma = 1/2: second order, no numerical damping. Dynamic terms act as an
 // impulse h c in the middle of the step, c their accelerations at its end (Kane, Repetto, Ortiz and
-// Marsden 1999), a_i those of the rest:
-//     x' = x + h v + h^2/4 (a_i + a_i') + h^2/2 (c' + s),    v' = v + h/2 (a_i + a_i') + h (c' + s),
-// so that x' - x = h/2 (v + v'), and contact's work is c' M (x' - x), never more than its potential gave if
-// that is convex: an impact gains no energy, whatever h. With the mean of c and c' it would.
-// s = - (c - c_before) / 2, where contact is smooth, moves the force back to the middle of the step: second
-// order. It fades out the less smooth contact is, because after an impact it would push the wrong way. Of steps that adapt, the last
-// change is taken over in proportion to their sizes.
+// Marsden 1999); a_i are the accelerations by all other terms:
+//     x' = x + h v + h^2/4 (a_i + a_i') + h^2/2 (c' + s),
+//     v' = v + h/2 (a_i + a_i') + h (c' + s).
+// Then x' - x = h/2 (v + v'), and the work of contact is c' M (x' - x), never more than its
+// potential gave if that is convex: an impact gains no energy, whatever h. With the mean of c and
+// c' it would. s = - (c - c_before) / 2, where contact is smooth, moves the force back to the
+// middle of the step: second order. It fades out as contact becomes less smooth, because after an
+// impact it would push the wrong way. In adaptive steps the last change is scaled with the ratio of
+// their sizes.
 class Newmark : public TimeIntegrator {
  public:
   Prediction predict(const State& s, double h) const override {
