@@ -38,7 +38,7 @@ struct EnergyFlows {
   // the kinetic energy of this step, less that of bodies in free flight.
   double at_play = 0;
   double moving = 0;   // its kinetic part
-  // Whether there is contact at the start or end of the step, or energy between objects at its end.
+  // True with contact at the start or end of the step, or energy between objects at its end.
   bool in_contact = false;
   bool damped = false;      // repeated with the fallback integrator to avoid a gain
   bool refined = false;     // shorter than the scene's step, to conserve energy
