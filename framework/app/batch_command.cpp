@@ -1,4 +1,5 @@
-// tack batch: many experiments, side by side on this machine or as a job array of Slurm, and one table of them.
+// tack batch: many experiments, side by side on this machine or as a Slurm job array, and one table
+// of their results.
 #include <fmt/format.h>
 #include <fnmatch.h>
 #include <tbb/parallel_for.h>
@@ -33,7 +34,8 @@ constexpr size_t most_cases_shown = 40;
 
 std::string this_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-// Tells how far what comes before the first case is, if that takes a while: on a terminal in one line.
+// Prints the progress of the work before the first case if it takes a while: on a terminal, in one
+// line.
 class Preparation {
  public:
   Preparation(std::string what, int live_width, bool quiet) : what_(std::move(what)), live_(live_width > 0), quiet_(quiet) {}
@@ -57,7 +59,7 @@ class Preparation {
   std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
-// What is wrong with a case; "" if nothing is.
+// Returns the error of a case; "" if it has none.
 std::string wrong_with(const BatchPlan& plan, const BatchCase& one) {
   try {
     check_case(plan, one);
@@ -165,7 +167,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
   for (const BatchCase* one : open) {
     tasks.push_back(static_cast<size_t>(one - d.plan.cases.data()));
     replace_file(folder.scene(one->name), one->scene);
-    // Those that failed are to run again: their tasks must not take them for done.
+    // The failed cases run again: without their states, their tasks do not skip them.
     std::filesystem::remove(folder.state(one->name));
   }
   replace_file(folder.job_script(), job_script(this_program(), folder, config, d.limits, tasks));

@@ -26,7 +26,8 @@ using Clock = std::chrono::steady_clock;
 constexpr double longest_trial = 3;  // s
 constexpr int usual_of_chains = 45, usual_with_derivatives = 30;  // points for each number, by all searches after the design
 
-// The phase that goes on, on a terminal in a line that is rewritten; elsewhere a line when it begins.
+// Prints the current phase: on a terminal in a line that is rewritten, elsewhere as a line when the
+// phase begins.
 class Told {
  public:
   Told(const std::vector<FittedNumber>& numbers, int live_width, bool quiet) : numbers_(numbers), live_width_(live_width), quiet_(quiet) {}

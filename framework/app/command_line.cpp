@@ -1,4 +1,5 @@
-// The commands, their options and what is told of them. CLI11 is known here and in number_options.hpp alone.
+// The commands, their options and their help texts. Only this file and number_options.hpp include
+// CLI11.
 #include "framework/app/command_line.hpp"
 
 #include <fmt/format.h>
@@ -26,7 +27,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options, const std::stri
       ->take_all()->allow_extra_args(true);
 }
 
-// --set takes several values and so also a file that stands behind them: what has no '=' is the file.
+// --set takes several values and therefore also swallows a file that follows them: the value
+// without '=' is the file.
 void settle(SceneOptions& options) {
   if (!options.file.empty()) return;
   std::vector<std::string>& values = options.overrides;
@@ -95,7 +97,8 @@ class CommandLine {
     return words;
   }
 
-  // Which word of a command line that does not fit is no command or no option, and what may have been meant; "" if none.
+  // Returns the first misspelt command or option of a command line, with the nearest known name; ""
+  // if there is none.
   std::string misspelt(const std::vector<std::string>& words) const {
     const CLI::App* command = nullptr;
     for (const std::string& word : words) {

@@ -1,4 +1,5 @@
-// What the command line takes, as it is told by --help: completion scripts and the manual page are written from it.
+// The commands and options of the command line, as --help prints them. Source of the completion
+// scripts and of the manual page.
 #pragma once
 
 #include <string>
@@ -10,8 +11,9 @@ struct CommandOption {
   std::vector<std::string> names;    // "-o", "--output"; none: a word that stands by itself
   std::string word;                  // that word: "file"
   std::string about;
-  std::string value;                 // what it takes: "FOLDER", "TEXT", ...; "" for a flag
-  std::vector<std::string> choices;  // of the value, where there are but some
+  // placeholder of the value: "FOLDER", "TEXT", ...; "" for a flag
+  std::string value;
+  std::vector<std::string> choices;  // allowed values; empty: any value
   bool required = false, repeatable = false;
 };
 
@@ -22,17 +24,18 @@ struct Command {
 
 struct CommandSet {
   std::string name, about, version;
-  std::vector<CommandOption> options;  // of the program itself
+  std::vector<CommandOption> options;  // options of the program itself
   std::vector<Command> commands;
 };
 
-// For bash, zsh or fish; InputError for another shell.
+// Returns the completion script for bash, zsh or fish. Throws InputError for another shell.
 std::string completion_script(const CommandSet& set, const std::string& shell);
 
-// tack(1), for man.
+// Returns the manual page tack(1) as roff.
 std::string man_page(const CommandSet& set);
 
-// Endings of files that a value of that kind may be, in lower case; none: any.
+// Returns the file name endings, in lower case, that complete a value with this placeholder; empty:
+// any file.
 std::vector<std::string> endings_of(const std::string& value);
 
 }  // namespace tack

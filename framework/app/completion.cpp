@@ -35,7 +35,7 @@ std::string quoted(std::string text) {
   return "'" + text + "'";
 }
 
-// What completes a value, as a call of the function of the script.
+// Returns the shell code that completes the value of an option: a call of a function of the script.
 std::string bash_value(const CommandOption& o) {
   if (!o.choices.empty()) return fmt::format("_tack_words {}", quoted(joined(o.choices)));
   if (o.value == "FOLDER") return "_tack_files";
@@ -152,7 +152,7 @@ complete -F _tack tack
                      fmt::arg("words", words));
 }
 
-// Of _arguments: what stands between : must not have one, nor brackets in the text before.
+// Escapes a text for _arguments, whose fields must not contain ':' or brackets.
 std::string zsh_text(std::string text) {
   for (const char c : {':', '[', ']'})
     for (size_t at = 0; (at = text.find(c, at)) != text.npos; at += 2) text.insert(at, "\\");

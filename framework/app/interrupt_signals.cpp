@@ -5,7 +5,7 @@
 
 #include "geometry/interrupt.hpp"
 
-// Of OpenBLAS, without a header; other builds of it may not have it.
+// Function of OpenBLAS, which no header declares; other builds of OpenBLAS may lack it.
 extern "C" [[gnu::weak]] int blas_thread_shutdown_();
 
 namespace tack {
@@ -28,7 +28,8 @@ void let_signals_interrupt() {
     sigaddset(&signals, signal);
     std::signal(signal, request_interrupt);  // for a thread that a library has started before
   }
-  // The thread that writes gets these, and nobody could wait for them; what it wrote fails (EPIPE, EFBIG).
+  // The kernel sends these to the thread that writes, so that no other thread can wait for them;
+  // its write fails with EPIPE or EFBIG.
   for (const int signal : {SIGPIPE, SIGXFSZ})
     if (!ignored(signal)) std::signal(signal, request_interrupt);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);

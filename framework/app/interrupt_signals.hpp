@@ -4,9 +4,10 @@
 
 namespace tack {
 
-// From now on those signals, but SIGHUP where the caller ignores it (nohup), are blocked in this thread and all that it starts, and one thread
-// waits for them: a handler would not do, METIS has its own for SIGTERM while it orders a matrix, which leaves METIS by a jump and nothing else.
-// Call it before threads are started. Programs that are started inherit what is blocked.
+// Blocks these signals (SIGHUP only if the caller does not ignore it, as nohup does) in this thread
+// and all threads that it starts; one thread waits for them. A handler would not do: METIS installs
+// its own for SIGTERM while it orders a matrix, which jumps out of METIS and does nothing else.
+// Call it before threads are started. Child processes inherit the blocked signals.
 void let_signals_interrupt();
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// tack law: adhesion laws by themselves, before any scene: figures and curves on the terminal, pictures and tables into a folder.
+// tack law: adhesion laws without a scene: metrics and curves on the terminal, pictures and tables
+// in a folder.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -65,7 +66,7 @@ void print_curve(const GapStudy& study) {
   }
 }
 
-// What is nothing beside the work is none.
+// Prints an energy; energies that are negligible beside the work are printed as zero.
 std::string energy_text(double energy, double work) { return with_axis_unit(std::abs(energy) > 1e-12 * work ? energy : 0, "J/m^2"); }
 
 void print_curve(const BondStudy& study, double work) {
@@ -88,7 +89,7 @@ bool is_whole(const BondLaw& law) {
   return law.intensity_of(memory.data()) == 1;
 }
 
-// Whether derivatives are what they are to be.
+// Prints the derivative check of a law; returns true if the derivatives are correct.
 bool print_check(const LawCheck& check, bool states) {
   for (const std::string& line : check.notes) fmt::print("  {}\n", line);
   for (const std::string& line : check.doubtful) fmt::print("  warning: {}\n", line);

@@ -22,14 +22,15 @@
 namespace tack {
 namespace {
 
-// Opens /dev/null for each of the standard streams that the caller has closed: else the next file that is opened would get its number, and what is
-// printed would go there.
+// Opens /dev/null for each standard stream that the caller has closed. Otherwise the next opened
+// file gets its descriptor, and the program prints into it.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::abort();  // the lowest number that is free is this one
 }
 
-// What this process let only its own thread take: programs that it becomes would be deaf to it.
+// Unblocks the signals that only the waiting thread receives: a program executed in place of this
+// one inherits the mask and would ignore them.
 void let_signals_through() {
   sigset_t none;
   ::sigemptyset(&none);

@@ -11,7 +11,7 @@
 
 #include "geometry/errors.hpp"
 
-// Of OpenBLAS, without a header; other builds of it may not have them.
+// Functions of OpenBLAS, which no header declares; other builds of OpenBLAS may lack them.
 extern "C" {
 [[gnu::weak]] void* blas_memory_alloc(int place);
 [[gnu::weak]] void blas_memory_free(void* buffer);
@@ -21,8 +21,8 @@ extern "C" {
 namespace tack {
 namespace {
 
-// OpenBLAS asks for a buffer when a thread first needs one, and asks for ever if it gets none. What it has once it keeps. Its own threads may
-// not have come to ask for theirs yet.
+// OpenBLAS requests a buffer when a thread first needs one, and requests it forever if it gets
+// none. It keeps the buffers that it has. Its own threads may not have requested theirs yet.
 void give_blas_its_buffers(int threads) {
   if (!blas_memory_alloc || !blas_memory_free || !openblas_get_num_threads) return;
   std::vector<void*> buffers;
@@ -33,7 +33,10 @@ void give_blas_its_buffers(int threads) {
 // Buffer that OpenBLAS maps for each calling thread: its BUFFER_SIZE on x86-64, 32 << 22 bytes.
 constexpr double blas_buffer = 134217728;
 
-// Bytes of this process: "VmSize", all that is mapped, "VmData", all that it may write into, "RssAnon", what it has written into. 0 if the kernel does not tell.
+// Returns a memory size of this process in bytes, 0 if the kernel does not report it:
+// - "VmSize": all mapped memory
+// - "VmData": all writable private memory
+// - "RssAnon": all private memory that was written to
 double status(const std::string& what) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);)
@@ -63,7 +66,8 @@ void check_address_space(int threads) {
 void limit_memory(double bytes, int threads) {
   constexpr double least = 32e6;  // bytes to work with
   give_blas_its_buffers(threads);
-  // The kernel counts what was asked for, the limit what is used: untouched buffers and stacks do not count.
+  // The kernel counts allocated memory, the limit used memory: untouched buffers and stacks do not
+  // count.
   const double used = status("RssAnon"), untouched = status("VmData") - used;
   if (bytes < used + least)
     throw InputError(fmt::format("memory: {:.3g} GB is less than the program takes before it has read a scene; give at least {:.2g} GB",

@@ -1,5 +1,5 @@
-// How much memory a run may have, as `--memory` says: what asks for more fails with std::bad_alloc, instead of making the whole
-// machine slow or being killed with what else is on it.
+// The memory limit of a run (`--memory`): an allocation beyond it fails with std::bad_alloc,
+// instead of slowing down the machine or getting the process killed together with others.
 #pragma once
 
 namespace tack {
@@ -10,8 +10,9 @@ namespace tack {
 // itself, which exist before main().
 void check_address_space(int threads);
 
-// Of this process, from now on: so many bytes of data, of which it has some already. `threads`: that may compute side by side. Throws
-// InputError if that is less than the program itself takes.
+// Limits the data segment of this process (RLIMIT_DATA) to `bytes` more than its untouched memory.
+// `threads`: threads that may compute at the same time. Throws InputError if the limit is below the
+// memory that the program itself takes.
 void limit_memory(double bytes, int threads);
 
 }  // namespace tack

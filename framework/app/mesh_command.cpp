@@ -1,4 +1,5 @@
-// tack mesh info: what a mesh file holds and how good it is. tack mesh NAME: an operation on it. tack mesh convert: mesh_convert.cpp; sdf: mesh_sdf.cpp.
+// tack mesh info: contents and quality of a mesh file. tack mesh NAME: an operation on it. See
+// mesh_convert.cpp for convert, mesh_sdf.cpp for sdf.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// What `tack mesh` prints of meshes.
+// Tables that `tack mesh` prints about meshes.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace tack {
 
 void print_lines(const std::vector<std::string>& lines);
 
-// Headed by `title`: counts, size, volume, surface, groups.
+// Prints counts, size, volume, surface area and groups, under the heading `title`.
 void print_contents(const std::string& title, const Mesh& mesh);
 
 }  // namespace tack

@@ -142,7 +142,7 @@ int plot_comparison(const fs::path& folder) {
   return pictures.exit_code();
 }
 
-// Likewise those of `tack calibrate`.
+// Draws the pictures of a calibration again, from the scripts that `tack calibrate` left there.
 int plot_calibration(const fs::path& folder) {
   Pictures pictures(folder / "plots");
   std::vector<std::string> names;

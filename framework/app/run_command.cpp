@@ -30,7 +30,8 @@ int exit_code(RunStatus status) {
 
 namespace {
 
-// What is to be measured writes no frames, unless it is told to.
+// Returns the overrides of a run: with `profile`, no frames are written unless overrides ask for
+// them.
 std::vector<std::string> overrides_of(const RunOptions& options) {
   std::vector<std::string> overrides = options.scene.overrides;
   if (options.profile) overrides.insert(overrides.begin(), "output.frames=false");

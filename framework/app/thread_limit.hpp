@@ -1,4 +1,4 @@
-// As many threads as the command line asks for, for as long as it lives.
+// Limits the number of threads to that of the command line, during the lifetime of the object.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -8,7 +8,7 @@ namespace tack {
 
 class ThreadLimit {
  public:
-  // wanted: 0 for all cores.
+  // wanted: number of threads; 0: all cores.
   explicit ThreadLimit(int wanted)
       : count_(wanted > 0 ? wanted : tbb::info::default_concurrency()),
         control_(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(count_)) {}

@@ -38,8 +38,9 @@ bool has_display() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-// A file that nobody else can read and that sends a browser on to an address: every user of the machine can read the command line of the
-// browser, and the address has the token. Removed in the end.
+// A file that only this user can read and that redirects a browser to an address: the address
+// contains the token, and every user of the machine can read the command line of the browser.
+// Removed by the destructor.
 class RedirectPage {
  public:
   explicit RedirectPage(const std::string& address) : path_((fs::temp_directory_path() / "tack_view_XXXXXX.html").string()) {
