@@ -1,4 +1,4 @@
-// The file of `tack batch`, typed: which experiment, what varies, what is kept, and what it may use.
+// The file of `tack batch`, typed: experiments, variations, statistics, limits.
 #pragma once
 
 #include <memory>
@@ -25,12 +25,12 @@ struct BatchStatistic : SpecifiedStatistic {
   std::string column() const;
 };
 
-// What a job array of Slurm asks for; threads and memory are those of a case.
+// Resources that a Slurm job array requests; threads and memory are those of one case.
 struct SlurmConfig {
   std::string partition, account;
   double time = 3600;                // s, of a case
   int at_once = 0;                   // cases; 0: as many as there is room for
-  std::vector<std::string> options;  // of sbatch, as "--constraint=..."
+  std::vector<std::string> options;  // options of sbatch, as "--constraint=..."
   void fields(Fields& f);
 };
 
@@ -42,7 +42,7 @@ struct BatchConfig {
   std::vector<std::unique_ptr<const Variation>> vary;
   std::vector<BatchStatistic> statistics;
   std::vector<BatchPlot> plots;  // further pictures of `tack plot`
-  int threads = 1;                        // of a case
+  int threads = 1;                        // per case
   int jobs = 0;                           // side by side; 0: as many as cores allow
   std::optional<double> memory;           // GB, of a case
   std::optional<double> time_limit;       // s, of a case
@@ -52,7 +52,7 @@ struct BatchConfig {
   std::vector<BatchBase> all_bases() const;  // with names
 };
 
-// Throws InputError with file, line and remedy.
+// Reads a batch file. Throws InputError with file, line and remedy.
 BatchConfig load_batch(const std::string& path, const std::vector<std::string>& overrides);
 
 }  // namespace tack

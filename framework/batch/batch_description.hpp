@@ -1,8 +1,15 @@
-// batch.json: what a batch is and was made with, and its cases, so that its table can be made again from its folder alone.
+// batch.json: the description of a batch and its cases, from which `tack batch --collect` makes the
+// table again.
 //
-// Keys: name, about, file, provenance {...} (framework/output/provenance_json.hpp), threads, jobs, time_limit [s], memory [GB], keys [columns that vary], units {column: unit},
-// statistics [{name, probe, statistic, along, where, over}], plots [as in the file], cases [{name, folder, scene, values {column: text}, digest, status,
-// error}].
+// Keys:
+// - name, about, file
+// - provenance {...}: framework/output/provenance_json.hpp
+// - threads, jobs, time_limit [s], memory [GB]
+// - keys: [columns that vary]
+// - units: {column: unit}
+// - statistics: [{name, probe, statistic, along, where, over}]
+// - plots: as in the file
+// - cases: [{name, folder, scene, values {column: text}, digest, status, error}]
 #pragma once
 
 #include "framework/batch/batch_folder.hpp"
@@ -12,7 +19,7 @@
 
 namespace tack {
 
-// What a batch may use.
+// Resource limits of a batch.
 struct BatchLimits {
   int threads = 1, jobs = 1;
   std::optional<double> memory;      // GB, of a case
@@ -26,19 +33,20 @@ struct BatchDescription {
   std::string provenance;  // provenance_text()
 };
 
-// JSON, as it stands in batch.json.
+// Returns the provenance as JSON, as it stands in batch.json.
 std::string provenance_text(const Provenance& provenance);
 
-// Waiting if what ran was another form of it.
+// Returns the state of a case; waiting if its digest is not that of the stored state.
 CaseState state_of(const BatchFolder& folder, const BatchCase& one);
 
-// With the state of each case as it is now. Throws InputError if it cannot be written.
+// Writes batch.json with the present state of each case. Throws InputError if it cannot be written.
 void write_description(const BatchFolder& folder, const BatchDescription& description);
 
-// Whether the folder holds a batch that this one does not go on with: of another name, or of another file and without a case of the same name.
+// Returns true if the folder holds a batch that this one does not continue: one with another name,
+// or one of another file without a common case name.
 bool is_other_batch(const BatchFolder& folder, const BatchDescription& description);
 
-// Throws InputError if there is none, or it is damaged.
+// Reads batch.json. Throws InputError if it is missing or damaged.
 BatchDescription read_description(const BatchFolder& folder);
 
 }  // namespace tack

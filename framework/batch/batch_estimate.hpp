@@ -1,4 +1,4 @@
-// How long a batch will take, from what is known: the times of cases that ran, or short trials.
+// Estimated duration of a batch, from the times of finished cases or from short trials.
 #pragma once
 
 #include <map>
@@ -13,7 +13,8 @@ struct BatchEstimate {
   std::map<std::string, double> of_case;  // s, by base: of one of its cases
 };
 
-// For each base that no case of has run yet, one case is run for at most `trial` seconds and thrown away.
+// Estimates the duration. For each base without a finished case, one case runs for at most `trial`
+// seconds; its results are discarded.
 BatchEstimate estimate_of(const std::string& program, const BatchFolder& folder, const BatchPlan& plan, const BatchLimits& limits,
                           const std::vector<const BatchCase*>& open, double trial);
 

@@ -1,4 +1,4 @@
-// Where a batch keeps what: results/NAME, which a later call of the same batch goes on with.
+// Layout of the folder of a batch, results/NAME, which a later call of the batch continues.
 #pragma once
 
 #include <filesystem>
@@ -23,11 +23,13 @@ struct BatchFolder {
   std::filesystem::path output(const std::string& name) const { return root / "output" / (name + ".txt"); }
   std::filesystem::path job_script() const { return root / "slurm.sh"; }
 
-  // Of a batch that is there, only to be read or for one of its cases. Throws InputError if it is none.
+  // Opens an existing batch, to read it or to run one of its cases. Throws InputError if the folder
+  // holds none.
   static BatchFolder found(const std::filesystem::path& root);
 
-  // With its subfolders, for one writer at a time. Something that is no batch, results of a run with the same name, is moved aside, and so is
-  // another batch, if it is one; a folder with anything else is refused. Throws InputError.
+  // Opens or creates the folder with its subfolders, for one writer at a time.
+  // - results of a run with the same name, and another batch if `other`, are moved aside
+  // - a folder with anything else is refused: throws InputError
   static BatchFolder opened(const std::filesystem::path& root, bool other = false);
 };
 

@@ -86,7 +86,7 @@ void refuse_columns_twice(const Variant& variant) {
                                      variant.shown[i].column));
 }
 
-// Those that results.csv has anyway.
+// Throws for columns whose names are fixed columns of results.csv.
 void refuse_taken_columns(const std::vector<std::string>& columns) {
   for (const std::string& column : columns)
     if (taken_column(column))
@@ -159,7 +159,8 @@ class Planner {
     plan_.cases.push_back(std::move(one));
   }
 
-  // Of the first case of each base; what differs between bases has none.
+  // Adds the units of the first case of a base; columns whose units differ between bases lose
+  // theirs.
   void add_units(const std::map<std::string, std::string>& units) {
     if (plan_.cases.empty()) plan_.units = units;
     std::erase_if(plan_.units, [&](const auto& one) {

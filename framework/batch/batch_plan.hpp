@@ -1,4 +1,5 @@
-// The cases of a batch, each with its whole scene: all are read and built once before any of them runs.
+// The cases of a batch, each with its whole scene. All scenes are read and built once before any
+// case runs.
 #pragma once
 
 #include <functional>
@@ -16,29 +17,34 @@ struct BatchCase {
   std::string base;                           // name of the experiment
   std::map<std::string, std::string> values;  // by column; numbers with a unit in SI
   std::string scene;                          // resolved, as YAML
-  std::string digest;                         // of the scene, the files that it reads and the program
+  // checksum of the scene, the files that it reads and the program
+  std::string digest;
   double duration = 0;                        // s, simulated
 };
 
 struct BatchPlan {
   std::string name, about;
-  std::vector<std::string> columns;  // what varies; `base` first if there are several
+  std::vector<std::string> columns;  // varied columns; `base` first if there are several
   std::vector<BatchStatistic> statistics;
   std::vector<BatchPlot> plots;
-  std::map<std::string, std::string> units;  // of columns that have one, and the same in all cases: "Pa"
+  // Units of the columns, "Pa"; only of columns with one unit in all cases.
+  std::map<std::string, std::string> units;
   std::vector<BatchCase> cases;
 };
 
-// Told after each case: how many are planned, of how many.
+// Called after each planned case with the number of planned cases and the total.
 using PlanProgress = std::function<void(size_t done, size_t all)>;
 
-// `program`: what identifies the program (program_digest()). Throws InputError with everything that is wrong with any case.
+// Plans the cases of a batch. `program`: digest of the program (program_digest()). Throws one
+// InputError with the errors of all cases.
 BatchPlan plan_of(const BatchConfig& config, const std::string& program, const PlanProgress& progress = {});
 
-// Builds the world of a case, as a run does first: meshes, pairs, probes, the start. Throws InputError.
+// Builds the world of a case, as a run does first: meshes, pairs, probes, initial state. Throws
+// InputError.
 void check_case(const BatchPlan& plan, const BatchCase& one);
 
-// Of a case's values by the names of what varies, "young=1e5,translate=0,0.05,0"; safe in shells and file systems.
+// Returns the name of a case from its varied columns and values, "young=1e5,translate=0,0.05,0";
+// safe in shells and file systems.
 std::string case_name(const std::vector<std::pair<std::string, std::string>>& parts);
 
 }  // namespace tack

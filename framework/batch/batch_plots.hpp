@@ -1,5 +1,5 @@
-// Pictures that a batch file asks for by name (`plots`), so that a figure of a paper is drawn again by `tack plot DIR`: curves of its runs over
-// each other, or a bar per case, with numbers that others have published beside them.
+// Figures that a batch file defines (`plots`), drawn by `tack plot DIR`: curves of several runs in
+// one picture, or a bar for each case, with published values beside them.
 #pragma once
 
 #include <map>
@@ -23,7 +23,7 @@ struct BatchPlot {
   };
   struct Published {
     std::string base;
-    double value = 0;  // as in the table, or of it per `per`
+    double value = 0;  // in the unit of the table's column, or of the quotient with `per`
     void fields(Fields& f);
   };
 
@@ -32,18 +32,19 @@ struct BatchPlot {
   std::string bars, per;           // columns of results.csv: a bar of `bars`, or of bars / per
   std::vector<std::string> bases;  // whose cases have a bar; empty: all that have such a number
   std::vector<Published> published;
-  std::string source;              // of what is published: names its bars
+  std::string source;              // source of the published values: names their bars
   void fields(Fields& f);
 };
 
-// Whether one of the bases is none of `names`: "" or what is wrong.
+// Returns an error message if a base of the plot is not in `names`; "" otherwise.
 std::string unknown_base(const BatchPlot& plot, const std::vector<std::string>& names);
 
-// Throws InputError, with the nearest name, for a column that no run of the base has. Bases of which nothing has run are named in a note.
-// `runs`: by case.
+// Returns the curves of a plot. `runs`: by case name. Throws InputError, with the nearest name, for
+// a column that no run of the base has. Bases without a finished run are named in a note.
 Plot curves_of(const BatchPlot& plot, const BatchPlan& plan, const std::map<std::string, PlottedRun>& runs);
 
-// Throws InputError, with the nearest name, for a column that the table has not, and where no case has a number.
+// Returns the bars of a plot. Throws InputError, with the nearest name, for a column that the table
+// lacks, and if no case has a number.
 StackedBars bars_of(const BatchPlot& plot, const BatchPlan& plan, const CsvTexts& table);
 
 }  // namespace tack

@@ -1,5 +1,6 @@
-// What a batch tells while it runs. On a terminal a block that is rewritten: how many are done, running, failed, the time
-// left, and a line per running case; elsewhere, and above the block, a line for each case that ends.
+// Progress of a batch. On a terminal, a block that is rewritten: counts of finished, running and
+// failed cases, remaining time, and a line for each running case. Elsewhere, and above the block, a
+// line for each case that ends.
 #pragma once
 
 #include <chrono>
@@ -11,7 +12,8 @@ namespace tack {
 
 class BatchProgress {
  public:
-  // `cases` of the plan, of which `open` are to be run. `live_width`: columns of a terminal, 0 for none.
+  // cases: of the plan. open: cases that are to run. live_width: columns of the terminal, 0 for
+  // none.
   BatchProgress(std::ostream& out, size_t cases, size_t open, int jobs, int live_width, bool quiet);
   ~BatchProgress();  // takes the block away
 
@@ -27,12 +29,12 @@ class BatchProgress {
   size_t cases_, open_, ended_ = 0, failed_ = 0;
   int jobs_, live_width_;
   bool quiet_;
-  int lines_ = 0;       // of the block that stands
+  int lines_ = 0;       // of the block on the terminal
   double shown_ = -1;   // s
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-// "0.2s", "12s", "2m05s": with tenths below ten seconds.
+// Formats a duration: "0.2s", "12s", "2m05s"; with tenths below ten seconds.
 std::string short_duration(double seconds);
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// Runs the cases of a batch side by side. Each is a process of its own: what becomes of one touches no other.
+// Runs the cases of a batch side by side, each in its own process: a crash of one does not affect
+// the others.
 #pragma once
 
 #include <functional>
@@ -8,7 +9,7 @@
 
 namespace tack {
 
-// What is told on the way.
+// Callbacks of a running batch.
 struct BatchObserver {
   std::function<void(const BatchCase&, const CaseState&)> ended;
   struct Running {
@@ -18,21 +19,23 @@ struct BatchObserver {
   std::function<void(const std::vector<Running>&, size_t waiting)> tick;  // some times a second
 };
 
-// Runs `cases` of the plan by `program` (a path), each once. Ends early, with the running ones asked to end, if an interrupt
-// is requested (geometry/interrupt.hpp). Each state is on disk when its case has ended.
+// Runs each of `cases` once with `program` (a path). Returns early, after interrupting the running
+// cases, if an interrupt is requested (geometry/interrupt.hpp). Each state is on disk when its case
+// has ended.
 void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits,
                const std::vector<const BatchCase*>& cases, const BatchObserver& observer);
 
-// The same of cases that are not all known from the start. `more` is asked some times a second: it appends those that have become known, in
-// the order in which they are to start, and returns false once no more will come.
+// Runs cases that become known during the run. `more` is called several times a second: it appends
+// new cases in the order in which they are to start, and returns false when no more will follow.
 using MoreCases = std::function<bool(std::list<const BatchCase*>& waiting)>;
 void run_cases(const std::string& program, const BatchFolder& folder, const BatchLimits& limits, const MoreCases& more,
                const BatchObserver& observer);
 
-// The cases that are still to be run: those that never ran to an end as they are now, and with `again` those that failed.
+// Returns the cases that are still to run: cases without a finished run of the same digest, and
+// with `again` the failed cases.
 std::vector<const BatchCase*> open_cases(const BatchFolder& folder, const BatchPlan& plan, bool again);
 
-// How many cases of so many threads and GB fit side by side.
+// Returns the number of cases with `threads` threads and `memory` GB that fit side by side.
 int jobs_that_fit(int wanted, int threads, std::optional<double> memory);
 
 }  // namespace tack

@@ -51,7 +51,7 @@ FolderLock locked(const fs::path& run) {
   return FolderLock(run);
 }
 
-// What it says of itself: "error" of summary.json.
+// Returns the error of a run, "error" of summary.json; "" if there is none.
 std::string error_in_summary(const fs::path& run) {
   std::ifstream in(run / "summary.json");
   const nlohmann::json json = nlohmann::json::parse(in, nullptr, false);
@@ -62,7 +62,7 @@ std::string error_in_summary(const fs::path& run) {
 
 CaseRun::CaseRun(const std::string& program, const BatchFolder& folder, const BatchCase& one, const BatchLimits& limits)
     : program_(program), folder_(folder), case_(one), limits_(limits), process_([&] {
-        // Of the same case: it was cut short, or is to be run again.
+        // An equal digest means an interrupted run of the case, or one that is to run again.
         const bool same = read_case_state(folder.state(one.name)).digest == one.digest;
         resumed_ = same && !finished(state_of(folder, one).status) && resumable(folder, one);
         if (FolderLock::marked(folder.run(one.name))) {
@@ -139,7 +139,7 @@ std::string CaseRun::last_words() const {
   return "";
 }
 
-// Whether a crash looks as if memory had run out: nobody tells.
+// Returns a hint if a crash looks as if memory had run out, which no error code says; "" otherwise.
 std::string CaseRun::want_of_memory() const {
   if (limits_.memory && state_.memory_mb > 500 * *limits_.memory)
     return fmt::format("; it had {:.2g} of the {:.2g} GB that it may have: raise memory, or use fewer cells", state_.memory_mb / 1e3, *limits_.memory);

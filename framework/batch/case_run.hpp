@@ -1,4 +1,4 @@
-// One case of a batch as a process: how it is started, or gone on with, and what became of it.
+// One case of a batch as a process: starts or resumes it, and records how it ended.
 #pragma once
 
 #include "framework/batch/batch_description.hpp"
@@ -8,17 +8,18 @@ namespace tack {
 
 class CaseRun {
  public:
-  // Starts `program run` on the scene of the case, from its newest checkpoint if it was cut short and has one; what else
-  // is left of the same case is taken away, what is left of another of that name is moved aside. Throws InputError if
-  // files cannot be written.
+  // Starts `program run` on the scene of the case. An interrupted run with a checkpoint is resumed
+  // from its newest one; other results of the same case are removed, and results of another case
+  // with the same name are moved aside. Throws InputError if files cannot be written.
   CaseRun(const std::string& program, const BatchFolder& folder, const BatchCase& one, const BatchLimits& limits);
 
-  // Whether it has ended, its state then being written. Looks after the time limit.
+  // Returns true once the process has ended and its state is written. Also enforces the time limit.
   bool ended();
-  void interrupt();  // as Ctrl-C does; killed if it takes longer than a while
+  // Interrupts it as Ctrl-C does; kills it if it does not end within a grace period.
+  void interrupt();
   const CaseState& state() const { return state_; }  // once it has ended
   double seconds() const { return process_.seconds(); }
-  double fraction() const;  // of the simulated time
+  double fraction() const;  // completed fraction of the simulated time
 
  private:
   ChildProcess start(bool resume);
@@ -31,7 +32,7 @@ class CaseRun {
   BatchFolder folder_;
   const BatchCase& case_;
   BatchLimits limits_;
-  CaseState before_;  // what earlier pieces of the run took
+  CaseState before_;  // times and memory of earlier processes of a resumed run
   CaseState state_;
   bool resumed_ = false, timed_out_ = false;
   double told_ = 0;        // s of its life at which its state was last written

@@ -1,5 +1,5 @@
-// What became of a case of a batch: state/NAME.json in the batch's folder, written when it starts and when it ends, so that a
-// batch that was killed at any moment knows what is done.
+// State of a case of a batch: state/NAME.json in the batch's folder, written when the case starts
+// and when it ends, so that a killed batch can be continued.
 #pragma once
 
 #include <filesystem>
@@ -20,22 +20,23 @@ enum class CaseStatus {
 };
 std::string_view to_string(CaseStatus status);  // "done", "expectation failed", ...
 
-// Not to be run again unless asked for.
+// Returns true for a case that runs again only on request.
 bool finished(CaseStatus status);
 bool failed(CaseStatus status);  // finished, and not as wanted
 
 struct CaseState {
   CaseStatus status = CaseStatus::waiting;
-  std::string digest;       // of the case when it ran
+  std::string digest;       // checksum of the case when it ran
   std::string error;        // why it failed
-  double wall_seconds = 0;  // of the process; of a case that was gone on with, of all of its processes
-  double cpu_seconds = 0;   // likewise
+  // Of the process; of a resumed case, summed over its processes. So is cpu_seconds.
+  double wall_seconds = 0;
+  double cpu_seconds = 0;   // CPU time of all threads
   double memory_mb = 0;     // most that was resident at once
 };
 
-// Waiting if the file is not there, or damaged.
+// Reads a state; waiting if the file is missing or damaged.
 CaseState read_case_state(const std::filesystem::path& path);
-// Throws InputError if it cannot be written.
+// Writes a state. Throws InputError if it cannot be written.
 void write_case_state(const std::filesystem::path& path, const CaseState& state);
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// A program that runs beside this one: in a group of its own, so that Ctrl-C reaches it only through us, and killed by the kernel
-// if we die first.
+// A child process in its own process group, so that Ctrl-C reaches it only through this program;
+// the kernel kills it if this program dies first.
 #pragma once
 
 #include <sys/types.h>
@@ -13,8 +13,9 @@ namespace tack {
 
 class ChildProcess {
  public:
-  // What it prints goes to the file `output`. From the main thread, as the kernel ends it together with the thread that made it. Throws
-  // std::runtime_error if there is no process to be had.
+  // Starts the program; its output goes to the file `output`. Call it from the main thread: the
+  // kernel kills the child when the thread that started it ends. Throws std::runtime_error if no
+  // process can be created.
   ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& output);
   ~ChildProcess();  // kills it
   ChildProcess(ChildProcess&& other) noexcept;
@@ -23,9 +24,9 @@ class ChildProcess {
   bool ended();            // does not wait
   void send(int signal);   // nothing if it has ended
   double seconds() const;  // since its start, or of its life
-  double cpu_seconds() const;  // likewise, of all its threads
+  double cpu_seconds() const;  // CPU time of all its threads so far, or in total
 
-  // Of one that ended: its exit code, or the signal that ended it, 0 if none did.
+  // Exit code of an ended process, and the signal that ended it; 0 if none did.
   int exit_code() const { return exit_code_; }
   int signal() const { return signal_; }
   double memory_mb() const { return memory_mb_; }  // most that was resident

@@ -10,8 +10,9 @@
 
 namespace tack {
 
-// Of what varies, of statistics (without any: of those that every probe has), of the values of expectations and of times: the SI units by
-// column; plain numbers are left out. `resolved`: the experiment's values with their units as comments (to_value).
+// Returns the SI units by column; plain numbers are left out. Columns: varied keys, statistics (if
+// there are none, those that every probe has), values of expectations, and times. `resolved`: the
+// experiment's values with their units as comments (to_value).
 std::map<std::string, std::string> column_units(const Experiment& experiment, const Value& resolved, const Variant& variant,
                                                 const std::vector<BatchStatistic>& statistics);
 

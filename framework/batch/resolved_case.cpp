@@ -34,7 +34,8 @@ ResolvedCase CaseResolver::resolve(Value root, const std::vector<Variant::Settin
   return one;
 }
 
-// What scenes read besides themselves: of a file its bytes, of an earlier run its newest checkpoint.
+// Adds the files that a scene reads to its digest: the bytes of a file, or the newest checkpoint of
+// an earlier run.
 void CaseResolver::add_files(const Value& value, std::string& digest) {
   if (value.is_scalar() && value.text.starts_with('/')) digest += digest_of_file(value.text);
   for (const Value& item : value.items) add_files(item, digest);

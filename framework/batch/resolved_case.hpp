@@ -1,4 +1,4 @@
-// A scene as a case runs it: with every key, and with what tells it from all others.
+// The scene of a case with every key, and the checksum that identifies the case.
 #pragma once
 
 #include <map>
@@ -13,16 +13,17 @@ namespace tack {
 struct ResolvedCase {
   LoadedExperiment loaded;
   Value resolved;      // with units as comments
-  std::string scene;   // the same as YAML
-  std::string digest;  // of the scene, the files that it reads, the program and its libraries
+  std::string scene;   // the scene as YAML
+  // checksum of the scene, the files that it reads, the program and its libraries
+  std::string digest;
 };
 
 class CaseResolver {
  public:
-  // `program`: what identifies the program (program_digest()).
+  // `program`: digest of the program (program_digest()).
   explicit CaseResolver(std::string program) : program_(std::move(program)) {}
 
-  // Throws InputError with file, line and remedy.
+  // Sets the keys and resolves the scene. Throws InputError with file, line and remedy.
   ResolvedCase resolve(Value root, const std::vector<Variant::Setting>& set);
 
  private:

@@ -1,11 +1,12 @@
-// A batch as one job array of Slurm: each of its tasks is a case.
+// A batch as one Slurm job array with a task for each case.
 #pragma once
 
 #include "framework/batch/batch_run.hpp"
 
 namespace tack {
 
-// The script for sbatch, which runs the tasks `tasks` (places in the plan) by `program`.
+// Returns the script for sbatch, which runs the tasks `tasks` (indices of cases in the plan) with
+// `program`.
 std::string job_script(const std::string& program, const BatchFolder& folder, const BatchConfig& config, const BatchLimits& limits,
                        const std::vector<size_t>& tasks);
 
@@ -14,7 +15,7 @@ struct SlurmJob {
   ChildProcess waiting;  // sbatch --wait, which ends when all of the array has
 };
 
-// Submits the script of the folder. Throws InputError with what sbatch says.
+// Submits the script of the folder. Throws InputError with the message of sbatch.
 SlurmJob submit(const BatchFolder& folder);
 std::string submit_and_leave(const BatchFolder& folder);  // the job's number
 

@@ -1,5 +1,5 @@
-// What varies from case to case of a batch: each entry of `vary` is a list of variants, and the cases are all
-// combinations of them, the last entry varying fastest.
+// Variations between the cases of a batch. Each entry of `vary` is a list of variants, and the
+// cases are all combinations of them, the last entry varying fastest.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace tack {
 
-// One choice: the keys that it sets, and what tables show of it.
+// One variant: the keys that it sets, and the columns that tables show for it.
 struct Variant {
   struct Setting {
     std::string key;  // "objects.cube.energies.0.young"
@@ -26,7 +26,7 @@ struct Variant {
   std::vector<Shown> shown;
 };
 
-// Of two choices that are made together.
+// Joins the settings and columns of two variants.
 Variant joined(const Variant& a, const Variant& b);
 
 class Variation : public Component {
@@ -34,9 +34,10 @@ class Variation : public Component {
   static constexpr const char* kind_name = "variation";
   static constexpr const char* kind_doc = "Scene keys that vary in a batch, and their values.";
 
-  // At least one. Throws InputError with its place in the file.
+  // Returns the variants, at least one. Throws InputError with its place in the file.
   virtual std::vector<Variant> variants() const = 0;
-  // How many these are, before they are made: where a number says so, they may be too many.
+  // Returns the number of variants without making them, since a count in the file may be too large
+  // to make.
   virtual double count() const { return static_cast<double>(variants().size()); }
 };
 

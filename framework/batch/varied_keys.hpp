@@ -1,4 +1,4 @@
-// The map `keys` of a variation: which key of the experiment takes which values.
+// The map `keys` of a variation: keys of the experiment and the values that each takes.
 //
 //   objects.cube.energies.0.young: [1e5, 1e6]                                     values
 //   contact.friction.mu: {values: [0.1, 0.2], as: mu}                             and a heading for tables
@@ -15,11 +15,11 @@ namespace tack {
 
 struct VariedRange {
   double from = 0, to = 1;  // as written, in `unit`
-  std::string unit;         // of both; empty: none
+  std::string unit;         // of both bounds; empty: none
   bool log = false, whole = false;
   SourceMark mark;
 
-  // For u in [0, 1), to six digits.
+  // Returns the value at the fraction u of the range, u in [0, 1), to six digits.
   Value at(double u) const;
 };
 
@@ -31,11 +31,12 @@ struct VariedKey {
   std::optional<VariedRange> range;  // or this
 };
 
-// Throws InputError with the place of what is wrong: no map, no values, another form than wanted.
+// Reads the map. Throws InputError with the place of the error: no map, no values, or a form that
+// is not allowed here.
 std::vector<VariedKey> keys_with_values(const Value& keys);
 std::vector<VariedKey> keys_with_ranges(const Value& keys);
 
-// "0.3", "5 MPa", "{type: lbfgs}".
+// Formats a value for tables: "0.3", "5 MPa", "{type: lbfgs}".
 std::string shown_text(const Value& value);
 
 }  // namespace tack
