@@ -1,4 +1,5 @@
-// A minimum without derivatives, by quadratic models within bounds (Powell 2009), by NLopt. Of one unknown, by simplices instead.
+// Minimisation without derivatives within bounds: BOBYQA (quadratic models, Powell 2009) by NLopt;
+// Nelder-Mead simplices for a single unknown.
 #pragma once
 
 #include <functional>
@@ -14,7 +15,7 @@ struct BobyqaSettings {
   int evaluations = 100;    // most
 };
 
-// `value` gives nothing to end the search.
+// Minimises `value` from `start`. The search ends when `value` returns nothing.
 void bobyqa(const BobyqaSettings& settings, std::vector<double> start,
             const std::function<std::optional<double>(const std::vector<double>&)>& value);
 

@@ -21,7 +21,7 @@ std::string check_names(const std::vector<MeasuredExperiment>& experiments) {
   return "";
 }
 
-// What is a measure of the points of one experiment must be one of all.
+// Returns an error message if the noise is known for some of the experiments only; "" otherwise.
 std::string check_noise(const std::vector<MeasuredExperiment>& experiments) {
   const auto known = std::count_if(experiments.begin(), experiments.end(), [](const MeasuredExperiment& e) { return !e.noise.is_null(); });
   if (known == 0 || known == static_cast<long>(experiments.size())) return "";

@@ -1,5 +1,5 @@
-// The file of `tack calibrate`, typed: which experiments are held against which measured curves, which of their numbers are fitted, and
-// how they are searched for.
+// The file of `tack calibrate`, typed: experiments and their measured curves, fitted parameters,
+// and settings of the search.
 #pragma once
 
 #include <map>
@@ -12,16 +12,17 @@
 
 namespace tack {
 
-// A scene and a curve that was measured of it.
+// A scene and the curve that was measured for it.
 struct MeasuredExperiment {
   std::string name;  // empty: that of the data's file
   std::string base;  // absolute
   std::vector<std::string> set;
   std::string data;  // absolute
   std::string x = "time", y;  // columns of probes.csv
-  std::string x_column, y_column;  // of the data; empty: as x and y
+  std::string x_column, y_column;  // columns of the data; empty: as x and y
   std::optional<Quantity> from, to;
-  Value noise;  // as written: "2 %" of the largest measured number, or a number; null: not known
+  // As written: "2 %" of the largest measured number, or a number; null: unknown.
+  Value noise;
   double weight = 1;
 
   void fields(Fields& f);
@@ -29,12 +30,14 @@ struct MeasuredExperiment {
 
 enum class FitScale { automatic, log, linear };
 
-// A number of the scenes that is searched for.
+// A fitted scene parameter.
 struct FitConfig {
   std::optional<Quantity> from, to, start;
   FitScale scale = FitScale::automatic;
   std::string as;
-  Value keys;  // null: the key that it stands under; else as written: a key, a list of keys, or those by the name of the experiment
+  // As written: a key, a list of keys, or a map of these by the name of the experiment; null: the
+  // key of its own entry.
+  Value keys;
 
   void fields(Fields& f);
 };
@@ -44,7 +47,8 @@ struct SearchConfig {
   int chains = 3;       // local searches, from the best points
   int evaluations = 0;  // most of design and chains together; 0: as many as it takes
   bool polish = true, gradients = true;
-  double step = 0.15, difference = 0.05, tolerance = 1e-3;  // in logarithms, or in thirds of the range
+  // In u (fitted_number.hpp): logarithms, or thirds of the range.
+  double step = 0.15, difference = 0.05, tolerance = 1e-3;
 
   void fields(Fields& f);
 };
@@ -55,7 +59,7 @@ struct CalibrateConfig {
   std::vector<std::string> set;
   std::map<std::string, FitConfig> fit;  // by key path, or any name with `keys`
   SearchConfig search;
-  int threads = 1;                   // of a run
+  int threads = 1;                   // threads per run
   int jobs = 0;                      // side by side; 0: as many as cores allow
   std::optional<double> memory;      // GB, of a run
   std::optional<double> time_limit;  // s, of a run
@@ -64,7 +68,8 @@ struct CalibrateConfig {
   void fields(Fields& f);
 };
 
-// With a name for each experiment. Throws InputError with file, line and remedy.
+// Reads a calibration file; every experiment gets a name. Throws InputError with file, line and
+// remedy.
 CalibrateConfig load_calibration(const std::string& path, const std::vector<std::string>& overrides);
 
 }  // namespace tack

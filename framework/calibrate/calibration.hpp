@@ -1,4 +1,4 @@
-// What a calibration found.
+// The result of a calibration.
 #pragma once
 
 #include "framework/calibrate/confidence.hpp"
@@ -10,12 +10,12 @@ namespace tack {
 struct Calibration {
   SearchResult search;
   std::optional<Confidence> confidence;  // nothing if there are no derivatives
-  std::vector<std::string> warnings;     // those of the confidence, and what else a reader must know
+  std::vector<std::string> warnings;     // of the confidence and of the search
 };
 
 Calibration calibrate(const FittedScenes& scenes, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell);
 
-// The numbers with their intervals, warnings, and what is left: for the console.
+// Returns the fitted values with their intervals, warnings and residuals, for the console.
 std::string summary_text(const Calibration& found, const FittedScenes& scenes);
 
 }  // namespace tack

@@ -1,11 +1,19 @@
 // The files of a calibration.
 //
-// calibration.json: name, about, file, provenance {...}, status ("done"), wall_seconds, runs {started, points, failed, phases {phase: points},
-// with_derivatives}, misfit, noise {known, of_residuals}, numbers [{name, keys {experiment: [key]}, unit, scale, from, to, start, value, sigma, low, high,
-// determined, derivatives ("run" or "differences"), why_differences}], derivatives {missed, compared} (those of the runs themselves), correlation [[...]], combinations [{text, sigma,
-// weights}], experiments [{name, base, data, x, y, x_unit, y_unit, points, beyond, misfit, rms, noise, weight, fit, run, scene}], warnings [...]. Numbers that
-// there are not, or that are infinite, are null.
-// evaluations.csv: number, phase, a column for each fitted number, misfit, misfit:EXPERIMENT, derivatives (1 or 0: whether the runs gave them), status, error.
+// calibration.json (numbers that do not exist or are infinite are null):
+// - name, about, file, status ("done"), wall_seconds, warnings [...]
+// - provenance {...}
+// - runs {started, points, failed, phases {phase: points}, with_derivatives}
+// - misfit, noise {known, of_residuals}
+// - numbers [{name, keys {experiment: [key]}, unit, scale, from, to, start, value, sigma, low,
+//   high, determined, derivatives ("run" or "differences"), why_differences}]
+// - derivatives {missed, compared}: of the runs' own derivatives (derivatives.hpp)
+// - correlation [[...]], combinations [{text, sigma, weights}]
+// - experiments [{name, base, data, x, y, x_unit, y_unit, points, beyond, misfit, rms, noise,
+//   weight, fit, run, scene}]
+//
+// evaluations.csv: number, phase, a column for each fitted number, misfit, misfit:EXPERIMENT,
+// derivatives (1 if the runs gave them, else 0), status, error.
 #pragma once
 
 #include "framework/calibrate/calibration.hpp"
@@ -22,11 +30,13 @@ struct CalibrationRecord {
   int started = 0;  // runs, this time
 };
 
-// Everything but the pictures. `best_runs`: the folders of the best runs. Throws InputError for what cannot be written.
+// Writes all files except the pictures. `best_runs`: folders of the best runs. Throws InputError if
+// a file cannot be written.
 void write_calibration(const CalibrationFolder& folder, const CalibrationRecord& record, const Calibration& found, FittedScenes& scenes,
                        const std::vector<std::filesystem::path>& best_runs);
 
-// Of each experiment measured points with the best run, and the misfit from point to point. What is wrong with any of them.
+// Draws, for each experiment, the measured points with the best run, and the misfit of every point.
+// Returns the error messages.
 std::vector<std::string> draw_calibration(const CalibrationFolder& folder, const Calibration& found, const FittedScenes& scenes);
 
 }  // namespace tack

@@ -1,10 +1,11 @@
-// Where a calibration keeps what: results/NAME, which a later call goes on with.
+// Layout of the folder of a calibration, results/NAME, which a later call continues.
 //
-//   calibration.json   what it is, what came out (calibration_files.hpp)
-//   calibration.csv    a row for each number
+//   calibration.json   description and results (calibration_files.hpp)
+//   calibration.csv    a row for each fitted number
 //   evaluations.csv    a row for each point
-//   fits/NAME.csv      of each experiment: x, measured, simulated; fits/NAME_run.csv: the whole of its best run
-//   scenes/NAME.yaml   of each scene: with the fitted values, every key
+//   fits/NAME.csv      per experiment: x, measured, simulated
+//   fits/NAME_run.csv  per experiment: all samples of the best run
+//   scenes/NAME.yaml   per scene: every key, with the fitted values
 //   plots/             pictures
 //   evaluations/       the runs, a batch (batch_folder.hpp)
 #pragma once
@@ -27,12 +28,12 @@ struct CalibrationFolder {
   std::filesystem::path scene(const std::string& run) const { return root / "scenes" / (run + ".yaml"); }
   std::filesystem::path plots() const { return root / "plots"; }
 
-  // For one writer at a time. Goes on with a calibration of that name; anything else that `tack` wrote is moved aside, a folder with anything else refused.
-  // Throws InputError.
+  // Opens or creates the folder, for one writer at a time. Continues a calibration of that name and
+  // moves other results of tack aside. Throws InputError for a folder with other files.
   static CalibrationFolder opened(const std::filesystem::path& root, const std::string& name);
 };
 
-// A name as that of a file: what troubles shells and file systems is replaced.
+// Returns the name with characters replaced that are unsafe in shells and file systems.
 std::string file_name(const std::string& name);
 
 }  // namespace tack

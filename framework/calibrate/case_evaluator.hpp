@@ -1,5 +1,5 @@
-// Evaluates points by runs that are cases of a batch: processes side by side, or a job array of Slurm for all points that are asked for at once. A case that
-// is done is not run again, whoever asks for it, now or later.
+// Evaluates points by runs that are cases of a batch: processes side by side, or one Slurm job
+// array for all points that are requested at once. A finished case never runs again.
 #pragma once
 
 #include <deque>
@@ -29,7 +29,7 @@ class CaseEvaluator : public Evaluator {
   void serve(PointQueue& queue) override;
   std::vector<std::string> without_derivatives() override { return scenes_.without_derivatives(); }
 
-  // batch.json and results.csv of the folder, with all cases that were asked for.
+  // Writes batch.json and results.csv of the folder, with all requested cases.
   void write_tables();
   int started() const { return started_; }  // cases that were not done before
   std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
@@ -37,7 +37,7 @@ class CaseEvaluator : public Evaluator {
  private:
   struct Pending {
     PointQueue::Request* request;
-    std::vector<const BatchCase*> cases;  // of each run
+    std::vector<const BatchCase*> cases;  // one for each run
   };
 
   const BatchCase* case_of(int run, const Point& values, bool derivatives);
@@ -54,7 +54,8 @@ class CaseEvaluator : public Evaluator {
   Settings settings_;
   std::deque<BatchCase> cases_;
   std::map<std::string, size_t> by_name_;
-  std::set<const BatchCase*> running_, tried_;  // those under way; those that were run by this program
+  // Cases under way; cases that this program ran.
+  std::set<const BatchCase*> running_, tried_;
   std::vector<Pending> pending_;
   int started_ = 0;
 };

@@ -1,16 +1,21 @@
-// How well data determine the numbers that were fitted to them, as far as residuals are linear around the best point.
+// Confidence in fitted numbers: how well the data determine them, for residuals that are linear
+// around the best point.
 //
-// With J = d residuals / d u and the standard deviation s of a residual, H = J^T J / s^2 and C = H^-1 hold for independent errors; s is 1 where noise is
-// known (residuals are in units of it), else |r| / sqrt(points - numbers).
-// Successive residuals are correlated where the noise is, or where the model misses something. Then
-// n points determine as much as n / tau, with tau their integrated autocorrelation time, and C is
-// multiplied by tau. Where known noise is exceeded, C is also multiplied by chi^2 per degree of
-// freedom (Birge).
-// An interval holds the true value with 95%: +-t s_i. t is that of Student's distribution for n /
-// tau - numbers, or 1.96. No interval holds the bias of a wrong model: `fits` says whether there is
-// evidence of one.
-// Eigenvectors of H with large eigenvalues are the combinations that the data determine:
-// v_1 ln a + v_2 ln b is that of a^v_1 b^v_2.
+// With J = d residuals / d u and the standard deviation s of a residual, for independent errors:
+//   H = J^T J / s^2,  C = H^-1
+//   s = 1 for known noise (residuals are in units of it), else |r| / sqrt(points - numbers)
+//
+// Corrections to C:
+// - Correlated residuals (correlated noise, or a model error): n points determine as much as n /
+//   tau, with tau their integrated autocorrelation time; C is multiplied by tau.
+// - Residuals above the known noise: C is multiplied by chi^2 per degree of freedom (Birge).
+//
+// Intervals hold the true value with 95%: +-t s_i, with t of Student's distribution for n / tau -
+// numbers degrees of freedom, or 1.96. They do not include the bias of a wrong model: `fits` is
+// false if there is evidence of one.
+//
+// Eigenvectors of H with large eigenvalues are the combinations that the data determine: v_1 ln a +
+// v_2 ln b is that of a^v_1 b^v_2.
 #pragma once
 
 #include <string>
@@ -38,7 +43,8 @@ struct ResidualStatistics {
   double chi_squared_limit = 0;  // noise alone exceeds it in 1 of 100 fits; NaN for unknown noise
 };
 
-// series: how many residuals follow each other, of each experiment; empty: all do.
+// Computes the statistics. series: number of successive residuals of each experiment; empty: one
+// series.
 ResidualStatistics residual_statistics(const std::vector<double>& residuals, size_t numbers,
                                        bool noise_known,
                                        const std::vector<size_t>& series = {});
@@ -47,17 +53,22 @@ struct Confidence {
   double noise = 1;                         // s; of residuals
   ResidualStatistics residuals;
   bool fits = true;                         // no evidence that the model misses what was measured
-  std::vector<double> sigma;                // of u: 0.05 is 5% of the value on a logarithmic scale; infinite if nothing is known
-  std::vector<double> low, high;            // of values, 95%; on a logarithmic scale never below zero, infinite if nothing is known
+  // Standard deviation of u: 0.05 is 5% of the value on a logarithmic scale; infinite if the data
+  // do not determine it.
+  std::vector<double> sigma;
+  // 95% interval of the values. On a logarithmic scale never below zero; infinite if the data do
+  // not determine it.
+  std::vector<double> low, high;
   Eigen::MatrixXd correlation;              // of u; NaN where a sigma is infinite
   std::vector<DeterminedCombination> combinations;    // the best determined one first
   std::vector<std::string> warnings;
 };
 
-// Above this, a number counts as not determined.
+// A number with a larger sigma counts as not determined.
 inline constexpr double largest_sigma = 0.25;
 
-// `noise_known`: residuals are in units of it. `values`: the best ones. `series`: as above.
+// Computes the confidence at the best point `values`. `noise_known`: residuals are in units of the
+// noise. `series`: as for residual_statistics.
 Confidence confidence_of(const std::vector<FittedNumber>& numbers,
                          const std::vector<double>& values, const Eigen::MatrixXd& jacobian,
                          const std::vector<double>& residuals, bool noise_known,

@@ -1,4 +1,5 @@
-// Derivatives of residuals: those that runs give themselves, else differences of runs.
+// Derivatives of residuals: from the runs themselves where they give them, else finite differences
+// between runs.
 #pragma once
 
 #include <functional>
@@ -9,25 +10,33 @@
 
 namespace tack {
 
-// d residuals / d u, at a point.
+// d residuals / d u at a point.
 struct Derivatives {
   Eigen::MatrixXd of_residuals;  // a row for each measured point, a column for each number
   std::string problem;           // why there are none; "" if there are
-  std::vector<bool> by_runs;     // of each number: the runs gave its column themselves
-  std::vector<std::string> why;  // of each number whose column is of differences, why; "" if it is as asked for
-  double missed = 0;             // of what residuals change by from here to `compared` points nearby, the part that runs' own derivatives do not tell
+  std::vector<bool> by_runs;     // per number: the runs gave its column
+  // Per number with a column of finite differences: the reason; "" if they were asked for.
+  std::vector<std::string> why;
+  // Relative error of the runs' own derivatives: the part of the change of residuals to `compared`
+  // nearby points that they do not predict.
+  double missed = 0;
   int compared = 0;
-  std::vector<double> missed_of;  // of each number: the same of its column, by the slopes that fit those points best; empty if they lie too badly for that
+  // Per number: relative error of its column, against slopes fitted to those points; empty if the
+  // points do not determine slopes.
+  std::vector<double> missed_of;
 };
 
 using EvaluateAll = std::function<std::vector<PointEvaluation>(const std::vector<Point>&)>;
 
-// At the point u, `middle` being its evaluation. Of numbers of which that has no derivatives, central differences of `step` around it; to one side at a
-// bound, and where the run at the other failed.
+// Computes the derivatives at the point u, whose evaluation is `middle`. Numbers without
+// derivatives in `middle` get central differences of width `step`; one-sided at a bound, and where
+// one of the two runs failed.
 Derivatives derivatives_at(const std::vector<FittedNumber>& numbers, const std::vector<double>& u, double step, const PointEvaluation& middle,
                            const EvaluateAll& evaluate);
 
-// Holds them against other points whose numbers are all within `reach` (in u): curves that break off have steps, which the runs' own derivatives do not know.
+// Compares the derivatives with the evaluations whose numbers are all within `reach` (in u), and
+// fills in `missed`. Curves with sudden breaks have steps, which the runs' own derivatives do not
+// see.
 void compare_with(const std::vector<const PointEvaluation*>& others, const std::vector<FittedNumber>& numbers, const PointEvaluation& middle, double reach,
                   Derivatives& d);
 

@@ -1,7 +1,9 @@
-// A number that is fitted: its range, the keys that take it, and the scale on which it is searched for.
+// A fitted scene parameter: its range, its keys, and the scale of the search.
 //
-// Searches work on u = ln(value) on a logarithmic scale, and on u = 3 value / (to - from) on a linear one, so that a step of 0.15 is 15% of
-// the value, or 5% of the range. Values have six digits: what is as close as that is the same run.
+// Searches work in u, so that a step of 0.15 is 15% of the value, or 5% of the range:
+//   logarithmic scale  u = ln(value)
+//   linear scale       u = 3 value / (to - from)
+// Values are rounded to six digits: points that are equal after rounding share their runs.
 #pragma once
 
 #include <string>
@@ -12,10 +14,10 @@
 namespace tack {
 
 struct FittedNumber {
-  std::string name;                            // of tables
-  std::vector<std::vector<std::string>> keys;  // of each experiment
-  // Per experiment and key: the unit that the number's text has in the scene, as the text of a
-  // parameter has one; "" if it has none.
+  std::string name;                            // column in tables
+  std::vector<std::vector<std::string>> keys;  // per experiment
+  // Per experiment and key: the unit of the number in the scene file, for parameters whose text has
+  // one; "" otherwise.
   std::vector<std::vector<std::string>> units;
   std::string unit;                            // SI; "" until it is known, "1" of a plain number
   double from = 0, to = 1, start = 0;          // SI
@@ -28,10 +30,11 @@ struct FittedNumber {
   double high() const { return u(to); }
 };
 
-// To six significant digits.
+// Rounds to six significant digits.
 double six_digits(double value);
 
-// In the order of their names. Throws InputError for names that are the same, or columns that tables have anyway, and keys that name no experiment.
+// Returns the fitted numbers sorted by name. Throws InputError for equal names, names of fixed
+// columns, and keys that name no experiment.
 std::vector<FittedNumber> fitted_numbers(const CalibrateConfig& config);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// The experiments of a calibration: their scenes with any values of the fitted numbers, and the points that were measured of them.
+// The scenes of a calibration for any values of the fitted numbers, and their measured points.
 #pragma once
 
 #include <optional>
@@ -16,37 +16,42 @@ namespace tack {
 
 class FittedScenes {
  public:
-  // Reads, binds and builds every experiment at the start of the numbers, whose units are filled in. Throws InputError for scenes and data that
-  // cannot be read, keys that are no numbers of theirs, units that are others than the key's.
+  // Reads, binds and builds every experiment at the start values, and fills in the units of the
+  // numbers. Throws InputError for unreadable scenes and data, keys that are no numbers of a scene,
+  // and units that differ from the key's.
   FittedScenes(const CalibrateConfig& config, const std::string& program);
 
   const std::vector<FittedNumber>& numbers() const { return numbers_; }
-  const std::vector<MeasuredPoints>& measured() const { return measured_; }  // of each experiment
+  // One for each experiment.
+  const std::vector<MeasuredPoints>& measured() const { return measured_; }
   bool noise_known() const { return measured_.front().noise_known; }
 
-  // Experiments with the same scene are one run.
+  // Number of runs per evaluation; experiments with equal scenes share a run.
   int runs() const { return static_cast<int>(scenes_.size()); }
   int run_of(int experiment) const { return run_of_[static_cast<size_t>(experiment)]; }
   const std::string& run_name(int run) const { return scenes_[static_cast<size_t>(run)].name; }
 
-  // Why runs give no derivatives by a number (output.gradients), "" if they do. Builds scenes, the first time.
+  // Returns for each number the reason why runs give no derivatives by it (output.gradients), "" if
+  // they do. The first call builds scenes.
   const std::vector<std::string>& without_derivatives();
 
-  // As an evaluation runs it: without frames, with derivatives by all numbers that have them if they are wanted. Throws InputError if the scene does not
-  // take the values.
+  // Returns the case of a run for an evaluation: without frames; with `derivatives`, with
+  // output.gradients for all numbers that support them. Throws InputError if the scene does not
+  // accept the values.
   BatchCase case_of(int run, const Point& values, bool derivatives = false);
-  // As its file is, every key, with the values.
+  // Returns the scene file of a run with every key and the values.
   std::string scene_text(int run, const Point& values);
 
-  // From the folders of its runs, in their order. Bad, with the reason, if samples cannot be read or pass nothing that was measured.
+  // Evaluates a point from the folders of its runs, in their order. The evaluation is bad, with the
+  // reason, if samples are unreadable or pass no measured point.
   PointEvaluation evaluation(const Point& values, bool derivatives, const std::vector<std::filesystem::path>& run_folders) const;
   Point start() const;
 
  private:
   struct Scene {
-    std::string name;  // of the first experiment that has it
+    std::string name;  // of the first experiment with this scene
     Value root;
-    int experiment = 0;  // the same
+    int experiment = 0;  // index of that experiment
   };
 
   int scene_of(const CalibrateConfig& config, int experiment);
@@ -65,7 +70,7 @@ class FittedScenes {
   std::optional<std::vector<std::string>> without_;
 };
 
-// "strength 3162.28, work 0.316"
+// Formats the values: "strength 3162.28, work 0.316".
 std::string values_text(const std::vector<FittedNumber>& numbers, const Point& values);
 
 }  // namespace tack

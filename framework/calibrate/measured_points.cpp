@@ -63,7 +63,8 @@ std::vector<double> column_of(const ProbeSeries& run, const std::string& wanted)
   return numbers;
 }
 
-// Of each point where the run passes it, or else its sample of the nearest x.
+// Returns, for each point, where the run passes it and true, or else the sample with the nearest x
+// and false.
 std::vector<std::pair<Passage, bool>> counted_passages(const std::vector<double>& points, const std::vector<double>& xs) {
   std::vector<std::pair<Passage, bool>> all;
   for (const std::optional<Passage>& passage : passages(points, xs)) {

@@ -1,4 +1,4 @@
-// The points that were measured of an experiment, and what a run makes of them.
+// The measured points of an experiment, and their counterparts in a run.
 #pragma once
 
 #include <string>
@@ -18,17 +18,20 @@ struct MeasuredPoints {
   double scale = 1;   // s of point_evaluation.hpp, in the unit of y
   double weight = 1;
 
-  // What the run has at the points; where it does not pass one, what its sample of the nearest abscissa has, and `beyond` counts it. Throws InputError
-  // for a run without samples, or without any of the points.
+  // Returns the run's y at each measured point. For points that the run does not pass, takes the
+  // sample with the nearest x and counts them in `beyond`. Throws InputError for a run without
+  // samples or without any of the points.
   std::vector<double> simulated(const ProbeSeries& run, int& beyond) const;
   std::vector<double> residuals(const std::vector<double>& simulated) const;
-  // What residuals change by with some number, of which dx and dy are the derivatives of the run's x and y at its samples. At a measured x that is dy less
-  // the slope of the curve times dx; where the run does not pass the point, dy of the sample that counts.
+  // Returns d residuals / d number. dx, dy: derivatives of the run's x and y at its samples.
+  // - at a measured x: dy - (slope of the curve) dx
+  // - where the run does not pass the point: dy of the nearest sample
   std::vector<double> derivatives(const ProbeSeries& run, const std::vector<double>& dx, const std::vector<double>& dy) const;
 };
 
-// Throws InputError, with the name of the experiment, for probes that `scene` does not have, a file that cannot be read, another unit than the probe's,
-// and measured times at which the run has ended.
+// Reads the measured points. Throws InputError, with the name of the experiment, for unknown probes
+// of `scene`, an unreadable file, a unit that differs from the probe's, and measured times after
+// the end of the run.
 MeasuredPoints measured_points(const MeasuredExperiment& experiment, const Experiment& scene);
 
 }  // namespace tack

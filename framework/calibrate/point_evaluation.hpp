@@ -1,7 +1,7 @@
-// One choice of the fitted numbers, and how far its runs are from what was measured.
+// An evaluation of one point: values of the fitted numbers, and the residuals of its runs.
 //
-// A residual is r = sqrt(weight) (run - measured) / s, with s the noise of the experiment, or the largest measured number where no noise is
-// known; a misfit is the sum of its squares.
+// A residual is r = sqrt(weight) (run - measured) / s, where s is the noise of the experiment, or
+// the largest measured number if the noise is unknown. The misfit is the sum of squared residuals.
 #pragma once
 
 #include <limits>
@@ -18,12 +18,13 @@ struct PointEvaluation {
   std::string status;  // "done", or what became of the first run that did not
   std::string error;
   double misfit = std::numeric_limits<double>::infinity();
-  std::vector<double> misfits;    // of each experiment
-  std::vector<double> residuals;  // of the points of all experiments, one after the other
-  std::vector<int> beyond;        // of each experiment: points that its run does not pass, where its nearest sample counts
+  std::vector<double> misfits;    // per experiment
+  std::vector<double> residuals;  // of the points of all experiments, in order
+  // Per experiment: points that its run does not pass, for which the nearest sample counts.
+  std::vector<int> beyond;
 
   bool asked_derivatives = false;  // its runs had to give them too (output.gradients)
-  // d residuals / d u (fitted_number.hpp) for each number; empty of one that they do not give.
+  // d residuals / d u (fitted_number.hpp) for each number; empty for numbers without derivatives.
   std::vector<std::vector<double>> derivatives;
 };
 

@@ -1,4 +1,5 @@
-// Points that searches on threads of their own wait for, and that the main thread has run: only that may start processes.
+// A queue of points between search threads, which wait for evaluations, and the main thread, which
+// alone may start processes.
 #pragma once
 
 #include <condition_variable>
@@ -20,16 +21,17 @@ class PointQueue {
     std::optional<PointEvaluation> answer;
   };
 
-  // `searches` threads will ask.
+  // searches: number of threads that will call ask().
   explicit PointQueue(int searches = 0) : searching_(searches) {}
 
-  // Of a search: waits for the answer; nothing if all was cancelled.
+  // Called by a search thread: waits for the evaluation; returns nothing if all was cancelled.
   std::optional<PointEvaluation> ask(const Point& values);
   void end_search();
 
-  // Of the main thread. Asks itself, and does not wait; the request stays as long as the queue.
+  // Called by the main thread: adds a request without waiting. The request lives as long as the
+  // queue.
   Request& add(const Point& values, bool derivatives = false);
-  // What was asked since, in the order in which it was. A request stays where it is until it is answered.
+  // Returns the new requests in their order. A request keeps its address until it is answered.
   std::vector<Request*> take();
   void answer(Request& request, PointEvaluation evaluation);
   void cancel();
@@ -47,18 +49,20 @@ class PointQueue {
   bool cancelled_ = false;
 };
 
-// What gives points their evaluations. `serve` answers all requests, from the main thread, until the queue is over; it ends early, with
-// everything cancelled, if an interrupt is requested.
+// Evaluates points. `serve`, called by the main thread, answers all requests until the queue is
+// over; it cancels everything and returns early if an interrupt is requested.
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
   virtual void serve(PointQueue& queue) = 0;
-  // For each number why runs give no derivatives by it, "" if they do; nothing if they give none at all.
+  // Returns for each number the reason why runs give no derivatives by it, "" if they do; empty if
+  // runs give none at all.
   virtual std::vector<std::string> without_derivatives() { return {}; }
 
-  // Evaluations in the order of the points, with derivatives by numbers that have them if they are wanted. Throws Interrupted.
+  // Evaluates points and returns the results in their order. With `derivatives`, for all numbers
+  // that support them. Throws Interrupted.
   std::vector<PointEvaluation> at(const std::vector<Point>& points, bool derivatives = false);
-  // Runs all searches side by side, each on a thread. Throws Interrupted.
+  // Runs all searches at the same time, each on its own thread. Throws Interrupted.
   using Ask = std::function<std::optional<PointEvaluation>(const Point&)>;
   void search(const std::vector<std::function<void(const Ask&)>>& searches);
 };

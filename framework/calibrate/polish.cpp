@@ -18,7 +18,8 @@ class Residuals : public ceres::CostFunction {
     mutable_parameter_block_sizes()->push_back(unknowns);
   }
 
-  // Within the bounds: Ceres' own would add a line search to every step, and what is evaluated is dear.
+  // Clamps to the bounds itself: with Ceres' own bounds, every step has a line search, and
+  // evaluations are expensive.
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     if (failure_) return false;
     try {

@@ -12,13 +12,14 @@ struct PolishProblem {
   std::vector<double> low, high;
   double tolerance = 1e-3;  // of each unknown
   int iterations = 5;       // most
-  // False where there is no value.
+  // Computes the residuals; returns false if they do not exist at u.
   std::function<bool(const std::vector<double>& u, std::vector<double>& residuals)> residuals;
-  // d residuals / d u.
+  // Computes d residuals / d u; returns false if it does not exist at u.
   std::function<bool(const std::vector<double>& u, Eigen::MatrixXd& jacobian)> jacobian;
 };
 
-// From `start`, at which there are `size` residuals. What it evaluates is kept by those who are asked.
+// Minimises from `start`. `size`: number of residuals. The caller's functions record the evaluated
+// points.
 void polish(const PolishProblem& problem, const std::vector<double>& start, int size);
 
 }  // namespace tack

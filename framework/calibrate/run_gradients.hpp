@@ -1,4 +1,5 @@
-// The derivatives that a run gives itself: what it is asked for (output.gradients), and what its gradients.csv has.
+// Derivatives that a run computes itself: its request (output.gradients) and its results
+// (gradients.csv).
 #pragma once
 
 #include <string>
@@ -12,8 +13,8 @@ namespace tack {
 
 Value gradients_value(const std::vector<GradientConfig>& gradients);
 
-// Derivatives of a column of probes.csv at its samples by what several keys take, the sum of those by each; zero without keys, and of the time. Empty
-// where the run has none, or none that is finite.
+// Returns the derivatives of a column of probes.csv at its samples, summed over `keys`; zero
+// without keys and for the time. Empty if the run has none, or none that is finite.
 std::vector<double> gradient_column(const ProbeSeries& gradients, const std::string& probe, const std::vector<std::string>& keys);
 
 }  // namespace tack

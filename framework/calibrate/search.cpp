@@ -185,7 +185,8 @@ class Search {
     return derivatives_at(numbers_, u_of(e.values), config_.difference, e, [&](const std::vector<Point>& points) { return evaluate(phase, points, false); });
   }
 
-  // Of the best point by its runs, if these give any and tell what the points nearby are like; otherwise they are not asked any more.
+  // Takes derivatives at the best point from its run. Returns false, and disables them, if the run
+  // gives none or they do not predict the residuals of nearby points.
   bool take_from_runs(const std::string& phase) {
     if (!gradients_) return false;
     PointEvaluation e = result_.best;
@@ -216,7 +217,9 @@ class Search {
     return take_from_runs("polish");
   }
 
-  // Derivatives of a point say nothing of intervals that are wide; and where a curve has ripples, numbers look better determined by them than they are.
+  // Replaces derivatives of loosely determined numbers by differences: a derivative at a point says
+  // nothing about a wide interval, and with ripples in a curve it overestimates how well a number
+  // is determined.
   void difference_what_is_loose() {
     const Derivatives& own = result_.derivatives;
     const Confidence c = confidence_of(numbers_, result_.best.values, own.of_residuals, result_.best.residuals, noise_known_);

@@ -1,12 +1,19 @@
-// Which points are evaluated, and which is the best.
+// The search of a calibration: the evaluated points and the best one.
 //
-// Points that fill the ranges evenly, the guess before them (design); from each of the best of them a search by quadratic models (chain; BOBYQA, Powell
-// 2009, by NLopt) that ends early. From the best end of all, where runs give their own derivatives and these tell what the points around there are like,
-// Levenberg-Marquardt steps (polish; by Ceres); else a chain that goes on to the tolerance, and such steps with derivatives by central differences. A point
-// that failed is as bad as the worst before it. Local methods alone find the answer half as often: curves that break off at once have misfits with steps and
-// many minima.
+// Phases:
+// - design: points that fill the ranges evenly, after the initial guess
+// - chain: from each of the best design points, a short search by quadratic models (BOBYQA, Powell
+//   2009, by NLopt)
+// - polish: from the best end of all chains, Levenberg-Marquardt steps (by Ceres), if runs give
+//   their own derivatives and these predict the residuals of nearby points
+// - final chain: otherwise, a chain down to the tolerance, then Levenberg-Marquardt steps with
+//   central differences
 //
-// Every search is a sequence of its own, so that the points do not depend on which run was done first.
+// A failed point counts as bad as the worst before it. The design is needed because curves with
+// sudden breaks have misfits with steps and many minima, where a local method alone often ends in
+// the wrong one.
+//
+// Each search is a deterministic sequence: its points do not depend on which run finishes first.
 #pragma once
 
 #include <functional>
@@ -22,15 +29,17 @@ struct SearchRow {
 };
 
 struct SearchResult {
-  std::vector<SearchRow> rows;  // each point once, where it was first asked for, and once more where derivatives were
+  // Each point once, at its first request, and once more for its derivatives.
+  std::vector<SearchRow> rows;
   PointEvaluation best;
   Derivatives derivatives;  // at the best point
 };
 
-// `tell`: the phase that begins, and its number of points (0: not known); the best so far.
+// Called with the phase that begins, its number of points (0: unknown), and the best point so far.
 using SearchProgress = std::function<void(const std::string& phase, int points, const PointEvaluation* best)>;
 
-// `noise_known`: residuals are in units of it. Throws SimulationError if not one point of the design could be evaluated, Interrupted.
+// Searches for the best point. `noise_known`: residuals are in units of the noise. Throws
+// SimulationError if no point of the design could be evaluated, and Interrupted.
 SearchResult search_for(const std::vector<FittedNumber>& numbers, const SearchConfig& config, Evaluator& evaluator, const SearchProgress& tell,
                         bool noise_known = true);
 
