@@ -1,5 +1,5 @@
-// The subcommands of the program, one file each; main.cpp reads their options from the command line.
-// Each returns the exit code, or throws InputError or SimulationError.
+// The subcommands of the program, one file each; command_line.cpp reads their options. Each returns
+// the exit code, or throws InputError or SimulationError.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// The file of `tack compare`, typed: what is solved, by which solvers, how accurately.
+// The file of `tack compare`, typed: problems, solvers, tolerances, time steps.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@ namespace tack {
 
 struct SolverEntry {
   std::string name;
-  Value solver;   // as written: laid over the scene's own solver block
-  Value stepper;  // likewise, over its time.stepper
-  Value time;     // likewise, over the rest of its time
+  Value solver;   // overrides of the scene's solver block, as written
+  Value stepper;  // overrides of its time.stepper
+  Value time;     // overrides of the rest of its time
   std::optional<double> own_step() const;  // s: that time says
   void fields(Fields& f);
 };
 
-// An experiment, solved from its start.
+// An experiment, solved from its initial state.
 struct BaseEntry {
   std::string name;              // empty: that of the experiment
   std::string file;              // absolute path
@@ -38,14 +38,14 @@ struct CompareConfig {
   std::vector<SolverEntry> solvers;
   std::vector<double> tolerances;     // m/s
   std::vector<double> time_steps;     // s; empty: that of the scene
-  int steps = 0;                      // of the base; 0: to its end
+  int steps = 0;                      // for the base; 0: to its end
   int repeat = 3;
   double reference_tolerance = 1e-10;           // m/s
   std::optional<double> reference_time_step;    // s
   void fields(Fields& f);
 };
 
-// Throws InputError with file, line and remedy.
+// Reads a comparison file. Throws InputError with file, line and remedy.
 CompareConfig load_comparison(const std::string& path, const std::vector<std::string>& overrides);
 
 }  // namespace tack

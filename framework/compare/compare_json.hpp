@@ -1,7 +1,10 @@
-// compare.json: where the numbers of compare.csv come from.
+// compare.json: provenance and references of the numbers in compare.csv.
 //
-// Keys: name, about, provenance {...} (output/provenance_json.hpp), repeat, wall_seconds [s], references [{problem, time_step [s],
-// unknowns, size [m], tolerance [m/s] (null: none was found), disagreement [m], different_solutions, status}].
+// Keys:
+// - name, about, repeat, wall_seconds [s]
+// - provenance {...}: output/provenance_json.hpp
+// - references [{problem, time_step [s], unknowns, size [m], tolerance [m/s] (null: none was
+//   found), disagreement [m], different_solutions, status}]
 #pragma once
 
 #include "framework/compare/comparison.hpp"

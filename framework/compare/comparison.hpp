@@ -1,5 +1,5 @@
-// All solvers on all cases, one after the other and again, so that a slow minute of the machine does not
-// count against one of them.
+// Runs all solvers on all cases in turn and repeats the whole round, so that a slow minute of the
+// machine does not count against one solver.
 #pragma once
 
 #include <functional>
@@ -9,23 +9,31 @@
 
 namespace tack {
 
-// One solver with one tolerance on one case with one time step.
+// Result of one solver with one tolerance on one case with one time step.
 struct CompareRow {
   std::string problem, solver;
   double tolerance = 0, time_step = 0;                           // m/s, s
-  double wall_seconds = 0, wall_spread = 0, cpu_seconds = 0;     // median; largest - smallest; median
-  double wall_least = 0, wall_most = 0;                          // of the repetitions
+  // wall_seconds and cpu_seconds are medians; wall_spread is largest - smallest.
+  double wall_seconds = 0, wall_spread = 0, cpu_seconds = 0;
+  double wall_least = 0, wall_most = 0;                          // over the repetitions
   long iterations = 0, evaluations = 0, linear_solves = 0;
   std::string status;
   bool converged = false;
-  // "same" solution as the reference's, "equal" in potential, "another"; of a run that ended elsewhere but comes closer with
-  // smaller tolerances "inaccurate"; "": not known.
+  // Solution that the solver found, relative to the reference:
+  // - "same": the reference's solution
+  // - "equal": another point of the same potential
+  // - "another": another solution
+  // - "inaccurate": of a run that ends elsewhere, but comes closer with smaller tolerances
+  // - "": unknown
   std::string branch;
-  // Of a run, from the reference's end; of a single step, from the minimum that the solver came to, refined
-  // as far as the reference. Like this, solvers that come to another minimum are judged fairly.
+  // Distance of a run from the end of the reference; of a single step from the minimum that the
+  // solver found, refined as far as the reference, so that solvers that find another minimum are
+  // judged fairly.
   double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: none
-  double floor = 0;  // RMS [m]: what the references tell apart, smaller errors are noise (reference.hpp); NaN: not known
-  double size = 0;   // of what moves [m]
+  // RMS [m]: the distance of the two references, below which errors are noise (reference.hpp); NaN:
+  // unknown.
+  double floor = 0;
+  double size = 0;   // of the moving objects [m]
   double energy_gap = 0;                                         // J, over the reference's
   std::vector<std::pair<std::string, double>> probe_errors;
   int intersections = 0;
@@ -36,15 +44,15 @@ struct CompareRow {
   bool solved() const { return converged && (single_step || branch != "another"); }
 };
 
-// Runs that ended away from the reference are on another branch, or merely not accurate: those whose solver comes to the
-// reference with a smaller tolerance, or to half the distance.
+// Marks runs that ended away from the reference as "another" or "inaccurate". Inaccurate are runs
+// whose solver reaches the reference, or halves the distance to it, with a smaller tolerance.
 void tell_branches_apart(std::vector<CompareRow>& rows);
 
 // A task is a problem with a tolerance and a time step.
 inline bool same_task(const CompareRow& a, const CompareRow& b) {
   return a.problem == b.problem && a.tolerance == b.tolerance && a.time_step == b.time_step;
 }
-// Whether a is as fast as b, or slower by no more than repetitions differ.
+// Returns true if a is as fast as b, up to the spread of the repetitions.
 inline bool as_fast(const CompareRow& a, const CompareRow& b) { return a.wall_least <= b.wall_most; }
 
 struct ReferenceRow {
@@ -68,11 +76,12 @@ struct Comparison {
   std::vector<IterationHistory> histories;
 };
 
-// `tell` gets a line for each thing that was done.
+// Compares all solvers. `tell` is called with a line of progress for each finished run.
 Comparison compare(const CompareConfig& config, const std::vector<CompareCase>& cases,
                    const std::function<void(const std::string&)>& tell);
 
-// The cases of a file, each built once. Throws InputError for what does not fit, before anything is measured.
+// Builds each case of a file once. Throws InputError for settings that do not fit, before any
+// measurement.
 std::vector<CompareCase> cases_of(const CompareConfig& config);
 
 }  // namespace tack

@@ -42,7 +42,8 @@ std::set<std::string> problems_of(const std::vector<CompareRow>& rows) {
   return problems;
 }
 
-// What the two references of each problem are apart, averaged as errors are; of a picture by time steps for each step.
+// Returns lines at the distance of the two references, averaged over the problems as errors are;
+// one line per time step if `by_step`.
 std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step) {
   std::map<double, std::map<std::string, double>> of_step;
   for (const CompareRow& r : rows)
@@ -62,7 +63,7 @@ std::vector<LevelLine> floors(const std::vector<CompareRow>& rows, bool by_step)
 }  // namespace
 
 Plot work_precision(const std::vector<CompareRow>& all) {
-  // What nobody solves would leave nobody a point.
+  // A problem that no solver solves would leave every solver without points.
   std::set<std::string> nobodys = problems_of(all);
   for (const CompareRow& r : all)
     if (r.solved()) nobodys.erase(r.problem);

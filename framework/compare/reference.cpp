@@ -8,7 +8,7 @@
 namespace tack {
 namespace {
 
-// Of the size of what moves: minimisers that are further apart than this are two.
+// Relative to the size of the moving objects: minimisers at a larger distance are different.
 constexpr double one_and_the_same = 1e-6;
 constexpr double one_potential = 1e-9;         // relative
 constexpr double one_and_the_same_run = 1e-3;  // small differences grow from step to step
@@ -32,7 +32,7 @@ void for_each_movable(const World& world, const Act& act) {
     if (world.script.ever_free(v)) act(v);
 }
 
-// Whether x, of the same single step, is no lower and no higher than the trial's own solution.
+// Returns true if x has the potential of the trial's own solution of the same single step.
 bool equal_potential(Trial& trial, const VecX& x) {
   const double here = trial.potential_at(x), there = trial.potential_at(trial.result().x);
   return std::abs(here - there) <= one_potential * std::abs(there);
@@ -78,7 +78,7 @@ Reference make_reference(const CompareCase& what, double step_size, double toler
   const Trial& first = *reference.trial;
   reference.disagreement = largest_distance(first.world(), first.result().x, second->result().x);
   const bool equal = what.single() && equal_potential(*reference.trial, second->result().x);
-  // Of a single step from the minimum that it came to, as of whatever is compared.
+  // A single step is measured from the minimum that it found, as for the compared solvers.
   reference.floor = rms_distance(first.world(), second->result().x, branch_of(what, reference, step_size, second->result().x).x);
   reference.other_branch = reference.disagreement > most_apart(what) && !equal;
   return reference;

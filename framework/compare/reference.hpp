@@ -1,6 +1,6 @@
-// What errors are measured against: projected Newton with a tolerance far below those compared, and a
-// second one with another projection and another linear solver. How far the two are apart tells how much
-// of an error is to be believed.
+// Reference solutions of error measurements: projected Newton with a tolerance far below those
+// compared, and a second reference with another projection and another linear solver. The distance
+// of the two is the smallest error that can be resolved.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,18 @@ namespace tack {
 struct Reference {
   std::unique_ptr<Trial> trial;
   double tolerance = 0;     // reached [m/s]; 0: none, and there is no reference
-  std::string status;       // of the last try
+  std::string status;       // of the last attempt
   double disagreement = 0;  // between the two, largest vertex [m]; NaN if the second failed
-  // What errors below mean nothing: the error (RMS [m]) that the second would be given if it were compared. NaN if it failed.
+  // Error (RMS [m]) of the second reference, measured like that of a compared solver; smaller
+  // errors are noise. NaN if the second reference failed.
   double floor = 0;
   bool other_branch = false;  // they are two different solutions
 
   bool found() const { return tolerance > 0; }
 };
 
-// Tries the tolerance, then ten times more, and so on up to the largest, since round-off may be in the way.
+// Tries `tolerance`, then tenfold tolerances up to `largest`, since round-off may prevent
+// convergence.
 Reference make_reference(const CompareCase& what, double step_size, double tolerance, double largest);
 
 // The solution that x belongs to.
@@ -34,11 +36,11 @@ struct Branch {
   Kind kind = Kind::same;
   VecX x;  // it, as accurate as the reference (3n)
 };
-// Of a single step: what x becomes when it is refined as far as the reference. Of a run, only its
-// distance from the reference's end tells.
+// Classifies the end x of a solve. For a single step, refines x as far as the reference. For a run,
+// judges by the distance from the end of the reference.
 Branch branch_of(const CompareCase& what, const Reference& reference, double step_size, const VecX& x);
 
-// Of the vertices that move [m].
+// Returns the distance of the moving vertices [m].
 double largest_distance(const World& world, const VecX& a, const VecX& b);
 double rms_distance(const World& world, const VecX& a, const VecX& b);
 

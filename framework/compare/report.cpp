@@ -44,7 +44,8 @@ std::string references(const Comparison& c) {
   return out;
 }
 
-// The fastest of a problem whose error is known to be at most `level` (RMS, m); nullptr if there is none.
+// Returns the fastest row of a problem with a known error of at most `level` (RMS, m); nullptr if
+// there is none.
 const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double level) {
   const CompareRow* best = nullptr;
   for (const CompareRow& r : c.rows)
@@ -53,7 +54,8 @@ const CompareRow* fastest(const Comparison& c, const ReferenceRow& of, double le
   return best;
 }
 
-// The other solvers of a problem that reach `level` as fast as the fastest, as far as repetitions tell.
+// Names the other solvers of a problem that reach `level` as fast as `best`, up to the spread of
+// the repetitions.
 std::string no_slower(const Comparison& c, const CompareRow& best, double level) {
   std::vector<std::string> names;
   for (const CompareRow& r : c.rows)
@@ -63,7 +65,7 @@ std::string no_slower(const Comparison& c, const CompareRow& best, double level)
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// What solvers do in all tasks (problem, tolerance, time step) together.
+// Returns the table of all tasks (problem, tolerance, time step) together, a row for each solver.
 std::string joint_table(const Comparison& c) {
   struct Sum {
     std::string solver;

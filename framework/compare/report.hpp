@@ -1,4 +1,5 @@
-// compare.md: what was measured on what, what solvers do in all tasks together, the fastest at each level of error, and what failed.
+// compare.md: the setting of the comparison, results of all tasks together, the fastest solver at
+// each level of error, and the failures.
 #pragma once
 
 #include "framework/compare/comparison.hpp"
@@ -6,7 +7,7 @@
 
 namespace tack {
 
-// `wall_seconds`: of it all.
+// Writes the report as Markdown. wall_seconds: of the whole comparison.
 std::string compare_report(const CompareConfig& config, const Comparison& comparison, const Provenance& provenance,
                            double wall_seconds);
 

@@ -1,6 +1,6 @@
-// One solver on one case: in a world of its own, so that nothing of another trial (factors, candidates)
-// helps it. Loading is not timed; the minimisation of a single step, or the steps of a run with their
-// verification, are.
+// One solver on one case, in its own world: factors and candidates of other trials do not help it.
+// The measured time is that of the minimisation of a single step, or of the steps of a run with
+// their verification; loading is excluded.
 #pragma once
 
 #include <memory>
@@ -14,19 +14,20 @@
 
 namespace tack {
 
-// What is solved: an experiment from its start, or the step of a problem's file.
+// A compared case: an experiment from its initial state, or the time step of a problem file.
 struct CompareCase {
   std::string name;
   std::string path;
-  std::vector<std::string> overrides;  // of an experiment
+  std::vector<std::string> overrides;  // overrides of an experiment
   std::optional<StateFile> problem;
   double step_size = 0;  // its own [s]
-  int steps = 1;         // of that size
+  int steps = 1;         // number of steps of step_size
   double size = 0;       // diagonal of all that moves [m]
   bool quasi_static = false;
 
   bool single() const { return problem.has_value(); }
-  // Up to the same time; throws InputError if h does not divide it.
+  // Returns the number of steps of size h to the same end time. Throws InputError if h does not
+  // divide it.
   int steps_of(double h) const;
   LoadedExperiment load() const;
 };
@@ -39,7 +40,7 @@ struct TrialSettings {
   double tolerance = 0;   // m/s
   double step_size = 0;   // s
   Value stepper = {};     // laid over the scene's
-  Value time = {};        // likewise
+  Value time = {};        // overrides of the rest of the scene's time
 };
 
 struct TrialResult {
@@ -50,9 +51,11 @@ struct TrialResult {
   int steps = 0;
   long iterations = 0, evaluations = 0, linear_solves = 0;
   int intersections = 0;  // and inverted tets, in the last state
-  double penetration = 0, crossing_pairs = 0;  // the most of any step, of steppers that let surfaces pass through each other [m]
+  // Maxima over the steps, for steppers that let surfaces pass through each other; penetration in
+  // m.
+  double penetration = 0, crossing_pairs = 0;
   VecX x;                 // 3n [m]
-  double energy = 0;      // of a run's end [J]
+  double energy = 0;      // at the end of a run [J]
   std::vector<double> probes;
 };
 
@@ -65,16 +68,16 @@ struct Iteration {
 
 class Trial {
  public:
-  // Throws InputError for settings that do not fit the case.
+  // Builds the world of the trial. Throws InputError for settings that do not fit the case.
   Trial(const CompareCase& what, const TrialSettings& settings);
-  // `guess`: where a single step's minimisation starts (3n), feasible.
+  // Runs the trial. `guess`: feasible initial guess of a single step (3n).
   const TrialResult& run(const VecX* guess = nullptr);
   const TrialResult& result() const { return result_; }
   const std::vector<std::string>& probe_columns() const { return probes_.columns(); }
-  // Keeps the iterations of the step that takes most; costs time, so not for what is measured.
+  // Records the iterations of the most expensive step. Costs time: not for timed runs.
   void record() { recording_ = true; }
   const std::vector<Iteration>& history() const { return longest_; }
-  // Of the single step that was solved, over beta h^2 [J].
+  // Returns the potential of the solved single step at x, divided by beta h^2 [J].
   double potential_at(const VecX& x) { return simulation_.stepper().potential_at(x); }
   const World& world() const { return simulation_.world(); }
 
