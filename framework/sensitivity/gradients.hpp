@@ -1,6 +1,10 @@
-// The derivatives of the probes of a run by numbers of its scene (output.gradients): of every probe at every time. By direct differentiation,
-// step by step beside the run, of which no bit changes: a neighbouring scene for each number (neighbour.hpp), all with one Hessian.
-// Source: Kleiber, Antunez, Hien, Kowalczyk 1997, Parameter Sensitivity in Nonlinear Mechanics (direct differentiation, semi-analytical).
+// Derivatives of all probes of a run at every time by numbers of its scene (output.gradients).
+//
+// Method: direct differentiation, step by step beside the run. Each number has a neighbouring scene
+// (neighbour.hpp); all share one Hessian. The results of the run itself do not change by a bit.
+//
+// Source: Kleiber, Antunez, Hien, Kowalczyk 1997, Parameter Sensitivity in Nonlinear Mechanics
+// (direct differentiation, semi-analytical).
 #pragma once
 
 #include <memory>
@@ -14,23 +18,28 @@ namespace tack {
 
 class Gradients {
  public:
-  // Of those that the experiment asks for; it must outlive this. Throws InputError for what cannot be differentiated.
+  // Prepares the derivatives that the experiment requests; `run` must outlive this object. Throws
+  // InputError for a number without derivatives.
   explicit Gradients(BuiltExperiment& run);
-  // Why an experiment has no derivatives by a number; "" if it has. Builds it once more.
+  // Returns the reason why an experiment has no derivatives by a number; "" if it has them. Builds
+  // the experiment once more.
   static std::string why_not(const BuiltExperiment& run, const GradientConfig& config);
   bool empty() const { return neighbours_.empty(); }
 
-  // "d(force)/d(young)": of the first number, all probes, then of the next. In SI: units of the probe over those of the number.
+  // Returns the column names, "d(force)/d(young)": all probes of the first number, then of the
+  // next. Values are in SI: the unit of the probe over that of the number.
   std::vector<std::string> columns(const std::vector<std::string>& probes) const;
 
   void start();
-  // As the observer of solved steps of the run's stepper (TimeStepper::observe_solved).
+  // Observes the solved steps of the run's stepper (TimeStepper::observe_solved).
   void solved(const SolvedStep& step);
   void kept(const State& state);
-  // At the start or after a step that was kept; probes: what the run's are there.
+  // Returns the derivatives at the start or after an accepted step. probes: values of the run
+  // there.
   std::vector<double> values(const std::vector<double>& probes);
 
-  // Into the history of a state that is stored; and on from one, out of whose history it is taken.
+  // Stores its state in the history of a run's state; start_from() takes it out of the history and
+  // continues.
   void store(History& history) const;
   void start_from(State& state);
 

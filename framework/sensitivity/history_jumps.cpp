@@ -17,8 +17,9 @@ bool jumps(double a, double b, double scale) {
   return (whole(a) && whole(b)) || !(std::abs(a - b) <= jump * std::max({std::abs(a), std::abs(b), scale}));
 }
 
-// Of each number of an entry. What belongs to elements is of one kind (a tensor, a frame), of which small numbers may be noise; what has keys is of
-// several, places and measures.
+// Returns the scale of each number of an entry. Entries of elements are of one kind (a tensor, a
+// frame), whose small numbers may be noise: one scale for all. Entries with keys mix positions and
+// measures.
 std::vector<double> scales_of(const HistoryArray& array) {
   std::vector<double> largest(array.width, 0.0);
   for (size_t i = 0; i < array.values.size(); ++i) largest[i % array.width] = std::max(largest[i % array.width], std::abs(array.values[i]));
@@ -42,7 +43,8 @@ int take_entries(const HistoryArray& run, HistoryArray& other) {
   return taken;
 }
 
-// Of arrays whose keys differ: entries of keys that both have equally often are kept.
+// Merges arrays with different keys: entries of `other` whose keys occur equally often in both are
+// kept, the others come from the run.
 int take_array(const HistoryArray& run, HistoryArray& other) {
   HistoryArray merged = run;
   int kept = 0;

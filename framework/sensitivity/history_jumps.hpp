@@ -1,12 +1,14 @@
-// What is remembered in two scenes that hardly differ: where it is not nearly the same, something has happened in one of them that has not
-// in the other (a bond was made, a side was changed), and no difference of theirs is a derivative.
+// Jumps between the histories of two scenes that differ by a small number. Where an entry differs
+// much, a discrete event (a new bond, a changed side) has happened in one scene only, and the
+// difference of the scenes is no derivative.
 #pragma once
 
 #include "framework/core/history.hpp"
 
 namespace tack {
 
-// Entries of `other` that are not nearly those of `run` become those; how many.
+// Replaces entries of `other` that differ much from those of `run` by the run's; returns their
+// number.
 int take_jumps_from(const History& run, History& other);
 
 }  // namespace tack

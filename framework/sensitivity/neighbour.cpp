@@ -19,8 +19,10 @@ constexpr double relative_step = 1e-6;
 constexpr double accuracy = 1e-6;     // of the way from the run's end to this one's
 constexpr double round_off = 1e-15;   // of positions, relative
 constexpr double rounding_of_solves = 1e-13;  // likewise: nothing to tell of
-// Of what the number changes of the gradient: what is rounding, by which bodies that nothing holds would drift for ever; and what may be left, where it
-// becomes no less, of bodies that stand as on a needle's point.
+// Relative to the change of the gradient by the number:
+// - rounding_of_forces: rounding errors, which would make unconstrained bodies drift forever
+// - unstable_rest: residual that is accepted where it does not decrease, for bodies in unstable
+//   equilibrium
 constexpr double rounding_of_forces = 1e-6, unstable_rest = 1e-4;
 constexpr int most_corrections = 12;
 constexpr double usual_rate = 0.1;
@@ -86,7 +88,8 @@ void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSyste
   World& world = built_->world();
   if (world.dofs.size() != gradient.size())
     throw InputError(fmt::format("output.gradients: with a little more of '{}', other vertices are held at t = {:.6g} s", name_, step.start.time));
-  // What the run took anew where a solve had ended is taken anew where that one ends here.
+  // Lagged quantities that the run re-evaluated at the end of a solve are re-evaluated here at the
+  // corresponding end.
   bool settled = true;
   for (const Attempt::Solved& before : step.attempt.before) {
     system.begin_solve();
@@ -101,7 +104,7 @@ void Neighbour::solve(const SolvedStep& step, const VecX& gradient, TangentSyste
   if (own.impulses) own.impulses->settle(world.friction->lagged_at(end_));
 }
 
-// What nothing holds is not corrected, and must not run away.
+// The displacement of unconstrained bodies is not corrected, and must not diverge.
 void Neighbour::guess(Eigen::Index unknowns, bool loose) {
   const bool goes_on = last_.size() == unknowns && unknowns_ == unknowns_last_, even = h_ == h_last_ && !loose;
   if (!goes_on) way_ = VecX::Zero(unknowns);
@@ -141,7 +144,7 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
     const double size = largest(d), all = largest(way_);
     if (last > 0) rate_ = size / last;
     last = size;
-    // What was guessed right did not meet a kink, and a Hessian that is a little old serves.
+    // An accurate guess means that the step met no kink, so that a slightly older Hessian will do.
     settled = size <= noise || size * std::clamp(rate_, i == 0 ? usual_rate : 0.0, 1.0) <= accuracy * all;
     if (!settled && i > 0 && !(rate_ <= slow) && !system.present()) {
       left(way_ = guessed);
@@ -151,7 +154,8 @@ bool Neighbour::settle(const Step& own, const Attempt::Solved& run, TangentSyste
       i = 0;
     }
   }
-  // What does not even come near is not believed: it goes on as before.
+  // A correction that does not come close is rejected: the displacement stays that of the last
+  // step.
   const bool lost = !way_.allFinite() || (!settled && last > 0.1 * largest(way_));
   if (lost) way_ = last_.size() == end.size() ? last_ : VecX::Zero(end.size());
   own.potential.move_to(end + way_);

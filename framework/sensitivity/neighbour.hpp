@@ -1,8 +1,13 @@
-// A scene that has a little more of one number, stepped beside a run: its steps are not solved but found from those of the run, by
-//     x' = x - H^-1 (g'(x') - g(x)),
-// g and g' the gradients of the incremental potentials of both, H the Hessian of the run's at its end x. What x leaves of a gradient
-// counts in both and cancels. So x' - x over the difference of the number is the derivative of x by it, with all that depends on where the
-// step began: areas, friction, what is remembered, velocities. Everything else of the step is done as in any run.
+// A neighbouring scene: a scene with a small difference in one number, stepped beside a run. Its
+// steps are not solved, but corrected from those of the run by
+//     x' <- x' - H^-1 (g'(x') - g(x)),
+// where g and g' are the gradients of the two incremental potentials, and H is the Hessian at the
+// end x of the run's step. The residual that the solver leaves at x is in both gradients and
+// cancels.
+//
+// (x' - x) / (difference of the number) is the derivative of x, including that of all initial data
+// of the step: areas, friction, history variables, velocities. The rest of the step is done as in
+// any run.
 #pragma once
 
 #include <memory>
@@ -15,26 +20,30 @@ namespace tack {
 
 class Neighbour {
  public:
-  // Of an experiment that is built. Throws InputError, with the place, for a number that it cannot have more or less of: there is none, or
-  // another one would make other meshes or unknowns.
+  // Builds the neighbour of a built experiment. Throws InputError, with the place, for a number
+  // that cannot be changed: it does not exist, or another value changes meshes or unknowns.
   Neighbour(const BuiltExperiment& run, const GradientConfig& config);
 
   double difference() const { return difference_; }  // in the number [SI]
-  // Its probes at the run's state, as the run's were sampled there; over the difference: their derivatives.
+  // Returns the derivatives of the probes. of_run: probe values of the run at the same state.
   std::vector<double> derivatives(const std::vector<double>& of_run);
 
   void start();
-  // A step of the run is solved, and may be undone. gradient: of its potential, where it ends.
+  // Follows a solved step of the run, which may still be rejected. gradient: of the run's potential
+  // at the end of the step.
   void solve(const SolvedStep& step, const VecX& gradient, TangentSystem& system);
-  // It was kept, and this is where it ended.
+  // Accepts the step, which ended at `state`.
   void keep(const State& state);
 
-  // Between steps: all that it has to go on from there beside a state of the run, by names of its own; and to go on from there.
+  // Stores, between steps, its state beside that of the run, under names of its own; start_from()
+  // continues from it.
   void store(History& history) const;
   void start_from(const State& run, const History& history);
 
-  int unsettled() const { return unsettled_; }  // steps whose end was not found to the accuracy that is wanted
-  int jumps() const { return jumps_; }          // entries of what is remembered that were taken from the run
+  // Steps whose end was not found to the wanted accuracy.
+  int unsettled() const { return unsettled_; }
+  // History entries that were taken from the run.
+  int jumps() const { return jumps_; }
   const std::string& name() const { return name_; }
 
  private:
@@ -49,7 +58,8 @@ class Neighbour {
   std::optional<TimeStepper> stepper_;
   std::optional<ProbeSet> probes_;
   bool accounts_ = false;
-  // In the unknowns: from where the run's step ends to where this one's does, in the present step and the last three that were kept.
+  // Displacement from the end of the run's step to the end of this one, in the unknowns: of the
+  // present step and of the last three accepted ones.
   VecX way_, last_, before_, older_;
   VecX end_;           // 3n: where the present step ends here
   double rate_ = 1;    // by which corrections become smaller with the Hessian that there is

@@ -1,4 +1,4 @@
-// A number of a scene by its path, and the scene with another one in its place.
+// Access to a number of a scene by its path, and scenes with another value of it.
 #pragma once
 
 #include <memory>
@@ -7,14 +7,15 @@
 
 namespace tack {
 
-// In SI. Throws InputError for a path that leads to no number of objects, contact, loads and the like: those of time, solver and output are
-// none that probes could be differentiated by.
+// Returns the number in SI. Throws InputError for a path to no number of objects, contact, loads
+// and the like: probes have no derivatives by numbers of time, solver and output.
 double scene_number(const BuiltExperiment& run, const std::string& key);
 
-// The same experiment with that number at the path and no gradients. Throws InputError if it cannot have that.
+// Returns the experiment with `value` at the path and without gradients. Throws InputError if the
+// value is invalid.
 LoadedExperiment scene_with(const BuiltExperiment& run, const std::string& key, double value);
 
-// The same, built. Throws InputError if it has other meshes or unknowns then.
+// Builds that experiment. Throws InputError if its meshes or unknowns differ from the run's.
 std::unique_ptr<BuiltExperiment> built_with(const BuiltExperiment& run, const std::string& key, double value);
 
 }  // namespace tack

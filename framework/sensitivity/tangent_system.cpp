@@ -4,8 +4,10 @@ namespace tack {
 namespace {
 
 constexpr double largest_factor = 1e8;  // entries, of one in double precision: above that, what the run's solvers take by default
-// Of what nothing holds in some direction, quasi-static, H is singular there or a little below zero, and r has hardly a part in it. With a part of the
-// diagonal added there is a factor, with which conjugate gradients solve for what is soft and leave out what is not held at all.
+// Shifts, as fractions of the diagonal. In a quasi-static step with unconstrained directions, H is
+// singular or slightly indefinite there, and r hardly has a component along them. The shifted H has
+// a factor, which preconditions conjugate gradients: these solve for the soft directions and leave
+// out the unconstrained ones.
 constexpr double shifts[] = {1e-9, 1e-7, 1e-5};
 constexpr int most_iterations = 30;
 constexpr double solved_to = 1e-5;  // of solves that iterate: what they leave is corrected as what an older Hessian leaves
@@ -68,7 +70,8 @@ void TangentSystem::take_as_it_is() {
   if (ldlt_.info() == Eigen::Success) update_.prepare_any(matrix_.modes, [this](const VecX& b, VecX& x) { x = ldlt_.solve(b); });
 }
 
-// Conjugate gradients for the Hessian itself, preconditioned, from what its factor with a shift gave. False where it falls along some way.
+// Improves d by conjugate gradients for the Hessian itself, preconditioned by the shifted factor.
+// Returns false if the curvature is not positive in some direction.
 bool TangentSystem::correct(const VecX& r, VecX& d) {
   VecX product, z, p;
   product_.multiply(matrix_, d, product);

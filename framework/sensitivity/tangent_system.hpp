@@ -1,6 +1,8 @@
-// The exact Hessian of steps where they end, to solve for what their ends change by: H dx = gradient - gradient of the scene beside.
-// It is taken anew only when that of an earlier step serves no longer, which those who solve find by how fast they converge; from the
-// potential of the scene beside, which differs by next to nothing, so that nothing of the run is touched.
+// The exact Hessian at the end of steps, to solve for the change of these ends:
+//     H dx = gradient - gradient of the neighbouring scene
+// The Hessian of an earlier step is reused until the caller's corrections converge too slowly. It
+// is evaluated with the potential of the neighbouring scene, which differs negligibly, so that no
+// state of the run changes.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -19,23 +21,24 @@ class TangentSystem {
  public:
   explicit TangentSystem(PhaseClock& clock) : clock_(clock) {}
 
-  // A step is solved; what is held may be others than in the last one.
+  // Begins a solved step; its constrained dofs may differ from those of the last step.
   void begin(const SolvedStep& step);
-  // Another solve of that step, in which friction held something else.
+  // Begins another solve of the same step, with other lagged friction.
   void begin_solve() { fresh_ = false; }
-  // Takes the Hessian where a potential is.
+  // Evaluates and factorises the Hessian at the present state of a potential.
   void refresh(StepPotential& potential);
   bool present() const { return fresh_; }  // that of the present solve
   bool known() const { return factored_; }
-  // Something is held by next to nothing: how far it goes is only rounding.
+  // Returns true if some displacement is nearly unconstrained: its size is then only rounding.
   bool loose() const { return is_shifted_ && shift_ > 0; }
-  // d <- H^-1 r
+  // Solves d <- H^-1 r.
   void solve(const VecX& r, VecX& d);
-  // As if none had been made yet.
+  // Discards the Hessian.
   void forget() { factored_ = fresh_ = false; }
 
   int factors() const { return factors_; }
-  int indefinite() const { return indefinite_; }  // of them: of steps that ended where nothing is stable
+  // Number of indefinite Hessians among them: steps that ended in an unstable equilibrium.
+  int indefinite() const { return indefinite_; }
 
  private:
   using Sparse = Eigen::SparseMatrix<double>;
@@ -49,8 +52,8 @@ class TangentSystem {
   BlockMatrix matrix_, shifted_;  // the Hessian, and what is factorised where it may be singular
   SymmetricProduct product_;
   std::unique_ptr<LinearSolver> definite_;
-  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of what is not positive definite
-  ModeUpdate update_;  // of its blocks
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of an indefinite Hessian
+  ModeUpdate update_;  // of the Hessian's blocks
   bool factored_ = false, fresh_ = false, positive_ = true, is_shifted_ = false;
   size_t shift_ = 0;
   int factors_ = 0, indefinite_ = 0;
