@@ -38,9 +38,9 @@ std::string printable(std::string text) {
   return text;
 }
 
-// In single quotes nothing is special to gnuplot but the quote and the end of the line, which ends the command
-// as well: what follows would be run. A quote is joined on as a string of its own: doubled, as gnuplot has it, it is misread where a
-// text begins with one.
+// Quotes a text for gnuplot. In single quotes only the quote and the end of the line are special;
+// the latter also ends the command, so that the rest would be executed. A quote is concatenated as
+// a string of its own: gnuplot misreads a doubled quote at the beginning of a text.
 std::string in_quotes(const std::string& text) {
   std::string out = "'";
   for (const char c : printable(text)) out += c == '\'' ? std::string(R"('."'".')") : std::string(1, c);
@@ -56,7 +56,7 @@ bool drawable(const Plot& plot, const Curve& curve) {
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const auto& p) { return drawable(plot, p); });
 }
 
-// With the prefixes that its numbers ask for; of logarithmic axes none where ticks are powers of ten.
+// Scales the data to prefixed units; axes with powers of ten as ticks keep their unit.
 Plot scaled(Plot plot) {
   std::vector<double> xs, ys;
   for (const Curve& c : plot.curves)
@@ -106,7 +106,8 @@ struct Sheet {
   double axis() const { return axis_height * font / plain_font; }
 };
 
-// What is not sized is as wide as its names need, up to a limit, and higher by what stands below it.
+// Returns the size of a picture. Without a size in `look`: wide if its names need it, and higher by
+// `below`, the space under the plot.
 Sheet sheet_of(const PlotLook& look, bool wide, double below) {
   const double pixels = dots_per_inch / 0.0254;
   Sheet sheet{wide ? wide_width : plain_width, plain_height + below, look.font_size ? *look.font_size * dots_per_inch / points_per_inch : plain_font};
@@ -135,7 +136,8 @@ double tick_step(const AxisRange& range, double most) {
   return 10 * decade;
 }
 
-// most: ticks that there is room for; 0: as many as gnuplot likes. On paper, where text is small, exponents are 0.9 times as high as it, not 0.8.
+// Returns the commands of an axis. most: number of ticks that fit; 0: gnuplot's choice. In pictures
+// for papers, with small text, exponents are 0.9 times as high as the text, not 0.8.
 std::string axis(const char* name, const AxisRange& range, double most = 0) {
   std::string out = fmt::format("set {}range [{}:{}]\n", name, range.low, range.high);
   if (!range.log) return most > 0 ? out + fmt::format("set {}tics {:.6g}\n", name, tick_step(range, most)) : out;

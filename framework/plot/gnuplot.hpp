@@ -1,8 +1,9 @@
-// Draws by gnuplot, run as a program of its own: each picture from one script that holds its data, which is kept
-// beside the pictures to draw them again or otherwise.
+// Draws plots with gnuplot as a child process: one script per picture, with its data, kept beside
+// the pictures for redrawing.
 //
-// Curves are told apart by colour (Okabe and Ito's, which colour-blind readers can tell apart) and by dashes and marks at once: 28
-// combinations. Where all of them end at the right and there is room, their names stand there; else in a key.
+// Curves differ in colour (Okabe and Ito's palette for colour-blind readers) and in dashes and
+// marks: 28 combinations. Curve names stand at the right ends of the curves if all curves end there
+// and the names fit; else in a key.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +13,13 @@
 
 namespace tack {
 
-// Writes folder/name.gp, and name.svg and name.png, if asked name.pdf, by it. "" or why there are no pictures. Throws InputError
-// when the script cannot be written.
+// Writes folder/name.gp, and with it name.svg, name.png and, if `look` asks for it, name.pdf.
+// Returns "" or the reason why there are no pictures. Throws InputError if the script cannot be
+// written.
 std::string draw(const Plot& plot, const std::filesystem::path& folder, const std::string& name, const PlotLook& look = {});
 std::string draw(const StackedBars& bars, const std::filesystem::path& folder, const std::string& name, const PlotLook& look = {});
 
-// Runs a script that is there. "" or what is wrong.
+// Runs an existing script. Returns "" or an error message.
 std::string draw_script(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// A picture as data: curves or stacked bars over axes. Drawn by gnuplot.hpp.
+// A plot as data: curves or stacked bars over axes. gnuplot.hpp draws it.
 #pragma once
 
 #include <array>
@@ -12,11 +12,13 @@ namespace tack {
 struct Curve {
   std::string title;
   std::vector<std::pair<double, double>> points;
-  std::vector<std::pair<double, double>> spread;  // of y, {low, high} per point, drawn as bars; empty: none
-  bool scattered = false;                         // marks without a line, whatever the picture's style
+  // Ranges of y, {low, high} per point, drawn as error bars; empty: none.
+  std::vector<std::pair<double, double>> spread;
+  // Marks without a line, whatever the style of the plot.
+  bool scattered = false;
 };
 
-// A line across the picture at a height, with its name beside it; or upright, at an abscissa.
+// A labelled line across the plot: horizontal in `levels`, vertical in `uprights`.
 struct LevelLine {
   double at = 0;
   std::string title;
@@ -24,49 +26,56 @@ struct LevelLine {
 
 struct Plot {
   std::string title, x_label, y_label;
-  std::string x_unit = {}, y_unit = {};  // SI, of the numbers below; drawn with the prefix that suits them
+  // SI units of the data; drawn with a suitable prefix.
+  std::string x_unit = {}, y_unit = {};
   bool log_x = false, log_y = false;
-  enum class Style { points, lines, steps } style = Style::points;  // lines with points, lines alone, stairs
+  // Lines with points, lines alone, stairs.
+  enum class Style { points, lines, steps } style = Style::points;
   std::vector<Curve> curves;
   std::vector<LevelLine> levels;
   std::vector<LevelLine> uprights = {};
   std::vector<std::string> notes;  // below the picture: what it does not show, and why
 };
 
-// For each of `names` a bar of parts, one on the other.
+// One bar for each of `names`, stacked from `parts`.
 struct StackedBars {
   std::string title, y_label;
   std::vector<std::string> names;                      // of the bars
   std::vector<std::string> parts;                      // from the foot up
   std::vector<std::vector<double>> heights;            // heights[bar][part]
-  std::optional<double> top;                           // of the axis, if it has to end there
-  std::string y_unit = {};                             // SI, of the heights; drawn with the prefix that suits them
+  std::optional<double> top;                           // end of the axis, if prescribed
+  // SI unit of the heights; drawn with a suitable prefix.
+  std::string y_unit = {};
 };
 
-// A text as part of a file's name.
+// Replaces the characters of a text that a file name must not have.
 std::string picture_name(std::string text);
 
-// What lies from `low` to `high` along x.
+// Returns the plot restricted to x in [low, high].
 Plot within(Plot plot, double low, double high);
 
-// Curves whose points are the same are one, with both titles: else the one would hide the other.
+// Merges curves with equal points into one with both titles; otherwise one would hide the other.
 std::vector<Curve> merged_curves(const std::vector<Curve>& curves);
 
-// A place on the axis, 0 at its lower end and 1 at its upper.
+// Range of an axis. place(): position of a value, 0 at the lower end and 1 at the upper.
 struct AxisRange {
   double low = 0, high = 1;
   bool log = false;
   double place(double value) const;
 };
 
-// The range of numbers that are drawn, with a margin of a twentieth of it: no whole decades. Numbers that a logarithm has no place for are
-// left out; nothing if there are none.
+// Returns the range of the data with a margin of a twentieth, not rounded to decades. Numbers
+// without a logarithm are left out; returns nothing if none remain.
 std::optional<AxisRange> range_of(const std::vector<double>& numbers, bool log);
 
-// Of a logarithmic axis: the decades; with fewer than two of them 1, 2 and 5 of each; with much less than one as on a linear axis.
+// Returns the ticks of a logarithmic axis:
+// - two decades or more: the decades
+// - fewer: 1, 2 and 5 of each decade
+// - much less than one decade: as on a linear axis
 std::vector<double> log_ticks(const AxisRange& range);
 
-// Heights from 0 to 1 for labels that want to stand at `wanted`, no nearer to each other than `apart`; nothing if there is no room.
+// Returns heights in [0, 1] for labels, close to `wanted` and at least `apart` from each other;
+// nothing if they do not fit.
 std::optional<std::vector<double>> spread_out(const std::vector<double>& wanted, double apart);
 
 }  // namespace tack

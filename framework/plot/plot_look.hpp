@@ -1,4 +1,4 @@
-// How pictures are made up: `tack plot --style FILE`, or keys of it by --set.
+// Style of plots: `tack plot --style FILE`, or its keys by --set.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct PlotLook {
   std::optional<double> width, height;  // m
   std::optional<double> font_size, line_width;  // pt
   std::string font = "Helvetica";
-  std::vector<std::string> colours;  // of CSS, for curves in their order; empty: the usual ones
+  std::vector<std::string> colours;  // CSS colours of the curves in order; empty: the default ones
   bool legend = true, grid = true, pdf = false;
   void fields(Fields& f);
 

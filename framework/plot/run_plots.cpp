@@ -27,7 +27,8 @@ std::optional<Curve> over_time(const CsvTable& table, const std::string& column,
   return over(table, "time", column, title);
 }
 
-// Of different objects; where none came near each other, of objects to themselves.
+// Returns the smallest gap between different objects; if none came close, the smallest distance
+// including self-contact.
 std::optional<Curve> smallest_gap(const PlottedRun& run) {
   auto gap = over_time(run.steps, "min_gap", run.name);
   const bool near = gap && std::any_of(gap->points.begin(), gap->points.end(), [](const auto& p) { return std::isfinite(p.second); });
@@ -52,7 +53,8 @@ std::string unit_of(const PlottedRun& run, const std::string& column) {
   return unit == run.units.end() ? "" : unit->second;
 }
 
-// The data that runs are held against, by probe and what they are over; the same data of several runs once.
+// Returns the measured data of the runs by probe and abscissa; data that several runs share occur
+// once.
 std::map<std::pair<std::string, std::string>, Curve> measured_curves(const std::vector<PlottedRun>& runs) {
   std::map<std::pair<std::string, std::string>, Curve> curves;
   for (const PlottedRun& run : runs)
@@ -80,7 +82,7 @@ std::optional<Plot> law_curves(const CsvTexts& laws) {
     if (plot.curves.empty() || plot.curves.back().title != row[pair]) plot.curves.push_back({row[pair], {}, {}});
     plot.curves.back().points.emplace_back(*x, *y);
   }
-  // Where the barrier pushes, tractions have no bound: what adhesion pulls with is what is to be seen.
+  // Barrier tractions have no bound: the range shows the adhesive tractions.
   double peak = 0;
   for (const Curve& c : plot.curves)
     for (const auto& [x, y] : c.points) peak = std::max(peak, y);

@@ -34,7 +34,7 @@ std::set<double> numbers_in(const CsvTexts& table, const std::string& column) {
   return numbers;
 }
 
-// What spans more than a decade is better seen on a logarithmic axis.
+// Returns true for numbers that span more than a decade: these need a logarithmic axis.
 bool wide(const std::set<double>& numbers) { return !numbers.empty() && *numbers.begin() > 0 && *numbers.rbegin() / *numbers.begin() > 10; }
 
 std::string unit_of(const std::string& column, const std::map<std::string, std::string>& units) {

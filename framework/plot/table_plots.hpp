@@ -1,4 +1,5 @@
-// Pictures of the table of a batch: a number of each case over one that varies, a curve for each choice of the others.
+// Plots of the table of a batch: a number of each case over a varied one, with a curve for each
+// combination of the other varied columns.
 #pragma once
 
 #include <map>
@@ -16,12 +17,13 @@ struct TablePlot {
   bool log_x = false, log_y = false;
 };
 
-// Cases with equal x of one curve are repeats: their mean is drawn, with a bar from the least to the largest. Rows without a number at x or y
-// are named in a note.
-// `units`: of columns that have one. Throws InputError, with the nearest name, for a column that is not there.
+// Plots a table. Cases of one curve with equal x are repeats: their mean is drawn, with a bar from
+// the smallest to the largest. Rows without a number at x or y are named in a note. `units`: by
+// column. Throws InputError, with the nearest name, for an unknown column.
 Plot table_plot(const CsvTexts& table, const TablePlot& what, const std::map<std::string, std::string>& units = {});
 
-// For each of `keys` that has at least two numbers and each of `statistics`: what it depends on, by the other keys. By the names of pictures.
+// Returns plots of each of `statistics` over each of `keys` with at least two numbers, with curves
+// by the other keys; by the names of the pictures.
 std::map<std::string, TablePlot> default_table_plots(const CsvTexts& table, const std::vector<std::string>& keys,
                                                      const std::vector<std::string>& statistics);
 
