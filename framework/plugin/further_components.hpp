@@ -1,16 +1,18 @@
-// Components that most first scenes do without: libtack_further.so, beside the program, has them (cmake/tack_layer.cmake: TACK_FURTHER_FOLDERS). It is
-// loaded when one of them is named, listed, or called by a plugin. Programs that are linked with all have none elsewhere.
+// Less common components, in libtack_further.so beside the program (cmake/tack_layer.cmake:
+// TACK_FURTHER_FOLDERS). The library is loaded when one of its components is named or listed, or
+// when a plugin calls one. In programs that link all components these functions do nothing.
 #pragma once
 
 namespace tack {
 
-// From now on they are known by their names. Before any plugin is loaded.
+// Registers the names of the further components. Call it before any plugin is loaded.
 void note_further_components();
 
-// False: there was nothing left to load. Throws InputError, without a place and with the remedy: not built, broken, or of another build.
+// Loads the library; returns false if there was nothing left to load. Throws InputError, without a
+// place and with the remedy, if the library is not built, is broken, or is of another build.
 bool load_further_components();
 
-// Whether it could not be loaded.
+// Returns true if the library could not be loaded.
 bool further_components_failed();
 
 }  // namespace tack

@@ -1,5 +1,6 @@
-// What a plugin and the program that loads it have to agree on, as lines of text: the same preprocessor writes them into both
-// (interface_note.cpp for plugins), and what differs is told by its line. Instruction sets and optimisation may differ.
+// The interface that a plugin and its program must share, as lines of text. The preprocessor writes
+// the lines into both (interface_note.cpp for plugins); an error message quotes the line that
+// differs. Instruction sets and optimisation may differ.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +8,7 @@
 
 #include "framework/plugin/headers_digest.hpp"
 
-// The section of a plugin's file that holds them.
+// Section of a plugin's file that holds the lines.
 #define TACK_PLUGIN_SECTION ".tack.plugin"
 
 #ifdef _GLIBCXX_DEBUG

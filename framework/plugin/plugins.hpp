@@ -1,4 +1,5 @@
-// Components from outside of the tree: shared libraries that register them when they are loaded (docs/plugins.md).
+// Plugins: shared libraries from outside the tree that register components when they are loaded
+// (docs/plugins.md).
 #pragma once
 
 #include <cstdint>
@@ -13,16 +14,17 @@ struct Plugin {
   std::string path;            // absolute, without links
   std::uint32_t checksum = 0;  // of the file
 };
-// In the order in which they were loaded.
+// Returns the plugins in the order in which they were loaded.
 const std::vector<Plugin>& loaded_plugins();
 
-// Loads a library, unless it is loaded already. What it was built against is read from the file before any of it runs, and
-// a library that is refused leaves nothing behind. Throws InputError, without a place: no such file, no plugin, one for
-// another tack, one whose names are taken.
+// Loads a library, unless it is loaded already. Its build interface is read from the file before
+// any of its code runs, and a rejected library leaves nothing registered. Throws InputError,
+// without a place: file not found, no plugin, built for another tack, or component names in use.
 void load_plugin(const std::string& path);
 
-// Those that a file names under `plugins`, before anything else of it is read. Throws InputError with their places. What is
-// no list of paths is left for the one who binds the key.
+// Loads the plugins that a file names under `plugins`, before the rest of the file is bound. Throws
+// InputError with their places. A value that is no list of paths is left to the binding of the key,
+// which reports it.
 void load_plugins(const Value& root);
 
 inline constexpr const char* plugins_doc = "shared libraries with custom components, loaded before the rest is read";

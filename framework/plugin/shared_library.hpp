@@ -1,4 +1,4 @@
-// A look into the file of a shared library (ELF, 64 bits) without loading it.
+// Reads sections of a shared library (ELF, 64 bits) without loading it.
 #pragma once
 
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace tack {
 
-// The content of a section; nothing if there is none. Throws InputError, without a place, if the file cannot be read, is no
-// shared library, or is damaged.
+// Returns the content of a section; nothing if the section does not exist. Throws InputError,
+// without a place, if the file cannot be read, is no shared library, or is damaged.
 std::optional<std::string> library_section(const std::string& path, const std::string& section);
 
 }  // namespace tack
