@@ -1,5 +1,6 @@
-// An experiment whose world is built. The world points into the experiment (motions, loads), so both are owned
-// together and stay where they are; what the experiment left open is settled, and nothing of it changes any more.
+// An experiment with its built world. The world points into the experiment (motions, loads): this
+// class owns both at fixed addresses. Values that the experiment leaves open are filled in, and the
+// experiment is constant from then on.
 #pragma once
 
 #include <memory>
@@ -13,18 +14,21 @@ namespace tack {
 
 class BuiltExperiment {
  public:
-  // Throws InputError for anything that does not fit together, also for a start that intersects.
+  // Builds the world. Throws InputError for inconsistent settings and for an intersecting initial
+  // state.
   explicit BuiltExperiment(LoadedExperiment loaded);
   BuiltExperiment(const BuiltExperiment&) = delete;
   BuiltExperiment& operator=(const BuiltExperiment&) = delete;
 
-  const Experiment& experiment() const { return loaded_.experiment; }  // its solver with all tolerances
-  const Value& root() const { return loaded_.root; }                   // as parsed, for places in messages
+  // with all tolerances of its solver
+  const Experiment& experiment() const { return loaded_.experiment; }
+  // as parsed, for places in messages
+  const Value& root() const { return loaded_.root; }
   World& world() { return *world_; }
   const World& world() const { return *world_; }
   PhaseClock& clock() { return clock_; }
 
-  // Builds its world again, with objects that have other meshes now, and returns the one before.
+  // Builds the world again with the remeshed objects, and returns the previous world.
   std::unique_ptr<World> rebuild(FlowedMeshes flowed);
   const FlowedMeshes& flowed() const { return loaded_.flowed; }
 
@@ -36,7 +40,8 @@ class BuiltExperiment {
   std::unique_ptr<World> world_;
 };
 
-// Its probes, ready, and its expectations checked against them. Throws InputError with the place in the file.
+// Returns the probes of an experiment, with its expectations checked against them. Throws
+// InputError with the place in the file.
 ProbeSet probes_of(const BuiltExperiment& built);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// The state of an earlier run, for an experiment that starts from it (`start`).
+// Initial state of an experiment from an earlier run (`start`).
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace tack {
 
-// `from`: a checkpoint, or the folder of a run: its newest. Throws InputError if there is none, or it does not tell its objects.
+// Reads the state. `from`: a checkpoint, or the folder of a run, whose newest checkpoint is read.
+// Throws InputError if there is none, or if it does not name its objects.
 InitialStateFromRun state_of_run(const std::string& from);
 
-// That of a file and its scene; `name` stands for the file in messages.
+// Returns the state of a file with its scene; `name` stands for the file in messages.
 InitialStateFromRun initial_state_of(const StateFile& file, const Experiment& experiment, const std::string& name);
 
 }  // namespace tack

@@ -1,5 +1,6 @@
-// The experiment's file, typed: every key with its default. A specification: nothing is built here
-// (built_experiment.hpp), and what works or keeps anything is an instance made from it (instance_of, config/bind.hpp).
+// The typed experiment file: every key with its default. It is a specification:
+// built_experiment.hpp builds it, and objects with state are instances made from it (instance_of,
+// config/bind.hpp).
 #pragma once
 
 #include <map>
@@ -20,7 +21,7 @@ struct Experiment : SceneConfig {
   std::string name;
   std::string about;
   std::vector<std::string> plugins;  // absolute paths; loaded
-  std::map<std::string, Quantity> parameters;  // of which everything else has been computed
+  std::map<std::string, Quantity> parameters;  // already substituted in all other values
   TimeConfig time;
   std::unique_ptr<const Minimizer> solver = Registry<Minimizer>::make("projected_newton");
   std::vector<std::unique_ptr<const Probe>> probes;

@@ -1,4 +1,5 @@
-// What a file is for: each command reads files of one kind, and says which command it is for that reads this one.
+// Kinds of input files. Each command reads files of one kind; for another kind, it names the
+// command that reads it.
 #pragma once
 
 #include <string>
@@ -9,10 +10,10 @@ namespace tack {
 
 enum class FileKind { scene, batch, comparison, calibration };
 
-// By its keys; of anything else, `wanted`.
+// Returns the kind of a file by its keys; `wanted` if they tell none.
 FileKind kind_of_file(const Value& root, FileKind wanted);
 
-// Throws InputError with the place and the command to call.
+// Throws InputError, with the place and the right command, for a file of another kind.
 void refuse_other_kind(const Value& root, FileKind wanted);
 
 }  // namespace tack

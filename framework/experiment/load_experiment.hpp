@@ -1,4 +1,4 @@
-// From a file on disk to a typed experiment.
+// Reads an experiment file into a typed experiment.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,19 @@ namespace tack {
 struct LoadedExperiment {
   Value root;  // as parsed, for places in messages
   Experiment experiment;
-  std::optional<InitialStateFromRun> earlier;  // where it starts; unset: as `start` says (earlier_run.hpp)
-  FlowedMeshes flowed;  // of objects that were meshed anew in a run that is gone on with
+  // Initial state from a run; unset: as `start` says (earlier_run.hpp).
+  std::optional<InitialStateFromRun> earlier;
+  // Meshes of objects that were remeshed in a run that is resumed.
+  FlowedMeshes flowed;
 };
 
-// `overrides` are "a.b=c". Throws InputError with file, line and remedy.
+// Reads a file. `overrides`: "a.b=c". Throws InputError with file, line and remedy.
 LoadedExperiment load_experiment(const std::string& path, const std::vector<std::string>& overrides);
 
-// The same of what was parsed.
+// Binds a parsed file.
 LoadedExperiment bound_experiment(Value root);
 
-// The same of a text; `name` stands for the file in messages.
+// Reads a text; `name` stands for the file in messages.
 LoadedExperiment parse_experiment(const std::string& text, const std::string& name, const std::vector<std::string>& overrides = {});
 
 }  // namespace tack

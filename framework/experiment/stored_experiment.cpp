@@ -35,7 +35,8 @@ LoadedExperiment experiment_of(const StateFile& file, const std::string& name) {
     if (const auto mesh = file.meshes.find(object.name); mesh != file.meshes.end())
       object.shape = std::make_unique<StoredMesh>(mesh->second);
   loaded.flowed = file.flowed;
-  // The start is checked where the problem is, and the file that the experiment started from may be gone.
+  // The problem's own state is the start that is checked; the state file that the experiment
+  // started from may no longer exist.
   if (!file.objects.empty()) {
     loaded.earlier = initial_state_of(file, loaded.experiment, name);
     loaded.experiment.start.reset();

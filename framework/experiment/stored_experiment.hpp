@@ -1,4 +1,4 @@
-// An experiment in the file of a state (framework/output/state_file.hpp), and from it.
+// Conversion between an experiment and a state file (framework/output/state_file.hpp).
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace tack {
 
-// The experiment's part of a file. Reads the mesh files of a problem once more.
+// Returns the experiment's part of a state file. Reads the mesh files of a problem once more.
 StateFile state_file_of(StateFile::Kind kind, const Experiment& experiment);
 
-// The experiment of a file, with its meshes; `name` stands for the file in messages.
+// Returns the experiment of a state file, with its meshes; `name` stands for the file in messages.
 LoadedExperiment experiment_of(const StateFile& file, const std::string& name);
 
 }  // namespace tack

@@ -29,7 +29,8 @@ double smallest_size(const World& world) {
   return smallest;
 }
 
-// Of unknowns that are numbers, the smallest way that one of their unit is: a radian of a rod's twist moves by the radius of gyration [m].
+// Returns the smallest displacement [m] that a unit of a scalar dof causes: a radian of a rod's
+// twist moves its surface by the radius of gyration.
 double smallest_number(const World& world) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const UnknownGroup& group : world.unknowns)

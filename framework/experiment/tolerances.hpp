@@ -11,12 +11,13 @@
 
 namespace tack {
 
-// The experiment's solver with the velocity tolerance that it lacks. The world's bodies must be
-// there. The force floor belongs to single unknowns and is found when steps are taken
-// (framework/stepping/force_groups.hpp).
+// Returns the experiment's solver with a default velocity tolerance if it has none. The world's
+// bodies must exist. The force floor belongs to single unknowns and is computed when steps are
+// taken (framework/stepping/force_groups.hpp).
 std::unique_ptr<const Minimizer> settled_solver(const Experiment& experiment, const World& world);
 
-// Tolerances that do not fit the contact distance or the friction, one line each with the remedy.
+// Returns warnings about tolerances that do not fit the contact distance or the friction, one line
+// each with the remedy.
 std::vector<std::string> doubtful_tolerances(const Experiment& experiment, const World& world);
 
 }  // namespace tack
