@@ -1,7 +1,9 @@
-// How far a run is from a measured curve, in one number each. With y the data, r what the run has there, and s the size of a deviation of one
-// (|y| of the point itself, or the largest |y| of all points):
-//   mean   average of |r - y| / s       bias   average of (r - y) / s
-//   rms    its root mean square         worst  its largest
+// Deviation of a run from a measured curve. With y the data, r the run at the same points, and s
+// the scale of a relative deviation (|y| of the point, or the largest |y| of all points):
+//   mean   average of |r - y| / s
+//   bias   average of (r - y) / s
+//   rms    root mean square of |r - y| / s
+//   worst  largest |r - y| / s
 //   work, measured_work   int r dx and int y dx over the points, by the trapezoidal rule
 #pragma once
 
@@ -20,7 +22,8 @@ struct Deviation {
   double work = 0, measured_work = 0;  // units of y times those of x
 };
 
-// `run`: as follow() gives it. Infinite where a deviation from nothing is asked for.
+// Computes the deviation. `run`: as returned by follow(). Infinite for a deviation relative to
+// zero.
 Deviation deviation_of(const MeasuredCurve& curve, const std::vector<double>& run, DeviationScale scale);
 
 }  // namespace tack

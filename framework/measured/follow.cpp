@@ -23,7 +23,8 @@ class Run {
     return !std::is_sorted(x_.begin(), x_.end()) && !std::is_sorted(x_.rbegin(), x_.rend());
   }
 
-  // The first passage of `wanted` from `place` on, upwards (1), downwards (-1) or any way (0); moves there.
+  // Returns the first passage of `wanted` from `place` on, and moves `place` there. direction:
+  // upwards (1), downwards (-1), either (0).
   std::optional<Passage> pass(double wanted, int direction, Passage& place) const {
     if (x_.empty()) return std::nullopt;
     const double reach = slack * (high_ - low_);
@@ -46,7 +47,8 @@ class Run {
   double low_ = 0, high_ = 0;
 };
 
-// Up (1) or down (-1) at a point of the data: from the last one that differs, at the start to the next one.
+// Returns the direction of the data at a point, up (1) or down (-1): from the previous different
+// point, or to the next one at the start.
 int direction_at(std::span<const double> points, size_t i) {
   for (size_t k = i; k-- > 0;)
     if (points[k] != points[i]) return points[i] > points[k] ? 1 : -1;

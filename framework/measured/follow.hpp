@@ -1,7 +1,11 @@
-// What a run has where a measured curve has its points: its samples (x, y) in the order of time, linear in between.
+// Values of a run at the points of a measured curve. The samples (x, y) of the run are in the order
+// of time and linearly interpolated.
 //
-// Where the run's x never turns back, y is a function of x, and each point has the first passage of its x. Where it does (loading and unloading),
-// both are followed by time: a point takes the first passage, not before that of the point before, in the direction in which the data go.
+// Two cases:
+// - the run's x is monotonic: y is a function of x, and each point takes the first passage of its x
+// - the run's x turns back (loading and unloading): both curves are followed in time, and a point
+//   takes the first passage in the direction of the data, not before the passage of the previous
+//   point
 #pragma once
 
 #include <optional>
@@ -10,17 +14,19 @@
 
 namespace tack {
 
-// A place on the run's way: between two samples, this one and the next.
+// A position on the run's path, between the samples `sample` and `sample` + 1.
 struct Passage {
   size_t sample = 0;
-  double part = 0;  // of the way to the next one
+  double part = 0;  // fraction of the segment
   double of(std::span<const double> numbers) const { return part == 0 ? numbers[sample] : (1 - part) * numbers[sample] + part * numbers[sample + 1]; }
 };
 
-// Where the run passes each of `points`, the x of the data; nothing where it never gets there. `x`: of the run.
+// Returns where the run passes each of `points`, the x of the data; nothing for points that it
+// never reaches. `x`: of the run.
 std::vector<std::optional<Passage>> passages(std::span<const double> points, std::span<const double> x);
 
-// y of the run for each of `points`; NaN where the run never gets there. `x` and `y` are equally many.
+// Returns y of the run at each of `points`; NaN for points that it never reaches. `x` and `y` have
+// equal length.
 std::vector<double> follow(std::span<const double> points, std::span<const double> x, std::span<const double> y);
 
 }  // namespace tack

@@ -1,4 +1,5 @@
-// A curve as it was measured: numbers over numbers, in the order of the file, which for what is loaded and unloaded is the order in time.
+// A measured curve: points in the order of the file, which is the order in time for loading and
+// unloading.
 #pragma once
 
 #include <string>
@@ -11,16 +12,17 @@ namespace tack {
 struct MeasuredCurve {
   std::string path;
   std::vector<double> x, y;  // SI
-  std::vector<int> lines;    // of the file, of each point
+  std::vector<int> lines;    // line of the file for each point
 
   size_t size() const { return x.size(); }
   std::string place(size_t point) const;  // "load.csv:7"
 };
 
-// Throws InputError with file and line as read_quantities does, also for a file without a point.
+// Reads a curve. Throws InputError with file and line as read_quantities does, also for a file
+// without points.
 MeasuredCurve read_curve(const std::string& path, const QuantityColumn& x, const QuantityColumn& y);
 
-// The points with from <= x <= to.
+// Returns the points with from <= x <= to.
 MeasuredCurve part_of(const MeasuredCurve& curve, double from, double to);
 
 }  // namespace tack

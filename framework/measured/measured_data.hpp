@@ -1,4 +1,4 @@
-// Which part of which file a run is held against. In a scene file:
+// A measured curve in a scene file, with which a run is compared:
 //   follows: {file: load.csv, x_column: opening, y_column: load, from: 5 mm, to: 16 mm}
 #pragma once
 
@@ -18,8 +18,9 @@ struct MeasuredData {
 
   void fields(Fields& f);
 
-  // Its points from `from` to `to`. `x`, `y`: the run's columns and their units; units::any for numbers with whatever unit the file has.
-  // Throws InputError as read_curve does, and where no point is left.
+  // Reads the points from `from` to `to`. `x`, `y`: columns of the run; x_unit, y_unit: their
+  // units, or units::any to accept the unit of the file. Throws InputError as read_curve does, and
+  // if no point is left.
   MeasuredCurve read(const std::string& x, const Unit& x_unit, const std::string& y, const Unit& y_unit) const;
 };
 
