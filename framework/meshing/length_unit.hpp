@@ -1,4 +1,4 @@
-// Mesh files do not say which unit their numbers are in.
+// Length units of mesh files, which do not state the unit of their numbers.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct LengthUnits {
   bool trivial() const { return from == to; }
 };
 
-// "scaled by 0.001: now 0.1 x 0.02 x 0.02 m".
+// Returns the note of a scaled mesh: "scaled by 0.001: now 0.1 x 0.02 x 0.02 m".
 std::string scaled_note(const Mesh& scaled, double factor, const std::string& unit = "m");
 
 }  // namespace tack

@@ -1,5 +1,5 @@
-// A step from one mesh to another, by name: in a scene's shape of type `processed`, and of `tack mesh NAME`.
-// One that is new is a file beside this one: fields, apply, and its registration.
+// A named operation from mesh to mesh: of a scene's shape of type `processed`, and of `tack mesh
+// NAME`. A new operation is a file beside this one with fields, apply and its registration.
 #pragma once
 
 #include "framework/config/field.hpp"
@@ -16,10 +16,12 @@ class MeshOperation : public Component {
 
   void fields(Fields& f) final;
 
-  // What apply needs from elsewhere: called before it, by the program itself.
+  // Prepares for apply(), for example by making another mesh. Called before it, in the program's own
+  // process.
   virtual void prepare() {}
-  // Runs in a process of its own: foreign libraries may crash, loop or take all memory. Hence no parallel loops in it,
-  // and nothing that it keeps is kept. Throws InputError, beginning with `name`, which says what the mesh is.
+  // Applies the operation. Runs in a child process, since external libraries may crash, loop or
+  // exhaust the memory: no parallel loops, and changes of members are lost. `name`: of the mesh,
+  // with which messages begin. Throws InputError.
   virtual Mesh apply(const Mesh& mesh, const std::string& name, Notes& notes) const = 0;
 
   double time_limit() const { return time_limit_; }  // s
@@ -31,8 +33,9 @@ class MeshOperation : public Component {
   double time_limit_ = 120;  // s
 };
 
-// Prepares and applies it, within its time limit. Throws the InputError that it throws, or one that says how it ended.
-// Notes are added: what it did, the time it took, and the quality of the mesh.
+// Prepares and applies an operation within its time limit. Throws the InputError of the operation,
+// or one that says how the child process ended. Appends to `notes`: its result, the time, and the
+// quality of the mesh.
 Mesh run_operation(MeshOperation& operation, const Mesh& mesh, const std::string& name, Notes& notes);
 
 }  // namespace tack
