@@ -1,4 +1,5 @@
-// The program: the command line (command_line.cpp), what it goes on in, and exit codes.
+// main(): executes the command line (command_line.cpp), goes on in another program where needed,
+// and maps exceptions to exit codes.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
