@@ -47,7 +47,7 @@ bool becomes_true(const Condition& condition) {
   return true;
 }
 
-// Of the run that writes into a folder.
+// Returns the process of the run that writes into a folder.
 pid_t process_in(const fs::path& run) {
   const std::string text = file_text(run / ".tack_run");
   const size_t at = text.find("process ");

@@ -1,4 +1,4 @@
-// What the README and docs/ show is true: their scenes are files that run, and the files they name exist.
+// Checks the README and docs/: their scenes are files that run, and the files they name exist.
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <regex>
@@ -28,7 +28,7 @@ bool describes_the_present(const fs::path& page) {
   return folder == "decisions" || folder == "developer" || page.filename() == "design.md";
 }
 
-// What the first group of the pattern is, wherever the text has the pattern.
+// Returns the first group of every match of the pattern in a text.
 std::vector<std::string> all_matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> found;
   for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) found.push_back((*it)[1].str());

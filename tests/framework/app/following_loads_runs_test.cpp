@@ -83,7 +83,7 @@ TEST_CASE("every minimiser takes following loads, or names the one that it canno
   }
 }
 
-// What is stiff by its volume is no sum of squares; other loads act with their force.
+// An energy of the enclosed volume is no sum of squares; other loads contribute a linear term.
 TEST_CASE("methods that want sums of squares refuse a chamber by name, and take the others", "[loads]") {
   const TemporaryFolder folder;
   const auto with = [&](const std::string& loads) {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// What each law needs at least.
+// Required arguments of each law.
 const std::map<std::string, Arguments> least = {
     {"bilinear", {"peak_traction=1e4", "work_of_adhesion=1"}},
     {"bonded", {"peak_traction=1e4"}},

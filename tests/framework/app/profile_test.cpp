@@ -37,7 +37,7 @@ struct Rows {
     }
   }
   double number(const std::string& key) const { return std::stod(values.at(key)); }
-  // Of all rows of the table.
+  // Sums a quantity over all rows of a table.
   double sum(const std::string& table, const std::string& quantity) const {
     double all = 0;
     for (const std::string& key : keys)

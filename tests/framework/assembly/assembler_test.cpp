@@ -180,7 +180,7 @@ TEST_CASE("assembly: a term with several batches by ranges", "[assembly]") {
   p.check(assembler, matrix);
   for (const Term* term : {static_cast<const Term*>(&batches), static_cast<const Term*>(&p.triples)})
     CHECK(times.of(term).evaluations[static_cast<int>(Evaluation::hessian)] == 1);
-  // What is clamped stencil by stencil, up to the largest.
+  // Clamping stencil by stencil, including the largest stencil.
   const std::vector<char> flags(p.dofs.block_count(), 1);
   VecX gradient = VecX::Zero(p.dofs.size());
   assembler.assemble(p.x, {}, {.clamp_at = &flags}, p.mass, gradient, matrix);

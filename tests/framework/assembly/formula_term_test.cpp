@@ -21,7 +21,8 @@ struct Stretch : FormulaOf<2> {
   }
 };
 
-// Of four places and two numbers: a dihedral angle that follows one, by all that numbers have.
+// A formula of four positions and two numbers: a dihedral angle with a target angle, built from all
+// operations of numbers.
 struct Hinge : FormulaOf<6, 2> {
   struct Data {
     double stiffness;

@@ -94,7 +94,7 @@ TEST_CASE("Sobol's samples fill the square, and more keep the first", "[batch]")
   };
   const auto few = texts_of(yaml(16)), many = texts_of(yaml(64));
   CHECK(std::equal(few.begin(), few.end(), many.begin()));
-  // Of 64 points one lies in each of 64 boxes, whatever power of two they are wide, as in any (0, 6, 2)-net.
+  // The 64 points are a (0, 6, 2)-net: one lies in each of 64 boxes, for any power-of-two width.
   for (int wide = 0; wide <= 6; ++wide) {
     std::set<int> boxes;
     for (const Variant& v : variants_of(yaml(64)))

@@ -32,7 +32,7 @@ TEST_CASE("warped: each vertex goes where the formulas of its place say, and not
       CHECK((saddle.vertices[v] - Vec3(x.x() + unit, x.x() * x.z() / unit, 2 * x.z())).norm() < 1e-12 * unit);
     }
   }
-  // What is not given stays, and one may be warped again.
+  // Coordinates without a formula stay, and a warped shape may be warped again.
   const Mesh once = shape("{type: warped, of: {type: box, size: [1, 1, 1]}, y: y + x^2}")->make();
   const Mesh twice = shape("{type: warped, of: {type: warped, of: {type: box, size: [1, 1, 1]}, y: y + x^2}, y: y - x^2}")->make();
   const Mesh box = shape("{type: box, size: [1, 1, 1]}")->make();

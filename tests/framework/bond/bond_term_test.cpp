@@ -45,7 +45,7 @@ struct Bonded {
     for (const Bond& b : term().list().bonds()) sum += b.area;
     return sum;
   }
-  // Of a body, moved.
+  // Returns x with one body displaced.
   VecX moved(const std::string& body, const Vec3& way) const {
     VecX y = x;
     const Body& b = scene.world->bodies[scene.world->body_index(body)];
@@ -80,7 +80,8 @@ TEST_CASE("bonds: gradient and Hessian are those of the value, the Hessian's pro
     CHECK(total_moment(x, held).norm() < 1e-12 * held.cwiseAbs().sum());
     bonded.term().lag(bonded.x);
     for (const Projection projection : {Projection::clamp, Projection::absolute}) {
-      // Of the way between the two places; the stencil's own eigenvalues are others, and none is below zero.
+      // The projection acts on the vector between the two bond sites; the stencil's own eigenvalues
+      // differ, and none is negative.
       const MatX made = dense_hessian(bonded.term(), x, projection);
       CHECK(smallest_eigenvalue(made) > -1e-12 * h.norm());
       CHECK((smallest_eigenvalue(h) < -1e-6 * h.norm()) == ((made - h).norm() > 1e-6 * h.norm()));

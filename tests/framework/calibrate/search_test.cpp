@@ -14,7 +14,7 @@ namespace {
 
 const double strength = 1e4, work = 1, stiffness = 2e8, noise = 200;
 
-// Of ranges from a 20th to six times the true value.
+// Fitted numbers with ranges from a 20th to six times the true value.
 std::vector<FittedNumber> numbers(const std::vector<double>& truth, double off) {
   std::vector<FittedNumber> all;
   for (size_t i = 0; i < truth.size(); ++i) {

@@ -29,7 +29,7 @@ std::string tilted(double degrees, int cells, double gap = 0.7 * distance) {
       cells, degrees, -0.001 * std::sin(tilt), gap + 0.001 * std::cos(tilt) + length / 2 * std::sin(tilt), distance);
 }
 
-// Of the traction, which rises to its peak and falls as far.
+// Integral of the traction, which rises linearly to its peak and falls over an equal distance.
 double exact(double degrees, double gap = 0.7 * distance) {
   const double slope = std::sin(degrees * std::numbers::pi / 180);
   double sum = 0;

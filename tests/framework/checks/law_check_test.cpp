@@ -36,7 +36,7 @@ class Exponential : public NormalLawOf<Exponential, NormalAdhesion> {
   double cut_, shift_;
 };
 
-// Of a smooth law, with derivatives that are off by a factor.
+// A smooth law with derivatives that are wrong by a factor.
 class Skewed : public Exponential {
  public:
   Skewed(double slope, double curvature) : Exponential(30), slope_(slope), curvature_(curvature) {}

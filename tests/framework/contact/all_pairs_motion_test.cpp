@@ -22,7 +22,8 @@ std::string name_of(ObjectKind kind) {
 
 bool thick(ObjectKind kind) { return kind == ObjectKind::volume || kind == ObjectKind::affine; }
 
-// Of centre y = 0. Rods come in pairs along x, on which a thing stands; particles that meet them in two rows.
+// A shape centred at y = 0. Rods come in pairs along x, so that an object can stand on them;
+// particles that meet rods in two rows.
 std::string shape(ObjectKind kind, int cells, bool in_rows) {
   switch (kind) {
     case ObjectKind::volume:
@@ -68,7 +69,7 @@ struct Stack {
                        crossed() ? 90 : 0, half_height(lower) + half_height(upper) + gap, more);
   }
 
-  // What lies opposite [m^2].
+  // Area that lies opposite [m^2].
   double measure() const {
     const double width = 2 * radius;
     if (crossed()) return 4 * width * width;
@@ -77,7 +78,7 @@ struct Stack {
   }
 };
 
-// Of the upper one [kg].
+// Mass of the upper object [kg].
 double mass(const Stack& stack) {
   switch (stack.upper) {
     case ObjectKind::volume:

@@ -69,7 +69,7 @@ struct Pairing {
                        lower == ObjectKind::rod && upper == ObjectKind::rod ? angle : 0.0, y, dhat, integrate);
   }
 
-  // What lies opposite [m^2].
+  // Area that lies opposite [m^2].
   double measure() const {
     const auto is = [&](ObjectKind a, ObjectKind b) { return (lower == a && upper == b) || (lower == b && upper == a); };
     const double disc = M_PI * radius * radius, width = 2 * radius;

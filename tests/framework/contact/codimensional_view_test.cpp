@@ -1,4 +1,5 @@
-// What rods and particles have of their areas towards triangles: exact above surfaces of any mesh, and no jumps anywhere.
+// Areas of rods and particles towards triangles: exact above surfaces of any mesh, and continuous
+// everywhere.
 #include "framework/contact/codimensional_view.hpp"
 
 #include <catch2/catch.hpp>

@@ -79,7 +79,8 @@ TEST_CASE("contact integral: the ground integrates, if the scene says so", "[con
 
 TEST_CASE("contact integral: a ball over a ground that integrates, whatever the ground's cells", "[contact]") {
   const double radius = 5e-3, height = radius + 0.7e-3;
-  // Of the ground's points at a distance r from below the ball: distance to it, along a line that is tilted, towards which areas count.
+  // Integral over the points of the ground at a distance r from below the ball: each has its
+  // distance to the ball along an inclined line, towards which its area is projected.
   double expected = 0;
   const int rings = 2000;
   const double far = std::sqrt(std::pow(radius + 2 * dhat, 2) - height * height), width = far / rings;
@@ -321,8 +322,8 @@ TEST_CASE("contact integral: a body alone has no contact energy, however small i
 
 namespace {
 
-// What the contact forces do along a closed way of the upper body, over the work of adhesion of the overlap: each
-// part of the way is a step of its own, which takes areas and orientations anew.
+// Work of the contact forces along a closed path of the upper body, over the work of adhesion of
+// the overlap. Each segment of the path is a time step with re-evaluated areas and orientations.
 double work_on_closed_way(const Box& upper, const Box& lower, const std::string& pair, double overlap) {
   TestScene scene("objects:\n" + upper.yaml("upper", material) + lower.yaml("lower", material) +
                   contact("between: [upper, lower]" + pair + sticks));

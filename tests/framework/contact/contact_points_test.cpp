@@ -80,7 +80,7 @@ void check_points(const ContactPoints& points, const World& world, const VecX& x
   });
 }
 
-// Of these laws, or of all.
+// Returns the contact points of the wanted laws; of all laws if none are given.
 ContactPoints points_at(World& world, const VecX& x, std::vector<char> wanted = {}) {
   world.contact->begin_step({x});
   world.contact->move_to(x);
@@ -90,7 +90,7 @@ ContactPoints points_at(World& world, const VecX& x, std::vector<char> wanted = 
   return points;
 }
 
-// Of the laws that adhere: guards do not.
+// Returns the contact points of the adhesive laws; safety barrier pairs have none.
 ContactPoints adhering(World& world, const VecX& x) {
   std::vector<char> wanted;
   for (const PairLaw& law : world.contact_term->laws(LawTerm::adhesion)) wanted.push_back(!law.laws().empty());

@@ -49,7 +49,8 @@ TEST_CASE("contact integral: within a step the energy is one function, whoever c
         }
         INFO(cells << " cells on " << other << ", opening " << opening << ", integrates: " << integrates << ": " << worst / -least);
         CHECK(worst <= 2e-3 * -least);
-        // What comes near later has its area once, not from samples and from its corners both: that of the sheet as the step found it.
+        // A region that comes near later counts its area once, not both from samples and from its
+        // corners: the area of the sheet at the start of the step.
         const double all = side * side * std::cos(opening) * laws_at(height).value;
         CHECK(before == Approx(all).epsilon(std::string(integrates) == "upper" && opening < 0.1 ? 1e-6 : 0.12));
       }

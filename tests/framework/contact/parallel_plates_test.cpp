@@ -101,7 +101,7 @@ TEST_CASE("parallel plates of equal outline: any side may integrate", "[contact]
   }
 }
 
-// What area weights are for: plain sums count an area once per primitive that sees it.
+// The reason for area weights: plain sums count an area once for each primitive that sees it.
 TEST_CASE("parallel plates: plain sums depend on the mesh", "[contact]") {
   const double expected = area * slope("adhesion", 1.3e-3);
   for (const int cells : {4, 16}) {

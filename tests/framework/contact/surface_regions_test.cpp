@@ -84,7 +84,7 @@ TEST_CASE("parts: what is beside them has the law of the whole, and the one that
   CHECK(pull({.pairs = left + ", " + all}) == Approx(2 * unit_force).epsilon(1e-6));
   CHECK(pull({.pairs = all + ", " + corner + ", " + left}) == Approx((0.5 + 0.25 * 5 + 0.25 * 3) * unit_force).epsilon(1e-6));
   CHECK(pull({.pairs = any + ", " + left}) == Approx((0.5 * 7 + 0.5 * 3) * unit_force).epsilon(1e-6));
-  // Of two objects that are named, more is said than of one and all.
+  // A pair of two named objects is more specific than a pair of one object and all.
   CHECK(pull({.pairs = "{between: [" + half("upper", "x", 1) + ", \"*\"], " + law(1, 3000) + "}, " + all}) == Approx(unit_force).epsilon(1e-9));
   // Only the general contact beside a part that adheres, and a part without adhesion in what adheres.
   CHECK(pull({.pairs = all + ", {between: [" + half("upper", "x", 1) + ", lower], friction: {mu: 0.1}}"}) == Approx(0.5 * unit_force).epsilon(1e-6));

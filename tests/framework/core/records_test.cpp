@@ -158,7 +158,7 @@ TEST_CASE("a term's force, energy, flows and field are in all that is recorded",
     CHECK(held[i] == Approx(-tether[i]).epsilon(fading).margin(1e-9));  // the block was in balance before they faded
   }
 
-  // Of what is stored after a step, the part that did not fade.
+  // The part of the stored energy that did not fade remains after a step.
   const auto energy = column(steps, "energy_tether"), faded = column(steps, "dissipated_tethers"), wound = column(steps, "work_winding");
   double lost = 0, made = 0, fed = 0;
   double before = column(probes, "total")[0];
@@ -254,8 +254,8 @@ TEST_CASE("what stands in the place of a term's forces is what probes, reactions
   CHECK(run.sample(3)[0] == Approx(7));
   CHECK(run.sample(4)[0] == 0.25);
 
-  // What the script works against is what they are, not what the potential has: 7 N over 1 mm, of which the first half is that of
-  // the end of the step before.
+  // The prescribed motion works against the published forces, not those of the potential: 7 N over
+  // 1 mm, of which the first half belongs to the end of the step before.
   run.step();
   const StepReport report = run.step();
   CHECK(report.flows.script == Approx(7 * 0.1 * 0.01));

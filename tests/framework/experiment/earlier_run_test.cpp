@@ -135,7 +135,7 @@ TEST_CASE("what objects remember of each other comes along, by its keys", "[star
   const Settled settled;
   const fs::path path = settled.run / "checkpoints/step_00000020.checkpoint";
   StateFile file = read_state_file(path, StateFile::Kind::checkpoint);
-  // Of points and other objects there: floor (0 to 7), lump (8 to 34), stone (35 to 42).
+  // Vertices of the objects there: floor (0 to 7), lump (8 to 34), stone (35 to 42).
   file.state.history["contact/memory"] = {2, {1, 2, 3, 4, 5, 6, 7, 8}, {{3, 2}, {9, 0}, {36, 0}, {36, 1}}};
   write_state_file(path, file);
   const std::string other = "  - {name: weight, shape: {type: box, size: [0.02, 0.02, 0.02]}, place: {translate: [0.2, 0.05, 0]}, body: {type: affine, density: 1000}}\n";

@@ -43,7 +43,7 @@ TEST_CASE("loading and unloading are followed by time", "[measured]") {
   const List x = {0, 4, 2, 5}, y = {0, 4, 0, 50};
   const List found = follow(List{1, 3, 3.5, 3, 2.5, 3, 4.5}, x, y), exact = {1, 3, 3.5, 2, 1, 50.0 / 3, 125.0 / 3};
   for (size_t i = 0; i < exact.size(); ++i) CHECK(found[i] == Approx(exact[i]));
-  // Of data of the way down alone, that one.
+  // Data on the way down alone take the passages of the way down.
   CHECK(follow(List{3.5, 2.5}, x, y) == List{3, 1});
   // Data that turn beyond the run's own turn: the point there is missed, the way back is not.
   const List beyond = follow(List{3, 5.5, 3}, List{0, 4, 0}, List{0, 4, 40});

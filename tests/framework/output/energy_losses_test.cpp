@@ -1,4 +1,4 @@
-// What is told at the end of a run of the energy that it made or lost.
+// Messages at the end of a run about the energy that it gained or lost numerically.
 #include "framework/output/energy_losses.hpp"
 
 #include <catch2/catch.hpp>
@@ -101,7 +101,7 @@ TEST_CASE("losses: a histogram of time grows with the run", "[losses]") {
   CHECK(when.densest(1).second == Approx(64 * 0.16));  // there is none
 }
 
-// What every run has to say nothing of, and what each must.
+// Runs without a message, and runs that need one.
 TEST_CASE("losses: a run is judged by what was at play in all of it", "[losses]") {
   const auto told = [](const std::string& yaml, double duration) {
     TestRun run(yaml);

@@ -43,14 +43,14 @@ struct Framed {
     return fields[0].values;
   }
   const Body& body(const std::string& name) const { return scene.world->bodies[scene.world->body_index(name)]; }
-  // What the barrier between a body and the floor presses with at a gap.
+  // Barrier pressure between a body and the floor at a gap.
   double law(const std::string& name, double gap) const {
     const PairTable& pairs = scene.world->contact->pairs();
     const int a = scene.world->body_index(name);
     const int law = body(name).triangles.empty() ? pairs.thin(a, 0).law : pairs.point(a, 0).law;
     return -pairs.laws()[law].at(gap).slope;
   }
-  // Of the vertices of a body that are that high.
+  // Vertices of a body at the height y.
   std::vector<int> at_height(const std::string& name, double y) const {
     std::vector<int> found;
     const Body& b = body(name);

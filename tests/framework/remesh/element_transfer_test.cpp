@@ -1,4 +1,4 @@
-// What tets hand on to others that fill the same volume.
+// Transfer of element data between meshes of the same volume.
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 

@@ -47,7 +47,7 @@ LoadedExperiment loaded(const std::string& yaml) { return parse_experiment(yaml,
 struct Run {
   explicit Run(const std::string& yaml) : simulation(loaded(yaml), [this](const Warning& w) { warnings.push_back(w.text); }) { simulation.start(); }
 
-  // Whether there was one after the step.
+  // Returns true if elements were exchanged after the step.
   bool step() {
     simulation.step();
     std::vector<NewElements> elements = simulation.due_elements();
@@ -66,7 +66,7 @@ struct Run {
   double lost = 0;
 };
 
-// Of the first body.
+// Quantities of the whole first body.
 struct Whole {
   explicit Whole(const World& world, const State& s) {
     for (const int v : world.vertices_of(0)) {
@@ -112,7 +112,7 @@ TEST_CASE("a block in uniform plastic compression goes on with other tets as wit
            "    {type: fixed, along: [0, 0, 1], select: {type: face, direction: [0, 0, -1]}},\n"
            "    {type: translate, along: [0, 1, 0], displacement: [0, -0.06, 0], duration: 1, select: {type: face, direction: [0, 1, 0]}}]}]\n";
   };
-  // Of all tets, from the mean.
+  // Largest deviation of all tets' stresses from their mean, relative to it.
   const auto stresses = [](const Run& run, Mat3& mean) {
     const std::vector<Mat3> all = run.simulation.world().records.stresses().front().values(run.simulation.state().x);
     mean = Mat3::Zero();
@@ -240,7 +240,7 @@ TEST_CASE("exchanges come when they do whatever the units, and do as much", "[re
   }
   REQUIRE(exchanged);
   CHECK(other.last[0].before == Approx(one.last[0].before).epsilon(1e-4));
-  // Of tets of a box many are alike, and rounding decides which of them is changed first.
+  // Many tets of a box are alike, and rounding decides which of them is changed first.
   CHECK(other.last[0].after == Approx(one.last[0].after).epsilon(0.1));
   const double ratio = other.lost / std::pow(scale, 3) / one.lost;
   CHECK(ratio > 0.5);

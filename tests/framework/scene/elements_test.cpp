@@ -1,4 +1,4 @@
-// What an object's elements are: divided where they are composite, and refused where they would mean nothing.
+// Elements of objects: divided if they are composite, and refused if they have no meaning.
 #include "framework/body/elements.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,6 @@
-// What a builder of interactions and unknowns does, by an interaction of the tests: bodies, selections and errors; unknowns in steps, resumed
-// runs and starts; vertices that follow; who is in no contact.
+// The builder of interactions and unknowns, with an interaction of the tests: bodies, selections
+// and errors; unknowns in steps, resumed runs and initial states; dependent vertices; objects
+// without contact.
 #include <catch2/catch.hpp>
 #include <numbers>
 

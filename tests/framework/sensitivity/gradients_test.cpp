@@ -171,7 +171,7 @@ TEST_CASE("parameters with units have the derivatives of what they stand for", "
 
 TEST_CASE("a block that is pressed has the derivatives of whole runs", "[sensitivity]") {
   for (const char* key : {"objects.block.energies.0.young", "contact.barrier.stiffness"}) CHECK(worst(pressed, "force", key, 1e-4) < 1e-4);
-  // What the runs leave of forces changes with these.
+  // Derivatives by these numbers are less accurate: they change the force residuals of the runs.
   for (const char* key : {"objects.block.energies.0.poisson", "contact.distance", "objects.plate.motion.0.velocity.1"})
     CHECK(worst(pressed, "force", key, 1e-4) < 1e-3);
 }

@@ -105,7 +105,7 @@ TEST_CASE("the duration of a run joins those that meet in it, and no stiffness d
   CHECK(stiffness(build(bases[0].yaml, "2 s")) == stiffness(build(bases[0].yaml, "20 ms")));
 }
 
-// What one collision throws is at most twice as fast as what hits it.
+// An object hit in one collision is at most twice as fast as the one that hits it.
 TEST_CASE("bodies meet as far as a collision may throw one of them", "[setup]") {
   const auto groups = [](double distance) {
     const TestRun s(scene(bases[1].yaml + fmt::format("  - {{name: fast, shape: {{type: box, size: [0.01, 0.01, 0.01]}}, place: {{translate: [{}, 0.1, 0]}}, "

@@ -1,4 +1,4 @@
-// What contact cannot take is refused where the scene is loaded, not ignored.
+// Scenes that contact does not support are refused when they are loaded.
 #include "framework/setup/contact_support.hpp"
 
 #include <catch2/catch.hpp>

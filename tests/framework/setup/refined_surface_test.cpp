@@ -35,7 +35,7 @@ struct Contact {
   Vec3 force;     // on the cube [N]
 };
 
-// Of the cube, sheared and tilted, its lowest corner at a height above the floor.
+// Contact of the cube, sheared and tilted, with its lowest corner at a height above the floor.
 Contact contact_of(const std::string& yaml, double tilt, double height) {
   TestScene scene(yaml);
   World& world = *scene.world;

@@ -34,7 +34,7 @@ TEST_CASE("a shape of the same recipe is made once", "[shapes]") {
   const auto first = made(*shape(ball)), second = made(*shape(ball));
   CHECK(first == second);
   CHECK(made(*shape("{type: level_set, voxel: 0.11, of: {type: sphere, radius: 0.987}}")) != first);
-  // What is cheap is not kept.
+  // Cheap meshes are not cached.
   CHECK(made(*shape("{type: box, size: [1, 1, 1]}")) != made(*shape("{type: box, size: [1, 1, 1]}")));
   CHECK(first->mesh.vertices == shape(ball)->make().vertices);
 }

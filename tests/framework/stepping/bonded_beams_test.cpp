@@ -38,7 +38,7 @@ struct Beams {
   double young = 1e9, thickness = 1e-3, width = 2e-3, gap = 6e-5;
 
   double stiffness() const { return young * width * std::pow(thickness, 3); }  // E b h^3
-  // Of Benzeggagh and Kenane, with the exponent 2.
+  // Mixed-mode toughness of Benzeggagh and Kenane, with the exponent 2.
   double toughness(double mixity) const { return work_opening + (work_shear - work_opening) * mixity * mixity; }
 
   // Loads of the modes on mixed-mode bending, for a load of 1 at the distance c from the middle.

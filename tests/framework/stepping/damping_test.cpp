@@ -50,7 +50,7 @@ struct Vibration : TestScene {
     stepper.emplace(*world, config, config.time, *solver, clock, [](const std::string&) {});
   }
 
-  // Of the mode, in units of the start.
+  // Modal coordinate, in units of the initial amplitude.
   double coordinate(const VecX& vectors) const {
     double sum = 0, square = 0;
     for (int v = 0; v < world->mass.size(); ++v) {

@@ -29,7 +29,7 @@ TestRun impact(double speed, double angle) {
 TEST_CASE("a ball hits a thin plate at 200 and 1000 m/s in steps of 10 ms", "[stepping]") {
   const double speed = GENERATE(200, 1000);
   INFO(speed << " m/s");
-  // What a single impact takes, 130 to 400 iterations at 1000 m/s, hangs on the last bits.
+  // The iterations of a single impact at 1000 m/s, 130 to 400, depend on round-off.
   std::vector<int> iterations;
   for (const double angle : {0.25, 0.28, 0.31}) {
     TestRun run = impact(speed, angle);

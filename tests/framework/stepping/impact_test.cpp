@@ -135,8 +135,8 @@ TEST_CASE("where contact lasts, integrators keep their order", "[stepping]") {
 
 namespace {
 
-// What a block that is thrown at a floor obliquely is given along it over what it is given across, over mu. `sizes`: of the
-// steps, in turn, in those of the scene.
+// Tangential over normal impulse, divided by mu, of a block that is thrown obliquely at a floor.
+// `sizes`: step sizes in turn, in units of the scene's.
 double impulse_ratio(const std::string& integrator, double h, const std::vector<double>& sizes) {
   constexpr double mu = 0.3;
   TestRun run(fmt::format("time: {{step: {}, duration: 10, integrator: {}}}\n"

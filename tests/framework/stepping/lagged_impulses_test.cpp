@@ -1,5 +1,5 @@
-// What friction owes from step to step, and through checkpoints; its first steps. That impacts give mu times their normal
-// impulse: impact_test.cpp.
+// Accumulated impulse error of friction, from step to step and through checkpoints; its first
+// steps. See impact_test.cpp for the ratio mu of impulses in impacts.
 #include "framework/stepping/lagged_impulses.hpp"
 
 #include <array>

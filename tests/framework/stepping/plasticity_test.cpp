@@ -40,7 +40,7 @@ TEST_CASE("Newton's method ends quadratically while a block yields", "[plasticit
     for (int i = 0; i < 3; ++i) {
       residuals.clear();
       REQUIRE(run.step().halvings == 0);
-      // Of the digits that an iteration has, the next has twice as many, to where rounding ends it.
+      // Quadratic convergence: an iteration doubles the number of correct digits, up to round-off.
       int doubled = 0;
       for (size_t k = 1; k + 1 < residuals.size(); ++k) {
         const double first = residuals.front();
@@ -69,7 +69,7 @@ TEST_CASE("a step that fails and is halved leaves what is remembered as it was",
     CHECK(run.state().history == before);
   }
   CHECK(failed);
-  // What follows is what it would have been.
+  // Rejected attempts do not change the steps that follow.
   TestRun other(pulled("implicit_euler", 0.2, "stopping: force, force_tolerance: 1e-10, max_iterations: 7"));
   other.step();
   other.step();

@@ -76,7 +76,7 @@ TEST_CASE("adaptive steps of implicit Euler in flight have the size at which h^2
   const double settled = taken.steps[taken.steps.size() / 2].step_size;
   CHECK(settled == Approx(std::sqrt(2 * 0.7 * error / g)).epsilon(0.15));  // or not worth a change
   CHECK(taken.repeats == 0);
-  // What the steps say that they miss is what the end misses.
+  // The errors that the steps report add up to the error at the end.
   const Vec3 end = vertex(taken.end.x, 0), start = Vec3(-0.05, -0.035, -0.025);
   CHECK((end - start - Vec3(0.3, 4 - g / 2, -0.2)).norm() == Approx(off).epsilon(1e-3));
 }
@@ -115,7 +115,7 @@ TEST_CASE("BDF2 of two sizes is exact under a constant acceleration", "[stepping
     const EndVelocity linear = integrator->end_velocity(s, h);
     CHECK((linear.rate * (end - linear.still) - v(h)).norm() <= 1e-11);
     CHECK(integrator->local_error(s, end, {}, h).x.norm() <= 1e-14);
-    // Of a cubic, the estimate is what the step misses.
+    // For a cubic path, the estimate is the error of the step.
     const double jerk = 1e3;
     const auto cubic = [&](double t) -> VecX { return x(t) + jerk * t * t * t / 6 * VecX::Ones(3); };
     const auto slope = [&](double t) -> VecX { return v(t) + jerk * t * t / 2 * VecX::Ones(3); };

@@ -49,7 +49,7 @@ int told(const TestRun& run, const std::string& what) {
 
 const Vec3 origin = Vec3::Zero(), beside(0.101, 0.003, 0.002), ahead(0.101, 0, 0);
 
-// What bodies do that hit: they share the momentum, and the one behind stays behind.
+// Checks a collision: the bodies share the momentum, and the one behind stays behind.
 void check_hit(TestRun& run, double h, double speed) {
   const WholeStep whole(run, h);
   CHECK(whole.refused == 1);

@@ -1,4 +1,4 @@
-// What is inside of a solid at the start.
+// Objects inside a solid at the start.
 #include "framework/world/containment.hpp"
 
 #include <catch2/catch.hpp>
