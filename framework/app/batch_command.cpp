@@ -69,7 +69,7 @@ std::string wrong_with(const BatchPlan& plan, const BatchCase& one) {
   }
 }
 
-// Builds every open case once, of those that are alike one; all that is wrong is told at once.
+// Builds every open case once, one of each group of equal cases; reports all errors together.
 void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& open, Preparation& preparation) {
   std::vector<const BatchCase*> different;
   std::set<std::string> digests;
@@ -77,14 +77,15 @@ void check_cases(const BatchPlan& plan, const std::vector<const BatchCase*>& ope
     if (digests.insert(one->digest).second) different.push_back(one);
   std::vector<std::string> wrong(different.size());
   const auto check = [&](size_t i) { wrong[i] = wrong_with(plan, *different[i]); };
-  if (!different.empty()) check(0);  // what is set up once is set up before there are several threads
+  // Shared data are set up before several threads build cases.
+  if (!different.empty()) check(0);
   constexpr size_t at_once = 64;
   for (size_t first = 1; first < different.size(); first += at_once) {
     preparation.tell(first, different.size());
     tbb::parallel_for(first, std::min(first + at_once, different.size()), check);
   }
   std::vector<std::string> errors;
-  std::set<std::string> told;  // the same error of many cases is told once
+  std::set<std::string> told;  // an error of many cases is printed once
   for (size_t i = 0; i < different.size() && errors.size() < 10; ++i)
     if (const std::string& what = wrong[i]; !what.empty() && told.insert(what).second)
       errors.push_back(what.find(different[i]->name) == what.npos ? fmt::format("{} (case '{}')", what, different[i]->name) : what);
@@ -144,7 +145,7 @@ void show_plan(const BatchFolder& folder, const BatchDescription& d, const std::
   fmt::print("about {} in all; nothing was run yet\n", short_duration(estimate.seconds));
 }
 
-// The states that are written by the array's tasks, until all of them have ended.
+// Follows the states that the tasks of the job array write, until all tasks have ended.
 void follow(SlurmJob& job, const BatchFolder& folder, const std::vector<const BatchCase*>& open, BatchProgress& progress) {
   const BatchObserver observer = progress.observer();
   std::set<const BatchCase*> told;
@@ -203,7 +204,7 @@ int run_task(const BatchOptions& options) {
   run_cases(this_program(), folder, d.limits, {&one}, {});
   const CaseState state = state_of(folder, one);
   fmt::print("{}: {} {}\n", one.name, to_string(state.status), state.error);
-  return exit_done;  // what became of the case stands in its state
+  return exit_done;  // the case's state file records how it ended
 }
 
 }  // namespace

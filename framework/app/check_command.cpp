@@ -56,7 +56,8 @@ std::string error_text(const DifferenceStudy& study) {
   return fmt::format("{:.1e} (differences resolve {:.0e}{})", study.error, study.resolution, kinks);
 }
 
-// False if those of a term are not its value's.
+// Prints the derivative checks; returns false if the derivatives of a term are not those of its
+// value.
 bool print_derivatives(const std::vector<DerivativeCheck>& checks) {
   bool right = true;
   for (const DerivativeCheck& c : checks) {

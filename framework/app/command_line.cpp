@@ -333,7 +333,7 @@ class CommandLine {
     return o;
   }
 
-  // Values that are names are those that are registered.
+  // Returns the names that the value of an option may take; empty: any value.
   static std::vector<std::string> choices_of(const std::string& command, const CommandOption& o) {
     const auto is = [&](const char* of, const std::string& which) { return command == of && (o.names.empty() ? o.word : o.names.back()) == which; };
     std::vector<std::string> names;

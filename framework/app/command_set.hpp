@@ -8,7 +8,7 @@
 namespace tack {
 
 struct CommandOption {
-  std::vector<std::string> names;    // "-o", "--output"; none: a word that stands by itself
+  std::vector<std::string> names;    // "-o", "--output"; empty: positional
   std::string word;                  // that word: "file"
   std::string about;
   // placeholder of the value: "FOLDER", "TEXT", ...; "" for a flag

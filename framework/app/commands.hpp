@@ -52,9 +52,9 @@ struct BatchOptions {
   std::string command_line;   // as it would be typed in a shell
   std::string output;         // empty: results/<name>
   int jobs = 0, threads = 0;  // 0: as the file says
-  bool dry_run = false;       // show the plan and what it will take
-  bool failed = false;        // run those again that failed
-  std::vector<std::string> only;  // names of cases, with * and ?; none: all
+  bool dry_run = false;       // show the plan and its estimated duration
+  bool failed = false;        // run failed cases again
+  std::vector<std::string> only;  // names of cases, with * and ?; empty: all
   bool slurm = false, no_wait = false;
   std::string collect;        // the folder of a batch, to make its table again
   std::optional<int> task;    // only that case of the batch in `output`, as a task of a job array
@@ -70,8 +70,8 @@ struct CalibrateOptions {
   std::string output;         // empty: results/<name>
   int jobs = 0, threads = 0;  // 0: as the file says
   bool dry_run = false;       // check everything, and say how long it will take
-  bool failed = false;        // run those again that failed
-  std::vector<std::string> only;  // names of cases, with * and ?; none: all
+  bool failed = false;        // run failed cases again
+  std::vector<std::string> only;  // names of cases, with * and ?; empty: all
   bool slurm = false;
   bool quiet = false;
 };
@@ -82,7 +82,7 @@ int calibrate_command(const CalibrateOptions& options);
 struct ReportOptions {
   std::vector<std::string> folders;
   std::string output;              // the file; empty: report.html in the folder
-  int frames = 0;                  // 0: as many as a page should carry
+  int frames = 0;                  // 0: a default number
   std::vector<std::string> cases;  // cases of a batch
 };
 // Writes one HTML file for a run, several runs, a comparison or a batch.
@@ -141,7 +141,8 @@ struct ListOptions {
   std::string kind, name;                         // empty: all
   // Files to write instead of the list.
   std::string reference, schema, compare_schema, batch_schema, calibrate_schema, plot_schema;
-  std::vector<std::string> plugins;                             // whose components are listed too
+  // components of these are listed too
+  std::vector<std::string> plugins;
 
   bool writes_files() const {
     return !(reference.empty() && schema.empty() && compare_schema.empty() && batch_schema.empty() && calibrate_schema.empty() && plot_schema.empty());
@@ -154,9 +155,10 @@ int list_command(const ListOptions& options);
 int describe_command(const ListOptions& options);
 
 struct LawOptions {
-  std::vector<std::string> words;  // a scene or the file of an adhesion, and keys of it ("a.b=c")
+  // A scene or the file of an adhesion, and keys of it ("a.b=c").
+  std::vector<std::string> words;
   std::string type;                // type of an adhesion, instead of a file
-  std::string output;              // folder of pictures and tables; empty: none
+  std::string output;              // folder of pictures and tables; empty: no files
   // With units; empty: not given.
   std::string young, contact_distance, barrier_stiffness, speed, pressure;
   std::vector<std::string> plugins;

@@ -52,7 +52,7 @@ void print_row(const std::vector<std::string>& cells) {
   fmt::print("{}\n", line);
 }
 
-// A tenth of what pictures show from row to row.
+// Returns the point of a curve whose abscissa is nearest to x.
 template <class Point, class At>
 const Point& nearest_point(const std::vector<Point>& points, double x, const At& at) {
   return *std::min_element(points.begin(), points.end(), [&](const Point& a, const Point& b) { return std::abs(at(a) - x) < std::abs(at(b) - x); });
@@ -82,7 +82,7 @@ void print_curve(const BondStudy& study, double work) {
   }
 }
 
-// Only then its peak and work are those that the law states.
+// Returns true for a law of initial intensity 1: its peak and work are then those that it states.
 bool is_whole(const BondLaw& law) {
   std::vector<double> memory(law.width());
   law.fresh(false, memory.data());

@@ -1,4 +1,4 @@
-// tack list: what can be named in a scene file.
+// tack list: the components that a scene file can name.
 #include <fmt/format.h>
 
 #include <cstdio>

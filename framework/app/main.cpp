@@ -38,7 +38,8 @@ void let_signals_through() {
   ::pthread_sigmask(SIG_SETMASK, &none, nullptr);
 }
 
-// Started by the script `tack` before a library was built: it builds that, and starts the program again.
+// Starts the script `tack` again, if it started this program before a library was built: it builds
+// the library and restarts the program.
 void let_script_build_libraries(char** argv) {
   const char* script = std::getenv("TACK_SCRIPT");
   if (!script) return;
@@ -56,7 +57,7 @@ void let_script_build_libraries(char** argv) {
   ::execv(script, argv);
 }
 
-// tack_studies, with the same words. Returns if it cannot be started.
+// Executes tack_studies with the same arguments. Returns if it cannot be started.
 int go_on_in_studies(char** argv) {
   namespace fs = std::filesystem;
   std::error_code none;

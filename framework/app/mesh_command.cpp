@@ -49,7 +49,7 @@ int print_info(const std::string& path) {
   return exit_done;
 }
 
-// Files first: what has no '='.
+// Arguments, separated into files (without '=') and settings.
 struct Words {
   std::vector<std::string> files, settings;
   explicit Words(const std::vector<std::string>& words) {

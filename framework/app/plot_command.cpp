@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t most_runs = 28;  // that curves can be told apart of
+constexpr size_t most_runs = 28;  // number of distinguishable curves
 
-// With the units of its probes, if its scene tells them.
+// Reads a run, with the units of its probes if its scene states them.
 PlottedRun run_of(const fs::path& folder, const std::string& name) {
   PlottedRun run = plotted_run(folder, name);
   try {
@@ -84,7 +84,7 @@ class Pictures {
   bool failed_ = false;
 };
 
-// The columns that tell what came out: statistics and values of expectations.
+// Returns the result columns: statistics and values of expectations.
 std::vector<std::string> results_in(const CsvTexts& table) {
   std::vector<std::string> found;
   bool behind = false;

@@ -140,7 +140,8 @@ int run_and_show(const ViewOptions& options) {
   announce(server.address(), options);
   const int code = exit_code(run.execute().status);
   control.end();
-  if (control.progress().stopped) interrupt_requested = false;  // that was from the page, which goes on
+  // A stop from the page ends the run, but not the server.
+  if (control.progress().stopped) interrupt_requested = false;
   if (!interrupt_requested) fmt::print("served until Ctrl-C: {}\n", server.address());
   std::fflush(stdout);
   wait_for_interrupt();

@@ -29,7 +29,7 @@ struct BatchStatistic : SpecifiedStatistic {
 struct SlurmConfig {
   std::string partition, account;
   double time = 3600;                // s, of a case
-  int at_once = 0;                   // cases; 0: as many as there is room for
+  int at_once = 0;                   // cases; 0: no limit
   std::vector<std::string> options;  // options of sbatch, as "--constraint=..."
   void fields(Fields& f);
 };
@@ -43,7 +43,7 @@ struct BatchConfig {
   std::vector<BatchStatistic> statistics;
   std::vector<BatchPlot> plots;  // further pictures of `tack plot`
   int threads = 1;                        // per case
-  int jobs = 0;                           // side by side; 0: as many as cores allow
+  int jobs = 0;                           // side by side; 0: as the cores allow
   std::optional<double> memory;           // GB, of a case
   std::optional<double> time_limit;       // s, of a case
   SlurmConfig slurm;

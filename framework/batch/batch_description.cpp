@@ -119,7 +119,7 @@ bool is_other_batch(const BatchFolder& folder, const BatchDescription& d) {
   try {
     there = read_description(folder);
   } catch (const InputError&) {
-    return false;  // there is none, or a damaged one, which is written anew
+    return false;  // no description, or a damaged one, which will be rewritten
   }
   if (there.plan.name != d.plan.name) return true;
   if (there.file == d.file) return false;

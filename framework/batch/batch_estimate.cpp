@@ -23,7 +23,7 @@ struct Scratch {
   }
 };
 
-// Seconds of the whole case, by what a part of it took.
+// Returns the estimated seconds of a whole case from a trial run of a part.
 double trial_of(const std::string& program, const BatchCase& one, const BatchLimits& limits, double trial) {
   const Scratch scratch;
   replace_file(scratch.path / "scene.yaml", one.scene);

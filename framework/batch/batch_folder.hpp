@@ -13,7 +13,7 @@ namespace tack {
 struct BatchFolder {
   std::filesystem::path root;  // absolute
   std::shared_ptr<FolderLock> lock;
-  std::optional<std::filesystem::path> moved_aside = {};  // where what was there went
+  std::optional<std::filesystem::path> moved_aside = {};  // new path of the folder that was there
 
   std::filesystem::path description() const { return root / "batch.json"; }
   std::filesystem::path table() const { return root / "results.csv"; }

@@ -20,7 +20,7 @@ constexpr size_t longest_name = 100;                                // of a case
 constexpr size_t most_errors = 10;
 constexpr double most_cases = 100000;
 
-// "1 MPa" as 1000000, so that tables can be plotted; what is no number stays as it is.
+// Returns "1 MPa" as 1000000, so that tables can be plotted; a text without a number is unchanged.
 std::string cell_text(const std::string& text) {
   try {
     return fmt::format("{}", to_si(text, units::any));
@@ -169,7 +169,7 @@ class Planner {
     });
   }
 
-  // The same error of many cases is told once.
+  // Notes an error; an error of many cases is noted once.
   void note(const InputError& error, const std::string& name) {
     const std::string what = error.what();
     if (std::find(told_.begin(), told_.end(), what) != told_.end()) return;

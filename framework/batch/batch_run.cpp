@@ -12,7 +12,8 @@
 namespace tack {
 namespace {
 
-// MB of the machine: "MemTotal", "MemAvailable". Infinite where the kernel does not tell.
+// Returns a memory size of the machine in MB, "MemTotal" or "MemAvailable"; infinite if the kernel
+// does not report it.
 double machine_memory(const std::string& what) {
   std::ifstream in("/proc/meminfo");
   std::string name, unit;

@@ -26,7 +26,7 @@ constexpr double heartbeat = 0.5;  // s, after which the seconds of a case that 
 constexpr double patience = 20;  // s, from the request to end to being killed
 constexpr std::uintmax_t largest_output = std::uintmax_t{1} << 30;
 
-// The end of a file, at most `size` bytes of it.
+// Returns the end of a file, at most `size` bytes.
 std::string tail(const fs::path& path, std::streamoff size) {
   std::ifstream in(path, std::ios::binary | std::ios::ate);
   if (!in) return "";
@@ -94,7 +94,8 @@ bool CaseRun::ended() {
       timed_out_ = true;
       interrupt();
     }
-    if (process_.seconds() > told_ + heartbeat) {  // for those who go on if this program is killed
+    // Keeps the state up to date for the next call, in case this program is killed.
+    if (process_.seconds() > told_ + heartbeat) {
       told_ = process_.seconds();
       add_up();
       write_case_state(folder_.state(case_.name), state_);

@@ -28,10 +28,10 @@ struct CaseState {
   CaseStatus status = CaseStatus::waiting;
   std::string digest;       // checksum of the case when it ran
   std::string error;        // why it failed
-  // Of the process; of a resumed case, summed over its processes. So is cpu_seconds.
+  // Time of the process; of a resumed case, summed over its processes. So is cpu_seconds.
   double wall_seconds = 0;
   double cpu_seconds = 0;   // CPU time of all threads
-  double memory_mb = 0;     // most that was resident at once
+  double memory_mb = 0;     // peak resident memory
 };
 
 // Reads a state; waiting if the file is missing or damaged.

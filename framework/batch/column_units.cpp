@@ -13,7 +13,7 @@ namespace {
 
 using Units = std::map<std::string, std::string>;
 
-// "Pa" of "Pa", and of the comment "[s, Pa]" of what may change with time.
+// Returns "Pa" for "Pa", and for the comment "[s, Pa]" of a time-dependent value.
 std::string unit_in(const std::string& comment) {
   if (!comment.starts_with('[')) return comment;
   const size_t from = comment.find(", ") + 2;

@@ -20,7 +20,7 @@ struct Variant {
   struct Shown {
     std::string column;  // its heading
     std::string text;    // as written: "1 MPa"
-    std::string key;     // whose value it is; empty: the name of several
+    std::string key;     // key of the value; empty: the name of several keys
   };
   std::vector<Setting> set;
   std::vector<Shown> shown;

@@ -1,8 +1,8 @@
 // The map `keys` of a variation: keys of the experiment and the values that each takes.
 //
-//   objects.cube.energies.0.young: [1e5, 1e6]                                     values
-//   contact.friction.mu: {values: [0.1, 0.2], as: mu}                             and a heading for tables
-//   objects.cube.energies.0.young: {from: 1e5, to: 1 MPa, scale: log, as: young}  a range to take samples of
+//   objects.cube.energies.0.young: [1e5, 1e6]          values
+//   contact.friction.mu: {values: [0.1, 0.2], as: mu}  and a heading for tables
+//   objects.cube.energies.0.young: {from: 1e5, to: 1 MPa, scale: log, as: young}  a range to sample
 #pragma once
 
 #include <optional>

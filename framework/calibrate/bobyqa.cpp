@@ -49,7 +49,7 @@ void bobyqa(const BobyqaSettings& s, std::vector<double> start,
   nlopt_set_maxeval(opt.get(), s.evaluations);
   nlopt_set_xtol_abs1(opt.get(), s.tolerance);
   double least = 0;
-  nlopt_optimize(opt.get(), start.data(), &least);  // what it returns is not judged: every point is kept
+  nlopt_optimize(opt.get(), start.data(), &least);  // status ignored: every point is recorded
   if (callback.failure) std::rethrow_exception(callback.failure);
 }
 

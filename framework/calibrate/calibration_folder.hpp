@@ -18,7 +18,7 @@ struct CalibrationFolder {
   std::filesystem::path root;  // absolute
   BatchFolder evaluations;
   std::shared_ptr<FolderLock> lock;
-  std::optional<std::filesystem::path> moved_aside = {};  // where what was there went
+  std::optional<std::filesystem::path> moved_aside = {};  // new path of the folder that was there
 
   std::filesystem::path description() const { return root / "calibration.json"; }
   std::filesystem::path numbers() const { return root / "calibration.csv"; }

@@ -11,7 +11,7 @@
 namespace tack {
 namespace {
 
-// Its probes can be held against data, whatever its own expectations say.
+// Returns true for a run that can be compared with data, whatever its own expectations.
 bool comparable(CaseStatus status) { return status == CaseStatus::done || status == CaseStatus::expectation_failed; }
 
 PointEvaluation failed_evaluation(const PointQueue::Request& request, std::string status, std::string error) {
@@ -68,7 +68,7 @@ void CaseEvaluator::begin(PointQueue& queue, PointQueue::Request& request, std::
   pending_.push_back(std::move(pending));
 }
 
-// Answers what waits for no run any more.
+// Answers the requests whose runs have all ended.
 void CaseEvaluator::settle(PointQueue& queue) {
   std::erase_if(pending_, [&](const Pending& p) {
     if (std::any_of(p.cases.begin(), p.cases.end(), [&](const BatchCase* one) { return running_.contains(one); })) return false;

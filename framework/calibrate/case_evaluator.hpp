@@ -20,7 +20,7 @@ class CaseEvaluator : public Evaluator {
     BatchFolder folder;
     BatchDescription description;  // its plan without cases
     std::optional<SlurmConfig> slurm;
-    bool again = false;  // runs those anew that failed before
+    bool again = false;  // run failed cases again
     std::function<void(const PointEvaluation&)> told;  // each point that was evaluated
     std::function<void()> tick;                   // some times a second
   };

@@ -130,7 +130,8 @@ Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::ve
   Confidence c;
   c.residuals = residual_statistics(residuals, numbers.size(), noise_known, series);
   c.noise = noise_known ? 1 : std::sqrt(c.residuals.chi_squared);
-  // Numbers take more of fewer points: what is left is less than the noise by as much.
+  // With fewer effective points, the fitted numbers absorb a larger part of the noise, so that the
+  // residuals are smaller.
   const double effective = c.residuals.effective_points, degrees = std::max(1.0, effective - static_cast<double>(n));
   const double left = c.residuals.chi_squared * free * effective / (points * degrees);
   const double spread = std::sqrt((noise_known ? std::max(1.0, left) : left) * points / effective);

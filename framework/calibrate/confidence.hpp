@@ -52,7 +52,7 @@ ResidualStatistics residual_statistics(const std::vector<double>& residuals, siz
 struct Confidence {
   double noise = 1;                         // s; of residuals
   ResidualStatistics residuals;
-  bool fits = true;                         // no evidence that the model misses what was measured
+  bool fits = true;                         // no evidence of a model error
   // Standard deviation of u: 0.05 is 5% of the value on a logarithmic scale; infinite if the data
   // do not determine it.
   std::vector<double> sigma;

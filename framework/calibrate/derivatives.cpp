@@ -9,7 +9,8 @@
 namespace tack {
 namespace {
 
-constexpr double narrow = 0.02;  // of the reach: points that spread by less in some direction tell no slope there
+// Fraction of the reach: points that spread by less in some direction do not determine a slope.
+constexpr double narrow = 0.02;
 
 Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& v) { return {v.data(), static_cast<long>(v.size())}; }
 

@@ -13,7 +13,7 @@ namespace tack {
 // d residuals / d u at a point.
 struct Derivatives {
   Eigen::MatrixXd of_residuals;  // a row for each measured point, a column for each number
-  std::string problem;           // why there are none; "" if there are
+  std::string problem;           // reason why there are no derivatives; ""
   std::vector<bool> by_runs;     // per number: the runs gave its column
   // Per number with a column of finite differences: the reason; "" if they were asked for.
   std::vector<std::string> why;

@@ -72,7 +72,7 @@ FittedScenes::FittedScenes(const CalibrateConfig& config, const std::string& pro
   }
 }
 
-// That of an earlier experiment if file, overrides and keys are the same.
+// Returns the scene of an earlier experiment with equal file, overrides and keys, or a new one.
 int FittedScenes::scene_of(const CalibrateConfig& config, int experiment) {
   const auto& all = config.experiments;
   const MeasuredExperiment& mine = all[static_cast<size_t>(experiment)];
@@ -189,7 +189,7 @@ BatchCase FittedScenes::case_of(int run, const Point& values, bool derivatives) 
 
 std::string FittedScenes::scene_text(int run, const Point& values) { return resolved(run, values, {}).scene; }
 
-// d residuals / d u of all experiments; empty where a run has none.
+// Returns d residuals / d u of all experiments; empty if a run has none.
 std::vector<double> FittedScenes::derivatives(size_t number, double value, const std::vector<ProbeSeries>& series, const std::vector<ProbeSeries>& gradients) const {
   std::vector<double> all;
   for (size_t k = 0; k < measured_.size(); ++k) {

@@ -15,7 +15,7 @@ using Point = std::vector<double>;  // a value for each fitted number, SI, to si
 struct PointEvaluation {
   Point values;
   bool good = false;   // every run came to its end, and passed something that was measured
-  std::string status;  // "done", or what became of the first run that did not
+  std::string status;  // "done", or the status of the first run that failed
   std::string error;
   double misfit = std::numeric_limits<double>::infinity();
   std::vector<double> misfits;    // per experiment

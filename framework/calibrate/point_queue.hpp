@@ -35,8 +35,9 @@ class PointQueue {
   std::vector<Request*> take();
   void answer(Request& request, PointEvaluation evaluation);
   void cancel();
-  void wait_for_all();  // until every search that goes on waits for an answer, or none goes on
-  bool over() const;    // no search goes on, and everything is answered
+  // Waits until every active search waits for an answer, or no search is active.
+  void wait_for_all();
+  bool over() const;    // no search is active, and all requests are answered
 
  private:
   std::list<Request>::iterator put(const Point& values, bool derivatives);

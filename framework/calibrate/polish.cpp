@@ -70,7 +70,7 @@ void polish(const PolishProblem& p, const std::vector<double>& start, int size) 
   options.function_tolerance = 1e-3;
   options.parameter_tolerance = p.tolerance / (1 + std::sqrt(length));
   options.logging_type = ceres::SILENT;
-  FLAGS_minloglevel = 3;  // only what ends the program
+  FLAGS_minloglevel = 3;  // only fatal errors
   options.num_threads = 1;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);

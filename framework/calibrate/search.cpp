@@ -19,7 +19,8 @@ constexpr int design_of_each = 32, chain_of_each = 20, final_chain_of_each = 30;
 constexpr int polish_steps = 5;
 constexpr double early = 10, early_by_runs = 30;  // tolerances, at which all chains end but the final one; of the latter, if runs give derivatives
 constexpr double final_step = 3;  // of those ends
-constexpr double reach = 3;       // differences, within which points are compared with what derivatives say of them
+// In differences: radius within which points are compared with the derivatives.
+constexpr double reach = 3;
 constexpr double most_missed = 0.5;
 constexpr double widest = 2;      // differences, up to which a standard deviation is found from derivatives of the best point alone
 
@@ -236,7 +237,7 @@ class Search {
     take(derivatives_of("derivatives", best));
   }
 
-  // In place of those of the runs, of which stays how they did.
+  // Replaces the derivatives of the runs, but keeps the record of their accuracy.
   void take(Derivatives d) {
     d.missed = result_.derivatives.missed;
     d.compared = result_.derivatives.compared;
@@ -264,7 +265,7 @@ class Search {
   std::set<std::pair<Point, bool>> known_;
   bool gradients_ = false;        // runs give derivatives by some of the numbers
   bool by_runs_ = false;          // the search is to end with them
-  std::vector<std::string> why_;  // not, of each of them
+  std::vector<std::string> why_;  // reason per number without derivatives of the runs
   double worst_ = 0;  // misfit of the design
   SearchResult result_;
 };

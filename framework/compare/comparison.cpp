@@ -147,7 +147,8 @@ std::vector<CompareCase> cases_of(const CompareConfig& config) {
   for (const CompareCase& c : cases)
     if (!names.insert(c.name).second)
       throw InputError(fmt::format("{}: two of what is compared are called '{}'; give those of `bases` a `name`", c.path, c.name));
-  for (const CompareCase& c : cases) {  // with every solver and time step, to know now what does not fit
+  // Builds each case with every solver and time step, so that errors show before the measurement.
+  for (const CompareCase& c : cases) {
     if (config.reference_time_step && !c.single()) c.steps_of(*config.reference_time_step);
     for (const double h : time_steps(config, c)) {
       c.steps_of(h);

@@ -29,7 +29,7 @@ struct CompareRow {
   // Distance of a run from the end of the reference; of a single step from the minimum that the
   // solver found, refined as far as the reference, so that solvers that find another minimum are
   // judged fairly.
-  double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: none
+  double error_rms = 0, error_max = 0, relative_error = 0;       // m, m, of the size; NaN: unknown
   // RMS [m]: the distance of the two references, below which errors are noise (reference.hpp); NaN:
   // unknown.
   double floor = 0;

@@ -19,7 +19,7 @@ std::vector<PerformanceProfile> performance_profiles(const std::vector<CompareRo
   }
   std::vector<PerformanceProfile> profiles;
   for (const CompareRow& r : rows) {
-    const auto best = fastest.find(task_of(r));  // none if nobody solved it
+    const auto best = fastest.find(task_of(r));  // end if no solver solved it
     auto profile = std::find_if(profiles.begin(), profiles.end(), [&](const PerformanceProfile& p) { return p.solver == r.solver; });
     if (profile == profiles.end()) profile = profiles.insert(profile, {r.solver, {}});
     profile->ratios.push_back(r.solved() ? r.wall_seconds / best->second : infinity);

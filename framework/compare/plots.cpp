@@ -15,7 +15,7 @@
 namespace tack {
 namespace {
 
-// Below round-off of positions nothing is told apart any more.
+// Smaller errors are below the round-off of positions.
 constexpr double smallest_error = 1e-17;
 constexpr double far_from_points = 1e3;  // where a line would leave them no room
 
@@ -25,7 +25,7 @@ Curve& curve_of(Plot& plot, const std::string& title) {
   return plot.curves.emplace_back(Curve{title, {}, {}});
 }
 
-// Names behind a text, in as many lines as they take.
+// Appends a note with names, in several lines if needed.
 void add_notes(Plot& plot, std::string line, const std::vector<std::string>& names) {
   constexpr size_t longest = 90;
   for (size_t i = 0; i < names.size(); ++i) {

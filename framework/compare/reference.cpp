@@ -15,7 +15,7 @@ constexpr double one_and_the_same_run = 1e-3;  // small differences grow from st
 
 Value settings(const char* projection, const char* linear, double tolerance) {
   Value solver = parse_string("stopping: velocity\nmax_iterations: 5000\n", "(reference)");
-  // With `type`, whatever the scene's solver is gives way to it.
+  // The entry `type` replaces the scene's solver, whatever it is.
   solver.set("type", Value::scalar("projected_newton"));
   solver.set("projection", Value::scalar(projection));
   solver.set("linear", Value::scalar(linear));
@@ -23,7 +23,7 @@ Value settings(const char* projection, const char* linear, double tolerance) {
   return solver;
 }
 
-// Steps of one size, whatever the scene's are.
+// Turns off adaptive steps.
 Value one_size() { return parse_string("adaptive: null\n", "(reference)"); }
 
 template <class Act>

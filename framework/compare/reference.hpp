@@ -11,7 +11,7 @@ namespace tack {
 
 struct Reference {
   std::unique_ptr<Trial> trial;
-  double tolerance = 0;     // reached [m/s]; 0: none, and there is no reference
+  double tolerance = 0;     // reached [m/s]; 0: no reference was found
   std::string status;       // of the last attempt
   double disagreement = 0;  // between the two, largest vertex [m]; NaN if the second failed
   // Error (RMS [m]) of the second reference, measured like that of a compared solver; smaller
@@ -30,7 +30,8 @@ Reference make_reference(const CompareCase& what, double step_size, double toler
 struct Branch {
   enum class Kind {
     same,     // the reference's
-    equal,    // another point of the same potential: what moves freely in a quasi-static step
+    // Another point of the same potential: unconstrained displacement in a quasi-static step.
+    equal,
     another,  // another minimum
   };
   Kind kind = Kind::same;

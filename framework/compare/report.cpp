@@ -130,7 +130,7 @@ std::string unranked(const Comparison& c, const ReferenceRow& of) {
                      "runs drift apart by themselves (past a detachment, in a chaotic motion), compare fewer `steps`", of.floor);
 }
 
-// An error, or what it is known to be below.
+// Formats an error, or its upper bound if it is noise.
 std::string error_text(const CompareRow& r) { return r.noise() ? fmt::format("below {:.1e}", r.floor) : fmt::format("{:.1e}", r.error_rms); }
 
 std::string pareto(const Comparison& c) {

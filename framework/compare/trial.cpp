@@ -51,7 +51,7 @@ double extent_of_movable(const World& world) {
   return box.diagonal().norm();
 }
 
-// A component as it is in the scene, with what is written laid over it.
+// Returns a component of the scene with overrides.
 template <class Kind>
 Value laid_over(const Kind* component, const Value& written) {
   Value value = to_value(component);
@@ -78,7 +78,7 @@ LoadedExperiment with(LoadedExperiment loaded, const TrialSettings& settings, do
   return loaded;
 }
 
-// Builds the case once, which also tells what is wrong with it before anything is measured.
+// Builds the case once, so that its errors show before the measurement.
 void complete(CompareCase& c) {
   const BuiltExperiment built(c.load());
   probes_of(built);
@@ -172,7 +172,7 @@ void Trial::solve_run() {
   result_.status = "converged";
   try {
     const Stopwatch watch(result_);
-    int unconverged = 0;  // that were kept all the same
+    int unconverged = 0;  // accepted steps that did not converge
     for (int i = 0; adapts ? !simulation_.finished() : i < steps; ++i) {
       report = simulation_.step();
       if (simulation_.interrupted()) throw SimulationError("interrupted");

@@ -44,7 +44,7 @@ struct TrialSettings {
 };
 
 struct TrialResult {
-  std::string status;  // "converged", or what went wrong
+  std::string status;  // "converged", or the error
   bool converged = false;
   bool complete = false;  // the end was reached, so that x is that of the end
   double wall_seconds = 0, cpu_seconds = 0;

@@ -9,7 +9,7 @@ void Experiment::fields(Fields& f) {
   f.text("name", name, "name of the results folder").required().line();
   f.text("about", about, "purpose of the scene");
   f.paths("plugins", plugins, plugins_doc);
-  // Kept with their units, which what is read again has to have.
+  // Parameters keep their units, which a stored scene needs when it is read again.
   f.quantities("parameters", parameters, "scene parameters, named numbers: an expression of them, `2 * width`, may "
                                          "replace any number, and formulas see them in SI. A parameter may be an "
                                          "expression of others").write = [this] {

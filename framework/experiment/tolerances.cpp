@@ -15,7 +15,8 @@ constexpr double usual = 0.01;           // m/s: 1 cm/s
 constexpr double of_distance = 0.1;      // of the contact distance, that a step may be off
 constexpr double of_size = 1e-3;         // of the smallest moving object
 constexpr double of_number = 1e-2;       // of an unknown that is a number, in its unit: so much of a radian
-constexpr double finest_sticking = 1e-4;  // m/s: what sticks below is not resolved unless a tolerance says so
+// m/s: sticking speeds below are not resolved unless a tolerance asks for it.
+constexpr double finest_sticking = 1e-4;
 
 bool has_inertia(const Experiment& experiment, const World& world) {
   return experiment.time.integrator->predict(world.start, experiment.time.step).inertia;

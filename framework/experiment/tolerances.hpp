@@ -1,5 +1,5 @@
-// Default tolerances of solves, where the experiment states none. They scale with the scene, its
-// steps and its contacts.
+// Default tolerances of solvers for experiments that state none, scaled with the scene, its steps
+// and its contacts.
 #pragma once
 
 #include <memory>

@@ -10,7 +10,7 @@ namespace tack {
 struct LengthUnits {
   std::string from = "m", to = "m";
 
-  std::string problem() const;  // "" or what is wrong with one of them
+  std::string problem() const;  // "" or the error in one of them
   double factor() const;        // from numbers in the one to numbers in the other
   bool trivial() const { return from == to; }
 };

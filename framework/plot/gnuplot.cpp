@@ -122,13 +122,14 @@ std::string terminals(const std::string& name, const std::string& command, const
                                 "set terminal pngcairo size {6:.0f},{7:.0f} font '{4},{8:.4g}' linewidth {9:.4g} pointscale {9:.4g}\nset output '{0}.png'\n{1}\n",
                                 name, command, sheet.width, sheet.height, look.font, sheet.font, finer * sheet.width, finer * sheet.height,
                                 finer * sheet.font * (look.sized() ? points_per_inch / dots_per_inch : 1), finer);
-  if (look.pdf)  // its text is 2/3 as large as it is told to be unless that is undone, its lines of width 1 are 0.5 points
+  // Without fontscale, text has 2/3 of the requested size; lines of width 1 are 0.5 points.
+  if (look.pdf)
     out += fmt::format("set terminal pdfcairo size {2:.4g}in,{3:.4g}in font '{4},{5:.4g}' fontscale 0.75 linewidth 1.5\nset output '{0}.pdf'\n{1}\n", name, command,
                        sheet.width / dots_per_inch, sheet.height / dots_per_inch, look.font, sheet.font * points_per_inch / dots_per_inch);
   return out + "unset output\n";
 }
 
-// A round number, so that no more than so many steps of it fill the range.
+// Returns a round tick distance with which at most `most` ticks fill the range.
 double tick_step(const AxisRange& range, double most) {
   const double least = (range.high - range.low) / std::max(2.0, most), decade = std::pow(10, std::floor(std::log10(least)));
   for (const double times : {1, 2, 5})
@@ -171,7 +172,7 @@ std::optional<std::vector<double>> label_heights(const Scene& s, const Plot& plo
   return spread_out(wanted, label_distance);
 }
 
-// With what a look says of it.
+// Applies the title and the y label of a look to a picture.
 template <class Picture>
 Picture looked(Picture picture, const PlotLook& look) {
   if (!look.title.empty()) picture.title = look.title;

@@ -85,7 +85,8 @@ std::optional<std::vector<double>> spread_out(const std::vector<double>& wanted,
   std::vector<size_t> order(n);
   std::iota(order.begin(), order.end(), size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return wanted[a] < wanted[b]; });
-  // Groups of neighbours that touch stand around the mean of what they want, within the picture.
+  // Touching labels form a group, which is centred at the mean of their wanted heights, within the
+  // picture.
   struct Group {
     double sum;
     size_t count;

@@ -34,7 +34,7 @@ struct Plot {
   std::vector<Curve> curves;
   std::vector<LevelLine> levels;
   std::vector<LevelLine> uprights = {};
-  std::vector<std::string> notes;  // below the picture: what it does not show, and why
+  std::vector<std::string> notes;  // below the plot: omitted data and the reason
 };
 
 // One bar for each of `names`, stacked from `parts`.

@@ -9,7 +9,7 @@
 namespace tack {
 
 struct PlotLook {
-  std::string title, x_label, y_label;  // empty: those of the picture
+  std::string title, x_label, y_label;  // empty: those of the plot
   bool untitled = false;
   std::optional<double> width, height;  // m
   std::optional<double> font_size, line_width;  // pt

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A column over another; nothing if there is none.
+// Returns a column over another; nothing if the table lacks one.
 std::optional<Curve> over(const CsvTable& table, const std::string& x, const std::string& y, const std::string& title) {
   const auto along = table.column(x), at = table.column(y);
   if (!along || !at) return std::nullopt;

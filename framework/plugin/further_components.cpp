@@ -37,7 +37,7 @@ bool linked() {
 void load_from(const std::string& path) {
   if (std::error_code none; !std::filesystem::exists(path, none)) throw InputError(path + " is not there");
   if (const std::string what = built_against_another(path); !what.empty()) throw InputError(fmt::format("{}: {}", path, what));
-  // Plugins may call what is in it.
+  // RTLD_GLOBAL: plugins may call functions of the library.
   if (!::dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL)) throw InputError(::dlerror());
 }
 

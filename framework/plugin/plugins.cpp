@@ -83,7 +83,7 @@ std::uint32_t checksum_of(const std::string& path) {
 }
 
 void open_plugin(const std::string& path) {
-  std::unique_ptr<Library> library;  // goes after what it registered
+  std::unique_ptr<Library> library;  // destroyed after the registrations
   PluginRegistrations registrations(path);
   library = std::make_unique<Library>(path);
   if (!registrations.errors().empty())

@@ -7,7 +7,7 @@ namespace tack {
 namespace {
 
 constexpr double jump = 1e-3;       // relative; scenes differ by a millionth
-constexpr double rounding = 1e-12;  // likewise
+constexpr double rounding = 1e-12;  // relative
 
 bool whole(double a) { return a == std::floor(a); }
 

@@ -18,7 +18,8 @@ namespace {
 constexpr double relative_step = 1e-6;
 constexpr double accuracy = 1e-6;     // of the way from the run's end to this one's
 constexpr double round_off = 1e-15;   // of positions, relative
-constexpr double rounding_of_solves = 1e-13;  // likewise: nothing to tell of
+// relative: smaller residual corrections are not reported
+constexpr double rounding_of_solves = 1e-13;
 // Relative to the change of the gradient by the number:
 // - rounding_of_forces: rounding errors, which would make unconstrained bodies drift forever
 // - unstable_rest: residual that is accepted where it does not decrease, for bodies in unstable

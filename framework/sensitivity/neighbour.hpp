@@ -62,7 +62,7 @@ class Neighbour {
   // present step and of the last three accepted ones.
   VecX way_, last_, before_, older_;
   VecX end_;           // 3n: where the present step ends here
-  double rate_ = 1;    // by which corrections become smaller with the Hessian that there is
+  double rate_ = 1;    // convergence rate of the corrections with the present Hessian
   double h_ = 0, h_last_ = 0;
   int unknowns_ = -1, unknowns_last_ = -1;
   int unsettled_ = 0, jumps_ = 0;

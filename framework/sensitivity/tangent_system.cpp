@@ -3,14 +3,17 @@
 namespace tack {
 namespace {
 
-constexpr double largest_factor = 1e8;  // entries, of one in double precision: above that, what the run's solvers take by default
+// Entries of a factor in double precision; above that, the default linear solver of the run is
+// used.
+constexpr double largest_factor = 1e8;
 // Shifts, as fractions of the diagonal. In a quasi-static step with unconstrained directions, H is
 // singular or slightly indefinite there, and r hardly has a component along them. The shifted H has
 // a factor, which preconditions conjugate gradients: these solve for the soft directions and leave
 // out the unconstrained ones.
 constexpr double shifts[] = {1e-9, 1e-7, 1e-5};
 constexpr int most_iterations = 30;
-constexpr double solved_to = 1e-5;  // of solves that iterate: what they leave is corrected as what an older Hessian leaves
+// Tolerance of iterative solves: their error is corrected as that of an older Hessian.
+constexpr double solved_to = 1e-5;
 
 Eigen::SparseMatrix<double> lower_triangle(const BlockMatrix& matrix) {
   std::vector<Eigen::Triplet<double>> entries;

@@ -49,7 +49,7 @@ class TangentSystem {
   PhaseClock& clock_;
   int unknowns_ = -1;
   bool inertia_ = true;
-  BlockMatrix matrix_, shifted_;  // the Hessian, and what is factorised where it may be singular
+  BlockMatrix matrix_, shifted_;  // the Hessian, and its shifted copy
   SymmetricProduct product_;
   std::unique_ptr<LinearSolver> definite_;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> ldlt_;  // of an indefinite Hessian
