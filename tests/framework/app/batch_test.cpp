@@ -1,4 +1,4 @@
-// tack batch, as its users call it.
+// tack batch from the command line.
 #include <signal.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Runs with bonds: what they remember lasts, over interruptions, other numbers of threads and loads that come again.
+// Runs with bonds: their history variables survive interruptions, other numbers of threads, and
+// repeated loads.
 #include <catch2/catch.hpp>
 
 #include "framework/output/csv.hpp"

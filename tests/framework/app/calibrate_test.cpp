@@ -1,4 +1,5 @@
-// tack calibrate from the command line: what it finds, that it repeats nothing, that neither jobs nor interruptions change it, and its errors.
+// tack calibrate from the command line: its results, no repeated runs, no dependence on jobs or
+// interruptions, and its errors.
 #include <catch2/catch.hpp>
 #include <map>
 #include <thread>

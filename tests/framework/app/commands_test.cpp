@@ -1,4 +1,4 @@
-// The other commands, and what is generated from the program.
+// The other commands, and the files that the program generates.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <set>

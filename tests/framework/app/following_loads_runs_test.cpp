@@ -1,4 +1,5 @@
-// Runs with loads that follow: what they remember lasts, over interruptions and other numbers of threads, and every minimiser takes them or says no.
+// Runs with following loads: their history variables survive interruptions and other numbers of
+// threads, and every minimiser accepts them or refuses with a message.
 #include <catch2/catch.hpp>
 
 #include "framework/output/csv.hpp"

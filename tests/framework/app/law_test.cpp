@@ -1,4 +1,4 @@
-// tack law: every registered adhesion law by itself, and what is wrong with a command line.
+// tack law: every registered adhesion law, and errors of command lines.
 #include <catch2/catch.hpp>
 #include <set>
 

@@ -1,4 +1,4 @@
-// tack mesh as its users call it.
+// tack mesh from the command line.
 #include <catch2/catch.hpp>
 #include <regex>
 

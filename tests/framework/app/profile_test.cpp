@@ -1,4 +1,5 @@
-// tack profile: the run is that of tack run, and what it tells adds up to what the run wrote.
+// tack profile: the run is that of tack run, and the printed times add up to those that the run
+// wrote.
 #include <catch2/catch.hpp>
 
 #include <map>

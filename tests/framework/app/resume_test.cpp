@@ -1,4 +1,4 @@
-// tack run --resume and --dump-problem, as their users call them.
+// tack run --resume and --dump-problem from the command line.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <thread>

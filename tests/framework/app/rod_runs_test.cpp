@@ -1,4 +1,5 @@
-// Runs of rods as their users start them: what is remembered of frames and turns survives, and nothing depends on threads or units.
+// Runs of rods from the command line: stored frames and turns survive, and nothing depends on
+// threads or units.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// tack run from the command line: exit codes, options, and what remains of a run.
+// tack run from the command line: exit codes, options, and the files that a run leaves.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>

@@ -1,4 +1,4 @@
-// Shapes whose vertices are moved by formulas, and vertices that are chosen by one.
+// Shapes whose vertices are moved by formulas, and selections of vertices by a formula.
 #include <catch2/catch.hpp>
 
 #include "framework/body/selection.hpp"

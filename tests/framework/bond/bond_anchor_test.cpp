@@ -1,4 +1,4 @@
-// Bonds whose place slides along the surface of their anchor: off it, and while they heal.
+// Bonds whose site slides along the surface of their anchor: off it, and while they heal.
 #include "framework/bond/bond_anchor.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// Bonds over a lever, contact offset and gap: both sides have their moment, whatever bonds and which law.
+// Bonds over a lever, contact offset and gap: the moments of both sides balance, for any bonds and
+// any law.
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>

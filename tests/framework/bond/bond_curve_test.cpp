@@ -1,4 +1,4 @@
-// Bonds on prescribed ways.
+// Bonds on prescribed paths.
 #include "framework/bond/bond_curve.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,6 @@
-// A law of bonds is one file: that of docs/extending.md, which the build takes from there and calls `documented_bond`
-// (documented_law.cmake). The tests of all such laws (bond_laws_test.cpp) run over it, too.
+// A bond law is one file: that of docs/extending.md, which the build extracts and calls
+// `documented_bond` (documented_law.cmake). The tests of all bond laws (bond_laws_test.cpp) include
+// it.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,4 +1,5 @@
-// Intervals, correlations and combinations against least squares in closed form; what a cantilever leaves open.
+// Intervals, correlations and combinations against least squares in closed form; the combinations
+// that a cantilever does not determine.
 #include "framework/calibrate/confidence.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-// The search on models in closed form: it finds what made the data, from starts that are far off, in the same points every time.
+// The search on models in closed form: it finds the parameters of the data from distant initial
+// guesses, through the same points every time.
 #include "framework/calibrate/search.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// The shapes of elements that have flowed.
+// Shape quality of elements after plastic flow.
 #include <catch2/catch.hpp>
 #include <cmath>
 

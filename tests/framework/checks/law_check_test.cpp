@@ -1,4 +1,4 @@
-// Laws that are not what contact takes them for.
+// Laws that violate the assumptions of contact.
 #include "framework/checks/law_check.hpp"
 
 #include <catch2/catch.hpp>

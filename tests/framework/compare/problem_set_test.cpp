@@ -1,7 +1,8 @@
-// Hard steps of the experiments, stored in tests/data/problems (store_problems.sh): each is minimised with every
-// projection of the Hessian, by the default one in hardly more iterations than by the best of them, and all come to
-// the same minimum, or to another one that is known to exist. Counts are compared on one machine: the last bits,
-// and so the numbers of iterations, differ from one to the next.
+// Hard steps of the experiments, stored in tests/data/problems (store_problems.sh). Each is
+// minimised with every projection of the Hessian:
+// - the default one takes hardly more iterations than the best
+// - all find the same minimum, or another one that is known to exist
+// Iteration counts are compared on one machine: they depend on round-off.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>

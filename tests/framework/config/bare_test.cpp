@@ -1,4 +1,4 @@
-// Structs for which a text will do.
+// Structs that may be written as a single text.
 #include <catch2/catch.hpp>
 
 #include "framework/config/bind.hpp"

@@ -1,5 +1,6 @@
-// Volumes, affine bodies, sheets, rods and particles brought together, pressed on one another, pushed along and pulled off by
-// forces: what holds them and what does not is the stated friction and traction, whatever is meshed how finely.
+// Volumes, affine bodies, sheets, rods and particles brought together, pressed on one another,
+// pushed along and pulled off by forces: they stick and part at the stated friction and traction,
+// whatever the meshes.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Volumes, affine bodies, sheets, rods and particles with one another: a stated traction acts on the area, width or
-// cross-section that the two have opposite each other, whatever is meshed how finely; and nothing passes.
+// Volumes, affine bodies, sheets, rods and particles in pairs: a stated traction acts on the
+// overlapping area, width or cross-section, whatever the meshes; and nothing tunnels.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

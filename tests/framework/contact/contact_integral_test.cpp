@@ -1,5 +1,5 @@
-// A stated traction is one per area of overlap, whatever the meshes: where bodies overlap in part, are thin, or
-// touch themselves.
+// A stated traction acts per area of overlap, whatever the meshes: for bodies that overlap partly,
+// are thin, or touch themselves.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Contact points: whose they are and what they face, where; their magnitudes add up to the normal force and to the area, whatever
-// the meshes.
+// Contact points: their objects, features and positions. Their magnitudes add up to the normal
+// force and to the area, whatever the meshes.
 #include "framework/contact/contact_points.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,6 @@
-// An adhesion law is one file: that of docs/extending.md, which the build takes from there and calls `documented`
-// (documented_law.cmake), is all that makes it known to scenes, listings, the schema and the reference page.
+// An adhesion law is one file: that of docs/extending.md, which the build extracts and calls
+// `documented` (documented_law.cmake). The file alone adds the law to scenes, listings, the schema
+// and the reference page.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The potential of a step is one function of where bodies are: nothing in it changes suddenly, and no area counts twice.
+// The potential of a step is a continuous function of positions, and no area counts twice.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

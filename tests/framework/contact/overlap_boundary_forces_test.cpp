@@ -1,5 +1,5 @@
-// The forces by which covered areas change: the gradient of the energy with areas taken anew, without a net force or
-// moment, W per length of the rim in every place.
+// Overlap-boundary forces: the gradient of the energy with re-evaluated areas, without a net force
+// or moment; everywhere W per length of the boundary.
 #include "framework/contact/overlap_boundary_term.hpp"
 
 #include <Eigen/Geometry>

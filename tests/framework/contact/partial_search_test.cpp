@@ -1,4 +1,4 @@
-// Where some objects alone are searched anew within a step, contacts are those of a search for all.
+// A search for some objects within a step yields the contacts of a search for all.
 #include <catch2/catch.hpp>
 
 #include <random>

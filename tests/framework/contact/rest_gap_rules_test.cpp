@@ -1,4 +1,5 @@
-// Which primitives of one object have a gap between them at rest: the angle and the path of rest_gaps.hpp, on shapes on either side of both.
+// Pairs of primitives of one object with a gap at rest: the angle and the path of rest_gaps.hpp, on
+// shapes on either side of both limits.
 #include "framework/contact/rest_gaps.hpp"
 
 #include <fmt/format.h>

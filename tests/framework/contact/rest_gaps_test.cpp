@@ -1,4 +1,4 @@
-// Objects that are close to themselves at rest: without force there, and pressed on from there.
+// Objects with small gaps to themselves at rest: no force there, and pressure when pressed shut.
 #include "framework/contact/rest_gaps.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// Rods and particles that friction turns: derivatives, closed forms on a slope and on the flat, momentum.
+// Rods and particles that roll by friction: derivatives, closed forms on a slope and on the flat,
+// momentum.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

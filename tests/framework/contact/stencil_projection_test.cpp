@@ -1,4 +1,5 @@
-// The projection in five dimensions, of several stencils side by side, against that of the whole Hessian.
+// The projection in five dimensions, of several stencils at a time, against that of the whole
+// Hessian.
 #include "framework/contact/stencil_projection.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Pairs of parts of objects: laws that hold between selections alone.
+// Pairs of surface regions: laws between selections of objects.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

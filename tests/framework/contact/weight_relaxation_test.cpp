@@ -1,5 +1,5 @@
-// Shares of rods and particles from step to step: what swings settles, what goes on in one direction does not lag, and soft bodies
-// come to rest on rods.
+// Weights of rods and particles from step to step: oscillations decay, steady changes do not lag,
+// and soft bodies come to rest on rods.
 #include "framework/contact/weight_relaxation.hpp"
 
 #include <catch2/catch.hpp>

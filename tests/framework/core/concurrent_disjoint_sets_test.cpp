@@ -1,4 +1,4 @@
-// Sets that threads join at the same time are those that one thread makes.
+// Sets joined by several threads at a time equal those joined by one thread.
 #include "framework/core/concurrent_disjoint_sets.hpp"
 
 #include <catch2/catch.hpp>

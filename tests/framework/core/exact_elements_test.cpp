@@ -1,4 +1,4 @@
-// Hessians of which only contacts are projected.
+// Hessians with projected contact and exact elements.
 #include <catch2/catch.hpp>
 
 #include "tests/support/on_floor.hpp"

@@ -1,5 +1,6 @@
-// A term is one file: what stands here is all that makes the force, the energy, the flows and the field of tethers known to
-// probes, frames, steps.csv, summaries, the balance of energy and reports. And what stands in the place of what a term publishes.
+// A term is one file: the tethers of this file publish a force, an energy, flows and a field to
+// probes, frames, steps.csv, summaries, the energy balance and reports. Also: records that replace
+// those of a term.
 #include "framework/core/records.hpp"
 
 #include <catch2/catch.hpp>

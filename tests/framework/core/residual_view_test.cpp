@@ -1,4 +1,4 @@
-// Every term that has a least-squares view: its squares are its energy, and its Jacobian is that of its
+// Terms with a least-squares view: the squares are the energy, and the Jacobian is that of the
 // residuals.
 #include "framework/contact/friction_term.hpp"
 #include "framework/core/residual_view.hpp"

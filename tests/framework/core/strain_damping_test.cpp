@@ -1,5 +1,7 @@
-// Damping of the rate of strain, of every energy that there is, on solids, sheets and rods: no rigid motion is damped, whatever the
-// stress, forces have no moment, small strains are damped with beta K, and derivatives are those of the value.
+// Damping of the strain rate, for every energy on solids, sheets and rods:
+// - no rigid motion is damped, at any stress, and forces have no moment
+// - small strains are damped with beta K
+// - derivatives are those of the value
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <set>

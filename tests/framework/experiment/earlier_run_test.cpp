@@ -1,4 +1,4 @@
-// `start`: objects begin where an earlier run has left them, with what they remember.
+// `start`: objects begin in the state of an earlier run, with their history variables.
 #include "framework/experiment/earlier_run.hpp"
 
 #include <catch2/catch.hpp>

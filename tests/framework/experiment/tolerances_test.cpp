@@ -1,4 +1,4 @@
-// Tolerances that a scene does not give, and those that do not fit it.
+// Default tolerances, and warnings about tolerances that do not fit the scene.
 #include "framework/experiment/tolerances.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Figures and curves of laws by themselves, against closed forms.
+// Metrics and curves of laws without a scene, against closed forms.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

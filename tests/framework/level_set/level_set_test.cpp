@@ -1,4 +1,4 @@
-// Bodies by their signed distances: volumes and areas of what has formulas, and what is refused.
+// Bodies from signed distances: volumes and areas against formulas, and refused input.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

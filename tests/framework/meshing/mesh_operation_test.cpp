@@ -1,4 +1,4 @@
-// Operations in scenes and in their own process: whatever they do, there is a mesh or an error.
+// Mesh operations in scenes and in their child process: the result is always a mesh or an error.
 #include "framework/meshing/mesh_operation.hpp"
 
 #include <catch2/catch.hpp>

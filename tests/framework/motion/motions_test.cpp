@@ -1,4 +1,4 @@
-// Every motion against its closed form, and what is told about wrong ones.
+// Every motion against its closed form, and error messages.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Files of a state: exact, refused with a reason if they are not whole, and a step from them has the bits of
-// the run.
+// State files: exact; refused with a reason if incomplete; and a step from one has the bits of the
+// run.
 #include "framework/output/state_file.hpp"
 
 #include <catch2/catch.hpp>

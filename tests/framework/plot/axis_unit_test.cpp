@@ -1,4 +1,4 @@
-// Axes have prefixes, legends units.
+// Units of axes with prefixes, and units in legends.
 #include "framework/plot/axis_unit.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,5 @@
-// The figure of docs/tutorial.md is what journals ask for: docs/plotting.md has the list. Measured of the PDF, as it is drawn.
+// The figure of docs/tutorial.md meets the requirements of journals (docs/plotting.md), measured in
+// its PDF.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

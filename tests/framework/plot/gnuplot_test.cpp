@@ -1,4 +1,4 @@
-// Names from a file are text to gnuplot, whatever they hold.
+// Names from a file are plain text to gnuplot, whatever their characters.
 #include "framework/plot/gnuplot.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Pictures of runs as data: which curves there are, and of what.
+// Plots of runs as data: the curves and their contents.
 #include "framework/plot/run_plots.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// How many objects are where.
+// Numbers of objects in regions.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

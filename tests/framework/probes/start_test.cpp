@@ -1,4 +1,5 @@
-// All that can be asked of a run before its first step: every probe, energy and field, under every load and interaction, with every integrator and stepper.
+// Every probe, energy and field before the first step, under every load and interaction, with every
+// integrator and stepper.
 #include <catch2/catch.hpp>
 
 #include "framework/output/element_fields.hpp"

@@ -1,4 +1,4 @@
-// Probes of touching surfaces against what they must be for blocks that move as told.
+// Probes of touching surfaces, against exact values for blocks with prescribed motion.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// A pair of objects alone has the stencils that it has in its world.
+// An isolated pair of objects has the stencils that it has in its world.
 #include <catch2/catch.hpp>
 
 #include "framework/profile/isolated_pair.hpp"

@@ -1,4 +1,4 @@
-// Remarks appear where their thresholds are passed, and nowhere else.
+// Remarks appear above their thresholds only.
 #include <catch2/catch.hpp>
 
 #include "framework/profile/profile.hpp"

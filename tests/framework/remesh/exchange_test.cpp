@@ -1,4 +1,4 @@
-// Runs in which the tets of objects are exchanged as they flow.
+// Runs in which the tets of objects are replaced as they flow.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>

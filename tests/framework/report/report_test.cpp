@@ -1,5 +1,5 @@
-// Folders in, one file out: kinds of folders, what goes together, errors, and texts that must not end a script.
-// The page itself is tested in a browser: tests/report/.
+// Reports of folders as one file: kinds of folders, combinations, errors, and texts that must not
+// end a script. See tests/report/ for tests of the page in a browser.
 #include "framework/report/report.hpp"
 
 #include <catch2/catch.hpp>

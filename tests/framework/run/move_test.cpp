@@ -1,4 +1,4 @@
-// Bodies that are put elsewhere between steps: every integrator, with friction, with bonds, with adhesion.
+// Bodies that are moved between steps: every integrator, with friction, with bonds, with adhesion.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

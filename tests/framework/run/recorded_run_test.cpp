@@ -1,4 +1,4 @@
-// A run from a program of one's own: no command line, no exit codes.
+// A run from an embedding program: no command line, no exit codes.
 #include "framework/run/recorded_run.hpp"
 
 #include <algorithm>

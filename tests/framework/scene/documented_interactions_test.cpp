@@ -1,4 +1,4 @@
-// The interactions of docs/extending.md, as they stand there, against closed forms.
+// The interactions of docs/extending.md against closed forms.
 #include <catch2/catch.hpp>
 #include <numbers>
 

@@ -1,4 +1,5 @@
-// Copies of an object in a region: as many as asked for, apart from each other, within it, and the same for the same seed.
+// Copies of an object in a region: the requested number, apart from each other, inside the region,
+// and equal for equal seeds.
 #include "framework/scene/fill.hpp"
 
 #include <catch2/catch.hpp>

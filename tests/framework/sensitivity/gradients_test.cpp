@@ -1,4 +1,4 @@
-// Derivatives of probes beside central differences of whole runs, and closed forms.
+// Derivatives of probes against central differences of whole runs, and closed forms.
 #include "framework/sensitivity/gradients.hpp"
 
 #include <catch2/catch.hpp>

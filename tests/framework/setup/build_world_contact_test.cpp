@@ -1,4 +1,4 @@
-// The barrier, and the guards, that a pair of objects gets where the scene does not say.
+// Default barriers and safety barriers of pairs of objects.
 #include <catch2/catch.hpp>
 #include <array>
 #include <cmath>

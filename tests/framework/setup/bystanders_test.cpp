@@ -1,4 +1,4 @@
-// Bodies that cannot meet another one change nothing for it: no stiffness, no tolerance, no motion.
+// Bodies that cannot meet another body do not change its stiffness, tolerance or motion.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
-// Starts that overlap: objects go as far as they have to and no farther, or who is in whose way is told.
+// Initial overclosures: objects are moved as little as possible, or the message names the blocking
+// object.
 #include "framework/setup/push_out.hpp"
 
 #include <catch2/catch.hpp>

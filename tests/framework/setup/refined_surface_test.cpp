@@ -1,4 +1,4 @@
-// Contact on a finer surface than that of the mesh: `surface: {edge_length: ...}`.
+// Contact on a surface finer than that of the mesh: `surface: {edge_length: ...}`.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

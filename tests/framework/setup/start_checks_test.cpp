@@ -1,4 +1,4 @@
-// Errors of scenes whose start is not allowed advise only remedies that help.
+// Errors of invalid initial states recommend only remedies that help.
 #include <catch2/catch.hpp>
 
 #include "framework/output/state_file.hpp"

@@ -1,4 +1,4 @@
-// The default barrier beside adhesion that is weaker than what presses.
+// The default barrier beside adhesion that is weaker than the contact pressure.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

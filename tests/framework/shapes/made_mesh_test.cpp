@@ -1,4 +1,4 @@
-// Meshes that take long are made once for a recipe, and kept in a folder for the next process.
+// Expensive meshes are made once for a recipe, and cached in a folder for the next process.
 #include "framework/shapes/made_mesh.hpp"
 
 #include <catch2/catch.hpp>

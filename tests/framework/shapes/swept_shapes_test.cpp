@@ -1,4 +1,4 @@
-// Profiles that are revolved and extruded, as scenes write them.
+// Revolved and extruded profiles in scenes.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
-// Delamination of two beams that bonds hold together, against beam theory: cracks that shear, open
-// or do both, on the fixtures of the standards. Sheets have no shear deformation, so the corrections
-// of measured crack lengths (chi h of ASTM D6671) come from the bonds alone. As in compliance
-// calibration, the crack length is taken from the compliance of each mode.
+// Delamination of two bonded beams against beam theory: mode II, mode I and mixed-mode cracks on
+// the fixtures of the standards. Sheets have no shear deformation, so the corrections of measured
+// crack lengths (chi h of ASTM D6671) come from the bonds alone. The crack length is computed from
+// the compliance of each mode, as in compliance calibration.
 #include <fmt/format.h>
 
 #include <algorithm>

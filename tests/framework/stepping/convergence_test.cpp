@@ -1,4 +1,5 @@
-// When a minimisation may end: the bound of what a direction misses, and the balance of forces.
+// Convergence criteria of a minimisation: the error bound of a direction, and the balance of
+// forces.
 #include "framework/stepping/convergence.hpp"
 
 #include <catch2/catch.hpp>

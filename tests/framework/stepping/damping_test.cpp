@@ -1,5 +1,5 @@
-// Damping of objects against closed forms: a vibration in one mode of a held block, so small that it is linear, decays with
-// zeta = alpha / (2 w) + beta w / 2 of critical.
+// Damping of objects against closed forms: a vibration in one mode of a clamped block, small enough
+// to be linear, decays with zeta = alpha / (2 w) + beta w / 2 of critical.
 #include "framework/core/damping_terms.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,5 @@
-// Scripted surfaces that are walked to their places through what lies in their way.
+// Dirichlet continuation: prescribed surfaces that move to their target positions through
+// obstacles.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

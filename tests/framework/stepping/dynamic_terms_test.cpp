@@ -1,5 +1,5 @@
-// Forces of dynamic terms in all integrators: bonds of every law, and a term that only says that it is dynamic. At rest they carry
-// the weight, on a circle m w^2 r, whatever the step.
+// Forces of dynamic terms in all integrators: bonds of every law, and a term that only declares
+// itself dynamic. At rest they carry the weight, on a circle m w^2 r, for any step size.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The balance of energy against closed forms.
+// The energy balance against closed forms.
 #include "framework/stepping/energy_balance.hpp"
 
 #include <catch2/catch.hpp>

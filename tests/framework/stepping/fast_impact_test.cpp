@@ -1,4 +1,4 @@
-// Impacts that would go hundreds of times the plate's thickness in a step.
+// Impacts whose displacement per step would be hundreds of times the plate's thickness.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

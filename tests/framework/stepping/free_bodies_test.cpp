@@ -1,4 +1,4 @@
-// Quasi-static bodies that nothing holds.
+// Unconstrained quasi-static bodies.
 #include "framework/stepping/free_bodies.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Friction within time steps: sliding under each integrator, halved steps, the fixed-point loop.
+// Friction within time steps: sliding under each integrator, substeps, the fixed-point loop.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The balance of energy of groups of bodies that have nothing to do with each other.
+// The energy balance of groups of bodies that do not interact.
 #include "framework/stepping/group_balance.hpp"
 
 #include <catch2/catch.hpp>

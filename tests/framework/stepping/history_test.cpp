@@ -1,4 +1,4 @@
-// A term with a memory is one file: what stands here, and nothing elsewhere, gives elements a history that the loop,
+// A term with history variables is one file: this one gives elements a history that the loop,
 // checkpoints and stored problems carry bit for bit.
 #include "framework/core/history.hpp"
 

@@ -1,4 +1,4 @@
-// solver.check_iterates: no state on the way intersects or inverts, and one that does is told.
+// solver.check_iterates: no iterate intersects or inverts, and one that does is reported.
 #include "framework/stepping/iterate_check.hpp"
 
 #include <catch2/catch.hpp>

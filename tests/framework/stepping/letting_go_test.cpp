@@ -1,4 +1,5 @@
-// A bond or an adhesion that holds in statics holds in long steps: no step starts beyond its peak.
+// A bond or an adhesion that does not fail in statics does not fail in long steps: no step starts
+// beyond its peak.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

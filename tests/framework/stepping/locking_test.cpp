@@ -1,4 +1,5 @@
-// Solids that bend with few elements over a thickness and do not lock near a Poisson's ratio of 1/2, against beam theory and others' results.
+// Solids that bend with few elements over the thickness, and that do not lock near a Poisson's
+// ratio of 1/2, against beam theory and published results.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>

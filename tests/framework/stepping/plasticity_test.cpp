@@ -1,4 +1,5 @@
-// Plastic solids in time steps: what is remembered, what is rolled back, and how Newton's method ends.
+// Plastic solids in time steps: stored and rolled back history variables, and the convergence of
+// Newton's method.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>

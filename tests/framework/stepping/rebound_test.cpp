@@ -1,4 +1,4 @@
-// How fast a block leaves a floor that it hits at 1 m/s, with Newmark's rule and steps of any size.
+// Rebound speed of a block that hits a floor at 1 m/s, with Newmark's rule and any step size.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Rods and particles as they move, against beam theory.
+// Motion of rods and particles against beam theory.
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Scripted surfaces: releasing, pushing, and what it takes to hold them.
+// Prescribed surfaces: releasing, pushing, and their reaction forces.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

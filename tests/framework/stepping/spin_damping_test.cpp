@@ -1,4 +1,5 @@
-// A free body that spins, damped by its stiffness: spin and angular momentum stay.
+// A free spinning body with stiffness-proportional damping: spin and angular momentum are
+// conserved.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// Steps whose sizes follow an error: how large they become, what they end at, what becomes of impacts.
+// Adaptive step sizes: their errors, their ends at corners of prescribed motions, and impacts.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// A stepper is one file: what stands here is all that makes `stepper: free_flight` known, which solves nothing and
-// lets bodies pass through each other.
+// A stepper is one file: this one registers `stepper: free_flight`, which solves nothing and lets
+// bodies pass through each other.
 #include "framework/stepping/stepper.hpp"
 
 #include <catch2/catch.hpp>

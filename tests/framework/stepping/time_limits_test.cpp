@@ -1,4 +1,4 @@
-// Limits in wall time: they end what takes too long, say what blocks it, and change nothing else.
+// Limits of wall time: they end long runs, name the cause, and change nothing else.
 #include <catch2/catch.hpp>
 #include <chrono>
 

@@ -1,4 +1,5 @@
-// Bodies that go further than they are long in a step hit what is in their way, and whatever is not in it does not bother them.
+// Bodies whose displacement in a step exceeds their size hit obstacles in their path, and are not
+// affected by anything outside it.
 #include "framework/stepping/tunnelling_check.hpp"
 
 #include <catch2/catch.hpp>

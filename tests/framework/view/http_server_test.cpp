@@ -1,4 +1,4 @@
-// By sockets, so that what is said is what stands here.
+// The HTTP server through sockets, with requests byte for byte.
 #include "framework/view/http_server.hpp"
 
 #include <arpa/inet.h>

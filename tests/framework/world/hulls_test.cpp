@@ -1,4 +1,4 @@
-// Held hulls of triangles have an outer side alone, rooms and shells two.
+// Hulls of fixed triangles have an outer side only; rooms and shells have two sides.
 #include "framework/world/hulls.hpp"
 
 #include <catch2/catch.hpp>
