@@ -103,7 +103,8 @@ void check_names(const BatchPlan& plan, const std::vector<std::string>& patterns
                                    plan.cases.size() > most_cases_shown ? "more" : "all"));
 }
 
-// The table and the description as things stand, and how many cases ended how.
+// Writes the table and the description in their present state. Returns the number of cases by
+// status.
 std::map<CaseStatus, size_t> collect(const BatchFolder& folder, const BatchDescription& description) {
   write_description(folder, description);
   replace_file(folder.table(), csv_text(results_of(folder, description.plan)));
@@ -112,7 +113,7 @@ std::map<CaseStatus, size_t> collect(const BatchFolder& folder, const BatchDescr
   return counts;
 }
 
-// The code is that of the cases that are named `only`.
+// Returns the exit code for the cases named by `only`.
 int report(const BatchFolder& folder, const BatchDescription& description, bool quiet, const std::vector<std::string>& only = {}) {
   const std::map<CaseStatus, size_t> counts = collect(folder, description);
   std::vector<std::string> parts;
@@ -190,7 +191,7 @@ int run_by_slurm(const BatchOptions& options, const BatchConfig& config, const B
   return report(folder, d, options.quiet, options.only);
 }
 
-// One case, in a job array.
+// Runs one case, as a task of a job array.
 int run_task(const BatchOptions& options) {
   const BatchFolder folder = BatchFolder::found(options.output);
   BatchDescription d = read_description(folder);

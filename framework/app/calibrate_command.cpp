@@ -1,4 +1,4 @@
-// tack calibrate: numbers of experiments, fitted to measured curves.
+// tack calibrate: fits scene parameters of experiments to measured curves.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr double longest_trial = 3;  // s
-constexpr int usual_of_chains = 45, usual_with_derivatives = 30;  // points for each number, by all searches after the design
+// Typical number of points per fitted number in all searches after the design.
+constexpr int usual_of_chains = 45, usual_with_derivatives = 30;
 
 // Prints the current phase: on a terminal in a line that is rewritten, elsewhere as a line when the
 // phase begins.

@@ -1,5 +1,5 @@
-// tack check: validates an experiment without running it: keys, meshes, pairs, the start, and the
-// derivatives of the whole incremental potential at the start.
+// tack check: validates an experiment without running it: keys, meshes, pairs, the initial state,
+// and the derivatives of the incremental potential there.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void print_contents(const World& world) {
                r.names(), r.peak_traction, r.work_of_adhesion, r.effective, r.rest_gap);
 }
 
-// "2.1e-09 (differences resolve 3e-10; 2 of 400 at kinks)", relative.
+// Formats an error: "2.1e-09 (differences resolve 3e-10; 2 of 400 at kinks)", relative.
 std::string error_text(const DifferenceStudy& study) {
   if (study.scale == 0) return "nothing (it is zero)";
   const std::string kinks =

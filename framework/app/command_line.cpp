@@ -45,7 +45,7 @@ std::string version_text() {
   return fmt::format("tack {} ({})\n{}, {}; {}", build.version, build.sources(), build.compiler, build.flags, build.instruction_set);
 }
 
-// Every command adds itself and, when chosen, sets the exit code.
+// Each command adds itself and, if it is called, sets the exit code.
 class CommandLine {
  public:
   CommandLine() {
@@ -77,7 +77,7 @@ class CommandLine {
       return exit_bad_input;
     }
     std::vector<std::string> words = as_options({argv + 1, argv + argc});
-    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    std::reverse(words.begin(), words.end());  // in the order of CLI11
     try {
       app_.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
@@ -88,7 +88,7 @@ class CommandLine {
   }
 
  private:
-  // `tack help run` and `tack version`, as other programs have them.
+  // Aliases that other programs have: `tack help run` and `tack version`.
   static std::vector<std::string> as_options(std::vector<std::string> words) {
     if (words[0] == "version" && words.size() == 1) words[0] = "--version";
     if (words[0] != "help") return words;

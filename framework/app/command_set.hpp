@@ -9,7 +9,7 @@ namespace tack {
 
 struct CommandOption {
   std::vector<std::string> names;    // "-o", "--output"; empty: positional
-  std::string word;                  // that word: "file"
+  std::string word;                  // placeholder of the positional argument: "file"
   std::string about;
   // placeholder of the value: "FOLDER", "TEXT", ...; "" for a flag
   std::string value;

@@ -29,7 +29,7 @@ struct RunOptions : RunSettings {
   SceneOptions scene;
   std::string command_line;  // as it would be typed in a shell
   int threads = 0;           // 0: all cores
-  double memory = 0;         // GB that it may have; 0: any
+  double memory = 0;         // memory limit in GB; 0: none
   bool quiet = false, verbose = false;
 };
 // Simulates an experiment. Throws InputError before anything is written.
@@ -56,8 +56,10 @@ struct BatchOptions {
   bool failed = false;        // run failed cases again
   std::vector<std::string> only;  // names of cases, with * and ?; empty: all
   bool slurm = false, no_wait = false;
-  std::string collect;        // the folder of a batch, to make its table again
-  std::optional<int> task;    // only that case of the batch in `output`, as a task of a job array
+  // The folder of a batch whose table is to be made again.
+  std::string collect;
+  // The only case to run of the batch in `output`, as a task of a job array.
+  std::optional<int> task;
   bool quiet = false;
 };
 // Runs many experiments and makes one table of their results. A second call continues an
@@ -69,7 +71,7 @@ struct CalibrateOptions {
   std::string command_line;   // as it would be typed in a shell
   std::string output;         // empty: results/<name>
   int jobs = 0, threads = 0;  // 0: as the file says
-  bool dry_run = false;       // check everything, and say how long it will take
+  bool dry_run = false;       // check everything and estimate the duration
   bool failed = false;        // run failed cases again
   std::vector<std::string> only;  // names of cases, with * and ?; empty: all
   bool slurm = false;
@@ -90,8 +92,8 @@ int report_command(const ReportOptions& options);
 
 struct RenderOptions {
   std::vector<std::string> folders;    // folders of runs
-  std::string view;                    // the file of a view; empty: the usual one
-  std::vector<std::string> overrides;  // "a.b=c": of the view
+  std::string view;                    // the file of a view; empty: the default view
+  std::vector<std::string> overrides;  // overrides of the view, "a.b=c"
   std::string output = "picture.png";
   bool quiet = false;
 };
@@ -117,9 +119,9 @@ struct PlotOptions {
   std::string x, y;
   std::vector<std::string> by;
   bool log_x = false, log_y = false;
-  std::vector<double> x_range;  // the part of x that is shown; empty: all
-  std::string style;                    // a file of how they look; empty: as usual
-  std::vector<std::string> overrides;   // "a.b=c": of the style
+  std::vector<double> x_range;  // displayed range of x; empty: all
+  std::string style;                    // a style file; empty: the default style
+  std::vector<std::string> overrides;   // overrides of the style, "a.b=c"
   // Files of measured or reference points, with the same column names; drawn as marks.
   std::vector<std::string> data;
 };

@@ -29,7 +29,7 @@ std::vector<std::string> option_names(const std::vector<CommandOption>& options)
 
 std::string joined(const std::vector<std::string>& words, const char* between = " ") { return fmt::format("{}", fmt::join(words, between)); }
 
-// Within single quotes of a shell.
+// Quotes a text for a shell with single quotes.
 std::string quoted(std::string text) {
   for (size_t at = 0; (at = text.find('\'', at)) != text.npos; at += 4) text.replace(at, 1, "'\\''");
   return "'" + text + "'";

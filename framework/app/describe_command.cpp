@@ -1,4 +1,4 @@
-// tack list --reference, --schema, ...: the reference pages and the JSON schemas, as files.
+// tack list --reference, --schema, ...: writes the reference pages and the JSON schemas.
 #include <filesystem>
 
 #include "framework/app/commands.hpp"

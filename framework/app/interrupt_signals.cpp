@@ -26,14 +26,15 @@ void let_signals_interrupt() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (signal == SIGHUP && ignored(signal)) continue;
     sigaddset(&signals, signal);
-    std::signal(signal, request_interrupt);  // for a thread that a library has started before
+    std::signal(signal, request_interrupt);  // for threads that a library has already started
   }
   // The kernel sends these to the thread that writes, so that no other thread can wait for them;
   // its write fails with EPIPE or EFBIG.
   for (const int signal : {SIGPIPE, SIGXFSZ})
     if (!ignored(signal)) std::signal(signal, request_interrupt);
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  if (blas_thread_shutdown_) blas_thread_shutdown_();  // its threads were there before; it starts others when it needs them
+  // The threads of OpenBLAS existed before the mask was set; it starts new ones when needed.
+  if (blas_thread_shutdown_) blas_thread_shutdown_();
   std::thread([signals] {
     for (int signal = 0;; ) if (::sigwait(&signals, &signal) == 0) interrupt_requested = true;
   }).detach();

@@ -98,7 +98,7 @@ bool print_check(const LawCheck& check, bool states) {
   return check.wrong.empty();
 }
 
-// Pictures and tables into a folder; of several laws, each with the law's name before theirs.
+// Writes pictures and tables into a folder; for several laws, the law's name prefixes the files.
 class Written {
  public:
   explicit Written(fs::path folder) : folder_(std::move(folder)) {

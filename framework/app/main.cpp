@@ -27,7 +27,8 @@ namespace {
 // file gets its descriptor, and the program prints into it.
 void open_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::abort();  // the lowest number that is free is this one
+    // open() returns the lowest free descriptor, which is this one.
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != stream) std::abort();
 }
 
 // Unblocks the signals that only the waiting thread receives: a program executed in place of this
@@ -80,7 +81,7 @@ int main(int argc, char** argv) {
   } catch (const tack::InputError& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     std::fflush(nullptr);
-    ::_exit(tack::exit_bad_input);  // threads of OpenBLAS would be waited for
+    ::_exit(tack::exit_bad_input);  // without waiting for the threads of OpenBLAS
   }
   try {
     tack::note_further_components();

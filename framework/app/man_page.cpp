@@ -7,7 +7,7 @@
 namespace tack {
 namespace {
 
-// Text as roff has it: backslashes and hyphens escaped, and no line that begins as a request does.
+// Escapes a text for roff: backslashes, hyphens, and lines that begin like a request.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {

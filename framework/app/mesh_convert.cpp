@@ -1,4 +1,4 @@
-// tack mesh convert: a mesh file in another format, perhaps in another unit.
+// tack mesh convert: writes a mesh file in another format or unit.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -24,7 +24,7 @@ struct PlacedShape {
   PlaceConfig place;
 };
 
-// A file of its own: the keys of the shape, and where it is.
+// A level set file: the keys of the shape and its place.
 struct LevelSetFile {
   LevelSetShape& shape;
   PlaceConfig& place;
@@ -65,7 +65,7 @@ PlacedShape of_file(const Value& root, const std::string& path) {
   return placed;
 }
 
-// Else it is a sheet, a rod or particles, which enclose nothing.
+// Returns true for the surface of a solid; sheets, rods and particles enclose no volume.
 bool closed(const Mesh& mesh) { return !mesh.triangles.empty() && OrientedSurface(oriented_alike(mesh.triangles)).closed(); }
 
 }  // namespace

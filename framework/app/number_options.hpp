@@ -1,4 +1,4 @@
-// Validators of options that take a number.
+// Validators of numeric options.
 #pragma once
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 
 namespace tack {
 
-// A count. CLI11's own validator prints the whole range of doubles, digit by digit.
+// Accepts counts. CLI11's own validator prints the whole range of doubles, digit by digit.
 inline const CLI::Validator whole_number_above_zero(
     [](std::string& text) {
       int number = 0;

@@ -33,7 +33,7 @@ PlottedRun run_of(const fs::path& folder, const std::string& name) {
   return run;
 }
 
-// Points of a file, in SI.
+// Reads the points of a file, in SI.
 Curve points_of(const std::string& file, const PlotOptions& options) {
   const MeasuredCurve curve = read_curve(file, {options.x, units::any, "--x"}, {options.y, units::any, "--y"});
   Curve points{fs::path(file).stem().string(), {}, {}, true};
@@ -134,7 +134,7 @@ int plot_batch(const PlotOptions& options, const BatchFolder& folder, const fs::
   return pictures.exit_code();
 }
 
-// The scripts that `tack compare` left there, drawn again.
+// Draws the pictures of a comparison again, from the scripts that `tack compare` left there.
 int plot_comparison(const fs::path& folder) {
   Pictures pictures(folder / "plots");
   for (const char* name : {"work_precision", "performance_profile", "convergence"})

@@ -1,4 +1,4 @@
-// tack run, tack profile: an experiment from file to results.
+// tack run, tack profile: runs an experiment file and writes its results.
 #include <unistd.h>
 
 #include <iostream>

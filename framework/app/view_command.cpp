@@ -1,4 +1,4 @@
-// tack view: pages about a scene, a run or results, served to a browser on this machine.
+// tack view: serves pages about a scene, a run or results to a browser on this machine.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -53,7 +53,7 @@ class RedirectPage {
   ~RedirectPage() { remove(); }
   RedirectPage(const RedirectPage&) = delete;
   RedirectPage& operator=(const RedirectPage&) = delete;
-  const std::string& path() const { return path_; }  // "" if it could not be written
+  const std::string& path() const { return path_; }  // "" if the file could not be written
 
  private:
   void remove() {
@@ -63,7 +63,7 @@ class RedirectPage {
   std::string path_;
 };
 
-// Printed in any case: a browser elsewhere may be let in through a tunnel.
+// The address is always printed, for a browser on another machine that connects through a tunnel.
 void announce(const std::string& address, const ViewOptions& options) {
   fmt::print("{}\n", address);
   std::fflush(stdout);
@@ -76,7 +76,7 @@ void wait_for_interrupt() {
   while (!interrupt_requested) std::this_thread::sleep_for(signal_interval);
 }
 
-// Without it a run would have no page to be looked at.
+// Makes an empty page, so that a missing page file is an error before the run.
 void need_page() { page_with(page_path(), PageData(), Requests::own); }
 
 PageData preview_of(const ViewOptions& options) {
@@ -89,7 +89,7 @@ int write_preview(const ViewOptions& options) {
   return exit_done;
 }
 
-// The scene is read again whenever the page is loaded.
+// The scene is read again at each load of the page.
 int serve_preview(const ViewOptions& options) {
   need_page();
   std::mutex making;

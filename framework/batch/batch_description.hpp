@@ -27,7 +27,7 @@ struct BatchLimits {
 };
 
 struct BatchDescription {
-  BatchPlan plan;  // its cases without their scenes, once read
+  BatchPlan plan;  // cases read from batch.json have no scenes
   std::string file;
   BatchLimits limits;
   std::string provenance;  // provenance_text()

@@ -10,7 +10,7 @@ namespace tack {
 
 struct BatchEstimate {
   double seconds = 0;                     // of all open cases, side by side
-  std::map<std::string, double> of_case;  // s, by base: of one of its cases
+  std::map<std::string, double> of_case;  // s per case, by base
 };
 
 // Estimates the duration. For each base without a finished case, one case runs for at most `trial`

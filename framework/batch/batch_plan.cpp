@@ -29,7 +29,8 @@ std::string cell_text(const std::string& text) {
   }
 }
 
-// The last part of a key that no other column has: "young" of "objects.cube.energies.0.young".
+// Returns the shortest end of a key that no other column has: "young" of
+// "objects.cube.energies.0.young".
 std::string short_column(const std::string& column, const std::vector<std::string>& columns) {
   for (size_t dot = column.rfind('.'); dot != column.npos && dot > 0; dot = column.rfind('.', dot - 1)) {
     const std::string tail = column.substr(dot);
@@ -45,11 +46,11 @@ std::string name_of(const std::vector<std::pair<std::string, std::string>>& part
   return name.size() <= longest_name ? name : fmt::format("case_{:04}", number);
 }
 
-// Names that differ: the second "a" is "a.2".
+// Makes names unique: the second "a" becomes "a.2".
 class Names {
  public:
   std::string free(const std::string& name) {
-    int& number = numbers_[name];  // of the last one that was called so
+    int& number = numbers_[name];  // of the last duplicate
     for (;;) {
       const std::string tried = ++number == 1 ? name : fmt::format("{}.{}", name, number);
       if (taken_.insert(tried).second) return tried;

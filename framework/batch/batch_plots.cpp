@@ -54,7 +54,7 @@ std::string unknown_base(const BatchPlot& plot, const std::vector<std::string>& 
 
 namespace {
 
-// A column of a run's probes, or else of its steps.
+// Returns a column of a run's probes, or of its steps.
 std::optional<std::vector<double>> numbers_of(const PlottedRun& run, const std::string& column, bool of_steps) {
   const CsvTable& table = of_steps ? run.steps : run.probes;
   const auto at = table.column(column);
@@ -92,7 +92,7 @@ double cell(const CsvTexts& table, const std::vector<std::string>& row, const st
   return csv_number(row[static_cast<size_t>(found - table.columns.begin())]).value_or(std::nan(""));
 }
 
-// Cases by the name of their base, if it has but one.
+// Returns the base of a case if the base has no other case, else the name of the case.
 std::string bar_name(const BatchPlan& plan, const BatchCase& one) {
   const auto same = std::count_if(plan.cases.begin(), plan.cases.end(), [&](const BatchCase& c) { return c.base == one.base; });
   return same == 1 && !one.base.empty() ? one.base : one.name;

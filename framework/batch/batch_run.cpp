@@ -60,7 +60,7 @@ class Runner {
     }
   }
 
-  // As far as is known of the memory that the next one will take.
+  // Returns true if the next case fits; the largest memory of finished cases estimates its memory.
   bool room() const {
     if (waiting_.empty() || static_cast<int>(running_.size()) >= limits_.jobs) return false;
     return running_.empty() || limits_.memory || machine_memory("MemAvailable") > 1.2 * largest_;
@@ -79,7 +79,7 @@ class Runner {
   const BatchObserver& observer_;
   std::list<const BatchCase*> waiting_;
   std::list<Running> running_;
-  double largest_ = 0;  // MB that a case has taken
+  double largest_ = 0;  // MB, over the finished cases
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ struct BatchObserver {
     const BatchCase* one;
     const CaseRun* run;
   };
-  std::function<void(const std::vector<Running>&, size_t waiting)> tick;  // some times a second
+  // Called several times a second.
+  std::function<void(const std::vector<Running>&, size_t waiting)> tick;
 };
 
 // Runs each of `cases` once with `program` (a path). Returns early, after interrupting the running

@@ -22,8 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double heartbeat = 0.5;  // s, after which the seconds of a case that runs are written again
-constexpr double patience = 20;  // s, from the request to end to being killed
+constexpr double heartbeat = 0.5;  // s between updates of the state of a running case
+constexpr double patience = 20;  // s from the interrupt to the kill
 constexpr std::uintmax_t largest_output = std::uintmax_t{1} << 30;
 
 // Returns the end of a file, at most `size` bytes.
@@ -35,12 +35,12 @@ std::string tail(const fs::path& path, std::streamoff size) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// To the bits of a run that was not cut short.
+// Returns true for a run with a checkpoint; resumed, it has the bits of an uninterrupted run.
 bool resumable(const BatchFolder& folder, const BatchCase& one) {
   return FolderLock::marked(folder.run(one.name)) && !newest_checkpoint_in(folder.run(one.name) / "checkpoints", true).empty();
 }
 
-// Once nobody writes there: the processes of a batch that was killed end a moment later.
+// Locks the folder of a run. Waits, since processes of a killed batch end with a short delay.
 FolderLock locked(const fs::path& run) {
   using namespace std::chrono_literals;
   for (int i = 0; i < 100; ++i) try {
@@ -102,7 +102,7 @@ bool CaseRun::ended() {
     }
     return false;
   }
-  if (resumed_ && process_.exit_code() == 2) {  // a checkpoint that is damaged, say
+  if (resumed_ && process_.exit_code() == 2) {  // for example, a damaged checkpoint
     resumed_ = false;
     before_ = {};
     told_ = 0;

@@ -35,8 +35,8 @@ class CaseRun {
   CaseState before_;  // times and memory of earlier processes of a resumed run
   CaseState state_;
   bool resumed_ = false, timed_out_ = false;
-  double told_ = 0;        // s of its life at which its state was last written
-  double killed_at_ = -1;  // s of its life after which it is killed; negative: not yet asked to end
+  double told_ = 0;        // s of its life at the last write of its state
+  double killed_at_ = -1;  // s of its life at which it is killed; negative: not interrupted
   ChildProcess process_;
 };
 

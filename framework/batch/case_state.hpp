@@ -8,8 +8,8 @@
 namespace tack {
 
 enum class CaseStatus {
-  waiting,              // or of an earlier form: another scene, other files, another program
-  running,              // or ended together with the batch
+  waiting,              // or ran in another form: other scene, files or program
+  running,              // or killed together with the batch
   done,
   expectation_failed,
   simulation_failed,
@@ -22,7 +22,7 @@ std::string_view to_string(CaseStatus status);  // "done", "expectation failed",
 
 // Returns true for a case that runs again only on request.
 bool finished(CaseStatus status);
-bool failed(CaseStatus status);  // finished, and not as wanted
+bool failed(CaseStatus status);  // finished with another status than done
 
 struct CaseState {
   CaseStatus status = CaseStatus::waiting;

@@ -17,7 +17,7 @@
 namespace tack {
 namespace {
 
-// Nothing here may allocate: another thread of this program may hold the lock of malloc for ever.
+// No allocations here: another thread of this program may hold the lock of malloc forever.
 [[noreturn]] void become(char* const* arguments, const char* output, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(126);
@@ -51,7 +51,7 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
       signal_(other.signal_), cpu_seconds_(other.cpu_seconds_), memory_mb_(other.memory_mb_) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
-  std::swap(pid_, other.pid_);  // the other ends ours
+  std::swap(pid_, other.pid_);  // the destructor of `other` kills the old process
   started_ = other.started_;
   ended_ = other.ended_;
   exit_code_ = other.exit_code_;

@@ -19,17 +19,17 @@ class ChildProcess {
   ChildProcess(const std::vector<std::string>& arguments, const std::filesystem::path& output);
   ~ChildProcess();  // kills it
   ChildProcess(ChildProcess&& other) noexcept;
-  ChildProcess& operator=(ChildProcess&& other) noexcept;  // kills the one that was there
+  ChildProcess& operator=(ChildProcess&& other) noexcept;  // kills its old process
 
   bool ended();            // does not wait
-  void send(int signal);   // nothing if it has ended
-  double seconds() const;  // since its start, or of its life
+  void send(int signal);   // no effect on an ended process
+  double seconds() const;  // since its start, or until its end
   double cpu_seconds() const;  // CPU time of all its threads so far, or in total
 
   // Exit code of an ended process, and the signal that ended it; 0 if none did.
   int exit_code() const { return exit_code_; }
   int signal() const { return signal_; }
-  double memory_mb() const { return memory_mb_; }  // most that was resident
+  double memory_mb() const { return memory_mb_; }  // peak resident memory
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -54,7 +54,7 @@ const std::string& CaseResolver::digest_of_file(const std::string& name) {
 
 std::string program_digest() {
   std::string digest = file_digest("/proc/self/exe");
-  // Built libraries only: a library that is built later makes cases run once more.
+  // Existing libraries only: building a missing library later makes the cases run once more.
   for (const char* library : {"libtack_further.so", "libtack_meshing.so", "libtack_msh.so"})
     if (const std::string one = file_digest(own_library_path(library)); !one.empty()) digest += "+" + one;
   return digest;

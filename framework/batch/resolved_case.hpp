@@ -31,11 +31,11 @@ class CaseResolver {
   const std::string& digest_of_file(const std::string& name);
 
   std::string program_;
-  std::map<std::string, std::string> files_;  // each is read once
+  std::map<std::string, std::string> files_;  // checksums; each file is read once
 };
 
-// Returns the sizes and checksums of the running program and of its libraries that are built: the
-// mesher, the mesh reader and the further components.
+// Returns the sizes and checksums of the running program and of those of its libraries that are
+// built: mesher, mesh reader, further components.
 std::string program_digest();
 
 }  // namespace tack

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The columns of one group, in the order in which they are first seen.
+// The columns of one group in the order of their first appearance.
 class Cells {
  public:
   void set(size_t row, const std::string& column, std::string text) {

@@ -14,7 +14,7 @@
 namespace tack {
 namespace {
 
-// "0-3,7,9-10".
+// Formats task numbers as "0-3,7,9-10".
 std::string ranges(const std::vector<size_t>& numbers) {
   std::string text;
   for (size_t i = 0; i < numbers.size();) {
@@ -50,14 +50,14 @@ ChildProcess sbatch(const BatchFolder& folder, std::vector<std::string> options,
   return {arguments, output};
 }
 
-// A word of an #SBATCH line: blanks would end it.
+// Quotes a word of an #SBATCH line, which a blank would end.
 std::string quoted(const std::string& word) {
   std::string text = "\"";
   for (const char c : word) text += c == '"' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
   return text + "\"";
 }
 
-// The folder of a batch in a pattern of file names: "%%" is a percent sign there.
+// Escapes the folder of a batch for a pattern of file names: "%%" is a percent sign there.
 std::string in_pattern(const std::string& folder) {
   if (folder.find('\\') != folder.npos)
     throw InputError(fmt::format("{}: Slurm replaces nothing in names of files with a backslash; take another folder (-o)", folder));
@@ -96,7 +96,7 @@ std::string job_script(const std::string& program, const BatchFolder& folder, co
 SlurmJob submit(const BatchFolder& folder) {
   const auto output = folder.root / "output" / "sbatch.txt";
   SlurmJob job{"", sbatch(folder, {"--wait"}, output)};
-  // The number comes first, the end when all is done.
+  // sbatch prints the number first, and ends when all tasks have ended.
   while (first_line(output).empty() && !job.waiting.ended()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   job.id = number_of(first_line(output));
   if (job.waiting.ended() && (job.id.empty() || !std::isdigit(static_cast<unsigned char>(job.id.front()))))

@@ -12,11 +12,12 @@ std::string job_script(const std::string& program, const BatchFolder& folder, co
 
 struct SlurmJob {
   std::string id;
-  ChildProcess waiting;  // sbatch --wait, which ends when all of the array has
+  ChildProcess waiting;  // sbatch --wait: ends together with the array
 };
 
 // Submits the script of the folder. Throws InputError with the message of sbatch.
 SlurmJob submit(const BatchFolder& folder);
-std::string submit_and_leave(const BatchFolder& folder);  // the job's number
+// Returns the job's number.
+std::string submit_and_leave(const BatchFolder& folder);
 
 }  // namespace tack

@@ -1,4 +1,4 @@
-// Grids, lists and samples of keys.
+// Variations of keys: grids, lists and samples.
 #include <fmt/format.h>
 
 #include <numeric>
@@ -100,7 +100,7 @@ class CasesVariation : public Variation {
   std::string column_ = "variant";
 };
 
-// Points of the unit cube, one coordinate per key.
+// Sampled ranges: points of the unit cube with a coordinate per key.
 class SampledVariation : public Variation {
  public:
   void fields(Fields& f) override {
@@ -119,7 +119,7 @@ class SampledVariation : public Variation {
   double count() const final { return samples_; }
 
  protected:
-  // samples x dimensions, row after row, in [0, 1).
+  // Returns samples x dimensions coordinates in [0, 1), row by row.
   virtual std::vector<double> unit_points(int dimensions) const = 0;
 
   int samples_ = 1;
@@ -156,7 +156,7 @@ class LatinHypercubeVariation : public SampledVariation {
 class SobolVariation : public SampledVariation {
  protected:
   std::vector<double> unit_points(int dimensions) const override {
-    // With the first point, the origin, which keeps the balance of powers of two.
+    // Includes the origin as first point, which keeps the balance for powers of two.
     std::vector<double> points(static_cast<size_t>(dimensions), 0.0);
     const std::vector<double> others = sobol_points(samples_ - 1, dimensions);
     points.insert(points.end(), others.begin(), others.end());

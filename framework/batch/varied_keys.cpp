@@ -15,7 +15,7 @@ namespace {
 
 [[noreturn]] void refuse(const SourceMark& mark, const std::string& what) { throw InputError(mark.text() + ": " + what); }
 
-// The values of the keys that are allowed in a map; others are refused.
+// Throws InputError for unknown keys of a map.
 void refuse_unknown(const Value& map, const std::vector<std::string>& known) {
   for (const Value::Entry& e : map.entries)
     if (std::find(known.begin(), known.end(), e.key) == known.end())
@@ -36,7 +36,7 @@ std::string column_of(const Value::Entry& e) {
   return as->text;
 }
 
-// A number and the unit behind it, as written.
+// Returns a number of a range, and the unit behind it in `unit`, as written.
 double number_of(const Value& range, const char* key, const SourceMark& mark, std::string& unit) {
   const Value* v = range.find(key);
   if (!v) refuse(mark, fmt::format("a range needs '{}', a number that may have a unit", key));

@@ -27,8 +27,8 @@ struct VariedKey {
   std::string key;
   std::string column;
   SourceMark mark;
-  std::vector<Value> values;         // either these
-  std::optional<VariedRange> range;  // or this
+  std::vector<Value> values;         // either values
+  std::optional<VariedRange> range;  // or a range
 };
 
 // Reads the map. Throws InputError with the place of the error: no map, no values, or a form that

@@ -16,7 +16,7 @@ struct Callback {
   std::exception_ptr failure;
 };
 
-// Called by C code: nothing may be thrown.
+// Called from C code: must not throw.
 double evaluate(unsigned size, const double* u, double*, void* data) noexcept {
   Callback& callback = *static_cast<Callback*>(data);
   try {
@@ -40,7 +40,7 @@ void bobyqa(const BobyqaSettings& s, std::vector<double> start,
   nlopt_set_min_objective(opt.get(), evaluate, &callback);
   nlopt_set_lower_bounds(opt.get(), s.low.data());
   nlopt_set_upper_bounds(opt.get(), s.high.data());
-  std::vector<double> steps;  // models need room for a step to both sides
+  std::vector<double> steps;  // models need room for a step to both sides of a bound
   for (unsigned i = 0; i < size; ++i) {
     steps.push_back(std::min(s.step, 0.25 * (s.high[i] - s.low[i])));
     start[i] = std::clamp(start[i], s.low[i], s.high[i]);

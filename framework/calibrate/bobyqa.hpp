@@ -10,9 +10,9 @@ namespace tack {
 
 struct BobyqaSettings {
   std::vector<double> low, high;
-  double step = 0.15;       // the first one
+  double step = 0.15;       // initial step
   double tolerance = 1e-3;  // of each unknown
-  int evaluations = 100;    // most
+  int evaluations = 100;    // at most
 };
 
 // Minimises `value` from `start`. The search ends when `value` returns nothing.

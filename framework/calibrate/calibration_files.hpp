@@ -27,7 +27,7 @@ struct CalibrationRecord {
   std::string file;
   Provenance provenance;
   double wall_seconds = 0;
-  int started = 0;  // runs, this time
+  int started = 0;  // runs of this call
 };
 
 // Writes all files except the pictures. `best_runs`: folders of the best runs. Throws InputError if

@@ -28,7 +28,7 @@ Plot fit_plot(const CalibrationFolder& folder, const MeasuredPoints& m) {
   return plot;
 }
 
-// A curve for each phase, over the number of the point.
+// One curve per phase, over the number of the point.
 Plot misfit_plot(const SearchResult& search) {
   Plot plot;
   plot.title = "misfit, from point to point";

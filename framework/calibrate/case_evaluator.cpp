@@ -125,7 +125,8 @@ void CaseEvaluator::run_array(const std::vector<const BatchCase*>& wanted) {
   for (const BatchCase* one : wanted) {
     tasks.push_back(by_name_.at(one->name));
     replace_file(folder.scene(one->name), one->scene);
-    std::filesystem::remove(folder.state(one->name));  // of one that failed: its task must not take it for done
+    // Without the state of a failed case, its task does not skip it.
+    std::filesystem::remove(folder.state(one->name));
   }
   write_tables();
   BatchConfig config;

@@ -21,8 +21,8 @@ class CaseEvaluator : public Evaluator {
     BatchDescription description;  // its plan without cases
     std::optional<SlurmConfig> slurm;
     bool again = false;  // run failed cases again
-    std::function<void(const PointEvaluation&)> told;  // each point that was evaluated
-    std::function<void()> tick;                   // some times a second
+    std::function<void(const PointEvaluation&)> told;  // called for each evaluated point
+    std::function<void()> tick;                   // called several times a second
   };
   CaseEvaluator(FittedScenes& scenes, Settings settings);
 
@@ -31,7 +31,7 @@ class CaseEvaluator : public Evaluator {
 
   // Writes batch.json and results.csv of the folder, with all requested cases.
   void write_tables();
-  int started() const { return started_; }  // cases that were not done before
+  int started() const { return started_; }  // cases that this program had to run
   std::vector<std::filesystem::path> run_folders(const PointEvaluation& of);
 
  private:

@@ -16,17 +16,18 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double nothing = 1e-14;     // of the largest eigenvalue: rounding
-constexpr double unnoticed = 0.005;   // of the largest power: not written
-constexpr double chance = 0.01;       // with which noise alone makes a fit look wrong
-constexpr double significant = 2;     // deviations of the correlation of independent neighbours, 1 / sqrt(points)
+constexpr double nothing = 1e-14;     // relative to the largest eigenvalue: rounding
+constexpr double unnoticed = 0.005;   // relative to the largest power: omitted
+constexpr double chance = 0.01;       // probability that noise alone makes a fit look wrong
+// In standard deviations of the correlation of independent neighbours, 1 / sqrt(points).
+constexpr double significant = 2;
 
 std::string power(const std::string& name, double exponent) {
   if (std::abs(exponent - 1) < 0.005) return name;
   return fmt::format("{}^{:.2g}", name, exponent);
 }
 
-// A product of powers; where a scale is linear, a sum.
+// Formats a combination as a product of powers; as a sum for linear scales.
 std::string text_of(const std::vector<FittedNumber>& numbers, const Eigen::VectorXd& v) {
   Eigen::Index largest = 0;
   v.cwiseAbs().maxCoeff(&largest);
@@ -67,7 +68,8 @@ void warn_of_bounds(Confidence& c, const std::vector<FittedNumber>& numbers, con
         c.warnings.push_back(fmt::format("{} ended at its bound '{}', {:.6g}: the best value may lie beyond it", numbers[i].name, name, values[i]));
 }
 
-// About zero, as residuals of a model that fits are: an offset is a correlation too.
+// Correlation about zero, the mean of the residuals of a correct model: an offset counts as
+// correlation too.
 double autocorrelation(const std::vector<double>& r, const std::vector<size_t>& series, size_t lag) {
   double sum = 0, squares = 0;
   size_t first = 0;
@@ -112,7 +114,7 @@ ResidualStatistics residual_statistics(const std::vector<double>& residuals, siz
   if (neighbours > significant / std::sqrt(s.points)) {
     s.correlation = neighbours;
     double tau = 1;
-    for (size_t lag = 1; lag < residuals.size(); ++lag) {  // as far as it is positive: beyond is noise
+    for (size_t lag = 1; lag < residuals.size(); ++lag) {  // while it is positive: noise beyond
       const double one = autocorrelation(residuals, parts, lag);
       if (one <= 0) break;
       tau += 2 * one;
@@ -152,7 +154,7 @@ Confidence confidence_of(const std::vector<FittedNumber>& numbers, const std::ve
   for (Eigen::Index k = 0; k < n; ++k)
     if (std::isfinite(variance[k])) covariance += variance[k] * v.col(k) * v.col(k).transpose();
   c.correlation = Eigen::MatrixXd::Identity(n, n);
-  // Where the spread is that of the residuals, it is as uncertain as they are few.
+  // If the noise is estimated from the residuals, few residuals make it uncertain.
   const bool estimated = free > 0 && (!noise_known || c.residuals.correlation > 0);
   const double t = estimated ? boost::math::quantile(boost::math::students_t(degrees), 0.975) : 1.959964;
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -44,7 +44,7 @@ std::vector<std::vector<std::string>> keys_of(const std::string& name, const Fit
 
 std::string last_part(const std::string& key) { return key.substr(key.rfind('.') + 1); }
 
-// Unless it is given: the last part of the key, if no other one ends like that.
+// Default name: the last part of the key, if no other key ends alike.
 std::string short_name(const std::string& key, const CalibrateConfig& config) {
   const auto same = [&](const auto& other) { return last_part(other.first) == last_part(key); };
   return std::count_if(config.fit.begin(), config.fit.end(), same) == 1 ? last_part(key) : key;

@@ -16,7 +16,7 @@ namespace tack {
 namespace {
 
 constexpr size_t longest_name = 100;  // of a case
-constexpr double gradient_step = 1e-6;  // of u, on a linear scale, where a value may be zero
+constexpr double gradient_step = 1e-6;  // in u, for linear scales, where a value may be zero
 
 Variant::Setting setting(const std::string& key, const std::string& text, const std::string& origin) {
   Value value = Value::scalar(text);
@@ -37,7 +37,7 @@ std::string named_unit(const std::string& unit, const std::optional<Quantity>& b
   return written && base_dimension(written->unit) == base_dimension(unit) ? written->unit : unit;
 }
 
-// "Pa" of the comment of a number, of one that may change with time "[s, Pa]".
+// Returns "Pa" from the comment of a number, and from "[s, Pa]" of a time-dependent one.
 std::string unit_in(const std::string& comment) {
   if (comment.empty()) return "1";
   if (!comment.starts_with('[')) return comment;
@@ -45,7 +45,7 @@ std::string unit_in(const std::string& comment) {
   return comment.substr(from, comment.size() - 1 - from);
 }
 
-// As far as the scene has the key: "contact.pairs" of "contact.pears.0".
+// Returns the part of a key that the scene has: "contact.pairs" of "contact.pears.0".
 std::string known_part(const Value& scene, const std::string& key) {
   std::string part = key;
   while (!part.empty() && !value_at(scene, part)) part = part.substr(0, part.rfind('.') == part.npos ? 0 : part.rfind('.'));

@@ -12,7 +12,7 @@
 namespace tack {
 namespace {
 
-// A column of probes.csv, with the unit of its probe.
+// A column of probes.csv with the unit of its probe.
 Unit unit_of(const char* key, const std::string& column, const Experiment& scene) {
   if (column == "time") return units::time;
   std::vector<std::string> names{"time"};

@@ -14,7 +14,7 @@ using Point = std::vector<double>;  // a value for each fitted number, SI, to si
 
 struct PointEvaluation {
   Point values;
-  bool good = false;   // every run came to its end, and passed something that was measured
+  bool good = false;   // every run finished and passed a measured point
   std::string status;  // "done", or the status of the first run that failed
   std::string error;
   double misfit = std::numeric_limits<double>::infinity();
@@ -23,7 +23,7 @@ struct PointEvaluation {
   // Per experiment: points that its run does not pass, for which the nearest sample counts.
   std::vector<int> beyond;
 
-  bool asked_derivatives = false;  // its runs had to give them too (output.gradients)
+  bool asked_derivatives = false;  // output.gradients was requested
   // d residuals / d u (fitted_number.hpp) for each number; empty for numbers without derivatives.
   std::vector<std::vector<double>> derivatives;
 };

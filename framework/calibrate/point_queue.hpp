@@ -17,7 +17,7 @@ class PointQueue {
  public:
   struct Request {
     Point values;
-    bool derivatives = false;  // are wanted too
+    bool derivatives = false;  // requested too
     std::optional<PointEvaluation> answer;
   };
 
@@ -46,7 +46,7 @@ class PointQueue {
   std::condition_variable answered_, asked_;
   std::list<Request> requests_;
   std::vector<Request*> fresh_;
-  int searching_, waiting_ = 0;  // threads that may ask; requests that are not answered
+  int searching_, waiting_ = 0;  // active searches; unanswered requests
   bool cancelled_ = false;
 };
 

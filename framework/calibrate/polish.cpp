@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <exception>
 
-DECLARE_int32(minloglevel);  // of glog, through which Ceres speaks to stderr
+DECLARE_int32(minloglevel);  // of glog, through which Ceres prints to stderr
 
 namespace tack {
 namespace {
@@ -26,7 +26,7 @@ class Residuals : public ceres::CostFunction {
       std::vector<double> u;
       for (size_t i = 0; i < problem_.low.size(); ++i) u.push_back(std::clamp(parameters[0][i], problem_.low[i], problem_.high[i]));
       return evaluate(u, residuals, jacobians ? jacobians[0] : nullptr);
-    } catch (...) {  // not through a library that has nothing to clear away with it
+    } catch (...) {  // no exceptions through a library that does not clean up
       failure_ = std::current_exception();
       return false;
     }

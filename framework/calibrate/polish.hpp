@@ -11,7 +11,7 @@ namespace tack {
 struct PolishProblem {
   std::vector<double> low, high;
   double tolerance = 1e-3;  // of each unknown
-  int iterations = 5;       // most
+  int iterations = 5;       // at most
   // Computes the residuals; returns false if they do not exist at u.
   std::function<bool(const std::vector<double>& u, std::vector<double>& residuals)> residuals;
   // Computes d residuals / d u; returns false if it does not exist at u.

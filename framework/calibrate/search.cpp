@@ -17,12 +17,15 @@ namespace {
 
 constexpr int design_of_each = 32, chain_of_each = 20, final_chain_of_each = 30;  // points for each number
 constexpr int polish_steps = 5;
-constexpr double early = 10, early_by_runs = 30;  // tolerances, at which all chains end but the final one; of the latter, if runs give derivatives
+// Tolerance of all chains but the final one, as a multiple of the search's; early_by_runs if runs
+// give derivatives.
+constexpr double early = 10, early_by_runs = 30;
 constexpr double final_step = 3;  // of those ends
 // In differences: radius within which points are compared with the derivatives.
 constexpr double reach = 3;
 constexpr double most_missed = 0.5;
-constexpr double widest = 2;      // differences, up to which a standard deviation is found from derivatives of the best point alone
+// In differences: largest standard deviation that derivatives at the best point alone may give.
+constexpr double widest = 2;
 
 class Search {
  public:
@@ -72,7 +75,7 @@ class Search {
     return found;
   }
 
-  // With their derivatives as long as runs give them.
+  // Requests derivatives too, as long as runs give them.
   std::vector<PointEvaluation> evaluate(const std::string& phase, const std::vector<Point>& points, bool derivatives) {
     return keep(phase, evaluator_.at(points, derivatives && gradients_));
   }
@@ -98,7 +101,7 @@ class Search {
                                    found.front().error.empty() ? "" : ": " + found.front().error));
   }
 
-  // The best points, each once.
+  // Returns the best points without duplicates.
   std::vector<Point> best_points(int most) const {
     std::vector<const PointEvaluation*> sorted;
     for (const SearchRow& row : result_.rows)
@@ -135,7 +138,7 @@ class Search {
     for (size_t i = 0; i < chains.size(); ++i) keep(chains[i].phase, std::move(found[i]));
   }
 
-  // How many more points chains may ask for.
+  // Returns the remaining number of evaluations of the chains.
   int left() const { return config_.evaluations > 0 ? std::max(0, config_.evaluations - static_cast<int>(result_.rows.size())) : 1 << 20; }
 
   void chains() {
@@ -264,9 +267,9 @@ class Search {
   std::vector<double> low_, high_;
   std::set<std::pair<Point, bool>> known_;
   bool gradients_ = false;        // runs give derivatives by some of the numbers
-  bool by_runs_ = false;          // the search is to end with them
+  bool by_runs_ = false;          // the search ends with them
   std::vector<std::string> why_;  // reason per number without derivatives of the runs
-  double worst_ = 0;  // misfit of the design
+  double worst_ = 0;  // largest misfit of the design
   SearchResult result_;
 };
 
